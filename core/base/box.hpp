@@ -1,0 +1,23 @@
+// An axis-aligned box in the dataset's length unit: domains, rakes' clipping, lattices.
+#pragma once
+
+#include "core/base/vec3.hpp"
+
+namespace wakesurf::core {
+
+struct Box {
+    Vec3 lo{0.0};
+    Vec3 hi{0.0};
+
+    /// False for points with a NaN coordinate.
+    bool contains(const Vec3& p) const {
+        return p.x >= lo.x && p.x <= hi.x && p.y >= lo.y && p.y <= hi.y && p.z >= lo.z &&
+               p.z <= hi.z;
+    }
+
+    Vec3 extent() const { return hi - lo; }
+
+    double diagonal() const { return glm::length(extent()); }
+};
+
+} // namespace wakesurf::core

@@ -1,0 +1,52 @@
+// The file operations the store reader needs, injected so that tests can make them fail or delay.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+namespace wakesurf::core {
+
+/// Tells a file from another one that took its name.
+struct FileIdentity {
+    std::uint64_t size = 0;
+    std::uint64_t inode = 0;
+    std::int64_t modified = 0; ///< nanoseconds since 1970
+
+    bool operator==(const FileIdentity&) const = default;
+};
+
+/// Thread safety: concurrent calls are fine.
+class Disk {
+  public:
+    virtual ~Disk() = default;
+
+    /// Size of a regular file in bytes. Error: NotFound, Io.
+    virtual Result<std::uint64_t> size(const std::filesystem::path& file) const = 0;
+
+    /// Error: NotFound, Io. A disk that knows only sizes tells files apart by their size.
+    virtual Result<FileIdentity> identity(const std::filesystem::path& file) const {
+        return size(file).map([](std::uint64_t bytes) { return FileIdentity{bytes, 0, 0}; });
+    }
+
+    /// Fills `out` from `offset`. Error: NotFound, Io, Corrupt when the file ends before `out` is full.
+    virtual Result<void> read(const std::filesystem::path& file,
+                              std::uint64_t offset,
+                              std::span<std::byte> out) const = 0;
+};
+
+/// The real one: pread in a loop (EINTR and short reads handled), never mmap, because a file
+/// truncated under a mapping is a SIGBUS.
+class PosixDisk final : public Disk {
+  public:
+    Result<std::uint64_t> size(const std::filesystem::path& file) const override;
+    Result<FileIdentity> identity(const std::filesystem::path& file) const override;
+    Result<void> read(const std::filesystem::path& file,
+                      std::uint64_t offset,
+                      std::span<std::byte> out) const override;
+};
+
+} // namespace wakesurf::core

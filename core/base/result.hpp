@@ -1,0 +1,35 @@
+// Errors as values: what went wrong in one sentence, and what the caller can do about it.
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include <string>
+
+namespace wakesurf::core {
+
+struct Error {
+    enum class Code {
+        NotFound,
+        Corrupt,
+        Unsupported,
+        InvalidArgument,
+        OutOfDomain,
+        OutOfTime,
+        OverLimit,
+        Cancelled,
+        Io
+    };
+    Code code = Code::Io;
+    std::string message; ///< one sentence for a person, without a server path
+    std::string hint;    ///< what to do about it; may be empty
+};
+
+template <class T>
+using Result = tl::expected<T, Error>;
+
+/// Shorthand for `return fail(Error::Code::NotFound, "no rake r7", "list them with rake.list")`.
+inline tl::unexpected<Error> fail(Error::Code code, std::string message, std::string hint = {}) {
+    return tl::unexpected(Error{code, std::move(message), std::move(hint)});
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,48 @@
+// What a dataset is, as `info --json` and `dataset.describe` tell it. Values only; the JSON text of it
+// lives in protocol/dataset_json.hpp.
+#pragma once
+
+#include "core/base/box.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wakesurf::core {
+
+enum class GridKind { Uniform, Rectilinear, Curvilinear, Unstructured, Analytic };
+
+struct FieldInfo {
+    enum class Source { Point, Cell };
+    std::string name;
+    int components = 1;
+    Source source = Source::Point;
+    std::array<double, 2> range{0.0, 0.0}; ///< over what has been read so far; of the magnitude for vectors
+    std::string unit;                      ///< empty where the format has none
+};
+
+struct DatasetInfo {
+    std::string dataset; ///< id, stable between starts
+    std::string name;    ///< for people
+    std::string reader;  ///< what read it: vtkXMLImageDataReader, store, analytic ...
+    GridKind grid = GridKind::Uniform;
+    Box bounds;
+    std::array<std::uint32_t, 3> dimensions{0, 0, 0}; ///< nodes per axis of a uniform grid
+    Vec3 spacing{0.0};                                ///< of a uniform grid
+    std::uint64_t points = 0;
+    std::uint64_t cells = 0;
+    std::vector<double> times; ///< strictly increasing
+    bool steady = false;
+    std::vector<FieldInfo> fields;
+    std::string velocity; ///< name of the field taken as velocity
+    std::string why;      ///< why that field was taken
+    bool obstacle = false;
+    std::uint64_t bytes_per_step = 0;
+
+    /// Default separation distance: the finest node spacing; for analytic flows 1/100 of the shortest side.
+    double finest_spacing = 0.0;
+};
+
+} // namespace wakesurf::core

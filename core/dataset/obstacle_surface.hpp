@@ -1,0 +1,17 @@
+// The wall of an obstacle as a mesh to look at: the faces midway between fluid and solid nodes, where the flow stops
+// particles (SolidMask).
+#pragma once
+
+#include "core/dataset/solid_mask.hpp"
+#include "core/dataset/uniform_grid.hpp"
+#include "core/surface/quad_complex.hpp"
+
+namespace wakesurf::core {
+
+/// A quad for every pair of neighbouring nodes of which one is solid, seen counter-clockwise from the fluid. Vertices
+/// are shared between the quads, so the wall is closed except where the obstacle meets the domain's border. Only
+/// positions and cells are filled in. Cost: O(nodes).
+/// REQUIRES: mask.fluid has grid.nodes() entries, or none.
+QuadComplex obstacle_surface(const UniformGrid& grid, const SolidMask& mask);
+
+} // namespace wakesurf::core

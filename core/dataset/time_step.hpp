@@ -1,0 +1,23 @@
+// One stored field in memory: velocity at every node of the grid at one physical time.
+#pragma once
+
+#include "core/base/vec3.hpp"
+#include "core/dataset/slab.hpp"
+
+#include <cstddef>
+#include <span>
+
+namespace wakesurf::core {
+
+/// Immutable once shared. Velocity is float3 in file order (x fastest), 12 bytes a node.
+struct TimeStep {
+    std::size_t index = 0;
+    double time = 0.0;
+    Slab slab;
+
+    std::span<const float> velocity() const {
+        return {reinterpret_cast<const float*>(slab.bytes().data()), slab.bytes().size() / sizeof(float)};
+    }
+};
+
+} // namespace wakesurf::core

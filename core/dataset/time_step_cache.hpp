@@ -1,0 +1,64 @@
+// The sliding window: time-steps held in memory within a byte budget, with prefetch in the direction of
+// play. Everything that samples stored data gets its time-steps here. States a client can see: resident,
+// loading, cold.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/time_step_source.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+namespace wakesurf::core {
+
+enum class StepState { Cold, Loading, Resident };
+
+/// Thread safety: every call may come from any thread. A time-step handed out stays valid as long as its
+/// holder keeps it; it counts against the budget until then.
+class TimeStepCache {
+  public:
+    struct Options {
+        std::size_t budget_bytes = std::size_t{4} << 30; ///< raised to 4 time-steps if smaller
+        std::size_t load_threads = 1;
+    };
+
+    struct Status {
+        std::vector<StepState> steps;
+        std::size_t bytes = 0; ///< accounted: resident, handed out and in flight
+        std::size_t budget = 0;
+    };
+
+    TimeStepCache(std::shared_ptr<const TimeStepSource> source, Options options);
+    ~TimeStepCache();
+    TimeStepCache(const TimeStepCache&) = delete;
+    TimeStepCache& operator=(const TimeStepCache&) = delete;
+
+    const TimeStepSource& source() const;
+
+    /// The time-step, loaded if it is not resident; two callers of one cold time-step cause one load.
+    /// Blocks. A caller may hold two time-steps while it acquires a third; while the budget is taken up
+    /// by time-steps in use, it waits until one is given back.
+    /// Error: what the source says; Cancelled when `stop` fires first; OverLimit when the callers that
+    /// wait may hold everything between them (after 0.3 s), or nothing is given back for 30 s: let go
+    /// and try again. Cost of a resident time-step: about 0.1 microseconds.
+    Result<std::shared_ptr<const TimeStep>> acquire(std::size_t index, std::stop_token stop = {});
+
+    /// Asks for the time-steps after `index` in the direction of play (+1 or -1), nearest first, as
+    /// many as fit the budget without evicting `index` itself. Returns at once.
+    void prefetch(std::size_t index, int direction);
+
+    Status status() const;
+
+    /// Called (from a load thread, without the cache's lock) whenever a step's state changes. Returns when
+    /// the previous listener is not running any more; a listener must not set another one.
+    void on_change(std::function<void()> listener);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace wakesurf::core

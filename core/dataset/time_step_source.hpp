@@ -1,0 +1,38 @@
+// Where the cache gets its time-steps from: the store reader, or a test's own series.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/dataset_info.hpp"
+#include "core/dataset/solid_mask.hpp"
+#include "core/dataset/time_step.hpp"
+#include "core/dataset/uniform_grid.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+namespace wakesurf::core {
+
+/// Thread safety: concurrent calls are fine.
+class TimeStepSource {
+  public:
+    virtual ~TimeStepSource() = default;
+
+    virtual const UniformGrid& grid() const = 0;
+    virtual const SolidMask& mask() const = 0;
+
+    /// Times of all time-steps of the series, strictly increasing, whether written yet or not.
+    virtual const std::vector<double>& times() const = 0;
+
+    /// True when load(index) can succeed now: while an import runs, steps become ready one by one.
+    virtual bool ready(std::size_t index) const = 0;
+
+    /// Memory load(index) takes.
+    virtual std::size_t bytes_per_step() const = 0;
+
+    /// Error: NotFound (not written yet), Corrupt, Io, Cancelled.
+    virtual Result<std::shared_ptr<const TimeStep>> load(std::size_t index, std::stop_token stop) const = 0;
+};
+
+} // namespace wakesurf::core

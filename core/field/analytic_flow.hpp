@@ -1,0 +1,24 @@
+// Built-in flows by name: `flow:NAME?k=v,...` without the `flow:`. Sampled exactly, never through a grid.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/dataset_info.hpp"
+#include "core/field/flow.hpp"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::core {
+
+std::vector<std::string> analytic_flow_names();
+
+/// `lamb-oseen` or `lamb-oseen?gamma=1,rc=0.2`.
+/// Error: NotFound with the list of names, InvalidArgument for an unknown or unreadable parameter.
+Result<std::unique_ptr<Flow>> make_analytic_flow(std::string_view specification);
+
+/// As `info` shows it: times 0..10 in 21 steps where the flow is unsteady, one time 0 where it is steady.
+Result<DatasetInfo> describe_analytic_flow(std::string_view specification);
+
+} // namespace wakesurf::core

@@ -1,0 +1,67 @@
+// A closed form on its domain as a flow: sampled exactly, never through a grid.
+#pragma once
+
+#include "core/field/flow.hpp"
+#include "core/field/trace_curves.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace wakesurf::core {
+
+template <class Form>
+struct BoundedForm {
+    Form form;
+    Box box;
+
+    Vec3 velocity(const Vec3& p, double t) const { return form.velocity(p, t); }
+
+    PointStatus status(const Vec3& p) const {
+        if (!box.contains(p))
+            return PointStatus::OutsideDomain;
+        return form.solid(p) ? PointStatus::InObstacle : PointStatus::Inside;
+    }
+};
+
+template <class Form>
+class AnalyticFlow final : public Flow {
+  public:
+    AnalyticFlow(Form form, Box box) : field_{form, box} {}
+
+    Box domain() const override { return field_.box; }
+
+    std::optional<std::array<double, 2>> time_range() const override { return std::nullopt; }
+
+    double finest_spacing() const override {
+        const Vec3 side = field_.box.extent();
+        return std::min({side.x, side.y, side.z}) / 100.0;
+    }
+
+    PointStatus status(const Vec3& position) const override { return field_.status(position); }
+
+    Result<TraceCost> trace(std::span<Curve> curves,
+                            const TraceOptions& options,
+                            std::stop_token stop) const override {
+        // Each curve runs to its own end: the limit is infinitely late, or early for upstream ones.
+        const double never = curves.empty() || curves.front().duration >= 0.0
+                                 ? std::numeric_limits<double>::infinity()
+                                 : -std::numeric_limits<double>::infinity();
+        if (!trace_curves(field_, curves, options, never, stop))
+            return fail(Error::Code::Cancelled, "the integration was cancelled");
+        return TraceCost{};
+    }
+
+    Result<void> sample(std::span<const Vec3> positions,
+                        std::span<const double> times,
+                        std::span<Vec3> velocities,
+                        std::stop_token) const override {
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            velocities[i] = field_.velocity(positions[i], times[i]);
+        return {};
+    }
+
+  private:
+    BoundedForm<Form> field_;
+};
+
+} // namespace wakesurf::core

@@ -1,0 +1,52 @@
+// A flow: velocity over a domain and a time range, able to carry particles. Surfaces know flows only through
+// this; grids, caches and closed forms are behind it.
+#pragma once
+
+#include "core/base/box.hpp"
+#include "core/base/result.hpp"
+#include "core/field/point_status.hpp"
+#include "core/integrate/curve.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <stop_token>
+
+namespace wakesurf::core {
+
+/// What tracing took besides computing.
+struct TraceCost {
+    double load = 0.0; ///< s spent waiting for time-steps
+};
+
+/// Thread safety: concurrent calls are fine.
+class Flow {
+  public:
+    virtual ~Flow() = default;
+
+    virtual Box domain() const = 0;
+
+    /// Times at which the flow is known; nothing for closed forms, which are known at all times.
+    virtual std::optional<std::array<double, 2>> time_range() const = 0;
+
+    /// Finest detail of the field: node spacing, or 1/100 of the shortest side for closed forms.
+    virtual double finest_spacing() const = 0;
+
+    virtual PointStatus status(const Vec3& position) const = 0;
+
+    /// Integrates every curve from its seed to its end. Runs in parallel over curves in the caller's arena;
+    /// the result does not depend on the number of threads.
+    /// Error: Cancelled, or what loading a time-step reports.
+    virtual Result<TraceCost>
+    trace(std::span<Curve> curves, const TraceOptions& options, std::stop_token stop) const = 0;
+
+    /// Velocity at n points, each at its own time; the field's continuation outside the domain, zero inside
+    /// obstacles of stored data.
+    /// Error: Cancelled, OutOfTime, or what loading a time-step reports.
+    virtual Result<void> sample(std::span<const Vec3> positions,
+                                std::span<const double> times,
+                                std::span<Vec3> velocities,
+                                std::stop_token stop) const = 0;
+};
+
+} // namespace wakesurf::core

@@ -1,0 +1,17 @@
+// Stored data on a uniform grid as a flow: time-steps come through the cache, interval by interval.
+#pragma once
+
+#include "core/base/clock.hpp"
+#include "core/dataset/time_step_cache.hpp"
+#include "core/field/flow.hpp"
+
+#include <memory>
+
+namespace wakesurf::core {
+
+/// @param clock measures how long tracing waits for time-steps
+std::unique_ptr<Flow>
+make_grid_flow(std::shared_ptr<TimeStepCache> cache,
+               std::shared_ptr<const Clock> clock = std::make_shared<SteadyClock>());
+
+} // namespace wakesurf::core

@@ -1,0 +1,122 @@
+// Trilinear in space, linear in time: the stored field between its nodes. A pair of time-steps, or one for a
+// frozen field. Mirrors what vtkProbeFilter gives on image data.
+#pragma once
+
+#include "core/dataset/solid_mask.hpp"
+#include "core/dataset/uniform_grid.hpp"
+#include "core/field/point_status.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace wakesurf::core {
+
+/// Per cell: are all, none or some of its nodes fluid? One byte read answers nearly every status question.
+class CellMask {
+  public:
+    CellMask(const UniformGrid& grid, const SolidMask& mask);
+
+    enum State : std::uint8_t { Fluid, Mixed, Solid };
+
+    State state(std::size_t first_node) const {
+        return state_.empty() ? Fluid : static_cast<State>(state_[first_node]);
+    }
+
+  private:
+    std::vector<std::uint8_t> state_; ///< indexed by the cell's lowest node
+};
+
+/// Where a point falls in the grid: lowest node of its cell and the fractions in it. Outside points get the nearest
+/// border cell and fractions clamped to it, which continues the field constantly.
+struct CellPoint {
+    std::size_t node;
+    Vec3 fraction;
+};
+
+inline CellPoint locate(const UniformGrid& grid, const Vec3& p) {
+    CellPoint at{0, Vec3(0.0)};
+    std::size_t stride = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double cells = grid.dimensions[static_cast<std::size_t>(axis)] - 1;
+        const double x = std::clamp((p[axis] - grid.origin[axis]) / grid.spacing[axis], 0.0, cells);
+        const auto cell = static_cast<std::size_t>(std::min(x, cells - 1.0));
+        at.fraction[axis] = x - static_cast<double>(cell);
+        at.node += cell * stride;
+        stride *= grid.dimensions[static_cast<std::size_t>(axis)];
+    }
+    return at;
+}
+
+/// The eight nodes of a cell in x, y, z order, and their trilinear weights.
+struct Corners {
+    std::size_t node[8];
+    double weight[8];
+};
+
+inline Corners corners(const UniformGrid& grid, const CellPoint& at) {
+    const std::size_t dx = 1;
+    const std::size_t dy = grid.dimensions[0];
+    const std::size_t dz = dy * grid.dimensions[1];
+    const Vec3 f = at.fraction;
+    const double x[2] = {1.0 - f.x, f.x};
+    const double y[2] = {1.0 - f.y, f.y};
+    const double z[2] = {1.0 - f.z, f.z};
+    Corners result;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const std::size_t ix = i & 1, iy = i >> 1 & 1, iz = i >> 2;
+        result.node[i] = at.node + ix * dx + iy * dy + iz * dz;
+        result.weight[i] = x[ix] * y[iy] * z[iz];
+    }
+    return result;
+}
+
+struct GridSampler {
+    const UniformGrid* grid;
+    const CellMask* cells;
+    const SolidMask* mask;
+    const float* velocity0;
+    const float* velocity1; ///< null: frozen at the first
+    double time0 = 0.0;
+    double interval = 1.0;
+
+    Vec3 velocity(const Vec3& p, double t) const {
+        const Corners at = corners(*grid, locate(*grid, p));
+        const Vec3 v0 = blend(velocity0, at);
+        if (!velocity1)
+            return v0;
+        const double a = (t - time0) / interval;
+        return v0 + a * (blend(velocity1, at) - v0);
+    }
+
+    PointStatus status(const Vec3& p) const {
+        if (!grid->bounds().contains(p))
+            return PointStatus::OutsideDomain;
+        const CellPoint cell = locate(*grid, p);
+        switch (cells->state(cell.node)) {
+        case CellMask::Fluid:
+            return PointStatus::Inside;
+        case CellMask::Solid:
+            return PointStatus::InObstacle;
+        case CellMask::Mixed:
+            break;
+        }
+        const Corners at = corners(*grid, cell);
+        double fluid = 0.0;
+        for (int i = 0; i < 8; ++i)
+            fluid += at.weight[i] * mask->fluid[at.node[i]];
+        return fluid < 0.5 ? PointStatus::InObstacle : PointStatus::Inside;
+    }
+
+  private:
+    static Vec3 blend(const float* velocity, const Corners& at) {
+        Vec3 sum(0.0);
+        for (int i = 0; i < 8; ++i) {
+            const float* v = velocity + 3 * at.node[i];
+            sum += at.weight[i] * Vec3(v[0], v[1], v[2]);
+        }
+        return sum;
+    }
+};
+
+} // namespace wakesurf::core

@@ -1,0 +1,10 @@
+// Where a point is: the three answers every field gives before anything is sampled there.
+#pragma once
+
+#include <cstdint>
+
+namespace wakesurf::core {
+
+enum class PointStatus : std::uint8_t { Inside, OutsideDomain, InObstacle };
+
+} // namespace wakesurf::core

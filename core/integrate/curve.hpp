@@ -1,0 +1,72 @@
+// An integral curve (streamline or pathline) as its integration leaves it: accepted steps with dense output, so
+// that a surface can take vertices anywhere on it without a new integration.
+#pragma once
+
+#include "core/base/vec3.hpp"
+
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace wakesurf::core {
+
+enum class CurveEnd : std::uint8_t { Running, Time, Domain, Obstacle, Stagnation, Budget };
+
+struct TraceOptions {
+    enum class Method { Dopri5, Rk4 };
+    Method method = Method::Dopri5;
+    bool frozen =
+        false; ///< true: the field as it is at `Curve::release` (stream); false: it moves on (path)
+    double tolerance = 1e-6;   ///< Dopri5: error allowed per unit length
+    double step = 0.0;         ///< Rk4: the time step; Dopri5: the first one tried, 0: chosen
+    double longest_step = 0.0; ///< arc length a step may cover, in the dataset's length unit; > 0
+    double stagnation_speed = 0.0;   ///< a slower particle ends with Stagnation
+    std::size_t most_steps = 50'000; ///< attempts after which it ends with Budget: 200 bytes each
+    bool stretch = false;            ///< transport the tangent across the rake (for deformation)
+};
+
+/// Dense output of one accepted step, Hairer, Norsett, Wanner, Solving ODEs I, II.6: y(theta) =
+/// c0 + theta (c1 + (1 - theta)(c2 + theta (c3 + (1 - theta) c4))); xyz is the position, w the arc length.
+struct CurveStep {
+    double time = 0.0; ///< since release
+    double dt = 0.0;   ///< negative upstream
+    std::array<glm::dvec4, 5> c;
+    Vec3 stretch{0.0}; ///< transported tangent dx/ds at the start of the step
+
+    glm::dvec4 at(double theta) const {
+        const double other = 1.0 - theta;
+        return c[0] + theta * (c[1] + other * (c[2] + theta * (c[3] + other * c[4])));
+    }
+};
+
+struct CurvePoint {
+    Vec3 position{0.0};
+    double time = 0.0; ///< since release; negative upstream
+    double arc = 0.0;
+    Vec3 stretch{0.0};
+};
+
+/// Filled by Flow::trace. The seed, release time and duration are inputs.
+struct Curve {
+    Vec3 seed{0.0};
+    Vec3 seed_tangent{0.0}; ///< dc/ds at the seed; used with TraceOptions::stretch
+    double release = 0.0;   ///< simulation time
+    double duration = 0.0;  ///< signed: negative integrates upstream
+
+    std::vector<CurveStep> steps;
+    CurveEnd end = CurveEnd::Running;
+    CurvePoint last;          ///< where the curve ends
+    double next_dt = 0.0;     ///< the integrator's proposal, kept between sliding-window intervals
+    std::size_t attempts = 0; ///< accepted and rejected steps
+
+    /// The point at an arc length from the seed, 0..last.arc. Cost: O(log steps).
+    CurvePoint at_arc(double arc) const;
+
+    /// The point at a time since release, between 0 and last.time.
+    CurvePoint at_time(double time) const;
+};
+
+} // namespace wakesurf::core

@@ -1,0 +1,123 @@
+#include "core/surface/quad_complex.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_set>
+
+namespace wakesurf::core {
+
+namespace {
+
+std::uint64_t directed(VertexId a, VertexId b) {
+    return std::uint64_t{a} << 32 | b;
+}
+
+template <class Visit>
+void for_each_edge(const Cell& cell, Visit visit) {
+    const CellPolygon outline = polygon(cell);
+    for (std::uint32_t i = 0; i < outline.count; ++i)
+        visit(outline.vertex[i], outline.vertex[(i + 1) % outline.count]);
+}
+
+std::string at_cell(std::size_t index, const char* what) {
+    return "cell " + std::to_string(index) + " " + what;
+}
+
+bool repeats(const CellPolygon& outline) {
+    for (std::uint32_t i = 1; i < outline.count; ++i)
+        for (std::uint32_t k = 0; k < i; ++k)
+            if (outline.vertex[i] == outline.vertex[k])
+                return true;
+    return false;
+}
+
+/// Two vertices on one point of the parameter rectangle would be a crack; 1e-12 of the range counts as one point.
+std::string first_twin(const QuadComplex& mesh) {
+    std::vector<VertexId> order(mesh.vertices());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto key = [&](VertexId v) { return std::pair(mesh.s[v], mesh.t[v]); };
+    std::sort(order.begin(), order.end(), [&](VertexId a, VertexId b) { return key(a) < key(b); });
+    for (std::size_t i = 1; i < order.size(); ++i)
+        if (key(order[i]) == key(order[i - 1]))
+            return "vertices " + std::to_string(order[i - 1]) + " and " + std::to_string(order[i]) +
+                   " share one (s, t)";
+    return {};
+}
+
+} // namespace
+
+CellPolygon polygon(const Cell& cell) {
+    CellPolygon outline;
+    for (std::size_t side = 0; side < 4; ++side) {
+        outline.vertex[outline.count++] = cell.corner[side];
+        if (cell.mid[side] != no_vertex)
+            outline.vertex[outline.count++] = cell.mid[side];
+    }
+    return outline;
+}
+
+std::string QuadComplex::validate() const {
+    const std::size_t n = vertices();
+    if (s.size() != n || t.size() != n || approximated.size() != n)
+        return "vertex arrays differ in length";
+    std::unordered_set<std::uint64_t> edges;
+    edges.reserve(cells.size() * 5);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const CellPolygon outline = polygon(cells[i]);
+        if (std::any_of(outline.vertex.begin(), outline.vertex.begin() + outline.count,
+                        [&](VertexId v) { return v >= n; }))
+            return at_cell(i, "names a vertex that does not exist");
+        if (repeats(outline))
+            return at_cell(i, "repeats a vertex");
+        bool fresh = true;
+        for_each_edge(cells[i], [&](VertexId a, VertexId b) {
+            fresh = edges.insert(directed(a, b)).second && fresh;
+        });
+        if (!fresh)
+            return at_cell(i, "uses a directed edge another cell uses");
+    }
+    return first_twin(*this);
+}
+
+void label_components(QuadComplex& complex) {
+    // Union-find over the vertices of each cell; parts meet only where cells share vertices.
+    std::vector<VertexId> parent(complex.vertices());
+    std::iota(parent.begin(), parent.end(), 0u);
+    const auto root = [&](VertexId v) {
+        while (parent[v] != v)
+            v = parent[v] = parent[parent[v]];
+        return v;
+    };
+    for (const Cell& cell : complex.cells)
+        for_each_edge(cell, [&](VertexId a, VertexId b) {
+            const VertexId ra = root(a);
+            const VertexId rb = root(b);
+            parent[std::max(ra, rb)] = std::min(ra, rb);
+        });
+    std::vector<std::uint32_t> size(complex.vertices(), 0);
+    for (const Cell& cell : complex.cells)
+        ++size[root(cell.corner[0])];
+    std::vector<VertexId> roots;
+    for (VertexId v = 0; v < complex.vertices(); ++v)
+        if (root(v) == v)
+            roots.push_back(v);
+    std::stable_sort(roots.begin(), roots.end(),
+                     [&](VertexId a, VertexId b) { return size[a] > size[b]; });
+    std::vector<std::uint32_t> number(complex.vertices(), 0);
+    for (std::size_t i = 0; i < roots.size(); ++i)
+        number[roots[i]] = static_cast<std::uint32_t>(i);
+    complex.component.resize(complex.vertices());
+    for (VertexId v = 0; v < complex.vertices(); ++v)
+        complex.component[v] = number[root(v)];
+}
+
+double longest_edge(const QuadComplex& complex) {
+    double longest = 0.0;
+    for (const Cell& cell : complex.cells)
+        for_each_edge(cell, [&](VertexId a, VertexId b) {
+            longest = std::max(longest, glm::length(complex.position[a] - complex.position[b]));
+        });
+    return longest;
+}
+
+} // namespace wakesurf::core

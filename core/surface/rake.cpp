@@ -1,0 +1,159 @@
+#include "core/surface/rake.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace wakesurf::core {
+
+namespace {
+
+/// A circle as a polygon fine enough that its sagitta is 1e-5 of the radius.
+std::vector<Vec3> rim(const Vec3& centre, const Vec3& a, const Vec3& b) {
+    const Vec3 u = a - centre;
+    const Vec3 w = b - centre;
+    const Vec3 across = w - u * (glm::dot(w, u) / glm::dot(u, u));
+    const Vec3 v = across * (glm::length(u) / glm::length(across));
+    constexpr int pieces = 720;
+    std::vector<Vec3> points;
+    for (int i = 0; i < pieces; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / pieces;
+        points.push_back(centre + std::cos(angle) * u + std::sin(angle) * v);
+    }
+    points.push_back(points.front());
+    return points;
+}
+
+std::vector<Vec3> outline(const Rake& rake) {
+    return rake.kind == Rake::Kind::Circle ? rim(rake.points[0], rake.points[1], rake.points[2])
+                                           : rake.points;
+}
+
+/// Why a rake cannot be one, or an empty string.
+std::string fault(const Rake& rake) {
+    if (!std::all_of(rake.points.begin(), rake.points.end(), finite))
+        return "a rake point is not finite";
+    if (rake.seeds < 2)
+        return "a rake needs at least 2 seeds";
+    const std::size_t wanted = rake.kind == Rake::Kind::Circle ? 3 : 2;
+    if (rake.points.size() < wanted || (rake.kind == Rake::Kind::Line && rake.points.size() != 2) ||
+        (rake.kind == Rake::Kind::Circle && rake.points.size() != 3))
+        return rake.kind == Rake::Kind::Line ? "a line rake needs exactly 2 points"
+               : rake.kind == Rake::Kind::Circle
+                   ? "a circle rake needs a centre and 2 points of its rim"
+                   : "a rake needs at least 2 points";
+    for (std::size_t i = 1; i < rake.points.size(); ++i)
+        if (rake.points[i] == rake.points[i - 1])
+            return "two neighbouring rake points coincide";
+    if (rake.kind == Rake::Kind::Circle) {
+        const Vec3 u = rake.points[1] - rake.points[0];
+        const Vec3 w = rake.points[2] - rake.points[0];
+        if (glm::length(glm::cross(u, w)) <= 1e-9 * glm::length(u) * glm::length(w))
+            return "a circle rake's centre and rim points lie on one line";
+    }
+    return {};
+}
+
+/// Part of a segment inside a box as parameters in 0..1 (Liang and Barsky 1984); empty when lo > hi.
+std::array<double, 2> inside_part(const Vec3& a, const Vec3& b, const Box& box) {
+    double lo = 0.0;
+    double hi = 1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double d = b[axis] - a[axis];
+        double enter = (box.lo[axis] - a[axis]) / d;
+        double leave = (box.hi[axis] - a[axis]) / d;
+        if (d == 0.0) {
+            if (a[axis] < box.lo[axis] || a[axis] > box.hi[axis])
+                return {1.0, 0.0};
+            continue;
+        }
+        if (d < 0.0)
+            std::swap(enter, leave);
+        lo = std::max(lo, enter);
+        hi = std::min(hi, leave);
+    }
+    return {lo, hi};
+}
+
+double distance(const Vec3& p, const Box& box) {
+    return glm::length(p - glm::clamp(p, box.lo, box.hi));
+}
+
+Error outside(const std::vector<Vec3>& points, const Box& domain) {
+    double nearest = distance(points.front(), domain);
+    for (const Vec3& p : points)
+        nearest = std::min(nearest, distance(p, domain));
+    std::ostringstream text;
+    text << "the rake lies outside the domain by " << nearest;
+    std::ostringstream hint;
+    hint << "move it into " << domain.lo.x << ".." << domain.hi.x << ", " << domain.lo.y << ".."
+         << domain.hi.y << ", " << domain.lo.z << ".." << domain.hi.z;
+    return {Error::Code::OutOfDomain, text.str(), hint.str()};
+}
+
+} // namespace
+
+Result<ClippedRake> clip_rake(const Rake& rake, const Box& domain) {
+    if (const std::string reason = fault(rake); !reason.empty())
+        return fail(Error::Code::InvalidArgument, reason, "correct the rake's points or seeds");
+    const std::vector<Vec3> points = outline(rake);
+    if (std::all_of(points.begin(), points.end(),
+                    [&](const Vec3& p) { return domain.contains(p); }))
+        return ClippedRake{rake, false};
+    // The longest run of the polyline inside the box; a box is convex, so a line has only one.
+    std::vector<Vec3> best, run;
+    double best_length = 0.0, run_length = 0.0;
+    const auto finish_run = [&] {
+        if (run_length > best_length)
+            best = run, best_length = run_length;
+        run.clear(), run_length = 0.0;
+    };
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const Vec3 a = points[i - 1];
+        const Vec3 b = points[i];
+        const auto [lo, hi] = inside_part(a, b, domain);
+        if (lo >= hi) {
+            finish_run();
+            continue;
+        }
+        if (lo > 0.0)
+            finish_run();
+        if (run.empty())
+            run.push_back(glm::clamp(glm::mix(a, b, lo), domain.lo, domain.hi));
+        run.push_back(glm::clamp(glm::mix(a, b, hi), domain.lo, domain.hi));
+        run_length += (hi - lo) * glm::length(b - a);
+        if (hi < 1.0)
+            finish_run();
+    }
+    finish_run();
+    if (best.size() < 2)
+        return tl::unexpected(outside(points, domain));
+    const Rake::Kind kind = best.size() == 2 ? Rake::Kind::Line : Rake::Kind::Polyline;
+    return ClippedRake{{kind, std::move(best), rake.seeds}, true};
+}
+
+SeedingCurve::SeedingCurve(const Rake& rake) : points_(outline(rake)), arc_{0.0} {
+    for (std::size_t i = 1; i < points_.size(); ++i)
+        arc_.push_back(arc_.back() + glm::length(points_[i] - points_[i - 1]));
+}
+
+std::size_t SeedingCurve::piece(double s) const {
+    const auto after = std::upper_bound(arc_.begin(), arc_.end() - 1, s * length());
+    return after == arc_.begin() ? 0 : static_cast<std::size_t>(after - arc_.begin()) - 1;
+}
+
+Vec3 SeedingCurve::at(double s) const {
+    const std::size_t i = std::min(piece(s), points_.size() - 2);
+    const double along = (s * length() - arc_[i]) / (arc_[i + 1] - arc_[i]);
+    if (s >= 1.0)
+        return points_.back();
+    return glm::mix(points_[i], points_[i + 1], along);
+}
+
+Vec3 SeedingCurve::tangent(double s) const {
+    const std::size_t i = std::min(piece(s), points_.size() - 2);
+    return (points_[i + 1] - points_[i]) * (length() / (arc_[i + 1] - arc_[i]));
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,52 @@
+// The rake: the widget's polyline, the seeding curve it defines, and the seeds on it.
+#pragma once
+
+#include "core/base/box.hpp"
+#include "core/base/result.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace wakesurf::core {
+
+struct Rake {
+    enum class Kind { Line, Polyline, Circle, Points };
+    Kind kind = Kind::Line;
+    std::vector<Vec3>
+        points; ///< line: 2; polyline: 2 or more; circle: centre and two points of the rim
+    std::uint32_t seeds = 32;
+
+    /// A circle's seeding curve returns to its start, so its surface has no side edges.
+    bool closed() const { return kind == Kind::Circle; }
+
+    bool operator==(const Rake&) const = default;
+};
+
+struct ClippedRake {
+    Rake rake;
+    bool clipped = false; ///< part of the rake was outside and has been cut away
+};
+
+/// Keeps the part of a rake inside the domain. Error: InvalidArgument (too few or coinciding points, non-finite
+/// coordinates, fewer than 2 seeds), OutOfDomain with the distance when nothing is inside.
+Result<ClippedRake> clip_rake(const Rake& rake, const Box& domain);
+
+/// The seeding curve c(s), s in 0..1 by arc length.
+class SeedingCurve {
+  public:
+    explicit SeedingCurve(const Rake& rake);
+    Vec3 at(double s) const;
+
+    /// dc/ds, constant on each straight piece.
+    Vec3 tangent(double s) const;
+
+    double length() const { return arc_.back(); }
+
+  private:
+    std::size_t piece(double s) const;
+    std::vector<Vec3> points_;
+    std::vector<double> arc_;
+};
+
+} // namespace wakesurf::core

@@ -1,0 +1,177 @@
+#include "core/surface/sheet.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+namespace wakesurf::core {
+
+namespace {
+
+constexpr double spacing_of_separation =
+    0.75; // square cells on average: fronts are between 1/2 and 1 separation
+constexpr double tear_width = 1.0 / 16.0; // of the separation
+constexpr double least_interval = 1e-6;   // of the rake
+constexpr int most_rounds = 128;
+
+double elapsed(const Clock& clock, std::chrono::steady_clock::time_point since) {
+    return std::chrono::duration<double>(clock.now() - since).count();
+}
+
+} // namespace
+
+Sheet::Sheet(const Flow& flow, const Rake& rake, SheetOptions options)
+    : flow_(flow), seeding_(rake), closed_(rake.closed()),
+      options_(options), limits_{{&flow, options.separation},
+                                 spacing_of_separation * options.separation,
+                                 tear_width * options.separation,
+                                 least_interval} {}
+
+Result<void>
+Sheet::trace(const std::set<double>& parameters, const Clock& clock, const std::stop_token& stop) {
+    const auto start = clock.now();
+    std::vector<double> missing;
+    std::vector<Curve> batch;
+    for (const double s : parameters) {
+        if (curve_at_.contains(s))
+            continue;
+        missing.push_back(s);
+        Curve curve;
+        curve.seed = seeding_.at(s);
+        curve.seed_tangent = seeding_.tangent(s);
+        curve.release = options_.release;
+        curve.duration = options_.duration;
+        batch.push_back(std::move(curve));
+    }
+    const auto traced = flow_.trace(batch, options_.trace, stop);
+    if (!traced)
+        return tl::unexpected(traced.error());
+    for (std::size_t i = 0; i < batch.size(); ++i)
+        curve_at_[missing[i]] = &curves_.emplace_back(SeededCurve{missing[i], std::move(batch[i])});
+    seconds_.load += traced->load;
+    seconds_.advect += elapsed(clock, start) - traced->load;
+    return {};
+}
+
+Result<void> Sheet::check_budget(std::size_t quads) const {
+    if (quads > options_.max_quads)
+        return fail(Error::Code::OverLimit,
+                    "the surface would have more than " + std::to_string(options_.max_quads) +
+                        " quads",
+                    "raise maxQuads or the separation");
+    return {};
+}
+
+Strip Sheet::strip_between(double left, double right_s) const {
+    return Strip(*curve_at_.at(left), *curve_at_.at(right_s == 1.0 && closed_ ? 0.0 : right_s),
+                 right_s);
+}
+
+std::size_t Sheet::zip(const std::vector<std::size_t>& dirty, const Clock& clock) {
+    const auto start = clock.now();
+    tbb::this_task_arena::isolate([&] {
+        tbb::parallel_for(std::size_t{0}, dirty.size(),
+                          [&](std::size_t i) { strips_[dirty[i]].zip(limits_); });
+    });
+    seconds_.refine += elapsed(clock, start);
+    std::size_t quads = 0;
+    for (const Strip& strip : strips_)
+        quads += strip.cells().size();
+    return quads;
+}
+
+/// Replaces each strip that holds a new seed by two.
+void Sheet::cut_at(const std::vector<double>& new_seeds) {
+    std::vector<Strip> strips;
+    std::size_t next = 0;
+    for (Strip& strip : strips_) {
+        if (next < new_seeds.size() && new_seeds[next] > strip.left_s() &&
+            new_seeds[next] < strip.right_s()) {
+            strips.push_back(strip_between(strip.left_s(), new_seeds[next]));
+            strips.push_back(strip_between(new_seeds[next], strip.right_s()));
+            ++next;
+        } else {
+            strips.push_back(std::move(strip));
+        }
+    }
+    strips_ = std::move(strips);
+}
+
+Result<void> Sheet::build(const std::set<double>& seeds, const Clock& clock, std::stop_token stop) {
+    seeds_ = seeds;
+    if (auto traced = trace(seeds_, clock, stop); !traced)
+        return traced;
+    double arc = 0.0;
+    for (const SeededCurve& curve : curves_)
+        arc += curve.curve.last.arc;
+    if (auto fits = check_budget(static_cast<std::size_t>(arc / limits_.spacing)); !fits)
+        return fits;
+
+    strips_.clear();
+    for (auto left = seeds_.begin(); left != seeds_.end(); ++left)
+        if (const auto right = std::next(left); right != seeds_.end())
+            strips_.push_back(strip_between(*left, *right));
+        else if (closed_)
+            strips_.push_back(strip_between(*left, 1.0));
+    std::vector<std::size_t> dirty(strips_.size());
+    std::iota(dirty.begin(), dirty.end(), std::size_t{0});
+    for (int round = 0; !dirty.empty(); ++round) {
+        if (stop.stop_requested())
+            return fail(Error::Code::Cancelled, "the surface was cancelled");
+        if (auto fits = check_budget(zip(dirty, clock)); !fits)
+            return fits;
+        std::set<double> wanted;
+        std::vector<double> new_seeds;
+        std::vector<std::size_t> again;
+        for (const std::size_t i : dirty) {
+            if (round >= most_rounds) {
+                strips_[i].tear_rest();
+                continue;
+            }
+            const Strip::Demand demand = strips_[i].refine(limits_);
+            if (demand.new_seed) {
+                wanted.insert(*demand.new_seed);
+                new_seeds.push_back(*demand.new_seed);
+            } else {
+                wanted.insert(demand.middles.begin(), demand.middles.end());
+            }
+            if (demand.changed)
+                again.push_back(i);
+        }
+        if (auto traced = trace(wanted, clock, stop); !traced)
+            return traced;
+        for (const std::size_t i : again)
+            for (const double s : wanted)
+                if (s > strips_[i].left_s() && s < strips_[i].right_s())
+                    strips_[i].supply(*curve_at_.at(s));
+        if (!new_seeds.empty()) {
+            seeds_.insert(new_seeds.begin(), new_seeds.end());
+            std::vector<double> marks;
+            for (const std::size_t i : again)
+                marks.push_back(strips_[i].left_s());
+            marks.insert(marks.end(), new_seeds.begin(), new_seeds.end());
+            std::sort(marks.begin(), marks.end());
+            cut_at(new_seeds);
+            again.clear();
+            for (std::size_t i = 0; i < strips_.size(); ++i)
+                if (std::binary_search(marks.begin(), marks.end(), strips_[i].left_s()))
+                    again.push_back(i);
+        }
+        dirty = std::move(again);
+    }
+    return {};
+}
+
+std::vector<const SeededCurve*> Sheet::columns() const {
+    std::vector<const SeededCurve*> all;
+    for (const double s : seeds_)
+        all.push_back(curve_at_.at(s));
+    for (const Strip& strip : strips_)
+        all.insert(all.end(), strip.curves().begin() + 2, strip.curves().end());
+    return all;
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,74 @@
+// A sheet: all strips of a rake in one direction of time, refined until every one is zipped. Traces the curves the
+// strips ask for, always from the rake, in batches.
+#pragma once
+
+#include "core/base/clock.hpp"
+#include "core/base/result.hpp"
+#include "core/surface/rake.hpp"
+#include "core/surface/strip.hpp"
+
+#include <deque>
+#include <map>
+#include <set>
+#include <stop_token>
+#include <vector>
+
+namespace wakesurf::core {
+
+struct SheetOptions {
+    TraceOptions trace;
+    double release;  ///< simulation time the particles leave the rake
+    double duration; ///< signed
+    double separation;
+    std::uint64_t max_quads;
+};
+
+class Sheet {
+  public:
+    Sheet(const Flow& flow, const Rake& rake, SheetOptions options);
+
+    /// Builds the strips between `seeds` (parameters, increasing; a closed rake's last one is below 1).
+    /// Error: OverLimit when the quads would exceed max_quads, Cancelled, and what tracing reports.
+    /// Cost: tracing, plus about 0.2 microseconds a quad and round.
+    Result<void> build(const std::set<double>& seeds, const Clock& clock, std::stop_token stop);
+
+    /// Seed parameters at which the sheet now leaves the rake: `seeds` and those it added.
+    const std::set<double>& seeds() const { return seeds_; }
+
+    /// The strips along the rake; a closed rake's last one ends at the first one's left column.
+    const std::vector<Strip>& strips() const { return strips_; }
+
+    bool closed() const { return closed_; }
+
+    bool upstream() const { return options_.duration < 0.0; }
+
+    /// Curves of the columns of the mesh, for statistics.
+    std::vector<const SeededCurve*> columns() const;
+
+    struct Seconds {
+        double load = 0.0, advect = 0.0, refine = 0.0;
+    };
+
+    Seconds seconds() const { return seconds_; }
+
+  private:
+    Result<void>
+    trace(const std::set<double>& parameters, const Clock& clock, const std::stop_token& stop);
+    Result<void> check_budget(std::size_t quads) const;
+    void cut_at(const std::vector<double>& new_seeds);
+    Strip strip_between(double left, double right_s) const;
+    std::size_t zip(const std::vector<std::size_t>& dirty, const Clock& clock);
+
+    const Flow& flow_;
+    SeedingCurve seeding_;
+    bool closed_;
+    SheetOptions options_;
+    StripLimits limits_;
+    std::set<double> seeds_;
+    std::deque<SeededCurve> curves_;                ///< stable addresses
+    std::map<double, const SeededCurve*> curve_at_; ///< by seed parameter
+    std::vector<Strip> strips_;                     ///< along the rake
+    Seconds seconds_;
+};
+
+} // namespace wakesurf::core

@@ -1,0 +1,24 @@
+// Turns zipped strips into one quad complex: columns shared by neighbouring strips become shared vertices.
+#pragma once
+
+#include "core/surface/quad_complex.hpp"
+#include "core/surface/sheet.hpp"
+
+#include <map>
+#include <vector>
+
+namespace wakesurf::core {
+
+/// A mesh under construction, and what is known of its vertices beyond the mesh's own arrays.
+struct SheetMesh {
+    QuadComplex complex;
+    std::vector<Vec3> stretch; ///< transported tangent dx/ds of every vertex
+    std::map<double, VertexId>
+        on_rake; ///< by seed parameter: sheets of both directions share the rake
+};
+
+/// Appends the vertices some cell uses, column by column along the rake, so that neighbours in space are neighbours in
+/// memory, and all cells. Cost: O(vertices + cells).
+void append_sheet(SheetMesh& mesh, const Sheet& sheet);
+
+} // namespace wakesurf::core

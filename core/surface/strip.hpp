@@ -1,0 +1,126 @@
+// A strip: what lies between two neighbouring seeds of the rake. Where it grows wider than the separation it splits
+// in two at a column traced from the rake, again and again: a binary tree over the seed parameter. The tree is
+// refined in rounds: zip the strip, see where it fails, ask for columns there, zip again. Every decision is local
+// to the strip, so strips are built in parallel and the result does not depend on the order.
+#pragma once
+
+#include "core/surface/zip.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace wakesurf::core {
+
+/// A traced curve and the seed parameter it starts from.
+struct SeededCurve {
+    double s = 0.0;
+    Curve curve;
+};
+
+struct StripLimits {
+    ZipRules rules;
+    double spacing;        ///< arc length between vertices of a column
+    double least_width;    ///< a narrower strip that still diverges is a tear, not a divergence
+    double least_interval; ///< seed parameter distance below which the surface is discontinuous
+};
+
+/// Vertex of a strip: which of its columns, and which vertex of that column.
+struct StripVertex {
+    std::uint32_t column = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t index = 0;
+
+    bool exists() const { return column != std::numeric_limits<std::uint32_t>::max(); }
+};
+
+struct StripCell {
+    std::array<StripVertex, 4> corner;
+    std::array<StripVertex, 4> mid;
+};
+
+class Strip {
+  public:
+    static constexpr std::uint32_t left_column = 0, right_column = 1;
+
+    /// @param left, right  curves at both ends, owned by the caller and stable
+    /// @param right_s      seed parameter of the right end: 1 where a closed rake's last strip meets its first column
+    Strip(const SeededCurve& left, const SeededCurve& right, double right_s);
+
+    /// Zips the whole strip anew from its tree. Thread safety: disjoint strips concurrently.
+    void zip(const StripLimits& limits);
+
+    /// What the last zip() asks for. `middles`: seed parameters of curves needed; `new_seed`: the strip already
+    /// diverges at the rake and must be cut there into two strips.
+    struct Demand {
+        std::vector<double> middles;
+        std::optional<double> new_seed;
+        bool changed = false; ///< the tree changed: zip() again once the curves are there
+    };
+
+    Demand refine(const StripLimits& limits);
+
+    /// Gives the curve for a seed parameter refine() asked for. Must outlive the strip.
+    void supply(const SeededCurve& curve);
+
+    /// Accepts what cannot be zipped as torn: used when rounds or the budget run out.
+    void tear_rest();
+
+    double left_s() const { return nodes_.front().left_s; }
+
+    double right_s() const { return nodes_.front().right_s; }
+
+    const std::vector<Column>& columns() const { return columns_; }
+
+    const std::vector<const SeededCurve*>& curves() const { return column_curves_; }
+
+    const std::vector<StripCell>& cells() const { return cells_; }
+
+    bool torn() const;
+
+  private:
+    struct Node {
+        double left_s, right_s;
+        const SeededCurve* middle = nullptr;
+        bool wants_middle = false;
+        std::uint32_t rows = 0; ///< quads before the split at `middle`
+        std::uint32_t drop = 1; ///< quads the next lowering moves the split
+        std::int32_t parent = -1;
+        std::int32_t child[2] = {-1, -1};
+        bool torn = false;
+    };
+
+    struct Failure {
+        std::int32_t node;
+        std::uint32_t rows; ///< quads made before it
+        double width;       ///< of the front there
+        bool exhausted;     ///< a column ended, rather than an edge too long
+        bool middle_too_short;
+    };
+
+    void zip_node(const StripLimits& limits,
+                  std::int32_t node,
+                  std::uint32_t left,
+                  std::uint32_t right,
+                  StripFront front);
+    bool split(const StripLimits& limits,
+               std::int32_t node,
+               std::uint32_t left,
+               std::uint32_t right,
+               StripFront front,
+               std::int64_t below);
+    void lower(std::int32_t node, Demand& demand);
+    void branch(std::int32_t node, std::uint32_t rows, Demand& demand);
+
+    double middle_s(const Node& node) const { return 0.5 * (node.left_s + node.right_s); }
+
+    std::vector<Node> nodes_;
+    const SeededCurve* ends_[2];
+    std::vector<Column> columns_;
+    std::vector<const SeededCurve*> column_curves_;
+    std::vector<StripCell> cells_;
+    std::vector<Failure> failures_;
+};
+
+} // namespace wakesurf::core

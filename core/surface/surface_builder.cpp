@@ -1,0 +1,173 @@
+#include "core/surface/surface_builder.hpp"
+
+#include "core/surface/sheet_mesh.hpp"
+#include "core/surface/surface_request.hpp"
+#include "core/surface/vertex_attributes.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+#include <vector>
+
+namespace wakesurf::core {
+
+namespace {
+
+std::set<double> first_seeds(const Rake& rake, double separation) {
+    const double length = SeedingCurve(rake).length();
+    const auto intervals = std::max(rake.seeds - 1.0, std::ceil(length / separation - 1e-9));
+    std::set<double> seeds;
+    for (double i = 0; i < intervals; ++i)
+        seeds.insert(i / intervals);
+    if (!rake.closed())
+        seeds.insert(1.0);
+    return seeds;
+}
+
+/// One sheet per direction over the same seeds; a direction that cuts the rake makes the other follow.
+Result<std::vector<Sheet>> build_sheets(const Flow& flow,
+                                        const Rake& rake,
+                                        const std::vector<SheetOptions>& directions,
+                                        const Clock& clock,
+                                        const std::stop_token& stop) {
+    std::vector<Sheet> sheets;
+    for (const SheetOptions& options : directions)
+        sheets.emplace_back(flow, rake, options);
+    std::set<double> seeds = first_seeds(rake, directions.front().separation);
+    for (std::size_t before = 0; before != seeds.size();) {
+        before = seeds.size();
+        for (Sheet& sheet : sheets) {
+            if (sheet.seeds() == seeds)
+                continue;
+            if (auto done = sheet.build(seeds, clock, stop); !done)
+                return tl::unexpected(done.error());
+            seeds.insert(sheet.seeds().begin(), sheet.seeds().end());
+        }
+    }
+    return sheets;
+}
+
+struct Sheets {
+    std::vector<Sheet> sheets;
+    double separation;
+    double load; ///< s until the first time-steps were in memory
+};
+
+/// The separation at which a sheet swept by the rake as far as 17 of its curves reach has the wanted number of quads
+/// where nothing diverges: keeps a request for millions of columns from being traced at all.
+Result<double> coarsest_needed(const Flow& flow,
+                               const Rake& rake,
+                               const SheetOptions& options,
+                               const std::stop_token& stop) {
+    const SeedingCurve seeding(rake);
+    std::vector<Curve> curves(17);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        curves[i].seed = seeding.at(static_cast<double>(i) / 16.0);
+        curves[i].release = options.release;
+        curves[i].duration = options.duration;
+    }
+    TraceOptions rough = options.trace;
+    rough.tolerance = 1e-3;
+    rough.stretch = false;
+    return flow.trace(curves, rough, stop).map([&](const TraceCost&) {
+        double arc = 0.0;
+        for (const Curve& curve : curves)
+            arc += curve.last.arc / static_cast<double>(curves.size());
+        return std::sqrt(seeding.length() * arc / static_cast<double>(options.max_quads));
+    });
+}
+
+/// The quad budget is hard: a surface too large for it is built coarser, and its statistics say so.
+Result<Sheets> build_within_budget(const Flow& flow,
+                                   const Rake& rake,
+                                   const SurfaceParameters& p,
+                                   const Clock& clock,
+                                   const std::stop_token& stop) {
+    const auto start = clock.now();
+    const auto speed = largest_speed(flow, rake, p.from, stop);
+    const double load = std::chrono::duration<double>(clock.now() - start).count();
+    if (!speed)
+        return tl::unexpected(speed.error());
+    double separation = p.separation > 0.0 ? p.separation : flow.finest_spacing();
+    for (bool first = true;; separation *= 1.25) {
+        auto directions = sheet_options(flow, rake, p, separation, *speed);
+        if (!directions)
+            return tl::unexpected(directions.error());
+        const std::uint64_t most = directions->front().max_quads;
+        if (rake.seeds > most)
+            return fail(Error::Code::OverLimit,
+                        "the rake has more seeds than the surface may have quads",
+                        "use fewer seeds or a larger maxQuads");
+        if (first) {
+            first = false;
+            const auto needed = coarsest_needed(flow, rake, directions->front(), stop);
+            if (!needed)
+                return tl::unexpected(needed.error());
+            if (separation < *needed) {
+                separation = *needed;
+                continue;
+            }
+        }
+        auto sheets = build_sheets(flow, rake, *directions, clock, stop);
+        if (sheets)
+            return Sheets{std::move(*sheets), separation, load};
+        if (sheets.error().code != Error::Code::OverLimit)
+            return tl::unexpected(sheets.error());
+    }
+}
+
+void count_columns(const Sheet& sheet, SurfaceStatistics& statistics) {
+    statistics.seconds.load += sheet.seconds().load;
+    statistics.seconds.advect += sheet.seconds().advect;
+    statistics.seconds.refine += sheet.seconds().refine;
+    for (const SeededCurve* column : sheet.columns()) {
+        const Curve& curve = column->curve;
+        statistics.steps = std::max<std::uint64_t>(statistics.steps, curve.steps.size());
+        statistics.vertex_steps += curve.attempts;
+        statistics.peak_bytes += curve.steps.capacity() * sizeof(CurveStep);
+        auto& ended = statistics.terminated;
+        ended.domain += curve.end == CurveEnd::Domain;
+        ended.time += curve.end == CurveEnd::Time;
+        ended.obstacle += curve.end == CurveEnd::Obstacle;
+        ended.stagnation += curve.end == CurveEnd::Stagnation;
+        ended.budget += curve.end == CurveEnd::Budget;
+    }
+}
+
+} // namespace
+
+Result<Surface> build_surface(const Flow& flow,
+                              const Rake& rake,
+                              const SurfaceParameters& parameters,
+                              std::stop_token stop,
+                              const Clock& clock) {
+    const auto start = clock.now();
+    if (auto sound = check_request(parameters); !sound)
+        return tl::unexpected(sound.error());
+    auto built = build_within_budget(flow, rake, parameters, clock, stop);
+    if (!built)
+        return tl::unexpected(built.error());
+
+    SheetMesh mesh;
+    SurfaceStatistics statistics;
+    statistics.seconds.load = built->load;
+    for (const Sheet& sheet : built->sheets) {
+        append_sheet(mesh, sheet);
+        count_columns(sheet, statistics);
+    }
+    if (auto done = add_attributes(mesh, flow, rake, parameters, stop); !done)
+        return tl::unexpected(done.error());
+    label_components(mesh.complex);
+    statistics.kind = parameters.kind;
+    statistics.quads = mesh.complex.cells.size();
+    statistics.vertices = mesh.complex.vertices();
+    statistics.max_edge = longest_edge(mesh.complex);
+    statistics.separation = built->separation;
+    statistics.seconds.total = std::chrono::duration<double>(clock.now() - start).count();
+    statistics.seconds.other = statistics.seconds.total - statistics.seconds.load -
+                               statistics.seconds.advect - statistics.seconds.refine;
+    return Surface{std::move(mesh.complex), statistics};
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,112 @@
+#include "core/surface/surface_request.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace wakesurf::core {
+
+namespace {
+
+/// Error allowed per unit length: 1e-5 keeps a column of 16 lengths within 1e-3 of a default separation.
+double tolerance(Accuracy accuracy) {
+    switch (accuracy) {
+    case Accuracy::Fast:
+        return 1e-4;
+    case Accuracy::Balanced:
+        return 1e-5;
+    case Accuracy::Exact:
+        break;
+    }
+    return 1e-9;
+}
+
+/// Keeps the curves from the rake within four steps a quad allowed, about 800 bytes: a particle that circles for ever ends.
+std::size_t steps_per_curve(const Rake& rake, double separation, std::uint64_t max_quads) {
+    const double columns = std::max<double>(rake.seeds, SeedingCurve(rake).length() / separation);
+    return static_cast<std::size_t>(
+        std::clamp(4.0 * static_cast<double>(max_quads) / columns, 500.0, 50'000.0));
+}
+
+Result<void> check_times(const Flow& flow, const SurfaceParameters& p, double duration) {
+    const auto range = flow.time_range();
+    if (!range)
+        return {};
+    const double last = p.kind == SurfaceKind::Path ? p.from + duration : p.from;
+    for (const double time : {p.from, last})
+        if (time < (*range)[0] || time > (*range)[1]) {
+            std::ostringstream text;
+            text << "time " << time << " is outside the data's " << (*range)[0] << " to "
+                 << (*range)[1];
+            return fail(Error::Code::OutOfTime, text.str(), "choose 'from' and 'to' inside it");
+        }
+    return {};
+}
+
+} // namespace
+
+Result<void> check_request(const SurfaceParameters& p) {
+    if (p.kind != SurfaceKind::Stream && p.kind != SurfaceKind::Path)
+        return fail(Error::Code::Unsupported, "streak and time surfaces are not offered yet",
+                    "choose a stream or path surface");
+    if (!std::isfinite(p.from) || !std::isfinite(p.to) || p.from == p.to)
+        return fail(Error::Code::InvalidArgument, "'from' and 'to' must be finite and differ",
+                    "give the integration time as to - from");
+    if (!std::isfinite(p.separation) || p.separation < 0.0)
+        return fail(Error::Code::InvalidArgument, "'separation' must be positive",
+                    "leave it out for the dataset's finest spacing");
+    if (p.max_quads < 1)
+        return fail(Error::Code::InvalidArgument, "'maxQuads' must be at least 1",
+                    "leave it out for the default");
+    return {};
+}
+
+Result<double>
+largest_speed(const Flow& flow, const Rake& rake, double time, std::stop_token stop) {
+    std::vector<Vec3> points;
+    const Box box = flow.domain();
+    for (int i = 0; i < 343; ++i)
+        points.push_back(box.lo + box.extent() * (Vec3(i % 7, i / 7 % 7, i / 49) / 6.0));
+    const SeedingCurve seeding(rake);
+    for (int i = 0; i <= 16; ++i)
+        points.push_back(seeding.at(i / 16.0));
+    const std::vector<double> times(points.size(), time);
+    std::vector<Vec3> velocities(points.size());
+    return flow.sample(points, times, velocities, stop).map([&] {
+        double speed = 0.0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (flow.status(points[i]) == PointStatus::Inside)
+                speed = std::max(speed, glm::length(velocities[i]));
+        return speed;
+    });
+}
+
+Result<std::vector<SheetOptions>> sheet_options(const Flow& flow,
+                                                const Rake& rake,
+                                                const SurfaceParameters& p,
+                                                double separation,
+                                                double largest_speed) {
+    SheetOptions one;
+    one.trace.frozen = p.kind == SurfaceKind::Stream;
+    one.trace.tolerance = tolerance(p.accuracy);
+    one.trace.longest_step = flow.finest_spacing();
+    one.trace.stagnation_speed = 1e-6 * largest_speed;
+    one.trace.most_steps = steps_per_curve(rake, separation, p.max_quads);
+    one.trace.stretch = p.deformation;
+    one.release = p.from;
+    one.separation = separation;
+    one.max_quads =
+        p.direction == Direction::Both ? std::max<std::uint64_t>(p.max_quads / 2, 1) : p.max_quads;
+    std::vector<SheetOptions> sheets;
+    for (const double sign : {+1.0, -1.0}) {
+        if (p.direction == (sign > 0.0 ? Direction::Backward : Direction::Forward))
+            continue;
+        one.duration = sign * std::abs(p.to - p.from);
+        if (auto in_time = check_times(flow, p, one.duration); !in_time)
+            return tl::unexpected(in_time.error());
+        sheets.push_back(one);
+    }
+    return sheets;
+}
+
+} // namespace wakesurf::core

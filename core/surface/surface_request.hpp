@@ -1,0 +1,25 @@
+// From what was asked to what is built: checks a request and works out the sheets it takes, one a direction.
+#pragma once
+
+#include "core/surface/sheet.hpp"
+#include "core/surface/surface_parameters.hpp"
+
+#include <stop_token>
+#include <vector>
+
+namespace wakesurf::core {
+
+/// Error: Unsupported (streak and time surfaces), InvalidArgument.
+Result<void> check_request(const SurfaceParameters& parameters);
+
+/// Largest speed on 7^3 points of the domain and 17 of the rake: what "standing still" is measured by.
+Result<double> largest_speed(const Flow& flow, const Rake& rake, double time, std::stop_token stop);
+
+/// One entry a direction. Error: OutOfTime when a path leaves the data's time range.
+Result<std::vector<SheetOptions>> sheet_options(const Flow& flow,
+                                                const Rake& rake,
+                                                const SurfaceParameters& parameters,
+                                                double separation,
+                                                double largest_speed);
+
+} // namespace wakesurf::core

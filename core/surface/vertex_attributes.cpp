@@ -1,0 +1,55 @@
+#include "core/surface/vertex_attributes.hpp"
+
+#include <cmath>
+
+namespace wakesurf::core {
+
+namespace {
+
+std::vector<float> deformation_of(const SheetMesh& mesh,
+                                  const std::vector<Vec3>& velocity,
+                                  const SeedingCurve& seeding,
+                                  const std::vector<Vec3>& seed_velocity) {
+    std::vector<float> result(mesh.complex.vertices());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const double now = glm::length(glm::cross(mesh.stretch[i], velocity[i]));
+        const double birth =
+            glm::length(glm::cross(seeding.tangent(mesh.complex.s[i]), seed_velocity[i]));
+        // A rake along the flow sweeps no area; the ratio is then taken as unchanged.
+        result[i] = now > 0.0 && birth > 0.0 ? static_cast<float>(std::log2(now / birth)) : 0.0f;
+    }
+    return result;
+}
+
+} // namespace
+
+Result<void> add_attributes(SheetMesh& mesh,
+                            const Flow& flow,
+                            const Rake& rake,
+                            const SurfaceParameters& p,
+                            std::stop_token stop) {
+    QuadComplex& complex = mesh.complex;
+    std::vector<double> times(complex.vertices(), p.from);
+    if (p.kind == SurfaceKind::Path)
+        for (std::size_t i = 0; i < times.size(); ++i)
+            times[i] += complex.t[i];
+    std::vector<Vec3> velocity(complex.vertices());
+    if (auto sampled = flow.sample(complex.position, times, velocity, stop); !sampled)
+        return sampled;
+    complex.velocity.assign(velocity.begin(), velocity.end());
+    if (!p.deformation)
+        return {};
+
+    const SeedingCurve seeding(rake);
+    std::vector<Vec3> seeds(complex.vertices());
+    for (std::size_t i = 0; i < seeds.size(); ++i)
+        seeds[i] = seeding.at(complex.s[i]);
+    times.assign(complex.vertices(), p.from);
+    std::vector<Vec3> at_birth(complex.vertices());
+    if (auto sampled = flow.sample(seeds, times, at_birth, stop); !sampled)
+        return sampled;
+    complex.deformation = deformation_of(mesh, velocity, seeding, at_birth);
+    return {};
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,21 @@
+// What is known at every vertex besides its place: velocity, and how much the surface has been stretched.
+#pragma once
+
+#include "core/field/flow.hpp"
+#include "core/surface/rake.hpp"
+#include "core/surface/sheet_mesh.hpp"
+#include "core/surface/surface_parameters.hpp"
+
+#include <stop_token>
+
+namespace wakesurf::core {
+
+/// Fills velocity, and deformation when asked for: log2 of the area element |dx/ds x v| over what it was at release.
+/// Error: what sampling reports. Cost: one sample a vertex, two with deformation.
+Result<void> add_attributes(SheetMesh& mesh,
+                            const Flow& flow,
+                            const Rake& rake,
+                            const SurfaceParameters& parameters,
+                            std::stop_token stop);
+
+} // namespace wakesurf::core

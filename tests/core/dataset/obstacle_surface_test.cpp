@@ -1,0 +1,94 @@
+#include "core/dataset/obstacle_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace wakesurf::core {
+
+namespace {
+
+const UniformGrid grid{{1.0, 2.0, 3.0}, {0.5, 0.25, 1.0}, {7, 8, 6}};
+
+SolidMask mask_of(const std::function<bool(int, int, int)>& solid) {
+    SolidMask mask;
+    for (int k = 0; k < 6; ++k)
+        for (int j = 0; j < 8; ++j)
+            for (int i = 0; i < 7; ++i)
+                mask.fluid.push_back(solid(i, j, k) ? 0 : 1);
+    return mask;
+}
+
+bool in_box(int i, int j, int k) {
+    return i >= 2 && i <= 4 && j >= 3 && j <= 5 && k >= 2 && k <= 3;
+}
+
+/// Directed edges of all cells, each with how often it occurs.
+std::map<std::pair<VertexId, VertexId>, int> edges(const QuadComplex& mesh) {
+    std::map<std::pair<VertexId, VertexId>, int> out;
+    for (const Cell& cell : mesh.cells)
+        for (std::size_t i = 0; i < 4; ++i)
+            ++out[{cell.corner[i], cell.corner[(i + 1) % 4]}];
+    return out;
+}
+
+/// By the divergence theorem; positive when the cells are counter-clockwise seen from outside.
+double volume(const QuadComplex& mesh) {
+    double sum = 0.0;
+    for (const Cell& cell : mesh.cells) {
+        const auto& p = mesh.position;
+        const Vec3 a = p[cell.corner[0]];
+        const Vec3 b = p[cell.corner[1]];
+        const Vec3 c = p[cell.corner[2]];
+        const Vec3 d = p[cell.corner[3]];
+        sum += glm::dot(a, glm::cross(b, c)) / 6.0 + glm::dot(a, glm::cross(c, d)) / 6.0;
+    }
+    return sum;
+}
+
+} // namespace
+
+TEST(ObstacleSurface, OfAnObstacleInsideTheDomainIsClosedAndFacesTheFluid) {
+    const QuadComplex mesh = obstacle_surface(grid, mask_of(in_box));
+    EXPECT_EQ(mesh.cells.size(), 2u * (3 * 3 + 3 * 2 + 3 * 2));
+    const auto all = edges(mesh);
+    for (const auto& [edge, count] : all) {
+        EXPECT_EQ(count, 1);
+        EXPECT_TRUE(all.contains({edge.second, edge.first})) << "an open side";
+    }
+    // The wall lies half a spacing outside the solid nodes.
+    EXPECT_NEAR(volume(mesh), 3 * 0.5 * 3 * 0.25 * 2 * 1.0, 1e-12);
+    for (const Vec3& p : mesh.position)
+        EXPECT_TRUE(grid.bounds().contains(p));
+}
+
+TEST(ObstacleSurface, IsOpenOnlyWhereTheObstacleMeetsTheDomainsBorder) {
+    const QuadComplex mesh =
+        obstacle_surface(grid, mask_of([](int i, int j, int) {
+                             return i >= 2 && i <= 4 && j >= 3 &&
+                                    j <= 5; // from one side of the domain to the other along z
+                         }));
+    EXPECT_EQ(mesh.cells.size(), 4u * 3 * 6);
+    const auto all = edges(mesh);
+    std::size_t open = 0;
+    for (const auto& [edge, count] : all) {
+        EXPECT_EQ(count, 1);
+        if (all.contains({edge.second, edge.first}))
+            continue;
+        ++open;
+        for (const VertexId v : {edge.first, edge.second})
+            EXPECT_TRUE(mesh.position[v].z == 3.0 || mesh.position[v].z == 8.0)
+                << mesh.position[v].z;
+    }
+    EXPECT_EQ(open, 2u * 4 * 3);
+}
+
+TEST(ObstacleSurface, OfNothingIsNothing) {
+    EXPECT_TRUE(obstacle_surface(grid, {}).cells.empty());
+    EXPECT_TRUE(obstacle_surface(grid, mask_of([](int, int, int) { return false; })).cells.empty());
+    EXPECT_TRUE(obstacle_surface(grid, mask_of([](int, int, int) { return true; })).cells.empty());
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,409 @@
+#include "core/dataset/time_step_cache.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <mutex>
+#include <random>
+#include <thread>
+
+namespace wakesurf::core {
+namespace {
+
+constexpr std::size_t step_bytes = 4096;
+
+// A series made on demand. Closing the gate holds every load where it is; the order of loads and the most
+// time-steps alive at once are recorded.
+class GatedSource final : public TimeStepSource {
+  public:
+    explicit GatedSource(std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i)
+            times_.push_back(static_cast<double>(i));
+    }
+
+    const UniformGrid& grid() const override { return grid_; }
+
+    const SolidMask& mask() const override { return mask_; }
+
+    const std::vector<double>& times() const override { return times_; }
+
+    bool ready(std::size_t index) const override { return index < ready_steps; }
+
+    std::size_t bytes_per_step() const override { return step_bytes; }
+
+    Result<std::shared_ptr<const TimeStep>> load(std::size_t index,
+                                                 std::stop_token stop) const override {
+        Alive alive(*this);
+        {
+            std::unique_lock lock(mutex_);
+            order_.push_back(index);
+            changed_.notify_all();
+            changed_.wait(lock, stop, [&] { return open_; });
+        }
+        if (stop.stop_requested())
+            return fail(Error::Code::Cancelled, "stopped");
+        if (failing)
+            return fail(Error::Code::Io, "the disk is on fire");
+        alive.handed_over = true;
+        return std::shared_ptr<const TimeStep>(new TimeStep{index, times_[index], Slab(64)},
+                                               [this](const TimeStep* step) {
+                                                   delete step;
+                                                   --alive_;
+                                               });
+    }
+
+    void close() {
+        const std::scoped_lock lock(mutex_);
+        open_ = false;
+    }
+
+    void open() {
+        const std::scoped_lock lock(mutex_);
+        open_ = true;
+        changed_.notify_all();
+    }
+
+    void wait_for_loads(std::size_t count) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return order_.size() >= count; });
+    }
+
+    std::vector<std::size_t> order() const {
+        const std::scoped_lock lock(mutex_);
+        return order_;
+    }
+
+    std::size_t alive() const { return alive_; }
+
+    std::size_t most_alive() const { return most_; }
+
+    std::atomic<bool> failing{false};
+    std::atomic<std::size_t> ready_steps{1'000'000};
+
+  private:
+    // Counts a load in flight as alive as well; its result takes the count over.
+    struct Alive {
+        explicit Alive(const GatedSource& source) : source_(source) {
+            const std::size_t now = ++source_.alive_;
+            std::size_t most = source_.most_;
+            while (now > most && !source_.most_.compare_exchange_weak(most, now)) {
+            }
+        }
+
+        ~Alive() { source_.alive_ -= handed_over ? 0 : 1; }
+
+        bool handed_over = false;
+
+        const GatedSource& source_;
+    };
+
+    UniformGrid grid_;
+    SolidMask mask_;
+    std::vector<double> times_;
+    mutable std::mutex mutex_;
+    mutable std::condition_variable_any changed_;
+    bool open_ = true;
+    mutable std::vector<std::size_t> order_;
+    mutable std::atomic<std::size_t> alive_{0};
+    mutable std::atomic<std::size_t> most_{0};
+};
+
+struct Bench {
+    explicit Bench(std::size_t steps, std::size_t capacity, std::size_t threads = 1)
+        : source(std::make_shared<GatedSource>(steps)),
+          cache(source, {capacity * step_bytes, threads}) {}
+
+    // Waits, without sleeping, until the cache's status says so.
+    template <class Condition>
+    void wait_until(Condition condition) {
+        std::mutex mutex;
+        std::condition_variable changed;
+        bool dirty = true;
+        cache.on_change([&] {
+            const std::scoped_lock lock(mutex);
+            dirty = true;
+            changed.notify_all();
+        });
+        std::unique_lock lock(mutex);
+        while (true) {
+            changed.wait(lock, [&] { return dirty; });
+            dirty = false;
+            lock.unlock();
+            if (condition(cache.status()))
+                break;
+            lock.lock();
+        }
+        cache.on_change({});
+    }
+
+    void wait_for_resident(std::vector<std::size_t> steps) {
+        wait_until([&](const TimeStepCache::Status& status) {
+            return std::all_of(steps.begin(), steps.end(), [&](std::size_t i) {
+                return status.steps[i] == StepState::Resident;
+            });
+        });
+    }
+
+    std::shared_ptr<GatedSource> source;
+    TimeStepCache cache;
+};
+
+TEST(TimeStepCache, HandsOutTheStepAskedFor) {
+    Bench bench(10, 4);
+    for (const std::size_t i : {3u, 0u, 9u, 3u}) {
+        const auto step = bench.cache.acquire(i);
+        ASSERT_TRUE(step.has_value());
+        EXPECT_EQ((*step)->index, i);
+        EXPECT_EQ((*step)->time, static_cast<double>(i));
+    }
+    EXPECT_EQ(bench.source->order(), (std::vector<std::size_t>{3, 0, 9}));
+    EXPECT_EQ(bench.cache.acquire(10).error().code, Error::Code::InvalidArgument);
+}
+
+TEST(TimeStepCache, TwoCallersOfOneColdStepCauseOneLoad) {
+    Bench bench(10, 4);
+    bench.source->close();
+    std::vector<std::shared_ptr<const TimeStep>> got(2);
+    {
+        std::jthread first([&] { got[0] = bench.cache.acquire(5).value(); });
+        std::jthread second([&] { got[1] = bench.cache.acquire(5).value(); });
+        bench.source->wait_for_loads(1);
+        EXPECT_EQ(bench.cache.status().steps[5], StepState::Loading);
+        bench.source->open();
+    }
+    EXPECT_EQ(got[0].get(), got[1].get());
+    EXPECT_EQ(bench.source->order().size(), 1u);
+}
+
+TEST(TimeStepCache, ShowsWhatIsColdLoadingAndResident) {
+    Bench bench(3, 4);
+    EXPECT_EQ(bench.cache.status().bytes, 0u);
+    EXPECT_EQ(bench.cache.status().budget, 4 * step_bytes);
+    (void)bench.cache.acquire(0);
+    bench.source->close();
+    std::jthread waiting([&] { (void)bench.cache.acquire(1); });
+    bench.source->wait_for_loads(2);
+    EXPECT_EQ(bench.cache.status().steps,
+              (std::vector{StepState::Resident, StepState::Loading, StepState::Cold}));
+    EXPECT_EQ(bench.cache.status().bytes, 2 * step_bytes);
+    bench.source->open();
+}
+
+TEST(TimeStepCache, HoldsAtLeastFourSteps) {
+    Bench bench(10, 0);
+    EXPECT_EQ(bench.cache.status().budget, 4 * step_bytes);
+    for (const std::size_t i : {0u, 1u, 2u, 3u, 0u, 1u, 2u, 3u})
+        ASSERT_TRUE(bench.cache.acquire(i).has_value());
+    EXPECT_EQ(bench.source->order().size(), 4u);
+}
+
+TEST(TimeStepCache, EvictsTheLeastRecentlyUsedStep) {
+    Bench bench(10, 4);
+    for (const std::size_t i : {0u, 1u, 2u, 3u, 0u, 4u}) // 4 takes the place of 1
+        ASSERT_TRUE(bench.cache.acquire(i).has_value());
+    const auto status = bench.cache.status();
+    EXPECT_EQ(status.steps[1], StepState::Cold);
+    for (const std::size_t i : {0u, 2u, 3u, 4u})
+        EXPECT_EQ(status.steps[i], StepState::Resident) << i;
+}
+
+TEST(TimeStepCache, KeepsStepsInUseWhateverComes) {
+    Bench bench(20, 4);
+    const auto held = bench.cache.acquire(0).value();
+    for (std::size_t i = 1; i < 20; ++i)
+        ASSERT_TRUE(bench.cache.acquire(i).has_value());
+    EXPECT_EQ(bench.cache.acquire(0).value().get(), held.get());
+    EXPECT_EQ(bench.source->most_alive(), 4u);
+}
+
+TEST(TimeStepCache, LoadsAheadNearestFirstInTheDirectionOfPlay) {
+    Bench bench(20, 5);
+    (void)bench.cache.acquire(10);
+    bench.cache.prefetch(10, -1);
+    bench.wait_for_resident({9, 8, 7, 6});
+    EXPECT_EQ(bench.source->order(), (std::vector<std::size_t>{10, 9, 8, 7, 6}));
+    bench.cache.prefetch(10, +1); // the window turns round: what is behind makes room
+    bench.wait_for_resident({10, 11, 12, 13, 14});
+    EXPECT_EQ(bench.source->order(), (std::vector<std::size_t>{10, 9, 8, 7, 6, 11, 12, 13, 14}));
+}
+
+TEST(TimeStepCache, LoadsAheadUpToTheEndsOfTheSeries) {
+    Bench bench(6, 100);
+    bench.cache.prefetch(4, +1);
+    bench.wait_for_resident({5});
+    bench.cache.prefetch(1, -1);
+    bench.wait_for_resident({0});
+    bench.cache.prefetch(0, -1);
+    bench.cache.prefetch(99, +1);
+    EXPECT_EQ(bench.source->order(), (std::vector<std::size_t>{5, 0}));
+}
+
+TEST(TimeStepCache, DoesNotLoadAheadWhatIsNotWrittenYet) {
+    Bench bench(10, 100);
+    bench.source->ready_steps = 3;
+    bench.cache.prefetch(0, +1);
+    bench.wait_for_resident({1, 2});
+    bench.source->ready_steps = 4;
+    bench.cache.prefetch(0, +1);
+    bench.wait_for_resident({3});
+    EXPECT_EQ(bench.source->order(), (std::vector<std::size_t>{1, 2, 3}));
+}
+
+TEST(TimeStepCache, SomebodyWhoWaitsGoesBeforeLoadsAhead) {
+    Bench bench(20, 10);
+    bench.source->close();
+    bench.cache.prefetch(0, +1);
+    bench.source->wait_for_loads(1); // step 1, held at the gate, must make way
+    std::jthread waiting([&] { (void)bench.cache.acquire(15); });
+    bench.source->wait_for_loads(2);
+    EXPECT_EQ(bench.source->order(), (std::vector<std::size_t>{1, 15}));
+    bench.source->open();
+    bench.wait_for_resident({1, 2, 3, 15});
+}
+
+TEST(TimeStepCache, RecoversAfterAnError) {
+    Bench bench(10, 4);
+    bench.source->failing = true;
+    const auto failed = bench.cache.acquire(2);
+    ASSERT_FALSE(failed.has_value());
+    EXPECT_EQ(failed.error().message, "the disk is on fire");
+    EXPECT_EQ(bench.cache.status().bytes, 0u);
+    bench.source->failing = false;
+    EXPECT_TRUE(bench.cache.acquire(2).has_value());
+}
+
+TEST(TimeStepCache, CancellationEndsTheWaitButNotTheLoad) {
+    Bench bench(10, 4);
+    bench.source->close();
+    std::stop_source stop;
+    Result<std::shared_ptr<const TimeStep>> got;
+    {
+        std::jthread waiting([&] { got = bench.cache.acquire(2, stop.get_token()); });
+        bench.source->wait_for_loads(1);
+        stop.request_stop();
+    }
+    EXPECT_EQ(got.error().code, Error::Code::Cancelled);
+    bench.source->open();
+    bench.wait_for_resident({2}); // so that a stream of cancelled edits does not starve
+}
+
+TEST(TimeStepCache, WaitsForRoomWhileOthersHoldEverything) {
+    Bench bench(10, 4);
+    std::vector<std::shared_ptr<const TimeStep>> held;
+    for (std::size_t i = 0; i < 4; ++i)
+        held.push_back(bench.cache.acquire(i).value());
+    Result<std::shared_ptr<const TimeStep>> got;
+    std::atomic<bool> done{false};
+    std::jthread waiting([&] {
+        got = bench.cache.acquire(7);
+        done = true;
+    });
+    EXPECT_FALSE(done);
+    held.pop_back();
+    waiting.join();
+    ASSERT_TRUE(got.has_value());
+    EXPECT_EQ((*got)->index, 7u);
+    EXPECT_EQ(bench.source->most_alive(), 4u);
+}
+
+TEST(TimeStepCache, TwoCallersWhoHoldEverythingBetweenThemMakeProgress) {
+    Bench bench(100, 4);
+    std::atomic<int> refused{0};
+    const auto walk = [&](std::size_t start) {
+        std::shared_ptr<const TimeStep> a = bench.cache.acquire(start).value();
+        std::shared_ptr<const TimeStep> b = bench.cache.acquire(start + 1).value();
+        for (std::size_t i = start + 2; i < start + 5; ++i) {
+            auto next = bench.cache.acquire(i); // the third while two are held
+            if (!next) {
+                ASSERT_EQ(next.error().code, Error::Code::OverLimit);
+                ++refused;
+                a.reset();
+                b.reset();
+                next = bench.cache.acquire(i);
+            }
+            ASSERT_TRUE(next.has_value());
+            a = std::move(b);
+            b = std::move(*next);
+        }
+    };
+    {
+        std::jthread one([&] { walk(0); });
+        std::jthread two([&] { walk(50); });
+    }
+    EXPECT_LE(bench.source->most_alive(), 4u);
+    EXPECT_LE(refused, 6);
+}
+
+TEST(TimeStepCache, NeverExceedsItsBudgetUnderRandomUse) {
+    constexpr std::size_t capacity = 6;
+    constexpr std::size_t steps = 40;
+    Bench bench(steps, capacity, 2);
+    const auto use = [&](unsigned seed) {
+        std::mt19937 random(seed);
+        std::shared_ptr<const TimeStep> held;
+        for (int i = 0; i < 3000; ++i) {
+            const std::size_t index = random() % steps;
+            auto step = bench.cache.acquire(index);
+            ASSERT_TRUE(step.has_value()) << step.error().message;
+            ASSERT_EQ((*step)->index, index);
+            held = std::move(*step);
+            if (random() % 4 == 0)
+                bench.cache.prefetch(index, random() % 2 == 0 ? 1 : -1);
+            ASSERT_LE(bench.cache.status().bytes, bench.cache.status().budget);
+        }
+    };
+    {
+        std::vector<std::jthread> threads;
+        for (unsigned seed = 1; seed <= 3; ++seed)
+            threads.emplace_back(use, seed);
+    }
+    EXPECT_EQ(bench.source->most_alive(), capacity);
+}
+
+TEST(TimeStepCache, AStepOutlivesItsCacheAloneOfAll) {
+    const auto source = std::make_shared<GatedSource>(3);
+    std::shared_ptr<const TimeStep> step;
+    {
+        TimeStepCache cache(source, {});
+        (void)cache.acquire(0);
+        step = cache.acquire(1).value();
+        EXPECT_EQ(source->alive(), 2u);
+    }
+    EXPECT_EQ(step->velocity().size(), 16u);
+    EXPECT_EQ(source->alive(), 1u);
+    step.reset();
+    EXPECT_EQ(source->alive(), 0u);
+}
+
+TEST(TimeStepCache, EndsWhileALoadIsRunning) {
+    Bench bench(10, 4);
+    bench.source->close();
+    bench.cache.prefetch(0, +1);
+    bench.source->wait_for_loads(1);
+}
+
+TEST(TimeStepCache, AResidentStepCostsLessThanAMicrosecond) {
+    Bench bench(4, 4);
+    const auto held = bench.cache.acquire(0).value();
+    constexpr int rounds = 100'000;
+    double best = 1.0;
+    for (int repeat = 0; repeat < 5; ++repeat) {
+        const auto start = std::chrono::steady_clock::now();
+        for (int i = 0; i < rounds; ++i)
+            (void)bench.cache.acquire(0);
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        best = std::min(best, took.count() / rounds);
+    }
+    RecordProperty("nanoseconds", static_cast<int>(best * 1e9));
+    std::printf("acquire of a resident time-step: %.0f ns\n", best * 1e9);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && defined(__OPTIMIZE__)
+    EXPECT_LT(best, 1e-6);
+#endif
+}
+
+} // namespace
+} // namespace wakesurf::core

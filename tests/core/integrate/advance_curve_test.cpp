@@ -1,0 +1,153 @@
+#include "core/field/closed_forms.hpp"
+#include "core/integrate/advance_curve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace wakesurf::core;
+
+namespace {
+
+template <class Form>
+struct Unbounded {
+    Form form;
+
+    Vec3 velocity(const Vec3& p, double t) const { return form.velocity(p, t); }
+
+    PointStatus status(const Vec3&) const { return PointStatus::Inside; }
+};
+
+/// x >= 1 is outside, a ball of radius 0.25 at (0.5, 0, 0) is solid; the flow goes along x.
+struct Walled {
+    Vec3 velocity(const Vec3&, double) const { return {2.0, 0.0, 0.0}; }
+
+    PointStatus status(const Vec3& p) const {
+        if (p.x > 1.0)
+            return PointStatus::OutsideDomain;
+        return glm::length(p - Vec3(0.5, 0, 0)) < 0.25 ? PointStatus::InObstacle
+                                                       : PointStatus::Inside;
+    }
+};
+
+template <class Field>
+Curve traced(
+    const Field& field, Vec3 seed, double duration, TraceOptions options, double release = 0.0) {
+    Curve curve;
+    curve.seed = seed;
+    curve.release = release;
+    curve.duration = duration;
+    EXPECT_TRUE(advance_curve(field, curve, options, duration, {}));
+    return curve;
+}
+
+const AbcFlow abc{{}, 1.0, 1.0, 0.0};
+
+/// With C = 0, H = B sin x + A cos z is constant and y = y0 + H t exactly.
+double abc_error(const Curve& curve) {
+    const double h = std::sin(curve.seed.x) + std::cos(curve.seed.z);
+    return std::abs(curve.last.position.y - (curve.seed.y + h * curve.last.time));
+}
+
+} // namespace
+
+TEST(AdvanceCurve, HalvingTheRk4StepDividesTheErrorBySixteen) {
+    TraceOptions options{.method = TraceOptions::Method::Rk4, .longest_step = 1.0};
+    double previous = 0.0;
+    for (const double step : {0.2, 0.1, 0.05}) {
+        options.step = step;
+        const double error =
+            abc_error(traced(Unbounded<AbcFlow>{abc}, {1.0, 0.0, 0.5}, 6.0, options));
+        if (previous > 0.0) {
+            EXPECT_GT(std::log2(previous / error), 3.5) << "step " << step;
+        }
+        previous = error;
+    }
+}
+
+TEST(AdvanceCurve, TheErrorFollowsTheToleranceOfDopri5) {
+    for (const double tolerance : {1e-5, 1e-7, 1e-9}) {
+        const Curve curve = traced(Unbounded<AbcFlow>{abc}, {1.0, 0.0, 0.5}, 6.0,
+                                   {.tolerance = tolerance, .longest_step = 1.0});
+        EXPECT_LT(abc_error(curve), 10.0 * tolerance * curve.last.arc) << "tolerance " << tolerance;
+    }
+}
+
+TEST(AdvanceCurve, DenseOutputIsAsAccurateAsTheSteps) {
+    const LambOseenFlow swirl{{}, 2.0 * std::numbers::pi, 0.3, 0.5};
+    const Curve curve = traced(Unbounded<LambOseenFlow>{swirl}, {0.7, 0, 0}, 4.0,
+                               {.tolerance = 1e-9, .longest_step = 1.0});
+    const double rate = (1.0 - std::exp(-0.49 / 0.09)) / 0.49;
+    for (double t = 0.0; t <= 4.0; t += 0.037) {
+        const CurvePoint point = curve.at_time(t);
+        const Vec3 truth(0.7 * std::cos(rate * t), 0.7 * std::sin(rate * t), 0.5 * t);
+        EXPECT_LT(glm::length(point.position - truth), 2e-7) << "t " << t;
+        EXPECT_NEAR(point.arc, t * std::hypot(0.7 * rate, 0.5), 2e-7);
+        EXPECT_LT(glm::length(curve.at_arc(point.arc).position - point.position), 1e-10); // inverse
+    }
+}
+
+TEST(AdvanceCurve, UpstreamReturnsToTheSeed) {
+    const TraceOptions options{.tolerance = 1e-10, .longest_step = 1.0};
+    const Curve there =
+        traced(Unbounded<OscillatingFlow>{{{}, 1.0, 1.0, 2.0}}, {0, 0, 0}, 3.0, options);
+    const Curve back = traced(Unbounded<OscillatingFlow>{{{}, 1.0, 1.0, 2.0}}, there.last.position,
+                              -3.0, options, 3.0);
+    EXPECT_LT(glm::length(back.last.position), 1e-8);
+    EXPECT_NEAR(back.last.arc, there.last.arc, 1e-8);
+}
+
+TEST(AdvanceCurve, AFrozenFieldStaysAtTheReleaseTime) {
+    const double release = 0.4;
+    const Curve curve = traced(Unbounded<OscillatingFlow>{{{}, 1.0, 1.0, 2.0}}, {0, 0, 0}, 2.0,
+                               {.frozen = true, .tolerance = 1e-9, .longest_step = 1.0}, release);
+    EXPECT_NEAR(curve.last.position.y, 2.0 * std::sin(2.0 * release), 1e-9);
+}
+
+TEST(AdvanceCurve, EndsExactlyAtTheDomainsBorder) {
+    const Curve curve = traced(Walled{}, {0.0, 0.9, 0.0}, 5.0, {.longest_step = 0.3});
+    EXPECT_EQ(curve.end, CurveEnd::Domain);
+    EXPECT_NEAR(curve.last.position.x, 1.0, 1e-12);
+    EXPECT_NEAR(curve.last.time, 0.5, 1e-12);
+}
+
+TEST(AdvanceCurve, EndsAtAnObstacleItWouldStepAcross) {
+    const Curve curve = traced(Walled{}, {0.0, 0.0, 0.0}, 5.0, {.longest_step = 0.9});
+    EXPECT_EQ(curve.end, CurveEnd::Obstacle);
+    EXPECT_NEAR(curve.last.position.x, 0.25, 1e-12);
+}
+
+TEST(AdvanceCurve, ASeedInsideAnObstacleOrOutsideGoesNowhere) {
+    EXPECT_EQ(traced(Walled{}, {0.5, 0, 0}, 5.0, {.longest_step = 0.3}).end, CurveEnd::Obstacle);
+    EXPECT_EQ(traced(Walled{}, {1.5, 0, 0}, 5.0, {.longest_step = 0.3}).end, CurveEnd::Domain);
+}
+
+TEST(AdvanceCurve, StandingStillEndsTheCurve) {
+    const Curve curve = traced(Unbounded<StagnationFlow>{{{}, 1.0}}, {0, 0, 1}, 100.0,
+                               {.longest_step = 0.1, .stagnation_speed = 1e-3});
+    EXPECT_EQ(curve.end, CurveEnd::Stagnation);
+    EXPECT_NEAR(curve.last.position.z, 0.5e-3, 2e-4);
+}
+
+TEST(AdvanceCurve, AStopRequestEndsTheWork) {
+    std::stop_source stop;
+    stop.request_stop();
+    Curve curve;
+    curve.seed = Vec3(1, 0, 0.5);
+    curve.duration = 1e9;
+    EXPECT_FALSE(advance_curve(Unbounded<AbcFlow>{abc}, curve, {.longest_step = 0.1}, 1e9,
+                               stop.get_token()));
+}
+
+TEST(AdvanceCurve, TheTransportedTangentIsTheDerivativeBySeed) {
+    const Unbounded<StrainFlow> strain{{{}, 0.5, -0.5, 0.0}};
+    Curve curve;
+    curve.seed = Vec3(1, 1, 0);
+    curve.seed_tangent = Vec3(1, 1, 0);
+    curve.duration = 2.0;
+    EXPECT_TRUE(advance_curve(strain, curve,
+                              {.tolerance = 1e-8, .longest_step = 0.05, .stretch = true}, 2.0, {}));
+    EXPECT_NEAR(curve.last.stretch.x, std::exp(1.0), 2e-3);
+    EXPECT_NEAR(curve.last.stretch.y, std::exp(-1.0), 2e-3);
+}

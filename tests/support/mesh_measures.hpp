@@ -1,0 +1,71 @@
+// Measures of a quad complex that tests compare with what geometry demands.
+#pragma once
+
+#include "core/surface/quad_complex.hpp"
+
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace wakesurf::test {
+
+/// Undirected sub-edges and how often cells use each.
+inline std::map<std::pair<core::VertexId, core::VertexId>, int>
+edge_uses(const core::QuadComplex& mesh) {
+    std::map<std::pair<core::VertexId, core::VertexId>, int> uses;
+    for (const core::Cell& cell : mesh.cells) {
+        const core::CellPolygon outline = core::polygon(cell);
+        for (std::uint32_t i = 0; i < outline.count; ++i) {
+            const auto a = outline.vertex[i];
+            const auto b = outline.vertex[(i + 1) % outline.count];
+            ++uses[{std::min(a, b), std::max(a, b)}];
+        }
+    }
+    return uses;
+}
+
+/// V - E + F: 1 for a sheet without holes, 0 for a tube.
+inline std::int64_t euler_characteristic(const core::QuadComplex& mesh) {
+    return static_cast<std::int64_t>(mesh.vertices()) -
+           static_cast<std::int64_t>(edge_uses(mesh).size()) +
+           static_cast<std::int64_t>(mesh.cells.size());
+}
+
+/// Number of closed curves the boundary consists of.
+inline int boundary_loops(const core::QuadComplex& mesh) {
+    std::map<core::VertexId, core::VertexId> parent;
+    const auto root = [&](core::VertexId v) {
+        parent.try_emplace(v, v);
+        while (parent[v] != v)
+            v = parent[v];
+        return v;
+    };
+    for (const auto& [edge, uses] : edge_uses(mesh))
+        if (uses == 1) {
+            const auto a = root(edge.first);
+            const auto b = root(edge.second);
+            parent[a] = b;
+        }
+    int loops = 0;
+    for (const auto& [v, up] : parent)
+        loops += v == up;
+    return loops;
+}
+
+/// Sum of cell areas, each cell as a fan from its centre.
+inline double area(const core::QuadComplex& mesh) {
+    double sum = 0.0;
+    for (const core::Cell& cell : mesh.cells) {
+        const core::CellPolygon outline = core::polygon(cell);
+        core::Vec3 centre(0.0);
+        for (std::uint32_t i = 0; i < outline.count; ++i)
+            centre += mesh.position[outline.vertex[i]] / static_cast<double>(outline.count);
+        for (std::uint32_t i = 0; i < outline.count; ++i)
+            sum += 0.5 * glm::length(glm::cross(
+                             mesh.position[outline.vertex[i]] - centre,
+                             mesh.position[outline.vertex[(i + 1) % outline.count]] - centre));
+    }
+    return sum;
+}
+
+} // namespace wakesurf::test

@@ -1,0 +1,67 @@
+// A time-step source that samples a formula on a grid: stored data without files.
+#pragma once
+
+#include "core/dataset/time_step_source.hpp"
+
+#include <atomic>
+#include <cstring>
+#include <functional>
+#include <utility>
+
+namespace wakesurf::test {
+
+class SampledSource final : public core::TimeStepSource {
+  public:
+    using Velocity = std::function<core::Vec3(const core::Vec3&, double)>;
+
+    SampledSource(core::UniformGrid grid,
+                  std::vector<double> times,
+                  Velocity velocity,
+                  core::SolidMask mask = {})
+        : grid_(grid), times_(std::move(times)), velocity_(std::move(velocity)),
+          mask_(std::move(mask)) {}
+
+    const core::UniformGrid& grid() const override { return grid_; }
+
+    const core::SolidMask& mask() const override { return mask_; }
+
+    const std::vector<double>& times() const override { return times_; }
+
+    bool ready(std::size_t) const override { return true; }
+
+    std::size_t bytes_per_step() const override { return grid_.nodes() * 12; }
+
+    core::Result<std::shared_ptr<const core::TimeStep>> load(std::size_t index,
+                                                             std::stop_token) const override {
+        ++loads;
+        auto step = std::make_shared<core::TimeStep>();
+        step->index = index;
+        step->time = times_[index];
+        step->slab = core::Slab(bytes_per_step());
+        auto* out = reinterpret_cast<float*>(step->slab.bytes().data());
+        for (std::size_t node = 0; node < grid_.nodes(); ++node) {
+            const bool solid = !mask_.empty() && mask_.fluid[node] == 0;
+            const core::Vec3 v = solid ? core::Vec3(0.0) : velocity_(position(node), times_[index]);
+            for (int axis = 0; axis < 3; ++axis)
+                *out++ = static_cast<float>(v[axis]);
+        }
+        return step;
+    }
+
+    core::Vec3 position(std::size_t node) const {
+        const std::size_t nx = grid_.dimensions[0];
+        const std::size_t ny = grid_.dimensions[1];
+        return grid_.origin +
+               grid_.spacing * core::Vec3(node % nx, node / nx % ny, node / (nx * ny));
+    }
+
+    mutable std::atomic<int> loads{0};
+
+  private:
+    core::UniformGrid grid_;
+    std::vector<double> times_;
+    Velocity velocity_;
+    core::SolidMask mask_;
+};
+
+} // namespace wakesurf::test
