@@ -1,0 +1,54 @@
+// Parameters of a method -> checked values. A reader asks for each parameter by name; the first fault is kept with
+// that name, and what nobody asked for is a fault as well, so that a misspelt parameter is never ignored.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/base/vec3.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::protocol {
+
+/// Numbers are finite after narrowing and in range, or a fault that names the parameter. A parameter that is null
+/// counts as left out. After a fault the getters give the fallback; verdict() tells.
+class CheckedJson {
+  public:
+    /// `object` must outlive this. An array is a fault: parameters have names here.
+    explicit CheckedJson(const nlohmann::json& object);
+
+    bool has(std::string_view name);
+
+    std::string text(std::string_view name, std::size_t longest = 256);
+    std::string text_or(std::string_view name, std::string fallback, std::size_t longest = 256);
+    bool flag_or(std::string_view name, bool fallback);
+    double number(std::string_view name, double lo, double hi);
+    double number_or(std::string_view name, double lo, double hi, double fallback);
+    std::uint64_t count(std::string_view name, std::uint64_t lo, std::uint64_t hi);
+    std::uint64_t
+    count_or(std::string_view name, std::uint64_t lo, std::uint64_t hi, std::uint64_t fallback);
+    std::optional<std::uint64_t>
+    count_if(std::string_view name, std::uint64_t lo, std::uint64_t hi);
+    std::vector<core::Vec3> points(std::string_view name, std::size_t most);
+    std::vector<std::string> texts_or_none(std::string_view name, std::size_t most);
+
+    void fault(std::string_view name, std::string_view problem);
+
+    /// InvalidArgument with the first fault, or with the first parameter nobody asked for.
+    core::Result<void> verdict();
+
+  private:
+    const nlohmann::json* find(std::string_view name);
+    const nlohmann::json* need(std::string_view name);
+
+    const nlohmann::json& object_;
+    std::vector<std::string> known_;
+    std::string fault_;
+};
+
+} // namespace wakesurf::protocol

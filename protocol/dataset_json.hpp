@@ -1,0 +1,22 @@
+// A dataset's description <-> JSON: the one shape of `info --json`, `dataset.describe` and a store's manifest.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/dataset_info.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string_view>
+
+namespace wakesurf::protocol {
+
+/// `uniform`, `rectilinear`, ...
+std::string_view grid_name(core::GridKind kind);
+
+nlohmann::json dataset_json(const core::DatasetInfo& info);
+
+/// Inverse of dataset_json. Unknown members are ignored, so that older programs read newer stores.
+/// Error: Corrupt, naming the member that is missing, of the wrong type or not finite.
+core::Result<core::DatasetInfo> parse_dataset_info(const nlohmann::json& value);
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,84 @@
+// The JSON-RPC 2.0 envelope: text -> calls, outcomes -> text. Knows no method; the server's method table does.
+// Twin: web-client/src/protocol/jsonRpc.ts.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::protocol {
+
+struct RpcLimits {
+    std::size_t message_bytes = std::size_t{64} << 10;
+    std::size_t depth = 32;
+    std::size_t batch = 64;
+};
+
+enum class RpcCode : int {
+    ParseError = -32700,
+    InvalidRequest = -32600,
+    MethodNotFound = -32601,
+    InvalidParameters = -32602,
+    Internal = -32603,
+    Cancelled = -32800,
+    Stale = -32801,
+    Unauthenticated = -32001,
+    NotPermitted = -32003,
+    NotFound = -32004,
+    OutsideDomain = -32012,
+    OutsideTimeRange = -32013,
+    OverLimit = -32014,
+    DatasetError = -32015,
+};
+
+/// Everything an error answer carries: `data` always has kind and hint, and the members of `detail` if there are any.
+struct RpcFault {
+    RpcCode code = RpcCode::Internal;
+    std::string message;
+    std::string hint;
+    std::string kind;                             ///< empty: the code's own, see kind_of
+    std::shared_ptr<const nlohmann::json> detail; ///< an object, or nothing
+};
+
+/// The word for a code in error.data.kind: `notFound`, `outsideDomain`, ...
+std::string_view kind_of(RpcCode code);
+
+/// The answer for an error of the engine or of a dataset.
+RpcFault fault_of(const core::Error& error);
+
+/// An id as the JSON text it came in: a string, a number or null. It is only ever echoed.
+using RpcId = std::string;
+inline constexpr std::string_view null_id = "null";
+
+struct RpcCall {
+    std::string method;
+    std::shared_ptr<const nlohmann::json>
+        parameters;                  ///< an object or an array; empty object when left out
+    std::optional<RpcId> id;         ///< nothing: a notification, never answered
+    std::optional<RpcFault> refused; ///< not a valid request: answer this fault to `id`
+};
+
+struct RpcMessage {
+    bool batch = false; ///< the answers go into one array
+    std::vector<RpcCall> calls;
+};
+
+/// Takes a message apart. Text that is not JSON, too long or too deep, an empty batch and one above the limit give one
+/// refused call outside any batch, as section 6 of the specification asks.
+RpcMessage parse_rpc(std::string_view text, const RpcLimits& limits);
+
+std::string rpc_result(std::string_view id, const nlohmann::json& result);
+std::string rpc_error(std::string_view id, const RpcFault& fault);
+std::string rpc_notification(std::string_view method, const nlohmann::json& parameters);
+
+/// One array of answers; the empty string when there is none, because then nothing at all is sent.
+std::string rpc_batch(const std::vector<std::string>& answers);
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,49 @@
+#include "protocol/json_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::protocol {
+
+namespace {
+
+std::size_t nesting(std::string_view text) {
+    std::size_t depth = 0;
+    std::size_t deepest = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted) {
+            i += c == '\\' ? 1 : 0;
+            quoted = c != '"';
+        } else if (c == '"') {
+            quoted = true;
+        } else if (c == '[' || c == '{') {
+            deepest = std::max(deepest, ++depth);
+        } else if ((c == ']' || c == '}') && depth > 0) {
+            --depth;
+        }
+    }
+    return deepest;
+}
+
+} // namespace
+
+core::Result<nlohmann::json> parse_json(std::string_view text, JsonLimits limits) {
+    using core::Error;
+    if (text.size() > limits.bytes)
+        return core::fail(Error::Code::OverLimit, "the JSON text is longer than " +
+                                                      std::to_string(limits.bytes) + " bytes");
+    if (nesting(text) > limits.depth)
+        return core::fail(Error::Code::OverLimit, "the JSON text is nested deeper than " +
+                                                      std::to_string(limits.depth) + " levels");
+    auto value = nlohmann::json::parse(text, nullptr, false);
+    if (value.is_discarded())
+        return core::fail(Error::Code::Corrupt, "the text is not valid JSON");
+    return value;
+}
+
+std::string json_text(const nlohmann::json& value, int indent) {
+    return value.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,26 @@
+// JSON text from outside -> value, within limits. The parser itself copes with deep nesting; copying and
+// dumping what it made does not (stack), so depth is limited before anything is built.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace wakesurf::protocol {
+
+struct JsonLimits {
+    std::size_t bytes = std::size_t{64} << 10;
+    std::size_t depth = 32;
+};
+
+/// Error: OverLimit (too long, too deep), Corrupt (not JSON, not UTF-8, a number beyond double).
+core::Result<nlohmann::json> parse_json(std::string_view text, JsonLimits limits);
+
+/// Compact, or indented where `indent` >= 0. Never throws: what is not UTF-8 is replaced by U+FFFD.
+std::string json_text(const nlohmann::json& value, int indent = -1);
+
+} // namespace wakesurf::protocol

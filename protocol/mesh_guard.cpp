@@ -1,0 +1,71 @@
+#include "protocol/mesh_guard.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace wakesurf::protocol {
+
+namespace {
+
+using core::Error;
+
+/// Counts the indices below `size` that `bad` finds; the error names how many and the first.
+template <class Bad>
+core::Result<void> refuse(std::size_t size, Error::Code code, std::string_view what, Bad bad) {
+    std::size_t count = 0;
+    std::size_t first = 0;
+    for (std::size_t i = size; i-- > 0;)
+        if (bad(i)) {
+            ++count;
+            first = i;
+        }
+    if (count == 0)
+        return {};
+    return core::fail(code,
+                      fmt::format("{} of {} {}, the first is number {}", count, size, what, first),
+                      "this is a fault of the surface engine; please report it with the rake");
+}
+
+bool narrow_finite(double value) {
+    return std::isfinite(static_cast<float>(value));
+}
+
+core::Result<void> guard_attributes(const core::QuadComplex& mesh) {
+    const std::size_t n = mesh.vertices();
+    if (mesh.s.size() != n || mesh.t.size() != n || mesh.velocity.size() != n)
+        return core::fail(Error::Code::Corrupt,
+                          fmt::format("a mesh of {} vertices has {} s, {} t and {} velocities", n,
+                                      mesh.s.size(), mesh.t.size(), mesh.velocity.size()));
+    return refuse(n, Error::Code::Corrupt, "vertices have an attribute that is not finite",
+                  [&](std::size_t i) {
+                      return !narrow_finite(mesh.s[i]) || !narrow_finite(mesh.t[i]) ||
+                             !narrow_finite(mesh.speed(static_cast<core::VertexId>(i)));
+                  });
+}
+
+} // namespace
+
+core::Result<void>
+guard_mesh(const core::QuadComplex& mesh, const Lattice& lattice, bool attributes) {
+    if (!valid(lattice))
+        return core::fail(Error::Code::InvalidArgument, "the lattice of the dataset is not usable",
+                          "check the dataset's bounds");
+    const std::size_t n = mesh.vertices();
+    const auto missing = [n](core::VertexId v) { return v >= n; };
+    const auto missing_mid = [n](core::VertexId v) { return v != core::no_vertex && v >= n; };
+    return refuse(n, Error::Code::OutOfDomain, "vertices are not finite or lie outside the dataset",
+                  [&](std::size_t i) { return !on_lattice(lattice, mesh.position[i]); })
+        .and_then([&] {
+            return refuse(mesh.cells.size(), Error::Code::Corrupt,
+                          "cells use a vertex that does not exist", [&](std::size_t i) {
+                              return std::ranges::any_of(mesh.cells[i].corner, missing) ||
+                                     std::ranges::any_of(mesh.cells[i].mid, missing_mid);
+                          });
+        })
+        .and_then([&] { return attributes ? guard_attributes(mesh) : core::Result<void>{}; });
+}
+
+} // namespace wakesurf::protocol

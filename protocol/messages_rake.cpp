@@ -1,0 +1,65 @@
+#include "protocol/messages_rake.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <utility>
+
+namespace wakesurf::protocol {
+
+namespace {
+
+constexpr std::array<std::pair<core::Rake::Kind, std::string_view>, 4> kinds{
+    {{core::Rake::Kind::Line, "line"},
+     {core::Rake::Kind::Polyline, "polyline"},
+     {core::Rake::Kind::Circle, "circle"},
+     {core::Rake::Kind::Points, "points"}}};
+
+} // namespace
+
+std::string_view name(core::Rake::Kind kind) {
+    for (const auto& [each, word] : kinds)
+        if (each == kind)
+            return word;
+    return {};
+}
+
+RakeSetting read_rake_setting(CheckedJson& in, const RakeLimits& limits) {
+    RakeSetting setting;
+    if (in.has("rake"))
+        setting.rake = in.text("rake");
+    const std::string kind = in.text("kind");
+    bool known = false;
+    for (const auto& [each, word] : kinds)
+        if (word == kind) {
+            setting.shape.kind = each;
+            known = true;
+        }
+    if (!known)
+        in.fault("kind", "must be line, polyline, circle or points");
+    setting.shape.points = in.points("points", limits.points);
+    setting.shape.seeds =
+        static_cast<std::uint32_t>(in.count("seeds", limits.seeds_least, limits.seeds_most));
+    setting.name = in.text_or("name", {}, limits.name_bytes);
+    setting.if_rev = in.count_if("ifRev", 0, std::uint64_t{1} << 53);
+    return setting;
+}
+
+nlohmann::json points_json(const std::vector<core::Vec3>& points) {
+    auto list = nlohmann::json::array();
+    for (const core::Vec3& point : points)
+        list.push_back({point.x, point.y, point.z});
+    return list;
+}
+
+nlohmann::json rake_json(const RakeRecord& record) {
+    return {{"rake", record.rake},
+            {"rev", record.rev},
+            {"kind", name(record.shape.kind)},
+            {"points", points_json(record.shape.points)},
+            {"seeds", record.shape.seeds},
+            {"name", record.name},
+            {"clipped", record.clipped}};
+}
+
+} // namespace wakesurf::protocol

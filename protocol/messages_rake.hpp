@@ -1,0 +1,48 @@
+// Rakes in messages: what rake.set asks for, and the record everybody in the session sees.
+// Twin: web-client/src/protocol/messages.ts.
+#pragma once
+
+#include "core/surface/rake.hpp"
+#include "protocol/checked_json.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace wakesurf::protocol {
+
+/// `line`, `polyline`, `circle`, `points`.
+std::string_view name(core::Rake::Kind kind);
+
+struct RakeLimits {
+    std::uint64_t seeds_least = 2;
+    std::uint64_t seeds_most = 4096;
+    std::size_t points = 1024;
+    std::size_t name_bytes = 120;
+};
+
+struct RakeSetting {
+    std::optional<std::string> rake; ///< nothing: create one
+    core::Rake shape;
+    std::string name;
+    std::optional<std::uint64_t> if_rev; ///< only if the record is still at this revision
+};
+
+/// Reads the parameters of rake.set; faults stay in `in`.
+RakeSetting read_rake_setting(CheckedJson& in, const RakeLimits& limits);
+
+struct RakeRecord {
+    std::string rake;
+    std::uint64_t rev = 0;
+    core::Rake shape; ///< as clipped
+    std::string name;
+    bool clipped = false;
+};
+
+nlohmann::json rake_json(const RakeRecord& record);
+nlohmann::json points_json(const std::vector<core::Vec3>& points);
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,73 @@
+#include "protocol/messages_surface.hpp"
+
+#include "protocol/surface_names.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+namespace wakesurf::protocol {
+
+namespace {
+
+constexpr double any = std::numeric_limits<double>::max();
+/// Times must stay finite as float, in which attributes travel.
+constexpr double any_time = std::numeric_limits<float>::max();
+
+core::SurfaceParameters read_parameters(CheckedJson& in, const SurfaceLimits& limits) {
+    core::SurfaceParameters out;
+    if (const auto kind = surface_kind(in.text("kind")))
+        out.kind = *kind;
+    else
+        in.fault("kind", "must be stream, path, streak or time");
+    if (const auto found = direction(in.text_or("direction", "forward")))
+        out.direction = *found;
+    else
+        in.fault("direction", "must be forward, backward or both");
+    if (const auto found = accuracy(in.text_or("accuracy", "balanced")))
+        out.accuracy = *found;
+    else
+        in.fault("accuracy", "must be fast, balanced or exact");
+    out.from = in.number("from", -any_time, any_time);
+    out.to = in.number("to", -any_time, any_time);
+    out.separation = in.number_or("separation", 0.0, any, 0.0);
+    out.max_quads = in.count_or("maxQuads", 1, limits.quads_most, limits.quads_default);
+    return out;
+}
+
+} // namespace
+
+SurfaceSetting read_surface_setting(CheckedJson& in, const SurfaceLimits& limits) {
+    SurfaceSetting setting;
+    if (in.has("surface"))
+        setting.surface = in.text("surface");
+    setting.rake = in.text("rake");
+    setting.dataset = in.text("dataset");
+    setting.parameters = read_parameters(in, limits);
+    setting.fields = in.texts_or_none("fields", 16);
+    setting.if_rev = in.count_if("ifRev", 0, std::uint64_t{1} << 53);
+    for (const char* unsteady : {"releaseUntil", "sweep", "rake2"})
+        if (in.has(unsteady))
+            in.fault(unsteady,
+                     "belongs to streak and time surfaces, which this server does not offer");
+    return setting;
+}
+
+nlohmann::json surface_json(const SurfaceRecord& record) {
+    const core::SurfaceParameters& p = record.parameters;
+    return {{"surface", record.surface},
+            {"rev", record.rev},
+            {"epoch", record.epoch},
+            {"rake", record.rake},
+            {"kind", name(p.kind)},
+            {"dataset", record.dataset},
+            {"from", p.from},
+            {"to", p.to},
+            {"direction", name(p.direction)},
+            {"separation", p.separation},
+            {"accuracy", name(p.accuracy)},
+            {"maxQuads", p.max_quads},
+            {"fields", record.fields}};
+}
+
+} // namespace wakesurf::protocol

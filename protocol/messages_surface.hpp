@@ -1,0 +1,46 @@
+// Surfaces in messages: what surface.set asks for, and the record everybody in the session sees.
+// Twin: web-client/src/protocol/messages.ts.
+#pragma once
+
+#include "core/surface/surface_parameters.hpp"
+#include "protocol/checked_json.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wakesurf::protocol {
+
+struct SurfaceLimits {
+    std::uint64_t quads_default = 1'000'000;
+    std::uint64_t quads_most = 4'000'000;
+};
+
+struct SurfaceSetting {
+    std::optional<std::string> surface; ///< nothing: create one
+    std::string rake;
+    std::string dataset;
+    core::SurfaceParameters parameters;
+    std::vector<std::string> fields;
+    std::optional<std::uint64_t> if_rev;
+};
+
+/// Reads the parameters of surface.set; faults stay in `in`.
+SurfaceSetting read_surface_setting(CheckedJson& in, const SurfaceLimits& limits);
+
+struct SurfaceRecord {
+    std::string surface;
+    std::uint64_t rev = 0;
+    std::uint32_t epoch = 0;
+    std::string rake;
+    std::string dataset;
+    core::SurfaceParameters parameters;
+    std::vector<std::string> fields;
+};
+
+nlohmann::json surface_json(const SurfaceRecord& record);
+
+} // namespace wakesurf::protocol

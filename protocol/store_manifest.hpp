@@ -1,0 +1,59 @@
+// A store's manifest, store.json <-> values: what wakesurf-import writes and the server opens a store by.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/dataset_info.hpp"
+#include "core/dataset/store_reader.hpp"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::protocol {
+
+inline constexpr std::string_view manifest_file_name = "store.json";
+inline constexpr std::string_view mask_file_name = "mask.u8";
+
+struct SourceFile {
+    std::string name; ///< as the series names it, without the folder of the series
+    std::uint64_t size = 0;
+    std::int64_t mtime = 0; ///< nanoseconds since 1970
+
+    bool operator==(const SourceFile&) const = default;
+};
+
+/// What a store was made from: equal sources give equal stores, so an import of one need not be repeated.
+struct StoreSource {
+    std::vector<SourceFile> files;
+    std::string selection; ///< --fields and --times of the import, empty: everything
+
+    bool operator==(const StoreSource&) const = default;
+};
+
+struct StoreManifest {
+    bool complete = false;
+    StoreSource source;
+    core::DatasetInfo info;
+    core::UniformGrid grid;
+    std::vector<double> times;
+    std::string mask; ///< file name, or empty
+    std::array<double, 2> velocity_range{0.0,
+                                         0.0}; ///< of the speed, over the time-steps written so far
+};
+
+std::string store_manifest_text(const StoreManifest& manifest);
+
+/// Error: Corrupt or OverLimit for text that is no manifest, Unsupported for a newer version, and Corrupt where
+/// its parts disagree: times, dimensions, bounds and sizes must match each other.
+core::Result<StoreManifest> parse_store_manifest(std::string_view text);
+
+/// Reads and parses `folder`/store.json. Error: NotFound, Io, and as parse_store_manifest.
+core::Result<StoreManifest> read_store_manifest(const std::filesystem::path& folder,
+                                                const core::Disk& disk);
+
+core::StoreLayout store_layout(const StoreManifest& manifest, std::filesystem::path folder);
+
+} // namespace wakesurf::protocol

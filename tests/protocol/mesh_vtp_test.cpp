@@ -1,0 +1,92 @@
+#include "protocol/mesh_vtp.hpp"
+#include "tests/support/small_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <regex>
+
+namespace wakesurf::protocol {
+
+namespace {
+
+using tests::small_mesh;
+
+const VtpMetadata metadata{.kind = core::SurfaceKind::Path,
+                           .rake = {{0, 0, 0}, {0.1, 1e-300, -2}},
+                           .from = 0.1,
+                           .to = 7,
+                           .separation = 0.05,
+                           .dataset = "a<b",
+                           .version = "1.2.3"};
+
+/// The array `name` read back by its offset into the appended data, as a reader would.
+template <class T>
+std::vector<T> array_of(const std::string& file, const std::string& type, const std::string& name) {
+    const std::regex entry("<DataArray type=\"" + type + "\" Name=\"" + name +
+                           "\"[^>]*offset=\"([0-9]+)\"");
+    const auto xml = file.substr(0, file.find("<AppendedData"));
+    std::smatch match;
+    if (!std::regex_search(xml, match, entry))
+        return {};
+    const auto start = file.find("\n_") + 2 + std::stoull(match[1]);
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, file.data() + start, sizeof(bytes));
+    std::vector<T> values(bytes / sizeof(T));
+    std::memcpy(values.data(), file.data() + start + sizeof(bytes), bytes);
+    return values;
+}
+
+} // namespace
+
+TEST(MeshVtp, WritesCornersAndHangingNodesInOrderSharingPoints) {
+    const auto file = mesh_vtp(small_mesh(), metadata);
+    EXPECT_EQ(array_of<std::int64_t>(file, "Int64", "connectivity"),
+              (std::vector<std::int64_t>{0, 1, 2, 6, 3, 3, 6, 7, 4, 6, 2, 5, 7}));
+    EXPECT_EQ(array_of<std::int64_t>(file, "Int64", "offsets"),
+              (std::vector<std::int64_t>{5, 9, 13}));
+}
+
+TEST(MeshVtp, KeepsCoordinatesExactly) {
+    const auto mesh = small_mesh();
+    const auto points = array_of<core::Vec3>(mesh_vtp(mesh, metadata), "Float64", "Points");
+    EXPECT_EQ(points, mesh.position);
+}
+
+TEST(MeshVtp, WritesEveryPointArrayOfTheContract) {
+    const auto mesh = small_mesh();
+    const auto file = mesh_vtp(mesh, metadata, {{"p", {1, 2, 3, 4, 5, 6, 7, 8}}});
+    EXPECT_EQ(array_of<double>(file, "Float64", "s"), mesh.s);
+    EXPECT_EQ(array_of<double>(file, "Float64", "t"), mesh.t);
+    EXPECT_EQ(array_of<float>(file, "Float32", "speed"), std::vector<float>(8, 5.0F));
+    EXPECT_EQ(array_of<core::Vec3f>(file, "Float32", "velocity"), mesh.velocity);
+    EXPECT_EQ(array_of<float>(file, "Float32", "deformation"), mesh.deformation);
+    EXPECT_EQ(array_of<std::uint32_t>(file, "UInt32", "component"), mesh.component);
+    EXPECT_EQ(array_of<std::uint8_t>(file, "UInt8", "approximated"), mesh.approximated);
+    EXPECT_EQ(array_of<float>(file, "Float32", "p"), (std::vector<float>{1, 2, 3, 4, 5, 6, 7, 8}));
+}
+
+TEST(MeshVtp, WritesMetadataThatReadsBackTheSame) {
+    const auto file = mesh_vtp(small_mesh(), metadata);
+    EXPECT_NE(file.find("Name=\"kind\" NumberOfTuples=\"1\" format=\"ascii\">112 97 116 104 0<"),
+              std::string::npos);
+    EXPECT_NE(
+        file.find(
+            "NumberOfComponents=\"3\" NumberOfTuples=\"2\" format=\"ascii\">0 0 0 0.1 1e-300 -2 <"),
+        std::string::npos);
+    EXPECT_NE(file.find("Name=\"separation\" NumberOfComponents=\"1\" NumberOfTuples=\"1\" "
+                        "format=\"ascii\">0.05 <"),
+              std::string::npos);
+}
+
+TEST(MeshVtp, GivesTheSameBytesForTheSameMesh) {
+    EXPECT_EQ(mesh_vtp(small_mesh(), metadata), mesh_vtp(small_mesh(), metadata));
+}
+
+TEST(MeshVtp, WritesASurfaceWithoutCellsAsAnEmptyFile) {
+    const auto file = mesh_vtp({}, metadata);
+    EXPECT_NE(file.find("NumberOfPoints=\"0\""), std::string::npos);
+    EXPECT_NE(file.find("</VTKFile>"), std::string::npos);
+}
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,113 @@
+#include "protocol/store_manifest.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::protocol {
+namespace {
+
+using nlohmann::json;
+
+StoreManifest sample_manifest() {
+    StoreManifest manifest;
+    manifest.complete = true;
+    manifest.source = {{{"a.pvd", 100, 1'795'231'487'280'964'257}, {"a_0.vti", 200, -5}},
+                       "field U "};
+    manifest.grid = {{0.5, 0, -1}, {0.1, 0.2, 0.3}, {3, 4, 5}};
+    manifest.times = {0.5, 1.5};
+    manifest.mask = "mask.u8";
+    manifest.velocity_range = {0.25, 2};
+    auto& info = manifest.info;
+    info.dataset = info.name = "a";
+    info.reader = "vtk";
+    info.bounds = manifest.grid.bounds();
+    info.dimensions = manifest.grid.dimensions;
+    info.spacing = manifest.grid.spacing;
+    info.points = 60;
+    info.cells = 24;
+    info.times = manifest.times;
+    info.fields = {{"U", 3, core::FieldInfo::Source::Point, {0.25, 2}, ""}};
+    info.velocity = "U";
+    info.why = "so";
+    info.bytes_per_step = 720;
+    return manifest;
+}
+
+core::Error::Code error_of(const json& value) {
+    const auto parsed = parse_store_manifest(value.dump());
+    EXPECT_FALSE(parsed.has_value()) << value.dump();
+    return parsed ? core::Error::Code::Cancelled : parsed.error().code;
+}
+
+TEST(StoreManifest, ReadsBackWhatItWrites) {
+    const auto before = sample_manifest();
+    const auto after = parse_store_manifest(store_manifest_text(before));
+    ASSERT_TRUE(after.has_value()) << after.error().message;
+    EXPECT_EQ(after->source, before.source);
+    EXPECT_EQ(after->times, before.times);
+    EXPECT_EQ(after->mask, before.mask);
+    EXPECT_EQ(after->velocity_range, before.velocity_range);
+    EXPECT_EQ(after->grid.origin, before.grid.origin);
+    EXPECT_EQ(after->grid.spacing, before.grid.spacing);
+    EXPECT_EQ(store_manifest_text(*after), store_manifest_text(before));
+}
+
+TEST(StoreManifest, RefusesTextCutAnywhere) {
+    const std::string whole = store_manifest_text(sample_manifest());
+    for (std::size_t size = 0; size < whole.size(); size += 3)
+        EXPECT_FALSE(parse_store_manifest(whole.substr(0, size)).has_value()) << size;
+}
+
+TEST(StoreManifest, SurvivesChangedBytes) {
+    const std::string whole = store_manifest_text(sample_manifest());
+    for (std::size_t at = 0; at < whole.size(); at += 5)
+        for (const char c : {'0', '9', '"', '[', '\xff'}) {
+            std::string changed = whole;
+            changed[at] = c;
+            const auto parsed = parse_store_manifest(changed);
+            EXPECT_TRUE(!parsed || parsed->info.bytes_per_step == parsed->grid.nodes() * 12);
+        }
+}
+
+TEST(StoreManifest, RefusesPartsThatDisagree) {
+    using Code = core::Error::Code;
+    const json good = json::parse(store_manifest_text(sample_manifest()));
+    const auto with = [&](const char* pointer, const json& value) {
+        json changed = good;
+        changed[json::json_pointer(pointer)] = value;
+        return error_of(changed);
+    };
+    EXPECT_EQ(with("/times", {0.5}), Code::Corrupt);
+    EXPECT_EQ(with("/info/points", 61), Code::Corrupt);
+    EXPECT_EQ(with("/info/bytesPerStep", 719), Code::Corrupt);
+    EXPECT_EQ(with("/grid/dimensions", {3, 4, 6}), Code::Corrupt);
+    EXPECT_EQ(with("/grid/dimensions", {1, 4, 6}), Code::Corrupt);
+    EXPECT_EQ(with("/grid/dimensions", {4294967295, 4294967295, 4294967295}),
+              Code::InvalidArgument);
+    EXPECT_EQ(with("/grid/spacing", {0, 1, 1}), Code::InvalidArgument);
+    EXPECT_EQ(with("/grid/origin", {1e300, 0, 0}), Code::InvalidArgument);
+    EXPECT_EQ(with("/info/bounds", {0, 1, 0, 1, 0, 1}), Code::Corrupt);
+    EXPECT_EQ(with("/mask", "../../etc/passwd"), Code::Corrupt);
+    EXPECT_EQ(with("/format", "something"), Code::Corrupt);
+    EXPECT_EQ(with("/version", 2), Code::Unsupported);
+    EXPECT_EQ(with("/source/files/0/size", -1), Code::Corrupt);
+    EXPECT_EQ(error_of(json::array()), Code::Corrupt);
+    EXPECT_EQ(parse_store_manifest(std::string(100'000, '[')).error().code, Code::OverLimit);
+}
+
+TEST(StoreManifest, IsReadFromItsFolder) {
+    const tests::TemporaryFolder folder;
+    EXPECT_EQ(read_store_manifest(folder.path(), core::PosixDisk()).error().code,
+              core::Error::Code::NotFound);
+    tests::write_file(folder / manifest_file_name, store_manifest_text(sample_manifest()));
+    const auto manifest = read_store_manifest(folder.path(), core::PosixDisk());
+    ASSERT_TRUE(manifest.has_value()) << manifest.error().message;
+    const auto layout = store_layout(*manifest, folder.path());
+    EXPECT_EQ(layout.folder, folder.path());
+    EXPECT_EQ(layout.times, manifest->times);
+    EXPECT_EQ(layout.mask, "mask.u8");
+}
+
+} // namespace
+} // namespace wakesurf::protocol
