@@ -1,0 +1,21 @@
+// The benchmarks `wakesurf bench` knows. Each registers itself with Google Benchmark under a name that says what is
+// measured; targets are printed beside the figures as counters named `target_ms`.
+#pragma once
+
+#include "server/catalogue/open_dataset.hpp"
+
+#include <memory>
+#include <string>
+
+namespace wakesurf::server {
+
+/// Stream and path surfaces of about 20,000 quads on four rakes across the domain, complete, on one core.
+void register_surface_benchmarks(std::shared_ptr<const LoadedDataset> dataset);
+
+/// From a rake edit at the socket of a server process to the first frame of the new surface.
+void register_edit_benchmark(const std::string& dataset);
+
+/// From a handle's move in Chromium to the drawn frame that shows its surface.
+void register_drag_benchmark(const std::string& dataset);
+
+} // namespace wakesurf::server

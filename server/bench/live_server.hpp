@@ -1,0 +1,55 @@
+// This program again, as a server process on a port of its own, and a well-behaved blocking client of it: what a
+// benchmark of the whole path needs.
+#pragma once
+
+#include "protocol/bytes.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <future>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+namespace wakesurf::server {
+
+struct ServerAddress {
+    std::string host, port, token;
+    std::string url; ///< as a browser opens it
+};
+
+/// Serves one dataset until destroyed. Throws std::runtime_error when the process ends instead of serving.
+class LiveServer {
+  public:
+    explicit LiveServer(const std::string& dataset);
+
+    const ServerAddress& address() const { return address_; }
+
+  private:
+    ServerAddress address_;
+    std::jthread process_;
+};
+
+/// One WebSocket. Every call blocks; throws std::runtime_error for an error answer or a lost connection.
+class LiveClient {
+  public:
+    explicit LiveClient(const ServerAddress& address);
+    ~LiveClient();
+
+    /// The result of a method; frames and notifications on the way are dropped.
+    nlohmann::json call(const std::string& method, const nlohmann::json& parameters);
+
+    /// Sends a call without waiting for its answer.
+    void send(const std::string& method, const nlohmann::json& parameters);
+
+    /// The next frame; text on the way is dropped.
+    protocol::Bytes next_frame();
+
+  private:
+    struct Socket;
+    std::unique_ptr<Socket> socket_;
+    int id_ = 0;
+};
+
+} // namespace wakesurf::server

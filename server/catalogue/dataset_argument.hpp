@@ -1,0 +1,34 @@
+// What a DATASET argument of the command line names: a built-in flow, a store, or a source to import.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace wakesurf::server {
+
+struct DatasetArgument {
+    enum class Kind { Flow, Store, Source };
+    Kind kind = Kind::Source;
+    std::string name;           ///< for people, without a path
+    std::string flow;           ///< what follows `flow:`
+    std::filesystem::path path; ///< canonical: the store's folder, or the file to import
+};
+
+/// A folder stands for the one thing in it that can be imported: its .pvd, or its .vti or series of them.
+/// Error: NotFound, Io, InvalidArgument (a folder with none or several, listing them).
+core::Result<DatasetArgument> resolve_dataset(const std::string& argument);
+
+/// $XDG_CACHE_HOME/wakesurf, else ~/.cache/wakesurf, else wakesurf-cache beside the current directory.
+std::filesystem::path default_store_root();
+
+/// <root>/<name>-<16 hex digits of the canonical source path>, so that equal names do not meet.
+std::filesystem::path store_folder(const std::filesystem::path& root,
+                                   const DatasetArgument& source);
+
+/// Letters, digits, dots, dashes and underscores of a name, for ids and folders; never empty.
+std::string slug(std::string_view name);
+
+} // namespace wakesurf::server

@@ -1,0 +1,174 @@
+#include "server/catalogue/dataset_catalogue.hpp"
+
+#include "protocol/store_manifest.hpp"
+#include "server/catalogue/import_process.hpp"
+
+#include <algorithm>
+
+namespace wakesurf::server {
+
+using core::Error;
+
+core::Result<std::unique_ptr<DatasetCatalogue>> DatasetCatalogue::open(
+    const std::vector<std::string>& arguments, OpenOptions options, Listener listener) {
+    const auto stored = std::count_if(arguments.begin(), arguments.end(),
+                                      [](const std::string& a) { return !a.starts_with("flow:"); });
+    options.cache.budget_bytes /= static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, stored));
+    std::unique_ptr<DatasetCatalogue> catalogue(
+        new DatasetCatalogue(std::move(options), std::move(listener)));
+    for (const auto& argument : arguments)
+        if (auto added = catalogue->add(argument); !added)
+            return tl::unexpected(added.error());
+    catalogue->importer_ = std::jthread(
+        [self = catalogue.get()](const std::stop_token& stop) { self->import_all(stop); });
+    return catalogue;
+}
+
+DatasetCatalogue::~DatasetCatalogue() = default;
+
+core::Result<void> DatasetCatalogue::add(const std::string& text) {
+    auto argument = resolve_dataset(text);
+    if (!argument)
+        return tl::unexpected(argument.error());
+    auto entry = std::make_unique<Entry>();
+    entry->argument = std::move(*argument);
+    entry->status.name = entry->argument.name;
+    if (entry->argument.kind == DatasetArgument::Kind::Flow) {
+        auto flow = open_flow(entry->argument);
+        if (!flow)
+            return tl::unexpected(flow.error());
+        entry->status.name = flow->info.name;
+        entry->status.dataset = unused_id(entry->status.name);
+        finish(*entry, std::move(flow));
+    } else {
+        entry->status.dataset = unused_id(entry->status.name);
+    }
+    entries_.push_back(std::move(entry));
+    return {};
+}
+
+std::string DatasetCatalogue::unused_id(const std::string& name) const {
+    const std::string wanted = slug(name);
+    std::string id = wanted;
+    for (int number = 2; find_entry(id) != nullptr; ++number)
+        id = wanted + "-" + std::to_string(number);
+    return id;
+}
+
+const DatasetCatalogue::Entry* DatasetCatalogue::find_entry(std::string_view dataset) const {
+    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) {
+        return entry->status.dataset == dataset;
+    });
+    return found == entries_.end() ? nullptr : found->get();
+}
+
+void DatasetCatalogue::import_all(const std::stop_token& stop) {
+    for (const auto& entry : entries_) {
+        if (stop.stop_requested())
+            return;
+        if (entry->argument.kind == DatasetArgument::Kind::Flow)
+            continue;
+        import_one(*entry, stop);
+        listener_(entry->status.dataset);
+    }
+}
+
+void DatasetCatalogue::import_one(Entry& entry, const std::stop_token& stop) {
+    if (entry.argument.kind == DatasetArgument::Kind::Store)
+        return finish(entry, open_store(entry.argument.path, options_.cache));
+    const auto folder = store_folder(options_.store_root, entry.argument);
+    const auto listener = [&](const ImportProgress& progress) {
+        show(entry, progress, folder);
+        listener_(entry.status.dataset);
+    };
+    const auto imported = run_import_process(
+        {entry.argument.path, folder, {}, {}, options_.importer}, listener, stop);
+    if (!imported)
+        return finish(entry, tl::unexpected(imported.error()));
+    if (!entry.open)
+        return finish(entry, open_store(folder, options_.cache));
+    // The ranges are known now; flow and cache stay the ones in use.
+    auto whole = *entry.open;
+    if (auto manifest = protocol::read_store_manifest(folder, core::PosixDisk()))
+        whole.info = std::move(manifest->info);
+    finish(entry, std::move(whole));
+}
+
+void DatasetCatalogue::show(Entry& entry,
+                            const ImportProgress& progress,
+                            const std::filesystem::path& folder) {
+    std::shared_ptr<const LoadedDataset> first;
+    if (progress.phase == "import" && !entry.open)
+        if (auto opened = open_store(folder, options_.cache)) {
+            opened->info.dataset = entry.status.dataset;
+            opened->info.name = entry.status.name;
+            first = std::make_shared<const LoadedDataset>(std::move(*opened));
+        }
+    const std::scoped_lock lock(mutex_);
+    if (first)
+        entry.open = std::move(first);
+    entry.status.steps_ready = progress.done;
+    entry.status.steps_total = progress.total;
+    entry.status.progress = progress.total == 0 ? 0.0
+                                                : static_cast<double>(progress.done) /
+                                                      static_cast<double>(progress.total);
+}
+
+void DatasetCatalogue::finish(Entry& entry, core::Result<LoadedDataset> opened) {
+    std::size_t ready = 0;
+    if (opened) {
+        opened->info.dataset = entry.status.dataset;
+        opened->info.name = entry.status.name;
+        ready = opened->info.times.size();
+        if (opened->cache) {
+            ready = 0;
+            for (std::size_t i = 0; i < opened->info.times.size(); ++i)
+                ready += opened->cache->source().ready(i) ? 1 : 0;
+        }
+    }
+    const std::scoped_lock lock(mutex_);
+    if (!opened) {
+        entry.status.state = DatasetState::Failed;
+        entry.status.error = opened.error();
+        return;
+    }
+    entry.status.state = DatasetState::Ready;
+    entry.status.steps_ready = ready;
+    entry.status.steps_total = opened->info.times.size();
+    entry.status.progress = 1.0;
+    entry.open = std::make_shared<const LoadedDataset>(std::move(*opened));
+}
+
+std::vector<DatasetStatus> DatasetCatalogue::list() const {
+    std::vector<DatasetStatus> out;
+    const std::scoped_lock lock(mutex_);
+    for (const auto& entry : entries_)
+        out.push_back(entry->status);
+    return out;
+}
+
+core::Result<DatasetStatus> DatasetCatalogue::status(std::string_view dataset) const {
+    const std::scoped_lock lock(mutex_);
+    if (const Entry* entry = find_entry(dataset))
+        return entry->status;
+    return core::fail(Error::Code::NotFound, "there is no dataset of this name",
+                      "list them with dataset.list");
+}
+
+core::Result<std::shared_ptr<const LoadedDataset>>
+DatasetCatalogue::find(std::string_view dataset) const {
+    const std::scoped_lock lock(mutex_);
+    const Entry* entry = find_entry(dataset);
+    if (entry == nullptr)
+        return core::fail(Error::Code::NotFound, "there is no dataset of this name",
+                          "list them with dataset.list");
+    if (entry->status.error)
+        return tl::unexpected(*entry->status.error);
+    if (!entry->open)
+        return core::fail(Error::Code::NotFound,
+                          entry->status.name + " has no time-step imported yet",
+                          "wait for its state to change");
+    return entry->open;
+}
+
+} // namespace wakesurf::server

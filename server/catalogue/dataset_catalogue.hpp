@@ -1,0 +1,80 @@
+// The datasets a server offers: a fixed list from the command line, imported in the background where needed.
+// A client names them by id and never sees a path.
+#pragma once
+
+#include "server/catalogue/open_dataset.hpp"
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+namespace wakesurf::server {
+
+enum class DatasetState { Importing, Ready, Failed };
+
+struct DatasetStatus {
+    std::string dataset; ///< id: a slug of the name, unique
+    std::string name;
+    DatasetState state = DatasetState::Importing;
+    std::size_t steps_ready = 0;
+    std::size_t steps_total = 0;      ///< 0 while unknown
+    double progress = 0.0;            ///< of the import, 0..1
+    std::optional<core::Error> error; ///< why it failed
+};
+
+/// Thread safety: every call may come from any thread.
+class DatasetCatalogue {
+  public:
+    /// Told from the import thread that a dataset's status changed, without the catalogue's lock.
+    using Listener = std::function<void(const std::string& dataset)>;
+
+    /// Resolves the arguments and starts to import what needs it, one source after the other. `options.cache`'s
+    /// budget is for all datasets together. Error: what resolve_dataset and open_flow report.
+    static core::Result<std::unique_ptr<DatasetCatalogue>>
+    open(const std::vector<std::string>& arguments, OpenOptions options, Listener listener);
+    /// Ends a running import; its store stays usable.
+    ~DatasetCatalogue();
+    DatasetCatalogue(const DatasetCatalogue&) = delete;
+    DatasetCatalogue& operator=(const DatasetCatalogue&) = delete;
+
+    std::vector<DatasetStatus> list() const;
+
+    /// Error: NotFound.
+    core::Result<DatasetStatus> status(std::string_view dataset) const;
+
+    /// Usable from its first time-step on. Error: NotFound for an unknown id and while nothing is imported yet,
+    /// else what made the import fail.
+    core::Result<std::shared_ptr<const LoadedDataset>> find(std::string_view dataset) const;
+
+  private:
+    struct Entry {
+        DatasetArgument argument;
+        DatasetStatus status;
+        std::shared_ptr<const LoadedDataset> open;
+    };
+
+    DatasetCatalogue(OpenOptions options, Listener listener)
+        : options_(std::move(options)), listener_(std::move(listener)) {}
+
+    core::Result<void> add(const std::string& argument);
+    std::string unused_id(const std::string& name) const;
+    const Entry* find_entry(std::string_view dataset) const;
+    void import_all(const std::stop_token& stop);
+    void import_one(Entry& entry, const std::stop_token& stop);
+    void show(Entry& entry, const ImportProgress& progress, const std::filesystem::path& folder);
+    void finish(Entry& entry, core::Result<LoadedDataset> opened);
+
+    OpenOptions options_;
+    Listener listener_;
+    mutable std::mutex mutex_; ///< guards status and open of the entries; their number is fixed
+    std::vector<std::unique_ptr<Entry>> entries_;
+    std::jthread importer_; ///< last: stopped and joined before anything else goes
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,118 @@
+#include "server/catalogue/import_process.hpp"
+
+#include "protocol/dataset_json.hpp"
+#include "protocol/json_text.hpp"
+#include "server/catalogue/child_process.hpp"
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace wakesurf::server {
+
+using core::Error;
+
+namespace {
+
+constexpr std::string_view program_name = "wakesurf-import";
+
+std::filesystem::path program_of(const ImportCommand& command) {
+    if (!command.program.empty())
+        return command.program;
+    std::error_code ignored;
+    return std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / program_name;
+}
+
+std::vector<std::string> arguments_of(const ImportCommand& command) {
+    std::vector<std::string> arguments;
+    if (!command.fields.empty()) {
+        std::string names;
+        for (const auto& field : command.fields)
+            names += (names.empty() ? "" : ",") + field;
+        arguments.push_back("--fields=" + names);
+    }
+    if (!command.times.empty())
+        arguments.push_back("--times=" + command.times);
+    return arguments;
+}
+
+// All the machine has, so that a file which claims to be enormous fails instead of swapping everything out.
+std::size_t address_space() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    return 0; // the sanitizers' shadow memory takes terabytes of addresses
+#else
+    const auto pages = ::sysconf(_SC_PHYS_PAGES);
+    const auto page = ::sysconf(_SC_PAGESIZE);
+    constexpr std::size_t libraries = std::size_t{2} << 30;
+    return pages > 0 && page > 0
+               ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) + libraries
+               : 0;
+#endif
+}
+
+std::string last_line(std::string text) {
+    while (!text.empty() && text.back() == '\n')
+        text.pop_back();
+    text.erase(0, text.rfind('\n') + 1); // npos + 1 == 0
+    const std::string prefix = std::string(program_name) + ": ";
+    if (text.starts_with(prefix))
+        text.erase(0, prefix.size());
+    return text;
+}
+
+core::Result<void> judge(const ChildOutcome& outcome, const std::stop_token& stop) {
+    if (stop.stop_requested())
+        return core::fail(Error::Code::Cancelled, "the import was interrupted",
+                          "the next import of this source goes on where it ended");
+    if (outcome.signal != 0)
+        return core::fail(Error::Code::Io,
+                          "the importer ended unexpectedly (signal " +
+                              std::to_string(outcome.signal) + ")",
+                          "a file of the dataset is probably damaged");
+    if (outcome.exit_status == 0)
+        return {};
+    const std::string words = last_line(outcome.errors);
+    return core::fail(outcome.exit_status == 2 ? Error::Code::InvalidArgument
+                                               : Error::Code::Corrupt,
+                      words.empty() ? "the importer failed without saying why" : words);
+}
+
+core::Result<void> run(const ImportCommand& command,
+                       bool describe,
+                       const std::function<void(std::string_view)>& line,
+                       const std::stop_token& stop) {
+    auto arguments = arguments_of(command);
+    if (describe)
+        arguments.emplace_back("--describe");
+    arguments.emplace_back("--"); // a path that begins with a dash is still a path
+    arguments.push_back(command.source.string());
+    if (!describe)
+        arguments.push_back(command.store.string());
+    return run_child(program_of(command), arguments, address_space(), line, stop)
+        .and_then([&](const ChildOutcome& outcome) { return judge(outcome, stop); });
+}
+
+} // namespace
+
+core::Result<void> run_import_process(const ImportCommand& command,
+                                      const std::function<void(const ImportProgress&)>& listener,
+                                      std::stop_token stop) {
+    const auto line = [&](std::string_view text) {
+        if (const auto progress = parse_progress_line(text))
+            listener(*progress);
+    };
+    return run(command, false, line, stop);
+}
+
+core::Result<core::DatasetInfo> describe_with_import_process(const ImportCommand& command,
+                                                             std::stop_token stop) {
+    std::string text;
+    const auto line = [&](std::string_view part) { text.append(part).append("\n"); };
+    if (auto described = run(command, true, line, stop); !described)
+        return tl::unexpected(described.error());
+    constexpr protocol::JsonLimits limits{std::size_t{64} << 20, 16};
+    return protocol::parse_json(text, limits).and_then([](const nlohmann::json& value) {
+        return protocol::parse_dataset_info(value);
+    });
+}
+
+} // namespace wakesurf::server

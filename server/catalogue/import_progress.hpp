@@ -1,0 +1,27 @@
+// How far an import is: one line of JSON between wakesurf-import and whoever started it, or text for people.
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace wakesurf::server {
+
+struct ImportProgress {
+    std::string phase; ///< waiting, import or done
+    std::size_t done = 0;
+    std::size_t total = 0;
+    std::string file; ///< the one just finished, without its folder
+    std::string note; ///< for people; may be empty
+};
+
+/// `{"phase":"import","done":3,"total":16,"file":"..."}`, without a line end, and back.
+std::string progress_line(const ImportProgress& progress);
+std::optional<ImportProgress> parse_progress_line(std::string_view line);
+
+/// A bar on a terminal, plain lines otherwise.
+void show_progress(const ImportProgress& progress, std::FILE* stream);
+
+} // namespace wakesurf::server

@@ -1,0 +1,49 @@
+#include "server/catalogue/open_dataset.hpp"
+
+#include "core/field/analytic_flow.hpp"
+#include "core/field/grid_flow.hpp"
+#include "protocol/store_manifest.hpp"
+#include "server/catalogue/import_process.hpp"
+
+namespace wakesurf::server {
+
+const core::SolidMask* LoadedDataset::mask() const {
+    return cache == nullptr || cache->source().mask().empty() ? nullptr : &cache->source().mask();
+}
+
+core::Result<LoadedDataset> open_flow(const DatasetArgument& argument) {
+    auto info = core::describe_analytic_flow(argument.flow);
+    if (!info)
+        return tl::unexpected(info.error());
+    return core::make_analytic_flow(argument.flow).map([&](std::unique_ptr<core::Flow> flow) {
+        return LoadedDataset{std::move(*info), std::move(flow), nullptr};
+    });
+}
+
+core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
+                                       const core::TimeStepCache::Options& options) {
+    const auto disk = std::make_shared<core::PosixDisk>();
+    auto manifest = protocol::read_store_manifest(folder, *disk);
+    if (!manifest)
+        return tl::unexpected(manifest.error());
+    auto reader = core::StoreReader::open(protocol::store_layout(*manifest, folder), disk);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    auto cache = std::make_shared<core::TimeStepCache>(*reader, options);
+    return LoadedDataset{std::move(manifest->info), core::make_grid_flow(cache), cache};
+}
+
+core::Result<LoadedDataset> open_dataset(const DatasetArgument& argument,
+                                         const OpenOptions& options,
+                                         const std::function<void(const ImportProgress&)>& listener,
+                                         std::stop_token stop) {
+    if (argument.kind == DatasetArgument::Kind::Flow)
+        return open_flow(argument);
+    if (argument.kind == DatasetArgument::Kind::Store)
+        return open_store(argument.path, options.cache);
+    const auto folder = store_folder(options.store_root, argument);
+    return run_import_process({argument.path, folder, {}, {}, options.importer}, listener, stop)
+        .and_then([&] { return open_store(folder, options.cache); });
+}
+
+} // namespace wakesurf::server

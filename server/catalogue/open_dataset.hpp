@@ -1,0 +1,47 @@
+// A dataset ready to be used: its description, the flow that carries particles, and the cache behind it.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/dataset_info.hpp"
+#include "core/dataset/time_step_cache.hpp"
+#include "core/field/flow.hpp"
+#include "server/catalogue/dataset_argument.hpp"
+#include "server/catalogue/import_progress.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+namespace wakesurf::server {
+
+struct LoadedDataset {
+    core::DatasetInfo info;
+    std::shared_ptr<const core::Flow> flow;
+    std::shared_ptr<core::TimeStepCache> cache; ///< null for a built-in flow
+
+    /// Solid mask of the stored data, or null.
+    const core::SolidMask* mask() const;
+};
+
+struct OpenOptions {
+    std::filesystem::path store_root; ///< where sources are imported to
+    core::TimeStepCache::Options cache;
+    std::filesystem::path importer{}; ///< empty: wakesurf-import beside our own executable
+};
+
+/// Error: InvalidArgument, NotFound (the list of names).
+core::Result<LoadedDataset> open_flow(const DatasetArgument& argument);
+
+/// A store, whole or still being written. Error: as read_store_manifest and StoreReader::open.
+core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
+                                       const core::TimeStepCache::Options& cache);
+
+/// Whatever the argument names, imported first where that is needed: blocks until the import is complete.
+/// Error: what importing and opening report; Cancelled.
+core::Result<LoadedDataset> open_dataset(const DatasetArgument& argument,
+                                         const OpenOptions& options,
+                                         const std::function<void(const ImportProgress&)>& listener,
+                                         std::stop_token stop = {});
+
+} // namespace wakesurf::server

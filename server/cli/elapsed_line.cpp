@@ -1,0 +1,33 @@
+#include "server/cli/elapsed_line.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <mutex>
+
+namespace wakesurf::server {
+
+ElapsedLine::ElapsedLine(std::string text) : text_(std::move(text)) {
+    if (::isatty(STDERR_FILENO) == 0) {
+        std::fprintf(stderr, "%s\n", text_.c_str());
+        return;
+    }
+    ticker_ = std::jthread([this](const std::stop_token& done) {
+        const auto start = std::chrono::steady_clock::now();
+        std::mutex mutex;
+        std::condition_variable_any ended;
+        std::unique_lock lock(mutex);
+        while (!done.stop_requested()) {
+            const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - start;
+            std::fprintf(stderr, "\r%s ... %.1f s", text_.c_str(), gone.count());
+            ended.wait_for(lock, done, std::chrono::milliseconds(200), [] { return false; });
+        }
+        std::fprintf(stderr, "\r\033[K");
+    });
+}
+
+ElapsedLine::~ElapsedLine() = default;
+
+} // namespace wakesurf::server

@@ -1,0 +1,11 @@
+// How every command ends that could not do its work: one line on standard error, exit status 1.
+#pragma once
+
+#include "core/base/result.hpp"
+
+namespace wakesurf::server {
+
+/// Prints `wakesurf: MESSAGE (HINT)`; returns the exit status.
+int report_failure(const core::Error& error);
+
+} // namespace wakesurf::server

@@ -1,0 +1,28 @@
+#include "server/cli/import_command.hpp"
+
+#include "server/catalogue/dataset_argument.hpp"
+#include "server/catalogue/import_process.hpp"
+#include "server/cli/failure.hpp"
+#include "server/cli/stop_on_signal.hpp"
+
+namespace wakesurf::server {
+
+int run_import(const ImportOptions& options) {
+    const auto source = resolve_dataset(options.dataset);
+    if (!source)
+        return report_failure(source.error());
+    if (source->kind != DatasetArgument::Kind::Source)
+        return report_failure({core::Error::Code::InvalidArgument,
+                               options.dataset + " needs no import", "use it as it is"});
+    const StopOnSignal signals;
+    const auto imported = run_import_process(
+        {source->path, options.store, options.fields, options.times},
+        [](const ImportProgress& progress) { show_progress(progress, stdout); }, signals.token());
+    if (!imported) {
+        const int status = report_failure(imported.error());
+        return imported.error().code == core::Error::Code::InvalidArgument ? 2 : status;
+    }
+    return 0;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,75 @@
+#include "server/cli/info_command.hpp"
+
+#include "core/field/analytic_flow.hpp"
+#include "protocol/dataset_json.hpp"
+#include "protocol/json_text.hpp"
+#include "protocol/store_manifest.hpp"
+#include "server/catalogue/dataset_argument.hpp"
+#include "server/catalogue/import_process.hpp"
+#include "server/cli/failure.hpp"
+#include "server/cli/stop_on_signal.hpp"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::server {
+
+namespace {
+
+core::Result<core::DatasetInfo> describe(const DatasetArgument& argument) {
+    switch (argument.kind) {
+    case DatasetArgument::Kind::Flow:
+        return core::describe_analytic_flow(argument.flow);
+    case DatasetArgument::Kind::Store:
+        return protocol::read_store_manifest(argument.path, core::PosixDisk())
+            .map([](const protocol::StoreManifest& manifest) { return manifest.info; });
+    case DatasetArgument::Kind::Source:
+        break;
+    }
+    const StopOnSignal signals;
+    return describe_with_import_process({argument.path, {}, {}, {}}, signals.token());
+}
+
+std::string grid_text(const core::DatasetInfo& info) {
+    const auto& d = info.dimensions;
+    const auto name = protocol::grid_name(info.grid);
+    if (info.grid != core::GridKind::Uniform)
+        return std::string(name);
+    return fmt::format("{}, {} x {} x {} nodes, spacing {:g} x {:g} x {:g}", name, d[0], d[1], d[2],
+                       info.spacing.x, info.spacing.y, info.spacing.z);
+}
+
+void print_text(const core::DatasetInfo& info) {
+    const auto& [lo, hi] = info.bounds;
+    fmt::print("{}\n  reader    {}\n  grid      {}\n", info.name, info.reader, grid_text(info));
+    fmt::print("  bounds    x {:g} to {:g}, y {:g} to {:g}, z {:g} to {:g}\n", lo.x, hi.x, lo.y,
+               hi.y, lo.z, hi.z);
+    if (!info.times.empty())
+        fmt::print("  times     {} from {:g} to {:g}{}\n", info.times.size(), info.times.front(),
+                   info.times.back(), info.steady ? " (steady)" : "");
+    fmt::print("  velocity  {}: {}\n", info.velocity, info.why);
+    for (const auto& field : info.fields)
+        fmt::print("  field     {}, {} component{}, {} data, {:g} to {:g}{}{}\n", field.name,
+                   field.components, field.components == 1 ? "" : "s",
+                   field.source == core::FieldInfo::Source::Cell ? "cell" : "point", field.range[0],
+                   field.range[1], field.unit.empty() ? "" : " ", field.unit);
+    fmt::print("  obstacle  {}\n", info.obstacle ? "yes, from the solid mask" : "no");
+    if (info.bytes_per_step > 0)
+        fmt::print("  memory    {:.1f} MiB a time-step\n",
+                   static_cast<double>(info.bytes_per_step) / (1 << 20));
+}
+
+} // namespace
+
+int run_info(const InfoOptions& options) {
+    const auto info = resolve_dataset(options.dataset).and_then(describe);
+    if (!info)
+        return report_failure(info.error());
+    if (options.json)
+        fmt::print("{}\n", protocol::json_text(protocol::dataset_json(*info), 2));
+    else
+        print_text(*info);
+    return 0;
+}
+
+} // namespace wakesurf::server

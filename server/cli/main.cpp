@@ -1,0 +1,85 @@
+// The program `wakesurf`: parses the command line and hands over to one command.
+#include "server/bench/bench_command.hpp"
+#include "server/cli/import_command.hpp"
+#include "server/cli/info_command.hpp"
+#include "server/cli/serve_command.hpp"
+#include "server/cli/surface_command.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <functional>
+
+namespace {
+
+using namespace wakesurf::server;
+
+constexpr int failed = 1;
+constexpr int wrong_usage = 2;
+
+void add_import_options(CLI::App& command, ImportOptions& options) {
+    command.add_option("DATASET", options.dataset, "A .pvd or .vti file, or a folder with one")
+        ->required();
+    command.add_option("STORE_DIR", options.store, "Folder to write the store to")->required();
+    command.add_option("--fields", options.fields, "Fields to import, a,b (default: the velocity)")
+        ->delimiter(',');
+    command.add_option("--times", options.times, "T0:T1[:EVERY]");
+}
+
+int run(int argc, char** argv) {
+    CLI::App app{"Integral surfaces of unsteady flow, interactively.", "wakesurf"};
+    app.set_version_flag("--version", std::string("wakesurf ") + WAKESURF_VERSION);
+    app.require_subcommand(1);
+    std::function<int()> chosen;
+    const auto command = [&](const char* name, const char* about, std::function<int()> action) {
+        CLI::App* added = app.add_subcommand(name, about);
+        added->callback([&chosen, action] { chosen = action; });
+        return added;
+    };
+
+    ServeOptions serve;
+    add_serve_options(*command("serve", "Serve datasets to browsers and scripts",
+                               [&] { return run_serve(serve); }),
+                      serve);
+    SurfaceOptions surface;
+    add_surface_options(*command("surface", "Build one surface and write it to a file",
+                                 [&] { return run_surface(surface); }),
+                        surface);
+    InfoOptions info;
+    auto* const info_command =
+        command("info", "Say what a dataset is", [&] { return run_info(info); });
+    info_command
+        ->add_option("DATASET", info.dataset,
+                     "A .pvd or .vti file, a store, or flow:NAME[?k=v,...]")
+        ->required();
+    info_command->add_flag("--json", info.json, "As JSON");
+    ImportOptions import;
+    add_import_options(
+        *command("import", "Convert a dataset into a store", [&] { return run_import(import); }),
+        import);
+    BenchOptions bench;
+    add_bench_options(*command("bench", "Measure this machine", [&] { return run_bench(bench); }),
+                      bench);
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0)
+            return app.exit(error); // --help, --version
+        std::fprintf(stderr, "wakesurf: %s (see --help)\n", error.what());
+        return wrong_usage;
+    }
+    return chosen();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "wakesurf: %s\n", error.what());
+        return failed;
+    }
+}

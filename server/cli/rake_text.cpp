@@ -1,0 +1,56 @@
+#include "server/cli/rake_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string>
+
+namespace wakesurf::server {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\n";
+
+std::optional<core::Vec3> point_of(std::string_view word) {
+    std::array<double, 3> xyz{};
+    const char* at = word.data();
+    const char* const end = at + word.size();
+    for (std::size_t i = 0; i < xyz.size(); ++i) {
+        if (i > 0 && (at == end || *at++ != ','))
+            return std::nullopt;
+        const auto [rest, fault] = std::from_chars(at, end, xyz[i]);
+        if (fault != std::errc{})
+            return std::nullopt;
+        at = rest;
+    }
+    if (at != end)
+        return std::nullopt;
+    return core::Vec3(xyz[0], xyz[1], xyz[2]);
+}
+
+} // namespace
+
+core::Result<core::Rake> parse_rake(std::string_view text, std::uint32_t seeds) {
+    constexpr auto invalid = core::Error::Code::InvalidArgument;
+    core::Rake rake{.kind = core::Rake::Kind::Line, .points = {}, .seeds = seeds};
+    for (auto start = text.find_first_not_of(blanks); start != std::string_view::npos;) {
+        const auto stop = std::min(text.find_first_of(blanks, start), text.size());
+        const auto word = text.substr(start, stop - start);
+        const auto point = point_of(word);
+        if (!point)
+            return core::fail(invalid, "--rake: '" + std::string(word) + "' is not a point",
+                              "write points as x,y,z and separate them by spaces");
+        if (!core::finite(*point))
+            return core::fail(invalid, "--rake: '" + std::string(word) + "' is not finite");
+        rake.points.push_back(*point);
+        start = text.find_first_not_of(blanks, stop);
+    }
+    if (rake.points.size() < 2)
+        return core::fail(invalid, "--rake: fewer than two points", "as in --rake \"0,0,0 0,0,1\"");
+    if (rake.points.size() > 2)
+        rake.kind = core::Rake::Kind::Polyline;
+    return rake;
+}
+
+} // namespace wakesurf::server

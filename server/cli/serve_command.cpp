@@ -1,0 +1,139 @@
+#include "server/cli/serve_command.hpp"
+
+#include "server/catalogue/dataset_argument.hpp"
+#include "server/cli/failure.hpp"
+#include "server/net/gate.hpp"
+#include "server/net/server.hpp"
+#include "server/net/token_file.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <charconv>
+#include <cstdio>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::fail;
+
+namespace {
+
+struct Address {
+    std::string host;
+    std::uint16_t port = 0;
+};
+
+core::Result<Address> parse_address(const std::string& text) {
+    const auto colon = text.rfind(':');
+    Address address;
+    if (colon != std::string::npos) {
+        const char* end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data() + colon + 1, end, address.port);
+        address.host = text.substr(0, colon);
+        if (address.host.size() > 2 && address.host.front() == '[' && address.host.back() == ']')
+            address.host = address.host.substr(1, address.host.size() - 2);
+        if (error == std::errc{} && stop == end && !address.host.empty())
+            return address;
+    }
+    return fail(Error::Code::InvalidArgument, "--listen is `" + text + "`",
+                "write HOST:PORT, for example 127.0.0.1:8080");
+}
+
+core::Result<std::string> choose_token(const ServeOptions& options, const Address& address) {
+    if (options.no_auth && !is_loopback(address.host))
+        return fail(Error::Code::InvalidArgument,
+                    "--no-auth would let anybody in at " + address.host,
+                    "listen on 127.0.0.1, or leave --no-auth out");
+    if (options.no_auth)
+        return std::string{};
+    SystemEntropy entropy;
+    return options.token_file.empty() ? core::Result<std::string>(fresh_token(entropy))
+                                      : token_from(options.token_file, entropy);
+}
+
+core::Result<void> check_origins(const std::vector<std::string>& origins) {
+    for (const std::string& origin : origins) {
+        const auto scheme = origin.find("://");
+        const bool known = origin.starts_with("http://") || origin.starts_with("https://");
+        if (!known || !host_name(origin.substr(scheme + 3)))
+            return fail(Error::Code::InvalidArgument, "--origin is `" + origin + "`",
+                        "write it as browsers do: https://viewer.example or http://host:port");
+    }
+    return {};
+}
+
+/// What a browser on this machine can open.
+std::string shown_host(const std::string& host) {
+    if (host == "0.0.0.0" || host == "::")
+        return "127.0.0.1";
+    return host.find(':') == std::string::npos ? host : "[" + host + "]";
+}
+
+core::Result<void> serve(const ServeOptions& options) {
+    const auto address = parse_address(options.listen);
+    if (!address)
+        return tl::unexpected(address.error());
+    if (auto origins = check_origins(options.origins); !origins)
+        return origins;
+    const auto token = choose_token(options, *address);
+    if (!token)
+        return tl::unexpected(token.error());
+    ServerOptions server;
+    server.datasets = options.datasets;
+    server.host = address->host;
+    server.port = address->port;
+    server.store_root =
+        options.store.empty() ? default_store_root() : std::filesystem::path(options.store);
+    server.memory = options.memory;
+    server.threads = options.threads;
+    server.token = *token;
+    server.origins = options.origins;
+    server.web = options.web;
+    auto running = Server::open(server);
+    if (!running)
+        return tl::unexpected(running.error());
+    fmt::print("wakesurf: http://{}:{}/{}{}\n", shown_host(address->host), (*running)->port(),
+               token->empty() ? "" : "#token=", *token);
+    std::fflush(stdout);
+    (*running)->run();
+    return {};
+}
+
+} // namespace
+
+void add_serve_options(CLI::App& command, ServeOptions& options) {
+    command.add_option("DATASET", options.datasets,
+                       "files or folders VTK can read, stores, or flow:NAME[?k=v,...]");
+    command.add_option("--listen", options.listen, "HOST:PORT; port 0 picks a free one")
+        ->capture_default_str();
+    command.add_option("--store", options.store,
+                       "folder imports are kept in (default: ~/.cache/wakesurf)");
+    command.add_option("--memory", options.memory, "for time-steps, for example 4GiB")
+        ->transform(CLI::AsSizeValue(false))
+        ->default_str("4GiB");
+    command.add_option("--threads", options.threads, "that compute (default: one a core)")
+        ->check(CLI::Range(1, 1024));
+    auto* const file = command.add_option("--token-file", options.token_file,
+                                          "take the token from this file; made if it is not there");
+    command.add_flag("--no-auth", options.no_auth, "no token; only on a loopback address")
+        ->excludes(file);
+    command.add_option("--origin", options.origins,
+                       "a further page address that may connect, exactly as in the browser");
+    command.add_option("--web", options.web, "folder of the built web client")
+        ->check(CLI::ExistingDirectory);
+    command.add_option("--log-level", options.log_level, "what to log on standard error")
+        ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}))
+        ->capture_default_str();
+}
+
+int run_serve(const ServeOptions& options) {
+    spdlog::set_default_logger(spdlog::stderr_color_mt("wakesurf"));
+    spdlog::set_level(spdlog::level::from_str(options.log_level));
+    const auto served = serve(options);
+    return served ? 0 : report_failure(served.error());
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,32 @@
+// `wakesurf serve`: the server, until Ctrl-C.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace wakesurf::server {
+
+struct ServeOptions {
+    std::vector<std::string> datasets;
+    std::string listen = "127.0.0.1:8080";
+    std::string store;
+    std::uint64_t memory = std::uint64_t{4} << 30;
+    unsigned threads = 0;
+    std::string token_file;
+    bool no_auth = false;
+    std::vector<std::string> origins;
+    std::string web;
+    std::string log_level = "info";
+};
+
+void add_serve_options(CLI::App& command, ServeOptions& options);
+
+/// Exit status.
+int run_serve(const ServeOptions& options);
+
+} // namespace wakesurf::server

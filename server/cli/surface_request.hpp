@@ -1,0 +1,29 @@
+// The command line of `surface` as checked values; what depends on the dataset is still open.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/surface/rake.hpp"
+#include "core/surface/surface_parameters.hpp"
+#include "server/cli/surface_command.hpp"
+
+#include <vector>
+
+namespace wakesurf::server {
+
+struct SurfaceRequest {
+    core::Rake rake;
+    core::SurfaceParameters
+        parameters; ///< `from`, `to` to be filled in where the options leave them open
+};
+
+/// Error: InvalidArgument for what can never be right (wrong usage), Unsupported for what wakesurf cannot do,
+/// NotFound when the folder of the output does not exist.
+core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options);
+
+/// `from` and `to` where the options leave them open: the first and last time of the data; 10 time units after `from`
+/// where it has only one. Error: InvalidArgument when the two do not follow each other.
+core::Result<void> choose_times(core::SurfaceParameters& parameters,
+                                const SurfaceOptions& options,
+                                const std::vector<double>& times);
+
+} // namespace wakesurf::server

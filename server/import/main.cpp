@@ -1,0 +1,87 @@
+// wakesurf-import: anything VTK reads -> a store, in a process of its own, so that a hostile or damaged file
+// hurts nobody else.
+#include "protocol/dataset_json.hpp"
+#include "protocol/json_text.hpp"
+#include "server/import/conversion.hpp"
+#include "server/import/store_writer.hpp"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace {
+
+using namespace wakesurf;
+
+int failed(const core::Error& error) {
+    const std::string hint = error.hint.empty() ? "" : " (" + error.hint + ")";
+    std::fprintf(stderr, "wakesurf-import: %s%s\n", error.message.c_str(), hint.c_str());
+    return error.code == core::Error::Code::InvalidArgument && error.message.starts_with("--") ? 2
+                                                                                               : 1;
+}
+
+void show(const server::ImportProgress& progress) {
+    if (::isatty(STDOUT_FILENO) != 0) {
+        server::show_progress(progress, stdout);
+    } else {
+        std::puts(server::progress_line(progress).c_str());
+        std::fflush(stdout);
+    }
+}
+
+int run(const server::ImportRequest& request, const std::string& store, bool describe_only) {
+    if (describe_only) {
+        const auto info = server::describe_source(request);
+        if (!info)
+            return failed(info.error());
+        std::puts(protocol::json_text(protocol::dataset_json(*info), 2).c_str());
+        return 0;
+    }
+    const auto converted = server::convert(request, store, show);
+    return converted ? 0 : failed(converted.error());
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    server::ImportRequest request;
+    std::string source;
+    std::string store;
+    std::string times;
+    bool describe_only = false;
+    CLI::App app("Converts a simulation (.pvd, .vti, numbered .vti files) into a wakesurf store.",
+                 "wakesurf-import");
+    app.add_option("SOURCE", source, "a .pvd, a .vti, or the first of numbered .vti files")
+        ->required();
+    auto* folder = app.add_option("STORE_DIR", store, "the store's folder, made when missing");
+    app.add_option("--fields", request.fields, "names of the velocity and mask fields")
+        ->delimiter(',');
+    app.add_option("--times", times, "T0:T1[:EVERY], both included; every EVERY-th time-step");
+    auto* describe =
+        app.add_flag("--describe", describe_only, "print what SOURCE is as JSON, write nothing");
+    try {
+        app.parse(argc, argv);
+        if (folder->count() == describe->count())
+            throw CLI::ValidationError("STORE_DIR", "give a folder, or --describe");
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    if (!times.empty()) {
+        const auto selection = server::parse_times(times);
+        if (!selection)
+            return failed(selection.error());
+        request.times = *selection;
+    }
+    request.source = source;
+    for (const auto& field : request.fields)
+        request.selection += "field " + field + " ";
+    request.selection += times.empty() ? "" : "times " + times;
+    server::end_on_signals();
+    try {
+        return run(request, store, describe_only);
+    } catch (const std::exception& error) {
+        return failed({core::Error::Code::Io, std::string("unexpected: ") + error.what(), {}});
+    }
+}

@@ -1,0 +1,43 @@
+// What one server grants: every quota in one place. A request beyond one is answered with -32014, never served partly.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+namespace wakesurf::server::limits {
+
+// Messages.
+inline constexpr std::size_t message_bytes = std::size_t{64} << 10;
+inline constexpr std::size_t message_depth = 32;
+inline constexpr std::size_t batch = 64;
+inline constexpr std::uint32_t http_header_bytes = 8u << 10;
+
+// Connections.
+inline constexpr std::size_t connections = 1024;
+inline constexpr std::size_t clients = 256; ///< WebSockets
+inline constexpr std::chrono::seconds handshake{10};
+inline constexpr std::chrono::seconds idle{40}; ///< a ping goes out at half of it
+inline constexpr std::chrono::seconds stalled{30};
+inline constexpr std::size_t outbox_messages = 4096;
+inline constexpr std::size_t outbox_message_bytes = std::size_t{4} << 20;
+inline constexpr double wrong_tokens_per_second = 5.0;
+inline constexpr double wrong_tokens_at_once = 20.0;
+
+// Sessions.
+inline constexpr std::size_t sessions = 64;
+inline constexpr std::size_t participants = 64;
+inline constexpr std::size_t rakes = 256;
+inline constexpr std::size_t surfaces = 64;
+inline constexpr std::size_t waiters = 64; ///< unanswered surface.wait calls of one surface
+inline constexpr std::size_t name_bytes = 120;
+
+// Surfaces.
+inline constexpr std::uint64_t seeds_least = 2;
+inline constexpr std::uint64_t seeds_most = 4096;
+inline constexpr std::size_t rake_points = 1024;
+inline constexpr std::uint64_t quads_default = 1'000'000;
+inline constexpr std::uint64_t quads_most = 4'000'000;
+inline constexpr std::uint64_t wait_ms = 600'000;
+
+} // namespace wakesurf::server::limits

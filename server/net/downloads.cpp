@@ -1,0 +1,199 @@
+#include "server/net/downloads.hpp"
+
+#include "core/dataset/obstacle_surface.hpp"
+#include "core/surface/surface_builder.hpp"
+#include "protocol/bytes.hpp"
+#include "protocol/mesh_encoder.hpp"
+#include "protocol/mesh_vtp.hpp"
+#include "server/limits.hpp"
+#include "server/net/http_error.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::fail;
+
+namespace {
+
+using Body = core::Result<std::shared_ptr<const std::string>>;
+
+std::vector<std::string> split(std::string_view path) {
+    std::vector<std::string> parts;
+    while (!path.empty()) {
+        const auto slash = std::min(path.find('/'), path.size());
+        parts.emplace_back(path.substr(0, slash));
+        path.remove_prefix(std::min(slash + 1, path.size()));
+    }
+    return parts;
+}
+
+/// Frames, each preceded by its length.
+Body obstacle_frames(const LoadedDataset& dataset) {
+    const core::SolidMask* mask = dataset.mask();
+    if (mask == nullptr || mask->empty())
+        return fail(Error::Code::NotFound, "the dataset has no obstacle",
+                    "dataset.describe says so");
+    const auto mesh = core::obstacle_surface(dataset.cache->source().grid(), *mask);
+    protocol::EncodeOptions options;
+    options.final = true;
+    options.attributes = false;
+    const auto state =
+        protocol::encode_state(mesh, protocol::lattice_over(dataset.info.bounds), options);
+    if (!state)
+        return tl::unexpected(state.error());
+    auto out = std::make_shared<std::string>();
+    for (const auto& frame : state->frames) {
+        protocol::Bytes length;
+        protocol::append(length, static_cast<std::uint32_t>(frame->size()));
+        out->append(reinterpret_cast<const char*>(length.data()), length.size());
+        out->append(reinterpret_cast<const char*>(frame->data()), frame->size());
+    }
+    return out;
+}
+
+/// Builds the surface again, which gives the same bytes: keeping every finished mesh would cost 100 MB a million quads.
+Body surface_file(const SurfaceJob& job, const std::string& dataset, const std::stop_token& stop) {
+    core::SurfaceParameters parameters = job.parameters;
+    parameters.deformation = true;
+    const auto surface = core::build_surface(*job.flow, job.rake, parameters, stop);
+    if (!surface)
+        return tl::unexpected(surface.error());
+    const protocol::VtpMetadata metadata{parameters.kind, job.rake.points,       parameters.from,
+                                         parameters.to,   parameters.separation, dataset,
+                                         WAKESURF_VERSION};
+    return std::make_shared<const std::string>(protocol::mesh_vtp(surface->mesh, metadata));
+}
+
+std::optional<Error> refused_format(std::string_view file) {
+    if (file == "mesh.vtp")
+        return std::nullopt;
+    for (const std::string_view format : {"mesh.glb", "mesh.ply", "mesh.obj", "mesh.drc"})
+        if (file == format)
+            return Error{Error::Code::Unsupported, fmt::format("{} is not offered yet", file),
+                         "ask for mesh.vtp"};
+    return Error{Error::Code::NotFound, "there is no such file", "ask for mesh.vtp"};
+}
+
+} // namespace
+
+struct Downloads::State {
+    Loop& loop;
+    ComputePool& pool;
+    const SessionDirectory& sessions;
+    const DatasetCatalogue& catalogue;
+    std::stop_source stop;
+    std::map<std::string, std::shared_ptr<const std::string>> obstacles;
+
+    /// Runs `work` in the pool and hands its result to `done` on the loop.
+    void compute(const std::shared_ptr<State>& self,
+                 std::function<Body()> work,
+                 std::function<void(Body)> done) {
+        pool.run([self, work = std::move(work), done = std::move(done)] {
+            auto body = std::make_shared<Body>(fail(Error::Code::OverLimit,
+                                                    "there is not enough memory for this mesh",
+                                                    "use a larger separation"));
+            try {
+                *body = work();
+            } catch (const std::bad_alloc&) { // said above
+            }
+            self->loop.post([body, done] { done(std::move(*body)); });
+        });
+    }
+};
+
+Downloads::Downloads(Loop& loop,
+                     ComputePool& pool,
+                     const SessionDirectory& sessions,
+                     const DatasetCatalogue& catalogue)
+    : state_(new State{loop, pool, sessions, catalogue, {}, {}}) {}
+
+Downloads::~Downloads() {
+    state_->stop.request_stop();
+}
+
+bool Downloads::handle(const HttpRequest& request, const Respond& respond) {
+    const auto parts = split(request.path);
+    if (parts.size() < 6 || !parts[0].empty() || parts[1] != "api" || parts[2] != "v1")
+        return false;
+    if (parts.size() == 6 && parts[3] == "datasets" && parts[5] == "obstacle.bin")
+        obstacle(parts[4], respond);
+    else if (parts.size() == 8 && parts[3] == "sessions" && parts[5] == "surfaces")
+        surface(request, parts[4], parts[6], parts[7], respond);
+    else
+        return false;
+    return true;
+}
+
+void Downloads::obstacle(const std::string& id, const Respond& respond) {
+    const auto send = [respond](const std::shared_ptr<const std::string>& body) {
+        respond({200,
+                 {{"Content-Type", "application/octet-stream"}, {"Cache-Control", "no-cache"}},
+                 body});
+    };
+    if (const auto known = state_->obstacles.find(id); known != state_->obstacles.end())
+        return send(known->second);
+    const auto dataset = state_->catalogue.find(id);
+    if (!dataset)
+        return respond(http_error(dataset.error()));
+    state_->compute(
+        state_, [loaded = *dataset] { return obstacle_frames(*loaded); },
+        [state = state_, id, respond, send](const Body& body) {
+            if (!body)
+                return respond(http_error(body.error()));
+            state->obstacles[id] = *body;
+            send(*body);
+        });
+}
+
+void Downloads::surface(const HttpRequest& request,
+                        const std::string& session_id,
+                        const std::string& surface_id,
+                        const std::string& file,
+                        const Respond& respond) {
+    if (const auto refused = refused_format(file))
+        return respond(http_error(*refused));
+    const auto session = state_->sessions.find(session_id);
+    if (!session)
+        return respond(http_error(session.error()));
+    const auto live = (*session)->live(surface_id);
+    const auto record = (*session)->surface(surface_id);
+    if (!live || !record)
+        return respond(http_error(record.error()));
+    const std::string known(request.header("if-none-match"));
+    (*live)->wait((*live)->epoch(), std::chrono::milliseconds(limits::wait_ms),
+                  [=, live = *live, state = state_,
+                   dataset = record->dataset](const core::Result<SurfaceOutcome>& outcome) {
+                      if (!outcome)
+                          return respond(http_error(outcome.error()));
+                      if (!outcome->complete)
+                          return respond(http_error(503, "the surface is not complete yet",
+                                                    "ask again later"));
+                      const std::string etag = fmt::format("\"{}-{}-{:08x}\"", outcome->surface,
+                                                           outcome->epoch, outcome->crc);
+                      if (known == etag)
+                          return respond({304, {{"ETag", etag}}});
+                      state->compute(
+                          state,
+                          [job = live->wanted(), dataset, stop = state->stop.get_token()] {
+                              return surface_file(job, dataset, stop);
+                          },
+                          [respond, etag](const Body& body) {
+                              if (!body)
+                                  return respond(http_error(body.error()));
+                              respond({200,
+                                       {{"Content-Type", "application/octet-stream"},
+                                        {"Cache-Control", "no-cache"},
+                                        {"ETag", etag}},
+                                       *body});
+                          });
+                  });
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,176 @@
+#include "server/net/gate.hpp"
+
+#include "server/limits.hpp"
+
+#include <openssl/crypto.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace wakesurf::server {
+
+namespace {
+
+constexpr std::string_view cookie_name = "wakesurf_session";
+
+std::string lower(std::string_view text) {
+    std::string out(text);
+    for (char& c : out)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return out;
+}
+
+bool contains(const std::vector<std::string>& list, std::string_view value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+std::optional<std::string_view> bearer(std::string_view header) {
+    constexpr std::string_view scheme = "bearer ";
+    if (header.size() <= scheme.size() || lower(header.substr(0, scheme.size())) != scheme)
+        return std::nullopt;
+    header.remove_prefix(scheme.size());
+    return header;
+}
+
+/// Several cookies of our name may come: one of another wakesurf on this host, whatever its port.
+bool has_cookie(const HttpRequest& request, std::string_view secret) {
+    for (std::string_view header : request.all("cookie"))
+        while (!header.empty()) {
+            const auto end = std::min(header.find(';'), header.size());
+            std::string_view pair = header.substr(0, end);
+            header.remove_prefix(std::min(end + 1, header.size()));
+            pair.remove_prefix(std::min(pair.find_first_not_of(' '), pair.size()));
+            const auto equals = pair.find('=');
+            if (equals != std::string_view::npos && pair.substr(0, equals) == cookie_name &&
+                same_secret(pair.substr(equals + 1), secret))
+                return true;
+        }
+    return false;
+}
+
+} // namespace
+
+bool same_secret(std::string_view a, std::string_view b) {
+    return a.size() == b.size() && CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
+}
+
+std::optional<std::string> host_name(std::string_view authority) {
+    const auto bracket = authority.rfind(']');
+    const auto colon = authority.find(':', bracket == std::string_view::npos ? 0 : bracket);
+    const std::string_view port =
+        colon == std::string_view::npos ? std::string_view{} : authority.substr(colon + 1);
+    const std::string_view name = authority.substr(0, colon);
+    const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+    const auto fits = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '_';
+    };
+    const bool numeric_v6 = name.size() > 2 && name.front() == '[' && name.back() == ']';
+    const auto fits_v6 = [](char c) {
+        return std::isxdigit(static_cast<unsigned char>(c)) != 0 || c == ':' || c == '.';
+    };
+    const bool good = numeric_v6 ? std::all_of(name.begin() + 1, name.end() - 1, fits_v6)
+                                 : !name.empty() && std::all_of(name.begin(), name.end(), fits);
+    if (!good || port.size() > 5 || !std::all_of(port.begin(), port.end(), digit) ||
+        (colon != std::string_view::npos && port.empty()))
+        return std::nullopt;
+    return lower(name);
+}
+
+bool is_loopback(std::string_view host) {
+    const std::string name = lower(host);
+    return name == "localhost" || name == "::1" || name == "[::1]" ||
+           (name.starts_with("127.") && std::count(name.begin(), name.end(), '.') == 3 &&
+            name.find_first_not_of("0123456789.") == std::string::npos);
+}
+
+Gate::Gate(GateOptions options, Entropy& entropy, const core::Clock& clock)
+    : options_(std::move(options)), cookie_(random_hex(entropy, 32)), clock_(clock),
+      wrong_tokens_left_(limits::wrong_tokens_at_once), counted_at_(clock.now()) {
+    const bool v6 = options_.host.find(':') != std::string::npos && options_.host.front() != '[';
+    hosts_ = {"localhost", "127.0.0.1", "[::1]",
+              v6 ? "[" + options_.host + "]" : lower(options_.host)};
+    for (const std::string& host : hosts_) {
+        origins_.push_back("http://" + host + ":" + std::to_string(options_.port));
+        if (options_.port == 80) // browsers leave the default port out
+            origins_.push_back("http://" + host);
+    }
+    for (const std::string& origin : options_.origins) {
+        origins_.push_back(lower(origin));
+        const auto scheme = origin.find("://");
+        if (scheme != std::string::npos)
+            if (const auto name = host_name(origin.substr(scheme + 3)))
+                hosts_.push_back(*name);
+    }
+}
+
+std::optional<Refusal> Gate::check(const HttpRequest& request, bool open_to_all) {
+    if (auto refusal = check_host(request))
+        return refusal;
+    if (auto refusal = check_origin(request))
+        return refusal;
+    if (open_to_all || options_.token.empty())
+        return std::nullopt;
+    if (auto refusal = check_token(request))
+        return refusal;
+    // A browser says where a page that posts or opens a WebSocket comes from. Without that only the token itself will
+    // do, because the cookie goes along with other pages' requests in browsers that do not know SameSite.
+    const bool harmless = (request.method == "GET" || request.method == "HEAD") && !request.upgrade;
+    if (!harmless && request.all("origin").empty() && request.all("authorization").empty())
+        return Refusal{403, "the request says no Origin",
+                       "send the token in an Authorization header"};
+    return std::nullopt;
+}
+
+std::optional<Refusal> Gate::check_host(const HttpRequest& request) const {
+    const auto values = request.all("host");
+    const auto name = values.size() == 1 ? host_name(values.front()) : std::nullopt;
+    if (name && contains(hosts_, *name))
+        return std::nullopt;
+    return Refusal{403, "the request is for a host this server does not go by",
+                   "use the address wakesurf printed, or start it with --origin"};
+}
+
+std::optional<Refusal> Gate::check_origin(const HttpRequest& request) const {
+    const auto values = request.all("origin");
+    if (values.empty() || (values.size() == 1 && contains(origins_, values.front())))
+        return std::nullopt;
+    return Refusal{403, "the request comes from a page of another origin",
+                   "open the page at the address wakesurf printed, or start it with --origin"};
+}
+
+std::optional<Refusal> Gate::check_token(const HttpRequest& request) {
+    const auto authorization = request.all("authorization");
+    if (authorization.size() > 1)
+        return wrong_token();
+    if (authorization.size() == 1) {
+        const auto token = bearer(authorization.front());
+        if (token && same_secret(*token, options_.token))
+            return std::nullopt;
+        return wrong_token();
+    }
+    if (has_cookie(request, cookie_))
+        return std::nullopt;
+    return Refusal{401, "a token is needed",
+                   "send `Authorization: Bearer TOKEN` with the token wakesurf printed"};
+}
+
+Refusal Gate::wrong_token() {
+    const auto now = clock_.now();
+    const double elapsed = std::chrono::duration<double>(now - counted_at_).count();
+    counted_at_ = now;
+    wrong_tokens_left_ = std::min(limits::wrong_tokens_at_once,
+                                  wrong_tokens_left_ + elapsed * limits::wrong_tokens_per_second);
+    if (wrong_tokens_left_ < 1.0)
+        return {429, "too many wrong tokens have been tried", "wait a few seconds"};
+    wrong_tokens_left_ -= 1.0;
+    return {401, "the token is wrong", "use the one wakesurf printed when it was last started"};
+}
+
+std::optional<Refusal> Gate::login(std::string_view token, std::string& cookie) {
+    if (!options_.token.empty() && !same_secret(token, options_.token))
+        return wrong_token();
+    cookie = std::string(cookie_name) + "=" + cookie_ + "; HttpOnly; SameSite=Strict; Path=/";
+    return std::nullopt;
+}
+
+} // namespace wakesurf::server

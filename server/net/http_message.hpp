@@ -1,0 +1,45 @@
+// HTTP requests and responses as plain values, so that only the connection knows Beast.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct HttpRequest {
+    std::string method;
+    std::string path;                                         ///< as received, without the query
+    std::vector<std::pair<std::string, std::string>> headers; ///< names in lower case
+    std::string body;
+    bool upgrade = false; ///< to a WebSocket
+
+    /// The values of a header, in order.
+    std::vector<std::string_view> all(std::string_view name) const {
+        std::vector<std::string_view> out;
+        for (const auto& [key, value] : headers)
+            if (key == name)
+                out.push_back(value);
+        return out;
+    }
+
+    /// The first value of a header, or empty.
+    std::string_view header(std::string_view name) const {
+        const auto values = all(name);
+        return values.empty() ? std::string_view{} : values.front();
+    }
+};
+
+struct HttpResponse {
+    unsigned status = 200;
+    std::vector<std::pair<std::string, std::string>> headers;
+    std::shared_ptr<const std::string> body = std::make_shared<const std::string>();
+};
+
+/// Takes the one response, now or later, on the loop's thread.
+using Respond = std::function<void(HttpResponse)>;
+
+} // namespace wakesurf::server

@@ -1,0 +1,148 @@
+#include "server/net/server.hpp"
+
+#include "protocol/json_rpc.hpp"
+#include "server/limits.hpp"
+#include "server/net/http_connection.hpp"
+#include "server/net/io_loop.hpp"
+#include "server/net/listener.hpp"
+#include "server/rpc/dataset_entry.hpp"
+#include "server/rpc/method_table.hpp"
+#include "server/session/catalogue_datasets.hpp"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include <csignal>
+
+namespace wakesurf::server {
+
+namespace asio = boost::asio;
+
+namespace {
+
+constexpr std::chrono::milliseconds goodbye{700};
+
+StaticFiles load_client(const std::filesystem::path& folder) {
+    auto files = StaticFiles::load(folder.empty() ? find_web_client() : folder);
+    if (files.empty())
+        spdlog::warn("the web client is not built; scripts can connect all the same");
+    return files;
+}
+
+nlohmann::json dataset_entries(const DatasetCatalogue& catalogue) {
+    auto list = nlohmann::json::array();
+    for (const DatasetStatus& each : catalogue.list())
+        list.push_back(dataset_entry(each));
+    return list;
+}
+
+} // namespace
+
+/// In order of need: what goes first is declared last. Connections end with the context's handlers, jobs with the pool.
+struct Server::Parts {
+    explicit Parts(const ServerOptions& options)
+        : pool(options.threads), files(load_client(options.web)) {}
+
+    void serve(const ServerOptions& options) {
+        port = listener->port();
+        gate.emplace(GateOptions{options.token, options.host, port, options.origins}, entropy,
+                     clock);
+        datasets.emplace(*catalogue);
+        sessions.emplace(SessionServices{loop, pool, *datasets, entropy});
+        dispatcher.emplace(
+            method_table(),
+            MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); }},
+            protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
+        downloads.emplace(loop, pool, *sessions, *catalogue);
+        routes.emplace(*gate, files, *dispatcher, *downloads);
+    }
+
+    void tell_all(const std::string& dataset) {
+        if (const auto status = catalogue->status(dataset))
+            connections.announce(
+                protocol::rpc_notification("dataset.patched", dataset_entry(*status)));
+    }
+
+    /// Ends run() once every client has taken the goodbye, or at `deadline`.
+    void stop_when_alone(std::chrono::steady_clock::time_point deadline) {
+        if (connections.count() == 0 || clock.now() >= deadline)
+            return context.stop();
+        waiting = loop.after(std::chrono::milliseconds(10),
+                             [this, deadline] { stop_when_alone(deadline); });
+    }
+
+    Connections connections;
+    std::size_t clients = 0;
+    SystemEntropy entropy;
+    core::SteadyClock clock;
+    asio::io_context context{1};
+    IoLoop loop{context};
+    ComputePool pool;
+    StaticFiles files;
+    std::uint16_t port = 0;
+    std::unique_ptr<DatasetCatalogue> catalogue;
+    std::optional<Gate> gate;
+    std::optional<CatalogueDatasets> datasets;
+    std::optional<SessionDirectory> sessions;
+    std::optional<Dispatcher> dispatcher;
+    std::optional<Downloads> downloads;
+    std::optional<Routes> routes;
+    std::shared_ptr<Listener> listener;
+    std::shared_ptr<void> waiting; ///< timer of stop_when_alone
+};
+
+Server::Server(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+Server::~Server() = default;
+
+core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
+    auto parts = std::make_unique<Parts>(options);
+    Parts* const all = parts.get();
+    auto listener = Listener::open(
+        all->context, options.host, options.port, [all](asio::ip::tcp::socket socket) {
+            serve_http(std::move(socket), {*all->routes, all->connections, all->clients});
+        });
+    if (!listener)
+        return tl::unexpected(listener.error());
+    all->listener = *listener;
+    OpenOptions open;
+    open.store_root = options.store_root;
+    open.cache.budget_bytes = options.memory;
+    auto catalogue =
+        DatasetCatalogue::open(options.datasets, open, [all](const std::string& dataset) {
+            all->loop.post([all, dataset] { all->tell_all(dataset); });
+        });
+    if (!catalogue)
+        return tl::unexpected(catalogue.error());
+    all->catalogue = std::move(*catalogue);
+    all->serve(options);
+    return std::unique_ptr<Server>(new Server(std::move(parts)));
+}
+
+std::uint16_t Server::port() const {
+    return parts_->port;
+}
+
+void Server::run() {
+    Parts& all = *parts_;
+    asio::signal_set signals(all.context, SIGINT, SIGTERM);
+    signals.async_wait([&](boost::system::error_code error, int) {
+        if (error)
+            return;
+        spdlog::info("stopping");
+        all.listener->stop();
+        all.connections.go_away();
+        all.stop_when_alone(std::chrono::steady_clock::now() + goodbye);
+    });
+    all.listener->start();
+    all.context.run();
+    // The sockets' handlers hold the connections; they must run while there are sessions to leave.
+    all.connections.abandon();
+    all.context.restart();
+    for (int round = 0; round < 16; ++round)
+        all.context.poll();
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,47 @@
+// The whole service: wires the catalogue, sessions, methods and the network together, and runs them on one thread.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct ServerOptions {
+    std::vector<std::string> datasets;
+    std::string host = "127.0.0.1";
+    std::uint16_t port = 8080; ///< 0: any free one
+    std::filesystem::path store_root;
+    std::size_t memory = std::size_t{4} << 30;
+    unsigned threads = 0; ///< that compute; 0: one a core
+    std::string token;    ///< empty: no authentication
+    std::vector<std::string> origins;
+    std::filesystem::path web; ///< the built client; empty: where it was built or installed
+};
+
+class Server {
+  public:
+    /// Opens the datasets and listens. Error: what they and the address report.
+    static core::Result<std::unique_ptr<Server>> open(const ServerOptions& options);
+    ~Server();
+    Server(const Server&) = delete;
+    Server& operator=(const Server&) = delete;
+
+    std::uint16_t port() const;
+
+    /// Serves until SIGINT or SIGTERM, then says goodbye to the clients; takes at most a second for that.
+    void run();
+
+  private:
+    struct Parts;
+    explicit Server(std::unique_ptr<Parts> parts);
+
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,106 @@
+#include "server/net/static_files.hpp"
+
+#include "protocol/crc32c.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <iterator>
+
+namespace wakesurf::server {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 13> types{{
+    {".html", "text/html; charset=utf-8"},
+    {".js", "text/javascript; charset=utf-8"},
+    {".mjs", "text/javascript; charset=utf-8"},
+    {".css", "text/css; charset=utf-8"},
+    {".wasm", "application/wasm"},
+    {".json", "application/json"},
+    {".map", "application/json"},
+    {".svg", "image/svg+xml"},
+    {".png", "image/png"},
+    {".ico", "image/x-icon"},
+    {".woff2", "font/woff2"},
+    {".txt", "text/plain; charset=utf-8"},
+    {".webmanifest", "application/manifest+json"},
+}};
+
+std::string read(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+HttpResponse not_built() {
+    HttpResponse response;
+    response.status = 503;
+    response.headers = {{"Content-Type", "text/plain; charset=utf-8"},
+                        {"Cache-Control", "no-store"}};
+    response.body = std::make_shared<const std::string>(
+        "The web client is not built: run `./run`, or start wakesurf with --web DIR.\n");
+    return response;
+}
+
+} // namespace
+
+std::string_view mime_type(std::string_view path) {
+    for (const auto& [extension, type] : types)
+        if (path.ends_with(extension))
+            return type;
+    return "application/octet-stream";
+}
+
+StaticFiles StaticFiles::load(const fs::path& folder) {
+    StaticFiles out;
+    std::error_code error;
+    for (fs::recursive_directory_iterator each(folder, error), end; !error && each != end;
+         each.increment(error)) {
+        if (!each->is_regular_file(error))
+            continue;
+        const std::string path = "/" + fs::relative(each->path(), folder, error).generic_string();
+        File file;
+        file.bytes = std::make_shared<const std::string>(read(each->path()));
+        file.type = mime_type(path);
+        file.etag =
+            fmt::format("\"{:08x}-{:x}\"", protocol::crc32c(std::as_bytes(std::span(*file.bytes))),
+                        file.bytes->size());
+        file.hashed = path.starts_with("/assets/");
+        out.files_.emplace(path, std::move(file));
+    }
+    return out;
+}
+
+HttpResponse StaticFiles::respond(const HttpRequest& request) const {
+    const auto found = files_.find(request.path == "/" ? std::string_view("/index.html")
+                                                       : std::string_view(request.path));
+    if (found == files_.end())
+        return not_built();
+    const File& file = found->second;
+    HttpResponse response;
+    response.headers = {
+        {"ETag", file.etag},
+        {"Cache-Control", file.hashed ? "public, max-age=31536000, immutable" : "no-cache"}};
+    if (request.header("if-none-match") == file.etag) {
+        response.status = 304;
+        return response;
+    }
+    response.headers.emplace_back("Content-Type", file.type);
+    response.body = file.bytes;
+    return response;
+}
+
+fs::path find_web_client() {
+    std::error_code error;
+    const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
+    for (const char* place : {"../../../web-client/dist", "../share/wakesurf/web"})
+        if (const fs::path folder = (here / place).lexically_normal();
+            fs::exists(folder / "index.html", error))
+            return folder;
+    return {};
+}
+
+} // namespace wakesurf::server

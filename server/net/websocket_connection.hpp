@@ -1,0 +1,18 @@
+// One WebSocket: text is JSON-RPC, binary is frames and goes one way only. Writes what the outbox holds, one message
+// at a time, so a slow client delays nobody else.
+#pragma once
+
+#include "server/net/http_connection.hpp"
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/message.hpp>
+
+namespace wakesurf::server {
+
+/// Answers the upgrade request, already let in, and serves the socket until it closes.
+void serve_websocket(boost::asio::ip::tcp::socket socket,
+                     const boost::beast::http::request<boost::beast::http::empty_body>& upgrade,
+                     NetServices services);
+
+} // namespace wakesurf::server

@@ -1,0 +1,54 @@
+// One WebSocket client: the session it has joined, the surfaces it has subscribed to, and the notifications that
+// follow from both. When it goes, nothing of it stays.
+#pragma once
+
+#include "server/rpc/wire.hpp"
+#include "server/session/observer.hpp"
+#include "server/session/session.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace wakesurf::server {
+
+/// Loop thread only.
+class Client final : public Observer, public FrameSink {
+  public:
+    explicit Client(Wire& wire) : wire_(wire) {}
+
+    ~Client() override;
+    Client(const Client&) = delete;
+    Client& operator=(const Client&) = delete;
+
+    /// The session joined, or nothing.
+    const std::shared_ptr<Session>& session() const { return session_; }
+
+    /// Leaves the session joined before. Error: OverLimit.
+    core::Result<Participant>
+    join(std::shared_ptr<Session> session, std::string name, const std::string& resume_token);
+    void leave();
+
+    /// Sends the current state and every later one.
+    void subscribe(const std::shared_ptr<LiveSurface>& surface);
+
+    /// False when there was no such subscription.
+    bool unsubscribe(std::uint32_t number);
+
+    /// A notification that belongs to no session.
+    void notify(const std::string& message) { wire_.send(message); }
+
+    void
+    patched(const std::string& session, std::uint64_t seq, std::span<const Patch> patches) override;
+    void progress(const std::string& surface, std::uint32_t epoch, bool final) override;
+    void done(const SurfaceOutcome& outcome) override;
+    void frames(std::uint32_t number, const std::shared_ptr<const SurfaceState>& state) override;
+    void superseded(std::uint32_t number, std::uint32_t epoch) override;
+
+  private:
+    Wire& wire_;
+    std::shared_ptr<Session> session_;
+    std::map<std::uint32_t, std::weak_ptr<LiveSurface>> subscriptions_;
+};
+
+} // namespace wakesurf::server

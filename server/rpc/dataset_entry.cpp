@@ -1,0 +1,24 @@
+#include "server/rpc/dataset_entry.hpp"
+
+#include "server/rpc/outcome_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::server {
+
+nlohmann::json dataset_entry(const DatasetStatus& status) {
+    const char* state = status.state == DatasetState::Ready    ? "ready"
+                        : status.state == DatasetState::Failed ? "failed"
+                                                               : "importing";
+    nlohmann::json out{{"dataset", status.dataset},
+                       {"name", status.name},
+                       {"state", state},
+                       {"steps", {{"ready", status.steps_ready}, {"total", status.steps_total}}}};
+    if (status.state == DatasetState::Importing)
+        out["progress"] = status.progress;
+    if (status.error)
+        out["error"] = error_json(*status.error);
+    return out;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,120 @@
+#include "server/rpc/dispatcher.hpp"
+
+#include "server/rpc/openrpc.hpp"
+
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace wakesurf::server {
+
+using nlohmann::json;
+using protocol::RpcCall;
+using protocol::RpcCode;
+using protocol::RpcFault;
+
+namespace {
+
+/// The answers of a batch, until all are there.
+struct Batch {
+    std::vector<std::string> answers;
+    std::size_t missing = 0;
+    Dispatcher::Answer done;
+
+    void add(std::string text) {
+        if (!text.empty())
+            answers.push_back(std::move(text));
+        if (--missing == 0)
+            done(protocol::rpc_batch(answers));
+    }
+};
+
+std::optional<RpcFault> unknown_parameter(const Method& method, const json& parameters) {
+    if (!parameters.is_object())
+        return std::nullopt;
+    for (const auto& [name, value] : parameters.items()) {
+        const auto same = [&key = name](const Parameter& each) { return each.name == key; };
+        if (std::none_of(method.parameters.begin(), method.parameters.end(), same))
+            return RpcFault{RpcCode::InvalidParameters,
+                            "`" + name.substr(0, 64) + "` is not a parameter of " + method.name,
+                            "rpc.discover lists the parameters of each method",
+                            {},
+                            {}};
+    }
+    return std::nullopt;
+}
+
+const json no_parameters = json::object();
+
+} // namespace
+
+Dispatcher::Dispatcher(std::vector<Method> methods,
+                       MethodContext context,
+                       protocol::RpcLimits limits)
+    : methods_(std::move(methods)), context_(std::move(context)), limits_(limits) {
+    methods_.push_back(
+        {"rpc.discover",
+         "This document: every method with its parameters.",
+         {},
+         "an OpenRPC document",
+         false,
+         [this](const Call&, Reply reply) { reply.result(json::parse(document_)); }});
+    document_ = openrpc_document(methods_);
+}
+
+const Method* Dispatcher::find(std::string_view name) const {
+    const auto found = std::find_if(methods_.begin(), methods_.end(),
+                                    [&](const Method& each) { return each.name == name; });
+    return found == methods_.end() ? nullptr : &*found;
+}
+
+void Dispatcher::dispatch(std::string_view text, Client* client, Answer answer) const {
+    const protocol::RpcMessage message = protocol::parse_rpc(text, limits_);
+    if (!message.batch)
+        return run(message.calls.front(), client, false, std::move(answer));
+    auto batch = std::make_shared<Batch>();
+    batch->missing = message.calls.size();
+    batch->done = std::move(answer);
+    for (const RpcCall& call : message.calls)
+        run(call, client, true, [batch](std::string each) { batch->add(std::move(each)); });
+}
+
+void Dispatcher::run(const RpcCall& call, Client* client, bool batched, Answer answer) const {
+    Reply reply([id = call.id, answer = std::move(answer)](const json* result,
+                                                           const RpcFault* fault) {
+        if (!id)
+            answer({});
+        else
+            answer(result ? protocol::rpc_result(*id, *result) : protocol::rpc_error(*id, *fault));
+    });
+    if (call.refused)
+        return reply.fault(*call.refused);
+    const Method* method = find(call.method);
+    if (method == nullptr)
+        return reply.fault({RpcCode::MethodNotFound,
+                            "there is no method `" + call.method.substr(0, 64) + "`",
+                            "rpc.discover lists the methods",
+                            {},
+                            {}});
+    if (method->websocket_only && client == nullptr)
+        return reply.fault({RpcCode::InvalidRequest,
+                            method->name + " needs a WebSocket",
+                            "connect to /ws with the subprotocol wakesurf.v1",
+                            {},
+                            {}});
+    const json& given = *call.parameters;
+    const json& parameters = given.is_array() && given.empty() ? no_parameters : given;
+    if (const auto unknown = unknown_parameter(*method, parameters))
+        return reply.fault(*unknown);
+    try {
+        method->handler({context_, parameters, client, batched}, std::move(reply));
+    } catch (const std::exception&
+                 error) { // the reply, moved into the handler, answers as it is destroyed
+        spdlog::error("{} failed: {}", method->name, error.what());
+    }
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,38 @@
+// From the text of a message to the text of its answer, by the method table.
+#pragma once
+
+#include "server/rpc/method.hpp"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// Loop thread only.
+class Dispatcher {
+  public:
+    Dispatcher(std::vector<Method> methods, MethodContext context, protocol::RpcLimits limits);
+
+    Dispatcher(const Dispatcher&) = delete;
+    Dispatcher& operator=(const Dispatcher&) = delete;
+
+    /// `answer` is called once, now or later, with the text to send back: empty when there is none (notifications).
+    using Answer = std::function<void(std::string)>;
+    void dispatch(std::string_view text, Client* client, Answer answer) const;
+
+    /// The OpenRPC document.
+    const std::string& document() const { return document_; }
+
+  private:
+    void run(const protocol::RpcCall& call, Client* client, bool batched, Answer answer) const;
+    const Method* find(std::string_view name) const;
+
+    std::vector<Method> methods_;
+    MethodContext context_;
+    protocol::RpcLimits limits_;
+    std::string document_;
+};
+
+} // namespace wakesurf::server

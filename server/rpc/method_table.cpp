@@ -1,0 +1,22 @@
+#include "server/rpc/method_table.hpp"
+
+#include <iterator>
+
+namespace wakesurf::server {
+
+std::vector<Method> method_table() {
+    std::vector<Method> table;
+    for (auto part :
+         {server_methods, dataset_methods, session_methods, rake_methods, surface_methods}) {
+        auto methods = part();
+        std::move(methods.begin(), methods.end(), std::back_inserter(table));
+    }
+    return table;
+}
+
+Parameter session_parameter() {
+    return {"session", R"({"type":"string"})", false,
+            "may be left out on a WebSocket that has joined one"};
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,22 @@
+// Every method of the API, by noun. contract.md is the binding list; this is the code it is generated from.
+#pragma once
+
+#include "server/rpc/method.hpp"
+
+#include <vector>
+
+namespace wakesurf::server {
+
+std::vector<Method> server_methods();
+std::vector<Method> dataset_methods();
+std::vector<Method> session_methods();
+std::vector<Method> rake_methods();
+std::vector<Method> surface_methods();
+
+/// All of the above.
+std::vector<Method> method_table();
+
+/// The `session` parameter of every method on a session's records.
+Parameter session_parameter();
+
+} // namespace wakesurf::server

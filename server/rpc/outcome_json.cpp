@@ -1,0 +1,29 @@
+#include "server/rpc/outcome_json.hpp"
+
+#include "protocol/json_rpc.hpp"
+#include "protocol/statistics_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::server {
+
+nlohmann::json error_json(const core::Error& error) {
+    const protocol::RpcFault fault = protocol::fault_of(error);
+    return {{"code", static_cast<int>(fault.code)},
+            {"message", fault.message},
+            {"kind", fault.kind.empty() ? std::string(protocol::kind_of(fault.code)) : fault.kind},
+            {"hint", fault.hint}};
+}
+
+nlohmann::json outcome_json(const SurfaceOutcome& outcome) {
+    nlohmann::json out = protocol::statistics_json(outcome.statistics);
+    out["surface"] = outcome.surface;
+    out["epoch"] = outcome.epoch;
+    out["complete"] = outcome.complete;
+    out["crc"] = outcome.crc;
+    if (outcome.error)
+        out["error"] = error_json(*outcome.error);
+    return out;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,15 @@
+// How a surface's epoch ended, as surface.stats, surface.wait and surface.done tell it.
+#pragma once
+
+#include "server/session/observer.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace wakesurf::server {
+
+nlohmann::json outcome_json(const SurfaceOutcome& outcome);
+
+/// {code, message, kind, hint}
+nlohmann::json error_json(const core::Error& error);
+
+} // namespace wakesurf::server

@@ -1,0 +1,209 @@
+// surface.set, .delete, .list, .stats, .wait, .subscribe, .unsubscribe.
+#include "protocol/checked_json.hpp"
+#include "protocol/mesh_encoder.hpp"
+#include "protocol/messages_surface.hpp"
+#include "server/limits.hpp"
+#include "server/rpc/lattice_json.hpp"
+#include "server/rpc/method_table.hpp"
+#include "server/rpc/outcome_json.hpp"
+#include "server/rpc/session_choice.hpp"
+#include "server/rpc/stale_revision.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+namespace wakesurf::server {
+
+using nlohmann::json;
+
+namespace {
+
+void set(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const auto setting =
+        protocol::read_surface_setting(in, {limits::quads_default, limits::quads_most});
+    const auto session = read_session(in, call);
+    if (!session)
+        return reply.fault(session.error());
+    if (setting.surface)
+        if (const auto now = (*session)->surface(*setting.surface))
+            if (const auto stale =
+                    stale_revision(setting.if_rev, now->rev, protocol::surface_json(*now)))
+                return reply.fault(*stale);
+    const auto record = (*session)->set_surface(setting);
+    if (!record)
+        return reply.fault(record.error());
+    reply.result({{"surface", record->surface}, {"rev", record->rev}, {"epoch", record->epoch}});
+}
+
+void remove(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const std::string surface = in.text("surface");
+    const auto session = read_session(in, call);
+    if (!session)
+        return reply.fault(session.error());
+    if (const auto done = (*session)->delete_surface(surface); !done)
+        return reply.fault(done.error());
+    reply.result(json::object());
+}
+
+void list(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const auto session = read_session(in, call);
+    if (!session)
+        return reply.fault(session.error());
+    json surfaces = json::array();
+    for (const auto& each : (*session)->surfaces())
+        surfaces.push_back(protocol::surface_json(each));
+    reply.result({{"surfaces", std::move(surfaces)}});
+}
+
+/// Reads `surface` and `session`.
+core::Result<std::shared_ptr<LiveSurface>> read_live(protocol::CheckedJson& in, const Call& call) {
+    const std::string surface = in.text("surface");
+    return read_session(in, call).and_then(
+        [&](const std::shared_ptr<Session>& session) { return session->live(surface); });
+}
+
+void stats(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const auto live = read_live(in, call);
+    if (!live)
+        return reply.fault(live.error());
+    reply.result(outcome_json((*live)->outcome()));
+}
+
+void wait(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const auto epoch = in.count_if("epoch", 0, std::numeric_limits<std::uint32_t>::max());
+    const auto patience = in.count("timeoutMs", 0, limits::wait_ms);
+    const auto live = read_live(in, call);
+    if (!live)
+        return reply.fault(live.error());
+    const auto wanted = epoch ? static_cast<std::uint32_t>(*epoch) : (*live)->epoch();
+    auto answer = std::make_shared<Reply>(std::move(reply));
+    (*live)->wait(wanted, std::chrono::milliseconds(patience),
+                  [answer](const core::Result<SurfaceOutcome>& outcome) {
+                      if (outcome)
+                          answer->result(outcome_json(*outcome));
+                      else
+                          answer->fault(outcome.error());
+                  });
+}
+
+void subscribe(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const auto live = read_live(in, call);
+    if (!live)
+        return reply.fault(live.error());
+    if (call.batched) // frames could overtake the answer that says which surface they are of
+        return reply.fault({protocol::RpcCode::InvalidRequest,
+                            "surface.subscribe cannot be part of a batch",
+                            "send it on its own",
+                            {},
+                            {}});
+    json attributes = json::array();
+    for (const std::string_view each : protocol::surface_attributes)
+        attributes.push_back(each);
+    reply.result({{"subscription", (*live)->number()},
+                  {"lattice", lattice_json((*live)->wanted().lattice)},
+                  {"attributes", std::move(attributes)},
+                  {"epoch", (*live)->epoch()}});
+    call.client->subscribe(*live);
+}
+
+void unsubscribe(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    std::optional<std::uint64_t> number =
+        in.count_if("subscription", 0, std::numeric_limits<std::uint32_t>::max());
+    if (in.has("surface")) {
+        const auto live = read_live(in, call);
+        if (!live)
+            return reply.fault(live.error());
+        number = (*live)->number();
+    } else if (!number) {
+        in.fault("subscription", "is missing");
+    }
+    if (auto verdict = in.verdict(); !verdict)
+        return reply.fault(verdict.error());
+    if (!call.client->unsubscribe(static_cast<std::uint32_t>(*number)))
+        return reply.fault({protocol::RpcCode::NotFound,
+                            "there is no such subscription",
+                            "surface.subscribe gives the number",
+                            {},
+                            {}});
+    reply.result(json::object());
+}
+
+std::vector<Parameter> set_parameters() {
+    const char* text = R"({"type":"string"})";
+    const char* number = R"({"type":"number"})";
+    return {
+        session_parameter(),
+        {"surface", text, false, "left out: create one"},
+        {"rake", text, true, "an id from rake.list"},
+        {"kind", R"({"enum":["stream","path"]})", true, "stream: the field frozen at `from`"},
+        {"dataset", text, true, "an id from dataset.list"},
+        {"from", number, true, "time of release"},
+        {"to", number, true, "time the surface is shown until"},
+        {"direction", R"({"enum":["forward","backward","both"]})", false, "forward"},
+        {"separation", number, false, "longest edge; left out: the dataset's finest spacing"},
+        {"accuracy", R"({"enum":["fast","balanced","exact"]})", false, "balanced"},
+        {"maxQuads",
+         fmt::format(R"({{"type":"integer","minimum":1,"maximum":{}}})", limits::quads_most), false,
+         fmt::format("{}", limits::quads_default)},
+        {"fields", R"({"type":"array","items":{"type":"string"}})", false,
+         "scalar fields for exports"},
+        {"ifRev", R"({"type":"integer"})", false, "refuse if the surface is at another revision"}};
+}
+
+} // namespace
+
+std::vector<Method> surface_methods() {
+    const char* text = R"({"type":"string"})";
+    const char* whole = R"({"type":"integer","minimum":0})";
+    const Parameter surface{"surface", text, true, "an id from surface.list"};
+    const Parameter session = session_parameter();
+    return {
+        {"surface.set",
+         "Creates a surface, or replaces its record as a whole, and starts building it.",
+         set_parameters(), "{surface, rev, epoch}", false, set},
+        {"surface.delete", "Deletes a surface.", {session, surface}, "{}", false, remove},
+        {"surface.list", "The surfaces of a session.", {session}, "{surfaces}", false, list},
+        {"surface.stats",
+         "What the newest state of a surface is and took.",
+         {session, surface},
+         "the shape of `--stats`, and surface, epoch, complete, crc",
+         false,
+         stats},
+        {"surface.wait",
+         "Answers once the surface is complete.",
+         {session,
+          surface,
+          {"epoch", whole, false, "this one or a later one; left out: the current"},
+          {"timeoutMs",
+           fmt::format(R"({{"type":"integer","minimum":0,"maximum":{}}})", limits::wait_ms), true,
+           "patience"}},
+         "as surface.stats; complete is false when the time ran out",
+         false,
+         wait},
+        {"surface.subscribe",
+         "Sends the mesh of a surface, now and after every change, as binary frames.",
+         {session, surface},
+         "{subscription, lattice, attributes, epoch}",
+         true,
+         subscribe},
+        {"surface.unsubscribe",
+         "Ends a subscription.",
+         {session,
+          {"subscription", whole, false, "the number, or name the surface"},
+          {"surface", text, false, "instead of the number"}},
+         "{}",
+         true,
+         unsubscribe},
+    };
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,23 @@
+// The one thread everything of a session happens on, as sessions see it: a place to post to and a timer. Behind it
+// is the network's io_context, or a test's own loop.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+
+namespace wakesurf::server {
+
+class Loop {
+  public:
+    virtual ~Loop() = default;
+
+    /// Runs `task` on the loop's thread, in order of posting. Callable from any thread.
+    virtual void post(std::function<void()> task) = 0;
+
+    /// Runs `task` once after `delay` unless the ticket is dropped first. Loop thread only.
+    [[nodiscard]] virtual std::shared_ptr<void> after(std::chrono::milliseconds delay,
+                                                      std::function<void()> task) = 0;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,38 @@
+#include "server/session/session_directory.hpp"
+
+#include "server/limits.hpp"
+
+namespace wakesurf::server {
+
+SessionDirectory::SessionDirectory(SessionServices services) : services_(services) {
+    add("main", "main");
+}
+
+std::shared_ptr<Session> SessionDirectory::add(std::string id, std::string name) {
+    auto session = std::make_shared<Session>(id, std::move(name), services_, next_surface_number_);
+    sessions_[std::move(id)] = session;
+    return session;
+}
+
+core::Result<std::shared_ptr<Session>> SessionDirectory::create(std::string name) {
+    if (sessions_.size() >= limits::sessions)
+        return core::fail(core::Error::Code::OverLimit,
+                          "the server has as many sessions as it may have, " +
+                              std::to_string(limits::sessions),
+                          "join one of them: session.list");
+    std::string id = "session-" + std::to_string(next_session_++);
+    if (name.empty())
+        name = id;
+    return add(std::move(id), std::move(name));
+}
+
+core::Result<std::shared_ptr<Session>> SessionDirectory::find(const std::string& id) const {
+    const auto found = sessions_.find(id);
+    if (found == sessions_.end())
+        return core::fail(core::Error::Code::NotFound,
+                          "there is no session `" + id.substr(0, 64) + "`",
+                          "create one with session.create, or use `main`");
+    return found->second;
+}
+
+} // namespace wakesurf::server

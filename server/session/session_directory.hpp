@@ -1,0 +1,36 @@
+// All sessions of the server. One, `main`, is there from the start, so that a page and a script meet without
+// arranging anything.
+#pragma once
+
+#include "server/session/session.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// Loop thread only.
+class SessionDirectory {
+  public:
+    explicit SessionDirectory(SessionServices services);
+
+    /// Error: OverLimit.
+    core::Result<std::shared_ptr<Session>> create(std::string name);
+
+    /// Error: NotFound.
+    core::Result<std::shared_ptr<Session>> find(const std::string& id) const;
+
+    const std::map<std::string, std::shared_ptr<Session>>& all() const { return sessions_; }
+
+  private:
+    std::shared_ptr<Session> add(std::string id, std::string name);
+
+    SessionServices services_;
+    std::uint32_t next_surface_number_ = 1;
+    std::size_t next_session_ = 1;
+    std::map<std::string, std::shared_ptr<Session>> sessions_;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,12 @@
+// Which surfaces a dataset can give: the checks of surface.set that need no session.
+#pragma once
+
+#include "protocol/messages_surface.hpp"
+#include "server/session/datasets.hpp"
+
+namespace wakesurf::server {
+
+/// Fills in what was left to the dataset (the separation). Error: Unsupported (kind), InvalidArgument (unknown field).
+core::Result<void> complete_surface(protocol::SurfaceSetting& setting, const OpenDataset& dataset);
+
+} // namespace wakesurf::server

@@ -1,0 +1,276 @@
+#!/usr/bin/env python3
+"""What no compiler checks here: wrong-way includes, the co_await lambda trap, file length.
+
+Every rule is a function of (path, text) that yields messages; `SAMPLES` holds for each rule text it must flag
+and text it must not, so that a rule which stops working fails as loudly as a file which breaks it.
+Standard library only. Run it alone with: python3 tests/lint/layering_test.py
+"""
+import os
+import re
+import sys
+import unittest
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+LONGEST_FILE = 500
+SOURCE = (".cpp", ".hpp", ".ts", ".tsx", ".py", ".css", ".js", ".mjs", ".sh")
+GENERATED = {"node_modules", "dist", "build", "coverage", ".git", "fixtures", "test-artefacts"}
+
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
+IMPORT = re.compile(r"""(?:\bfrom\s*|\bimport\s*\(?\s*)["']([^"']+)["']""")
+
+SOCKETS = r"boost/(asio|beast)\b|sys/socket\.h|sys/un\.h|netinet/|arpa/inet|netdb\.h"
+JSON = r"nlohmann/"
+DRACO = r"draco/"
+VTK = r"vtk[A-Z]\w*\.h"
+
+# Room of the including file -> what it may not include, and why.
+FORBIDDEN = [
+    (r"core/", r"(protocol|server|tests)/", "core stands below every other room"),
+    (r"core/", "|".join((SOCKETS, JSON, DRACO)), "core knows no sockets, no JSON text, no Draco"),
+    (r"protocol/", r"(server|tests)/", "protocol stands below server"),
+    (r"protocol/", SOCKETS, "protocol is bytes in, values out: no sockets"),
+    (r"server/", r"tests/", "the product does not depend on its tests"),
+    (r"(?!server/import/|tests/server/import/)", VTK, "only server/import knows VTK"),
+    (r"(core|protocol|server)/.*\.hpp$", r"boost/beast|nlohmann/json\.hpp",
+     "Beast and json.hpp cost seconds in every file that sees them: keep them in .cpp files"),
+    (r"", r"boost/(asio|beast)\.hpp$", "include the single Asio and Beast headers that are needed"),
+    (r"", r".*\.cpp$", "a .cpp file is nobody's interface"),
+    (r"server/session/", r"server/net/|boost/beast|boost/asio/ip/|nlohmann/json\.hpp",
+     "a session knows neither sockets nor JSON text"),
+    (r"server/(catalogue|import)/", r"server/(net|rpc|session)/", "datasets know no clients"),
+    # Inside the engine. field and integrate are neighbours: a flow traces curves, a curve ends as a point status.
+    (r"core/base/", r"core/(dataset|integrate|field|surface)/", "base stands below the rest of core"),
+    (r"core/dataset/", r"core/(integrate|field|surface)/", "dataset knows no flow"),
+    (r"core/integrate/", r"core/surface/", "integrate knows no surface"),
+    (r"core/field/", r"core/surface/", "a flow knows no surface"),
+]
+
+# The same for the web client's imports, resolved to paths from the root.
+FORBIDDEN_IMPORTS = [
+    (r"web-client/src/scene/", r"web-client/src/connection/", "the scene knows no connection"),
+    (r"web-client/src/scene/", r"web-client/src/worker/(?!worker_?messages)",
+     "the scene knows the worker's messages only", ),
+    (r"web-client/src/protocol/", r"web-client/src/(?!protocol/)", "protocol is bytes in, values out"),
+]
+
+
+def without_comments_and_strings(text):
+    """Same length and lines; comments and literals blanked, so that patterns meet code only."""
+    token = re.compile(
+        r'//[^\n]*|/\*.*?\*/|R"(?P<d>[^(\s]*)\(.*?\)(?P=d)"|"(?:\\.|[^"\\\n])*"|(?<![0-9A-Fa-f])\'(?:\\.|[^\'\\\n])+\'',
+        re.DOTALL)
+    return token.sub(lambda m: re.sub(r"[^\n]", " ", m.group()), text)
+
+
+def line_of(text, offset):
+    return text.count("\n", 0, offset) + 1
+
+
+def wrong_includes(path, text):
+    if not path.endswith((".cpp", ".hpp", ".h")):
+        return
+    for match in INCLUDE.finditer(text):
+        target = match.group(2)
+        for room, pattern, why in FORBIDDEN:
+            if re.match(room, path) and re.match(pattern, target):
+                yield f"{path}:{line_of(text, match.start())}: includes {target}: {why}"
+        if match.group(1) == '"' and not re.match(r"(core|protocol|server|tests)/", target):
+            yield f"{path}:{line_of(text, match.start())}: includes {target}: write it from the root"
+
+
+def wrong_imports(path, text):
+    if not re.match(r"web-client/src/.*\.tsx?$", path) or re.search(r"\.(spec|test)\.tsx?$", path):
+        return
+    for match in IMPORT.finditer(text):
+        target = match.group(1)
+        if target.startswith("."):
+            target = os.path.normpath(os.path.join(os.path.dirname(path), target))
+        elif target.startswith("#src/"):
+            target = "web-client/src/" + target[len("#src/"):]
+        for room, pattern, why in FORBIDDEN_IMPORTS:
+            if re.match(room, path) and re.match(pattern, target):
+                yield f"{path}:{line_of(text, match.start())}: imports {match.group(1)}: {why}"
+
+
+def statement_start(code, at):
+    """Back over whole brackets to the last `;` or `{`; a block on the way counts only inside a call's `(`."""
+    depth = 0
+    block = None
+    for i in range(at - 1, -1, -1):
+        c = code[i]
+        if c in ")]}":
+            if c == "}" and depth == 0 and block is None:
+                block = i
+            depth += 1
+        elif c in "([{":
+            if depth > 0:
+                depth -= 1
+            elif c == "{":
+                return (block if block is not None else i) + 1
+            else:
+                block = None
+        elif c == ";" and depth == 0:
+            return (block if block is not None else i) + 1
+    return 0
+
+
+def statement_end(code, start, at):
+    """On to the `;` outside all brackets; `if (...) {` and its kin end at the brace."""
+    depth = 0
+    heads_a_block = re.match(r"\s*(else\s+)?(if|while|for|switch)\b", code[start:at])
+    for i in range(start, len(code)):
+        c = code[i]
+        if c in "([":
+            depth += 1
+        elif c == "{":
+            if depth == 0 and heads_a_block and i > at:
+                return i
+            depth += 1
+        elif c in ")]}":
+            depth -= 1
+            if depth < 0:
+                return i
+        elif c == ";" and depth == 0 and i > at:
+            return i
+    return len(code)
+
+
+# A lambda with captures: not [], not an [[attribute]], not a subscript (which follows a name, `)` or `]`).
+CAPTURING = re.compile(r"(?<!\[)\[(?!\[|\s*\])[^\[\];{}]*\](?=\s*(?:\(|\{|<|mutable\b|noexcept\b|->))")
+
+
+def co_await_lambdas(path, text):
+    """g++ 12 destroys the captures twice (heap corruption). Name the lambda on the line before."""
+    if not path.endswith((".cpp", ".hpp")) or "co_await" not in text:
+        return
+    code = without_comments_and_strings(text)
+    for awaited in re.finditer(r"\bco_await\b", code):
+        start = statement_start(code, awaited.start())
+        end = statement_end(code, start, awaited.start())
+        for capture in CAPTURING.finditer(code, start, end):
+            before = re.search(r"(\w+|[)\]])\s*$", code[start:capture.start()])
+            if before and before.group(1) not in ("return", "co_return", "co_yield", "co_await"):
+                continue
+            yield (f"{path}:{line_of(code, capture.start())}: capturing lambda in a co_await expression: "
+                   "g++ 12 miscompiles it, name it on the line before")
+            break
+
+
+def too_long(path, text):
+    lines = text.count("\n")
+    if lines > LONGEST_FILE:
+        yield f"{path}: {lines} lines, at most {LONGEST_FILE}: one idea a file"
+
+
+def any_in_typescript(path, text):
+    if not re.match(r"web-client/src/.*\.tsx?$", path):
+        return
+    code = without_comments_and_strings(text)
+    for match in re.finditer(r"(?::\s*|\bas\s+|<\s*)any\b", code):
+        yield f"{path}:{line_of(code, match.start())}: any: say what it is, or take unknown and check"
+
+
+RULES = [wrong_includes, wrong_imports, co_await_lambdas, too_long, any_in_typescript]
+
+# (rule, path, text it must flag), (rule, path, text it must leave alone)
+BAD = [
+    (wrong_includes, "core/field/flow.hpp", '#include "protocol/lattice.hpp"\n'),
+    (wrong_includes, "core/field/flow.cpp", '#include "server/net/listener.hpp"\n'),
+    (wrong_includes, "core/base/disk.cpp", "#include <sys/socket.h>\n"),
+    (wrong_includes, "core/base/disk.cpp", "#include <boost/asio/post.hpp>\n"),
+    (wrong_includes, "core/base/disk.cpp", "#  include <nlohmann/json_fwd.hpp>\n"),
+    (wrong_includes, "core/surface/front.cpp", "#include <draco/mesh/mesh.h>\n"),
+    (wrong_includes, "core/dataset/store.cpp", '#include "core/surface/rake.hpp"\n'),
+    (wrong_includes, "protocol/frame.cpp", '#include "server/session/session.hpp"\n'),
+    (wrong_includes, "protocol/frame.cpp", "#include <boost/beast/core/flat_buffer.hpp>\n"),
+    (wrong_includes, "protocol/frame.hpp", "#include <nlohmann/json.hpp>\n"),
+    (wrong_includes, "server/net/listener.hpp", "#include <boost/beast/websocket/stream.hpp>\n"),
+    (wrong_includes, "server/net/listener.cpp", '#include "server/rpc/router.cpp"\n'),
+    (wrong_includes, "server/net/listener.cpp", "#include <boost/asio.hpp>\n"),
+    (wrong_includes, "server/catalogue/store.cpp", "#include <vtkImageData.h>\n"),
+    (wrong_includes, "server/session/session.cpp", "#include <nlohmann/json.hpp>\n"),
+    (wrong_includes, "server/session/session.cpp", '#include "listener.hpp"\n'),
+    (wrong_imports, "web-client/src/scene/scene.ts", 'import { Socket } from "../connection/socket";\n'),
+    (wrong_imports, "web-client/src/scene/scene.ts", 'const m = await import("../worker/draco");\n'),
+    (wrong_imports, "web-client/src/protocol/frame.ts", "import {\n  Scene,\n} from '../scene/scene';\n"),
+    (co_await_lambdas, "server/a.cpp",
+     "awaitable<void> f() {\n    co_await post(pool, [self = shared_from_this()] { self->run(); });\n}\n"),
+    (co_await_lambdas, "server/a.cpp", "auto f() {\n    auto x = g([&] {\n a; b; }, co_await h());\n}\n"),
+    (co_await_lambdas, "server/a.cpp", "auto f() { co_await [x]() -> task { co_return; }(); }\n"),
+    (co_await_lambdas, "server/a.cpp", "auto f() { co_await run(ex,\n  [n]() mutable { return n; },\n  token); }\n"),
+    (co_await_lambdas, "server/a.cpp", "auto f() { if (co_await g(h(1), [&x] { return x; })) { return; } }\n"),
+    (too_long, "core/a.cpp", "\n" * (LONGEST_FILE + 1)),
+    (any_in_typescript, "web-client/src/a.ts", "let x = y as any;\n"),
+    (any_in_typescript, "web-client/src/a.ts", "function f(a: any) {}\n"),
+]
+GOOD = [
+    (wrong_includes, "protocol/frame.cpp", '#include "core/surface/rake.hpp"\n#include <draco/mesh/mesh.h>\n'),
+    (wrong_includes, "protocol/frame.hpp", "#include <nlohmann/json_fwd.hpp>\n"),
+    (wrong_includes, "server/import/reader.cpp", "#include <vtkImageData.h>\n"),
+    (wrong_includes, "core/surface/front.cpp", "#include <vector>\n#include <oneapi/tbb/parallel_for.h>\n"),
+    (wrong_includes, "server/net/listener.cpp", "#include <boost/beast/websocket/stream.hpp>\n"),
+    (wrong_imports, "web-client/src/scene/scene.ts", 'import { Frame } from "../protocol/meshFrame";\n'),
+    (wrong_imports, "web-client/src/ui/panel.ts", 'import { Socket } from "../connection/socket";\n'),
+    (co_await_lambdas, "server/a.cpp",
+     "auto f() {\n    auto work = [x] { return x; };\n    co_await post(pool, std::move(work));\n}\n"),
+    (co_await_lambdas, "server/a.cpp", "auto f() { co_spawn(ex, [s]() -> task { co_await s->run(); }, detached); }\n"),
+    (co_await_lambdas, "server/a.cpp", "auto f() { co_await send(items[i](3), [] { return 1; }); }\n"),
+    (co_await_lambdas, "server/a.cpp", "auto f() {\n  if (co_await g(x)) {\n  auto h = [x] { return x; };\n  }\n}\n"),
+    (co_await_lambdas, "server/a.cpp", "auto f() {\n  if (a) {\n  g([x] { return x; });\n  }\n  co_await h();\n}\n"),
+    (co_await_lambdas, "server/a.cpp", "// co_await post([x] {});\nauto s = \"co_await [x]{}\";\n"),
+    (too_long, "core/a.cpp", "\n" * LONGEST_FILE),
+    (any_in_typescript, "web-client/src/a.ts", "// as any\nconst company = Promise.any(x);\n"),
+]
+
+
+def project_files():
+    for room in ("core", "protocol", "server", "web-client", "tests", "docker", ".ci"):
+        for folder, folders, files in os.walk(os.path.join(ROOT, room)):
+            folders[:] = sorted(f for f in folders if f not in GENERATED)
+            for name in sorted(files):
+                if name.endswith(SOURCE):
+                    yield os.path.relpath(os.path.join(folder, name), ROOT)
+    for name in ("run", "check"):
+        if os.path.isfile(os.path.join(ROOT, name)):
+            yield name
+
+
+class TheProject(unittest.TestCase):
+    pass
+
+
+class TheLinter(unittest.TestCase):
+    def test_flags_every_bad_sample(self):
+        for rule, path, text in BAD:
+            with self.subTest(rule=rule.__name__, path=path, text=text[:80]):
+                self.assertTrue(list(rule(path, text)))
+
+    def test_leaves_every_good_sample_alone(self):
+        for rule, path, text in GOOD:
+            with self.subTest(rule=rule.__name__, path=path, text=text[:80]):
+                self.assertEqual(list(rule(path, text)), [])
+
+    def test_has_a_bad_and_a_good_sample_for_every_rule(self):
+        self.assertEqual({r for r, _, _ in BAD}, set(RULES))
+        self.assertEqual({r for r, _, _ in GOOD}, set(RULES))
+
+    def test_sees_the_project(self):
+        self.assertIn("core/base/result.hpp", list(project_files()))
+
+
+def rule_test(rule):
+    def test(self):
+        found = []
+        for path in project_files():
+            with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+                found += rule(path, file.read())
+        if found:
+            self.fail("\n" + "\n".join(found))
+    return test
+
+
+for each in RULES:
+    setattr(TheProject, "test_" + each.__name__, rule_test(each))
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]] + sys.argv[1:])

@@ -1,0 +1,69 @@
+#include "server/catalogue/dataset_argument.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wakesurf::server {
+namespace {
+
+using Kind = DatasetArgument::Kind;
+using tests::TemporaryFolder;
+using tests::write_file;
+
+TEST(DatasetArgument, TellsFlowsStoresAndSourcesApart) {
+    const TemporaryFolder folder;
+    write_file(folder / "a.vti", "x");
+    std::filesystem::create_directory(folder / "s");
+    write_file(folder / "s/store.json", "{}");
+    const auto flow = resolve_dataset("flow:abc?A=2").value();
+    EXPECT_EQ(flow.kind, Kind::Flow);
+    EXPECT_EQ(flow.flow, "abc?A=2");
+    EXPECT_EQ(resolve_dataset(folder / "s").value().kind, Kind::Store);
+    EXPECT_EQ(resolve_dataset(folder / "s/store.json").value().path,
+              resolve_dataset(folder / "s").value().path);
+    const auto source = resolve_dataset(folder / "s/../a.vti").value();
+    EXPECT_EQ(source.kind, Kind::Source);
+    EXPECT_EQ(source.name, "a");
+    EXPECT_EQ(source.path, std::filesystem::canonical(folder / "a.vti"));
+}
+
+TEST(DatasetArgument, AFolderStandsForTheOneThingInIt) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(resolve_dataset(folder.path()).error().code, core::Error::Code::InvalidArgument);
+    for (const char* name : {"u_10.vti", "u_9.vti", "notes.txt"})
+        write_file(folder / name, "x");
+    EXPECT_EQ(resolve_dataset(folder.path()).value().path.filename(), "u_9.vti");
+    write_file(folder / "all.pvd", "x");
+    EXPECT_EQ(resolve_dataset(folder.path()).value().path.filename(), "all.pvd");
+    write_file(folder / "more.pvd", "x");
+    const auto error = resolve_dataset(folder.path()).error();
+    EXPECT_NE(error.message.find("all.pvd, more.pvd"), std::string::npos) << error.message;
+    EXPECT_EQ(error.message.find(folder.path().parent_path()), std::string::npos) << error.message;
+}
+
+TEST(DatasetArgument, NamesNoFolderWhenNothingIsThere) {
+    const auto error = resolve_dataset("/no/such/place.pvd").error();
+    EXPECT_EQ(error.code, core::Error::Code::NotFound);
+    EXPECT_EQ(error.message.find("/no"), std::string::npos) << error.message;
+}
+
+TEST(DatasetArgument, EqualNamesInDifferentPlacesHaveDifferentStores) {
+    DatasetArgument a{Kind::Source, "run", "", "/a/run.pvd"};
+    DatasetArgument b{Kind::Source, "run", "", "/b/run.pvd"};
+    EXPECT_NE(store_folder("/s", a), store_folder("/s", b));
+    EXPECT_EQ(store_folder("/s", a), store_folder("/s", a));
+    const std::string name = store_folder("/s", a).filename();
+    EXPECT_EQ(name.size(), std::string("run-").size() + 16);
+    EXPECT_TRUE(name.starts_with("run-"));
+}
+
+TEST(DatasetArgument, SlugsAreSafeInUrlsAndFolders) {
+    EXPECT_EQ(slug("Flow past a cylinder (2)"), "Flow-past-a-cylinder-2");
+    EXPECT_EQ(slug("../../etc"), "etc");
+    EXPECT_EQ(slug("\xff\xfe"), "dataset");
+    EXPECT_EQ(slug("lamb-oseen?gamma=1"), "lamb-oseen-gamma-1");
+    EXPECT_LE(slug(std::string(1000, 'x')).size(), 64u);
+}
+
+} // namespace
+} // namespace wakesurf::server

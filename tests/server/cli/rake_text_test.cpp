@@ -1,0 +1,30 @@
+#include "server/cli/rake_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wakesurf::server {
+
+TEST(RakeText, TwoPointsAreALineAndMoreAPolyline) {
+    const auto line = parse_rake("0,0.5,-1  1e-3,2,3 ", 7);
+    ASSERT_TRUE(line);
+    EXPECT_EQ(line->kind, core::Rake::Kind::Line);
+    EXPECT_EQ(line->points, (std::vector<core::Vec3>{{0, 0.5, -1}, {1e-3, 2, 3}}));
+    EXPECT_EQ(line->seeds, 7u);
+    const auto polyline = parse_rake("0,0,0 1,0,0 1,1,0", 2);
+    ASSERT_TRUE(polyline);
+    EXPECT_EQ(polyline->kind, core::Rake::Kind::Polyline);
+}
+
+TEST(RakeText, RefusesWhatIsNoPointAndSaysWhich) {
+    for (const auto* word :
+         {"1,2", "1,2,3,4", "1,2,x", "1;2;3", "nan,0,0", "0,inf,0", "1e999,0,0", ",,"}) {
+        const auto rake = parse_rake("0,0,0 " + std::string(word), 2);
+        ASSERT_FALSE(rake) << word;
+        EXPECT_EQ(rake.error().code, core::Error::Code::InvalidArgument);
+        EXPECT_NE(rake.error().message.find(word), std::string::npos) << rake.error().message;
+    }
+    EXPECT_FALSE(parse_rake("", 2));
+    EXPECT_FALSE(parse_rake("0,0,0", 2));
+}
+
+} // namespace wakesurf::server

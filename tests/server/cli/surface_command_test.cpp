@@ -1,0 +1,174 @@
+// `wakesurf surface` as its user meets it: a process with an exit status, messages and files.
+#include "server/catalogue/child_process.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace wakesurf::server {
+
+namespace {
+
+class SurfaceCommand : public testing::Test {
+  protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = std::filesystem::path(testing::TempDir()) /
+                  ("surface_command_" + std::string(test->name()));
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+    }
+
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+    /// Runs the command with `more` after a small stream surface's options, which later ones override.
+    ChildOutcome run(std::vector<std::string> more) const {
+        std::vector<std::string> arguments{"surface", dataset_};
+        const auto add = [&](const std::string& name, const std::string& value) {
+            if (std::find(more.begin(), more.end(), name) == more.end())
+                arguments.insert(arguments.end(), {name, value});
+        };
+        add("--kind", "stream");
+        add("--rake", "0.2,0,-1 1,0,-1");
+        add("--to", "2");
+        add("--separation", "0.1");
+        add("-o", file("out.vtp"));
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        auto outcome = run_child(WAKESURF_BINARY, arguments, 0, [](std::string_view) {}, {});
+        EXPECT_TRUE(outcome) << outcome.error().message;
+        return outcome.value_or(ChildOutcome{.exit_status = -1, .signal = 0, .errors = {}});
+    }
+
+    std::string bytes(const std::string& name) const {
+        std::ifstream stream(folder_ / name, std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
+    std::size_t files() const {
+        return static_cast<std::size_t>(
+            std::distance(std::filesystem::directory_iterator(folder_), {}));
+    }
+
+    /// One line that has `part` in it, the exit status, and nothing written.
+    void refuses(const std::vector<std::string>& more, int status, const std::string& part) const {
+        const auto outcome = run(more);
+        EXPECT_EQ(outcome.exit_status, status) << part;
+        EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+        EXPECT_EQ(files(), 0u) << part;
+    }
+
+    std::string dataset_ = "flow:lamb-oseen";
+
+  private:
+    std::filesystem::path folder_;
+};
+
+} // namespace
+
+TEST_F(SurfaceCommand, WritesTheMeshAndItsStatistics) {
+    const auto outcome = run({"--stats", file("stats.json")});
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
+    EXPECT_EQ(files(), 2u);
+    const auto stats = nlohmann::json::parse(bytes("stats.json"), nullptr, false);
+    ASSERT_TRUE(stats.is_object());
+    for (const auto* key : {"kind", "quads", "vertices", "steps", "vertexSteps", "approximated",
+                            "terminated", "maxEdge", "separation", "seconds", "peakBytes"})
+        EXPECT_TRUE(stats.contains(key)) << key;
+    EXPECT_GT(stats["quads"], 100);
+    EXPECT_LE(stats["maxEdge"].get<double>(), 0.1 + 1e-9);
+    EXPECT_NE(bytes("out.vtp").find("NumberOfPolys=\"" + std::to_string(stats["quads"].get<int>())),
+              std::string::npos);
+}
+
+TEST_F(SurfaceCommand, WritesTheSameBytesForAnyNumberOfThreads) {
+    std::string first;
+    for (const auto* threads : {"1", "2", "3", "8"}) {
+        ASSERT_EQ(run({"--threads", threads}).exit_status, 0);
+        const auto now = bytes("out.vtp");
+        ASSERT_FALSE(now.empty());
+        if (first.empty())
+            first = now;
+        EXPECT_TRUE(now == first) << threads << " threads";
+    }
+}
+
+TEST_F(SurfaceCommand, BuildsPathSurfacesThatDifferFromStreamSurfacesWhereTheFlowIsUnsteady) {
+    dataset_ = "flow:oscillating";
+    ASSERT_EQ(run({}).exit_status, 0);
+    const auto stream = bytes("out.vtp");
+    const auto outcome = run({"--kind", "path", "--stats", file("stats.json")});
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
+    EXPECT_EQ(nlohmann::json::parse(bytes("stats.json"))["kind"], "path");
+    EXPECT_GT(bytes("out.vtp").size(), 10'000u);
+    EXPECT_FALSE(bytes("out.vtp") == stream);
+}
+
+TEST_F(SurfaceCommand, CutsARakeThatIsPartlyOutsideAndSaysSo) {
+    const auto outcome = run({"--rake", "9,0,0 14,0,0"});
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
+    EXPECT_NE(outcome.errors.find("outside"), std::string::npos) << outcome.errors;
+}
+
+TEST_F(SurfaceCommand, FailsWithStatusOneWhereTheRequestIsWellFormedButCannotBeDone) {
+    refuses({"--rake", "30,0,0 40,0,0"}, 1, "outside");
+    refuses({"--kind", "streak"}, 1, "streak surfaces");
+    refuses({"--sweep", "0,0,1"}, 1, "--sweep");
+    refuses({"--fields", "p"}, 1, "--fields");
+    refuses({"-o", file("out.glb")}, 1, ".glb");
+    refuses({"-o", file("missing/out.vtp")}, 1, "no folder");
+}
+
+TEST_F(SurfaceCommand, AnswersWrongUsageWithStatusTwo) {
+    refuses({"--kind", "iso"}, 2, "iso");
+    refuses({"--rake", "nan,0,0 1,0,0"}, 2, "nan,0,0");
+    refuses({"--rake", "0,0 1,0,0"}, 2, "--rake");
+    refuses({"--separation", "-1"}, 2, "--separation");
+    refuses({"--separation", "nan"}, 2, "--separation");
+    refuses({"--threads", "0"}, 2, "--threads");
+    refuses({"--accuracy", "good"}, 2, "--accuracy");
+    refuses({"-o", file("out.stl")}, 2, "out.stl");
+    refuses({"--no-such-option", "1"}, 2, "--no-such-option");
+}
+
+TEST_F(SurfaceCommand, KeepsTheOldFileWhenTheNewOneCannotBeMade) {
+    ASSERT_EQ(run({}).exit_status, 0);
+    const auto before = bytes("out.vtp");
+    EXPECT_EQ(run({"--rake", "30,0,0 40,0,0"}).exit_status, 1);
+    EXPECT_TRUE(bytes("out.vtp") == before);
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(SurfaceCommand, StopsWithinASecondAndLeavesNothingHalfWritten) {
+    const auto command =
+        "echo $$; exec " WAKESURF_BINARY
+        " surface flow:abc --kind stream --rake '-9,0,0 9,0,0' --to 200 --separation 0.01"
+        " --max-quads 50000000 -o " +
+        file("out.vtp") + " 2>&1";
+    std::FILE* pipe = ::popen(command.c_str(), "r");
+    ASSERT_TRUE(pipe);
+    std::array<char, 256> line{};
+    ASSERT_TRUE(std::fgets(line.data(), line.size(), pipe));
+    const pid_t process = std::stoi(line.data());
+    ASSERT_TRUE(std::fgets(line.data(), line.size(), pipe));
+    EXPECT_NE(std::string(line.data()).find("building"), std::string::npos) << line.data();
+    const auto asked = std::chrono::steady_clock::now();
+    ::kill(process, SIGINT);
+    const int status = ::pclose(pipe);
+    EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(1));
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_EQ(files(), 0u);
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,190 @@
+#include "server/net/gate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+namespace {
+
+class CountingEntropy final : public Entropy {
+  public:
+    void fill(std::span<std::byte> out) override {
+        for (std::byte& each : out)
+            each = std::byte{next_++};
+    }
+
+  private:
+    unsigned char next_ = 0;
+};
+
+class HandClock final : public core::Clock {
+  public:
+    std::chrono::steady_clock::time_point now() const override { return time; }
+
+    std::chrono::steady_clock::time_point time{};
+};
+
+const std::string token(64, 'a');
+
+struct GateTest : testing::Test {
+    CountingEntropy entropy;
+    HandClock clock;
+    Gate gate{
+        {token, "127.0.0.1", 8080, {"https://viewer.example", "http://lab:9000"}}, entropy, clock};
+
+    static HttpRequest request(std::string method,
+                               std::vector<std::pair<std::string, std::string>> headers) {
+        HttpRequest out;
+        out.method = std::move(method);
+        out.headers = std::move(headers);
+        return out;
+    }
+
+    unsigned status(const HttpRequest& request, bool open = false) {
+        const auto refusal = gate.check(request, open);
+        return refusal ? refusal->status : 200;
+    }
+
+    std::string cookie() {
+        std::string value;
+        EXPECT_FALSE(gate.login(token, value));
+        return value.substr(0, value.find(';'));
+    }
+};
+
+} // namespace
+
+TEST_F(GateTest, LetsInOnlyHostsItGoesBy) {
+    const std::vector<std::pair<std::string, unsigned>> hosts{
+        {"127.0.0.1:8080", 200},
+        {"localhost:8080", 200},
+        {"LOCALHOST", 200},
+        {"[::1]:8080", 200},
+        {"localhost:9000", 200},
+        {"lab", 200},
+        {"viewer.example:443", 200},
+        {"evil.example", 403},
+        {"localhost.evil.example", 403},
+        {"127.0.0.1.evil.example", 403},
+        {"", 403},
+        {"localhost:", 403},
+        {"localhost:80a", 403},
+        {"user@localhost", 403},
+        {"localhost/x", 403},
+        {"[::1", 403},
+        {"::1", 403},
+        {"localhost.", 403},
+        {"127.0.0.2", 403},
+        {"2130706433", 403},
+    };
+    for (const auto& [host, expected] : hosts)
+        EXPECT_EQ(status(request("GET", {{"host", host}}), true), expected) << host;
+    EXPECT_EQ(status(request("GET", {}), true), 403u);
+    EXPECT_EQ(status(request("GET", {{"host", "localhost"}, {"host", "localhost"}}), true), 403u);
+}
+
+TEST_F(GateTest, LetsInOnlyOriginsOnTheList) {
+    const std::vector<std::pair<std::string, unsigned>> origins{
+        {"http://127.0.0.1:8080", 200},
+        {"http://localhost:8080", 200},
+        {"http://[::1]:8080", 200},
+        {"https://viewer.example", 200},
+        {"http://lab:9000", 200},
+        {"http://localhost", 403},
+        {"http://localhost:8081", 403},
+        {"https://localhost:8080", 403},
+        {"HTTP://LOCALHOST:8080", 403},
+        {"http://localhost:8080.evil.example", 403},
+        {"http://localhost:8080/", 403},
+        {"http://evil.example", 403},
+        {"http://viewer.example", 403},
+        {"https://viewer.example.evil", 403},
+        {"https://xviewer.example", 403},
+        {"https://viewer.example:444", 403},
+        {"https://user@viewer.example", 403},
+        {"null", 403},
+        {"", 403},
+        {"file://", 403},
+    };
+    for (const auto& [origin, expected] : origins)
+        EXPECT_EQ(status(request("GET", {{"host", "localhost"}, {"origin", origin}}), true),
+                  expected)
+            << origin;
+    EXPECT_EQ(status(request("GET", {{"host", "localhost"},
+                                     {"origin", "http://localhost:8080"},
+                                     {"origin", "http://localhost:8080"}}),
+                     true),
+              403u);
+}
+
+TEST_F(GateTest, TakesTheTokenAsBearerOrItsCookie) {
+    const auto with = [](const char* name, const std::string& value) {
+        return request("GET", {{"host", "localhost"}, {name, value}});
+    };
+    EXPECT_EQ(status(request("GET", {{"host", "localhost"}})), 401u);
+    EXPECT_EQ(status(with("authorization", "Bearer " + token)), 200u);
+    EXPECT_EQ(status(with("authorization", "bearer " + token)), 200u);
+    EXPECT_EQ(status(with("authorization", "Basic " + token)), 401u);
+    EXPECT_EQ(status(with("authorization", token)), 401u);
+    EXPECT_EQ(status(with("authorization", "Bearer " + token + "a")), 401u);
+    EXPECT_EQ(status(with("authorization", "Bearer " + token.substr(1))), 401u);
+    EXPECT_EQ(status(with("authorization", "Bearer ")), 401u);
+    EXPECT_EQ(status(with("cookie", cookie())), 200u);
+    EXPECT_EQ(status(with("cookie", "a=b; wakesurf_session=0; " + cookie())), 200u);
+    EXPECT_EQ(status(with("cookie", "wakesurf_session=" + token)), 401u)
+        << "the cookie is not the token";
+    EXPECT_EQ(status(with("cookie", "x" + cookie())), 401u);
+    EXPECT_EQ(status(request("GET", {{"host", "localhost"},
+                                     {"authorization", "Bearer " + token},
+                                     {"authorization", "Bearer " + token}})),
+              401u);
+}
+
+TEST_F(GateTest, WantsAnOriginFromWhoeverPostsOrUpgradesWithACookie) {
+    HttpRequest upgrade = request("GET", {{"host", "localhost"}, {"cookie", cookie()}});
+    upgrade.upgrade = true;
+    EXPECT_EQ(status(upgrade), 403u);
+    upgrade.headers.emplace_back("origin", "http://localhost:8080");
+    EXPECT_EQ(status(upgrade), 200u);
+    HttpRequest post = request("POST", {{"host", "localhost"}, {"cookie", cookie()}});
+    EXPECT_EQ(status(post), 403u);
+    post.headers.emplace_back("authorization", "Bearer " + token);
+    EXPECT_EQ(status(post), 200u);
+}
+
+TEST_F(GateTest, LimitsWrongTokensButNeverTheRightOne) {
+    const auto attempt = [&](const std::string& secret) {
+        return status(
+            request("GET", {{"host", "localhost"}, {"authorization", "Bearer " + secret}}));
+    };
+    int refused = 0;
+    for (int i = 0; i < 1000; ++i)
+        refused += attempt("wrong") == 429 ? 1 : 0;
+    EXPECT_EQ(refused, 980);
+    EXPECT_EQ(attempt(token), 200u);
+    clock.time += std::chrono::seconds(1);
+    EXPECT_EQ(attempt("wrong"), 401u);
+}
+
+TEST_F(GateTest, GivesTheCookieForTheTokenOnly) {
+    std::string value;
+    EXPECT_EQ(gate.login("wrong", value)->status, 401u);
+    EXPECT_TRUE(value.empty());
+    EXPECT_FALSE(gate.login(token, value));
+    EXPECT_NE(value.find("HttpOnly; SameSite=Strict; Path=/"), std::string::npos);
+    EXPECT_EQ(value.find(token), std::string::npos);
+}
+
+TEST(Loopback, IsWhatOnlyThisMachineReaches) {
+    for (const char* host : {"localhost", "127.0.0.1", "127.8.8.8", "::1", "[::1]", "LocalHost"})
+        EXPECT_TRUE(is_loopback(host)) << host;
+    for (const char* host :
+         {"0.0.0.0", "::", "192.168.0.1", "127.evil.example", "localhost.example", "127.0.0"})
+        EXPECT_FALSE(is_loopback(host)) << host;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,244 @@
+// The HTTP side over real sockets: static files, login, health, and clients that do not behave.
+#include "tests/support/server/server_process.hpp"
+#include "tests/support/server/websocket_client.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace wakesurf::tests {
+
+using nlohmann::json;
+
+namespace {
+
+void write(const std::filesystem::path& file, const std::string& text) {
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file) << text;
+}
+
+class Http : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        folder_ = new TemporaryFolder;
+        write(folder_->path() / "secret.txt", "secret");
+        write(folder_->path() / "web" / "index.html", "<!doctype html>page");
+        write(folder_->path() / "web" / "assets" / "decoder-0123abcd.wasm", "wasm");
+        server_ =
+            new ServerProcess({"flow:lamb-oseen", "--web", (folder_->path() / "web").string()});
+    }
+
+    static void TearDownTestSuite() {
+        delete server_;
+        delete folder_;
+    }
+
+    static HttpReply get(std::string_view target, Headers headers = {}) {
+        return http(server_->port(), "GET", target, std::move(headers));
+    }
+
+    static ServerProcess* server_;
+    static TemporaryFolder* folder_;
+};
+
+ServerProcess* Http::server_ = nullptr;
+TemporaryFolder* Http::folder_ = nullptr;
+
+} // namespace
+
+TEST_F(Http, GivesThePageAndItsFilesToAnybodyWithAStrictPolicy) {
+    const HttpReply page = get("/");
+    EXPECT_EQ(page.status, 200);
+    EXPECT_EQ(page.body, "<!doctype html>page");
+    EXPECT_EQ(page.header("content-type"), "text/html; charset=utf-8");
+    EXPECT_EQ(page.header("x-content-type-options"), "nosniff");
+    const std::string policy = page.header("content-security-policy");
+    EXPECT_NE(policy.find("script-src 'self' 'wasm-unsafe-eval';"), std::string::npos);
+    EXPECT_NE(policy.find("frame-ancestors 'none'"), std::string::npos);
+    EXPECT_EQ(policy.find("unsafe-inline"), std::string::npos);
+    const HttpReply wasm = get("/assets/decoder-0123abcd.wasm?v=1");
+    EXPECT_EQ(wasm.header("content-type"), "application/wasm");
+    EXPECT_NE(wasm.header("cache-control").find("immutable"), std::string::npos);
+    EXPECT_EQ(get("/", {{"If-None-Match", page.header("etag")}}).status, 304);
+    EXPECT_EQ(http(server_->port(), "HEAD", "/").header("content-length"), "19");
+    EXPECT_EQ(get("/healthz").body, "ok");
+}
+
+TEST_F(Http, NeverLeavesTheFolderOfThePage) {
+    for (const char* target :
+         {"/../secret.txt", "/assets/../../secret.txt", "/%2e%2e/secret.txt", "/..%2fsecret.txt",
+          "//secret.txt", "/assets/..%5c..%5csecret.txt", "/./../secret.txt",
+          "/assets/%00/../../secret.txt", "/etc/passwd", "/../../../../../../etc/passwd"}) {
+        const HttpReply reply = get(target, server_->bearer());
+        EXPECT_TRUE(reply.status == 404 || reply.status == 400) << target << " " << reply.status;
+        EXPECT_EQ(reply.body.find("secret\n"), std::string::npos) << target;
+        EXPECT_EQ(reply.body.find(folder_->path().string()), std::string::npos) << target;
+    }
+}
+
+TEST_F(Http, WantsATokenForEverythingElse) {
+    for (const char* target :
+         {"/openrpc.json", "/rpc", "/ws", "/metrics", "/nothing",
+          "/api/v1/datasets/lamb-oseen/obstacle.bin", "/api/v1/sessions/main/surfaces/s1/mesh.vtp"})
+        EXPECT_EQ(get(target).status, 401) << target;
+    EXPECT_EQ(get("/nothing", server_->bearer()).status, 404);
+    EXPECT_EQ(get("/rpc", server_->bearer()).status, 405);
+    EXPECT_EQ(http(server_->port(), "DELETE", "/healthz").status, 405);
+    EXPECT_EQ(get("/ws", server_->bearer()).status, 426);
+}
+
+TEST_F(Http, ExchangesTheTokenForACookieThatOpensEverything) {
+    const auto login = [&](const std::string& body, Headers headers) {
+        return http(server_->port(), "POST", "/api/v1/login", std::move(headers), body);
+    };
+    const Headers here{{"Origin", server_->origin()}};
+    EXPECT_EQ(login(R"({"token":"wrong"})", here).status, 401);
+    EXPECT_EQ(login(R"({"token":7})", here).status, 400);
+    EXPECT_EQ(login("{", here).status, 400);
+    EXPECT_EQ(
+        login(json{{"token", server_->token()}}.dump(), {{"Origin", "http://evil.example"}}).status,
+        403);
+    const HttpReply reply = login(json{{"token", server_->token()}}.dump(), here);
+    EXPECT_EQ(reply.status, 204);
+    const std::string cookie = reply.header("set-cookie");
+    const Headers with{{"Cookie", cookie.substr(0, cookie.find(';'))}};
+    EXPECT_EQ(get("/openrpc.json", with).status, 200);
+    Headers page = with;
+    page.emplace_back("Origin", server_->origin());
+    RawSocket socket(server_->port());
+    EXPECT_EQ(handshake(socket, server_->port(), page).status, 101);
+    EXPECT_EQ(http(server_->port(), "POST", "/rpc", page,
+                   R"({"jsonrpc":"2.0","id":1,"method":"server.ping"})")
+                  .body,
+              R"({"jsonrpc":"2.0","id":1,"result":{}})");
+}
+
+TEST_F(Http, ChecksEveryHandshakeBeforeTheUpgrade) {
+    const std::string here = server_->origin();
+    const std::string port = std::to_string(server_->port());
+    const Headers bearer = server_->bearer();
+    const auto with = [&](Headers headers) {
+        headers.insert(headers.end(), bearer.begin(), bearer.end());
+        return headers;
+    };
+    const std::vector<std::pair<Headers, int>> table{
+        {{}, 401},
+        {bearer, 101},
+        {with({{"Origin", here}}), 101},
+        {with({{"Origin", "http://localhost:" + port}}), 101},
+        {with({{"Origin", "http://evil.example"}}), 403},
+        {with({{"Origin", "null"}}), 403},
+        {with({{"Origin", here + ".evil.example"}}), 403},
+        {with({{"Origin", "http://127.0.0.1:1"}}), 403},
+        {with({{"Origin", here}, {"Origin", here}}), 403},
+        {with({{"Host", "evil.example"}}), 403},
+        {with({{"Host", "evil.example"}, {"Origin", here}}), 403},
+        {with({{"Host", "localhost:" + port}}), 101},
+        {{{"Origin", here}}, 401},
+        {{{"Origin", "http://evil.example"}}, 403},
+        {{{"Authorization", "Bearer nonsense"}}, 401},
+        {{{"Authorization", "Bearer "}}, 401},
+        {{{"Cookie", "wakesurf_session=" + server_->token()}, {"Origin", here}}, 401},
+    };
+    for (const auto& [headers, expected] : table) {
+        RawSocket socket(server_->port());
+        EXPECT_EQ(handshake(socket, server_->port(), headers).status, expected)
+            << testing::PrintToString(headers);
+    }
+    RawSocket query(server_->port());
+    EXPECT_EQ(handshake(query, server_->port(), {}, "/ws?token=" + server_->token()).status, 401);
+    RawSocket elsewhere(server_->port());
+    EXPECT_EQ(handshake(elsewhere, server_->port(), bearer, "/elsewhere").status, 404);
+}
+
+TEST_F(Http, LimitsWrongTokensAndStillLetsTheRightOneIn) {
+    int limited = 0;
+    for (int i = 0; i < 100; ++i)
+        limited += get("/openrpc.json", {{"Authorization", "Bearer wrong"}}).status == 429 ? 1 : 0;
+    EXPECT_GT(limited, 50);
+    EXPECT_EQ(get("/openrpc.json", server_->bearer()).status, 200);
+}
+
+TEST_F(Http, EndsClientsThatSendTheirHeaderForEver) {
+    RawSocket silent(server_->port());
+    RawSocket slow(server_->port());
+    slow.send("GET / HTTP/1.1\r\nHost: local");
+    RawSocket large(server_->port());
+    large.send("GET / HTTP/1.1\r\nX: " + std::string(20000, 'x') + "\r\n\r\n");
+    EXPECT_EQ(read_reply(large).status, 431);
+    RawSocket garbage(server_->port());
+    garbage.send("\x16\x03\x01\x02 this is TLS, say\r\n\r\n");
+    EXPECT_EQ(read_reply(garbage).status, 400);
+    EXPECT_TRUE(slow.closed_within(std::chrono::seconds(15)));
+    EXPECT_TRUE(silent.closed_within(std::chrono::seconds(15)));
+    EXPECT_EQ(get("/healthz").body, "ok");
+}
+
+TEST_F(Http, HandsOutAFinishedSurfaceAsAFile) {
+    WebSocketClient client(*server_);
+    const json rake = client.result(
+        "rake.set", {{"kind", "line"}, {"points", {{0.5, 0, 0}, {2, 0, 0}}}, {"seeds", 8}});
+    const json surface = client.result("surface.set", {{"rake", rake["rake"]},
+                                                       {"kind", "stream"},
+                                                       {"dataset", "lamb-oseen"},
+                                                       {"from", 0},
+                                                       {"to", 1}});
+    const std::string path =
+        "/api/v1/sessions/main/surfaces/" + surface["surface"].get<std::string>() + "/mesh.";
+    const HttpReply file = get(path + "vtp", server_->bearer());
+    ASSERT_EQ(file.status, 200);
+    EXPECT_NE(file.body.find("<VTKFile"), std::string::npos);
+    Headers again = server_->bearer();
+    again.emplace_back("If-None-Match", file.header("etag"));
+    EXPECT_EQ(get(path + "vtp", again).status, 304);
+    const HttpReply other = get(path + "glb", server_->bearer());
+    EXPECT_EQ(other.status, 501);
+    EXPECT_EQ(json::parse(other.body)["error"]["data"]["kind"], "unsupported");
+    EXPECT_EQ(get("/api/v1/sessions/main/surfaces/s99/mesh.vtp", server_->bearer()).status, 404);
+    EXPECT_EQ(get("/api/v1/datasets/lamb-oseen/obstacle.bin", server_->bearer()).status, 404);
+}
+
+TEST(ServerProcessTest, PrintsItsAddressAndEndsWithinASecondOfASignalSayingGoodbye) {
+    ServerProcess server;
+    EXPECT_EQ(server.first_line(), "wakesurf: " + server.origin() + "/#token=" + server.token());
+    EXPECT_EQ(server.token().size(), 64u);
+    WebSocketClient client(server);
+    client.result("server.info");
+    const std::string token = server.token();
+    auto stopping = std::thread([&] { EXPECT_EQ(client.receive().close_code(), 1001u); });
+    const auto end = server.stop();
+    stopping.join();
+    EXPECT_EQ(end.status, 0);
+    EXPECT_LT(end.took, std::chrono::seconds(1));
+    EXPECT_EQ(end.log.find(token), std::string::npos);
+}
+
+TEST(ServerProcessTest, TakesItsTokenFromAFileOnlyTheUserCanRead) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "token";
+    std::string token;
+    {
+        const ServerProcess server({"flow:abc", "--token-file", file.string()});
+        token = server.token();
+    }
+    EXPECT_EQ(std::filesystem::status(file).permissions(),
+              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    const ServerProcess again({"flow:abc", "--token-file", file.string()});
+    EXPECT_EQ(again.token(), token);
+}
+
+TEST(ServerProcessTest, WithoutAuthenticationStillMindsTheOrigin) {
+    const ServerProcess server({"flow:abc", "--no-auth"});
+    EXPECT_EQ(server.first_line(), "wakesurf: " + server.origin() + "/");
+    EXPECT_EQ(http(server.port(), "GET", "/openrpc.json").status, 200);
+    RawSocket own(server.port());
+    EXPECT_EQ(handshake(own, server.port(), {}).status, 101);
+    RawSocket other(server.port());
+    EXPECT_EQ(handshake(other, server.port(), {{"Origin", "http://evil.example"}}).status, 403);
+}
+
+} // namespace wakesurf::tests

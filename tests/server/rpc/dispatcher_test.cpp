@@ -1,0 +1,216 @@
+// The examples of the JSON-RPC 2.0 specification, section 7, all 15 of them, against the methods they assume.
+#include "server/rpc/dispatcher.hpp"
+#include "server/rpc/method_table.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace wakesurf::server {
+
+using nlohmann::json;
+
+namespace {
+
+class NoDatasets final : public Datasets {
+  public:
+    std::vector<std::string> ids() const override { return {}; }
+
+    core::Result<OpenDataset> open(const std::string&) const override {
+        return core::fail(core::Error::Code::NotFound, "there are none");
+    }
+};
+
+class IdleLoop final : public Loop {
+  public:
+    void post(std::function<void()>) override {}
+
+    std::shared_ptr<void> after(std::chrono::milliseconds, std::function<void()>) override {
+        return nullptr;
+    }
+};
+
+std::vector<Method> example_methods() {
+    const auto subtract = [](const Call& call, Reply reply) {
+        const json& p = call.parameters;
+        reply.result(p.is_array() ? p[0].get<int>() - p[1].get<int>()
+                                  : p["minuend"].get<int>() - p["subtrahend"].get<int>());
+    };
+    const auto sum = [](const Call& call, Reply reply) {
+        int total = 0;
+        for (const json& each : call.parameters)
+            total += each.get<int>();
+        reply.result(total);
+    };
+    const std::vector<Parameter> terms{{"minuend", "{}", true, ""}, {"subtrahend", "{}", true, ""}};
+    return {
+        {"subtract", "", terms, "", false, subtract},
+        {"sum", "", {}, "", false, sum},
+        {"update",
+         "",
+         {},
+         "",
+         false,
+         [](const Call&, Reply reply) { reply.result(json::object()); }},
+        {"notify_hello",
+         "",
+         {},
+         "",
+         false,
+         [](const Call&, Reply reply) { reply.result(json::object()); }},
+        {"notify_sum", "", {}, "", false, sum},
+        {"get_data",
+         "",
+         {},
+         "",
+         false,
+         [](const Call&, Reply reply) {
+             reply.result({"hello", 5});
+         }},
+        {"throws",
+         "",
+         {},
+         "",
+         false,
+         [](const Call&, Reply) { throw std::runtime_error("/secret/path"); }},
+        {"forgets", "", {}, "", false, [](const Call&, Reply) {}},
+        {"on_socket", "", {}, "", true, [](const Call&, Reply reply) { reply.result(1); }},
+    };
+}
+
+class DispatcherTest : public testing::Test {
+  protected:
+    std::string answer(const std::string& text) {
+        std::optional<std::string> out;
+        dispatcher.dispatch(text, nullptr, [&](std::string given) {
+            EXPECT_FALSE(out) << "answered twice";
+            out = std::move(given);
+        });
+        EXPECT_TRUE(out) << "not answered";
+        return out.value_or("");
+    }
+
+    void expect(const std::string& text, const std::string& expected) {
+        json given = json::parse(answer(text));
+        strip(given);
+        EXPECT_EQ(given, json::parse(expected)) << text;
+    }
+
+    /// Leaves of errors what the specification says about them.
+    static void strip(json& value) {
+        if (value.is_array())
+            for (json& each : value)
+                strip(each);
+        else if (value.contains("error"))
+            value["error"] = value["error"]["code"];
+    }
+
+    IdleLoop loop;
+    ComputePool pool{1};
+    NoDatasets datasets;
+    SystemEntropy entropy;
+    SessionDirectory sessions{{loop, pool, datasets, entropy}};
+    Dispatcher dispatcher{
+        example_methods(), {sessions, datasets, [] { return json::array(); }}, {}};
+};
+
+} // namespace
+
+TEST_F(DispatcherTest, AnswersCallsWithPositionalAndNamedParameters) {
+    expect(R"({"jsonrpc":"2.0","method":"subtract","params":[42,23],"id":1})",
+           R"({"jsonrpc":"2.0","result":19,"id":1})");
+    expect(R"({"jsonrpc":"2.0","method":"subtract","params":[23,42],"id":2})",
+           R"({"jsonrpc":"2.0","result":-19,"id":2})");
+    expect(
+        R"({"jsonrpc":"2.0","method":"subtract","params":{"subtrahend":23,"minuend":42},"id":3})",
+        R"({"jsonrpc":"2.0","result":19,"id":3})");
+    expect(
+        R"({"jsonrpc":"2.0","method":"subtract","params":{"minuend":42,"subtrahend":23},"id":4})",
+        R"({"jsonrpc":"2.0","result":19,"id":4})");
+}
+
+TEST_F(DispatcherTest, AnswersNotificationsWithNothing) {
+    EXPECT_EQ(answer(R"({"jsonrpc":"2.0","method":"update","params":[1,2,3,4,5]})"), "");
+    EXPECT_EQ(answer(R"({"jsonrpc":"2.0","method":"foobar"})"), "");
+}
+
+TEST_F(DispatcherTest, AnswersFaultsWithTheirCodes) {
+    expect(R"({"jsonrpc":"2.0","method":"foobar","id":"1"})",
+           R"({"jsonrpc":"2.0","error":-32601,"id":"1"})");
+    expect(R"({"jsonrpc":"2.0","method":"foobar,"params":"bar","baz])",
+           R"({"jsonrpc":"2.0","error":-32700,"id":null})");
+    expect(R"({"jsonrpc":"2.0","method":1,"params":"bar"})",
+           R"({"jsonrpc":"2.0","error":-32600,"id":null})");
+}
+
+TEST_F(DispatcherTest, AnswersBatches) {
+    expect(
+        R"([{"jsonrpc":"2.0","method":"sum","params":[1,2,4],"id":"1"},{"jsonrpc":"2.0","method"])",
+        R"({"jsonrpc":"2.0","error":-32700,"id":null})");
+    expect("[]", R"({"jsonrpc":"2.0","error":-32600,"id":null})");
+    expect("[1]", R"([{"jsonrpc":"2.0","error":-32600,"id":null}])");
+    expect(
+        "[1,2,3]",
+        R"([{"jsonrpc":"2.0","error":-32600,"id":null},{"jsonrpc":"2.0","error":-32600,"id":null},
+                          {"jsonrpc":"2.0","error":-32600,"id":null}])");
+    expect(R"([{"jsonrpc":"2.0","method":"sum","params":[1,2,4],"id":"1"},
+               {"jsonrpc":"2.0","method":"notify_hello","params":[7]},
+               {"jsonrpc":"2.0","method":"subtract","params":[42,23],"id":"2"},
+               {"foo":"boo"},
+               {"jsonrpc":"2.0","method":"foo.get","params":{"name":"myself"},"id":"5"},
+               {"jsonrpc":"2.0","method":"get_data","id":"9"}])",
+           R"([{"jsonrpc":"2.0","result":7,"id":"1"},{"jsonrpc":"2.0","result":19,"id":"2"},
+               {"jsonrpc":"2.0","error":-32600,"id":null},{"jsonrpc":"2.0","error":-32601,"id":"5"},
+               {"jsonrpc":"2.0","result":["hello",5],"id":"9"}])");
+    EXPECT_EQ(answer(R"([{"jsonrpc":"2.0","method":"notify_sum","params":[1,2,4]},
+                         {"jsonrpc":"2.0","method":"notify_hello","params":[7]}])"),
+              "");
+}
+
+TEST_F(DispatcherTest, SurvivesHandlersThatThrowOrForgetAndLeaksNothing) {
+    for (const char* method : {"throws", "forgets"}) {
+        const std::string text =
+            answer(R"({"jsonrpc":"2.0","id":1,"method":")" + std::string(method) + "\"}");
+        EXPECT_EQ(json::parse(text)["error"]["code"], -32603);
+        EXPECT_EQ(text.find("secret"), std::string::npos);
+    }
+}
+
+TEST_F(DispatcherTest, RefusesWhatTheTableDoesNotName) {
+    expect(
+        R"({"jsonrpc":"2.0","method":"subtract","params":{"minuend":1,"subtrahend":1,"x":1},"id":1})",
+        R"({"jsonrpc":"2.0","error":-32602,"id":1})");
+    expect(R"({"jsonrpc":"2.0","method":"on_socket","id":1})",
+           R"({"jsonrpc":"2.0","error":-32600,"id":1})");
+    expect(R"({"jsonrpc":"2.0","method":"rpc.secret","id":1})",
+           R"({"jsonrpc":"2.0","error":-32601,"id":1})");
+}
+
+TEST(MethodTable, NamesEveryMethodOfTheContractOnceAndDocumentsIt) {
+    IdleLoop loop;
+    ComputePool pool{1};
+    NoDatasets datasets;
+    SystemEntropy entropy;
+    SessionDirectory sessions{{loop, pool, datasets, entropy}};
+    const Dispatcher dispatcher{
+        method_table(), {sessions, datasets, [] { return json::array(); }}, {}};
+    const json document = json::parse(dispatcher.document());
+    std::map<std::string, json> methods;
+    for (const json& each : document["methods"]) {
+        EXPECT_TRUE(methods.emplace(each["name"], each).second) << each["name"] << " twice";
+        EXPECT_FALSE(each["summary"].get<std::string>().empty()) << each["name"];
+    }
+    for (const char* name :
+         {"rpc.discover", "server.info", "server.ping", "dataset.list", "dataset.describe",
+          "session.create", "session.join", "session.state", "rake.set", "rake.list", "rake.delete",
+          "surface.set", "surface.list", "surface.delete", "surface.wait", "surface.subscribe",
+          "surface.unsubscribe", "surface.stats"})
+        EXPECT_TRUE(methods.contains(name)) << name;
+    EXPECT_EQ(methods["surface.subscribe"]["x-websocketOnly"], true);
+}
+
+} // namespace wakesurf::server

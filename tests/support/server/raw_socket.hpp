@@ -1,0 +1,60 @@
+// A TCP connection to a server under test, byte by byte, so that tests can say what no library would.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace wakesurf::tests {
+
+class RawSocket {
+  public:
+    explicit RawSocket(std::uint16_t port);
+    ~RawSocket();
+    RawSocket(RawSocket&& other) noexcept;
+    RawSocket& operator=(RawSocket&&) = delete;
+
+    void send(std::string_view bytes);
+
+    /// At least one byte, or empty when the other side has closed. Fails the test after `patience`.
+    std::string receive(std::chrono::milliseconds patience = std::chrono::seconds(20));
+
+    /// Everything up to and including `end`; what follows is kept for the next call.
+    std::string receive_until(std::string_view end);
+    std::string receive_exactly(std::size_t bytes);
+
+    /// Whether the other side closes within `patience`; data on the way is dropped.
+    bool closed_within(std::chrono::milliseconds patience);
+
+    /// Ends without a goodbye: the other side gets a reset.
+    void reset();
+
+  private:
+    int descriptor_ = -1;
+    std::string kept_;
+};
+
+struct HttpReply {
+    int status = 0;
+    std::vector<std::pair<std::string, std::string>> headers; ///< names in lower case
+    std::string body;
+
+    std::string header(std::string_view name) const;
+};
+
+using Headers = std::vector<std::pair<std::string, std::string>>;
+
+/// Reads one response.
+HttpReply read_reply(RawSocket& socket, bool head = false);
+
+/// One request on its own connection. `Host` is set unless given.
+HttpReply http(std::uint16_t port,
+               std::string_view method,
+               std::string_view target,
+               Headers headers = {},
+               std::string_view body = {});
+
+} // namespace wakesurf::tests
