@@ -1,0 +1,59 @@
+// How long after a pointer move its surface is on the screen, while a handle is dragged for about 3 s
+// with the real mouse. Prints one line of JSON. Starts its own server unless WAKESURF_URL names one.
+import type { Page } from 'playwright-core';
+import { ask, finalSurface, launchBrowser, newContext, openPage } from './support/browser_page.ts';
+import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+
+const dragMs = 3000;
+
+/** Round and round near where the handle is, so that it stays inside the domain. */
+async function dragInCircles(page: Page): Promise<void> {
+    const at = await ask(page, (hook) => hook.handleOnScreen('middle'));
+    if (at === null) throw new Error('the handle is not in front of the camera');
+    await page.mouse.move(at.x, at.y);
+    await page.mouse.down();
+    const start = performance.now();
+    for (let elapsed = 0; elapsed < dragMs; elapsed = performance.now() - start) {
+        const angle = elapsed / 250;
+        await page.mouse.move(at.x + 24 * Math.sin(angle), at.y + 12 * (1 - Math.cos(angle)));
+    }
+    await page.mouse.up();
+}
+
+function quantile(sorted: readonly number[], fraction: number): number {
+    const index = Math.min(sorted.length - 1, Math.floor(fraction * sorted.length));
+    return Math.round((sorted[index] ?? Number.NaN) * 10) / 10;
+}
+
+async function measure(link: string): Promise<void> {
+    const browser = await launchBrowser();
+    try {
+        const context = await newContext(browser, { width: 1280, height: 720 });
+        const { page } = await openPage(context, link);
+        await finalSurface(page);
+        const before = await ask(page, (hook) => hook.latencySamples.length);
+        await dragInCircles(page);
+        await finalSurface(page);
+        const samples = await ask(page, (hook) => hook.latencySamples);
+        const times = samples.slice(before).map(({ milliseconds }) => milliseconds);
+        times.sort((a, b) => a - b);
+        const quads = await ask(page, (hook) => hook.displayed?.cells ?? 0);
+        const figures = { medianMs: quantile(times, 0.5), p95Ms: quantile(times, 0.95) };
+        console.log(JSON.stringify({ name: 'browser-drag', ...figures, samples: times.length, quads }));
+    } finally {
+        await browser.close();
+    }
+}
+
+const given = process.env['WAKESURF_URL'];
+if (given !== undefined) await measure(given);
+else {
+    const store = temporaryFolder();
+    const server = await ServerProcess.start({ store: store.path });
+    try {
+        await measure(server.link);
+    } finally {
+        await server.stop();
+        store.remove();
+    }
+}

@@ -1,0 +1,175 @@
+// The pixels: the picture must be that of the mesh and the body, in the colours of the speed, not
+// merely some picture.
+import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { colorTable, fractionOf } from '../../web-client/src/scene/colorMap.ts';
+import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
+import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+
+type Rgb = [number, number, number];
+
+const store = temporaryFolder();
+let server: ServerProcess;
+let browser: Browser;
+let context: BrowserContext;
+let page: Page;
+
+beforeAll(async () => {
+    server = await ServerProcess.start({ store: store.path });
+    browser = await launchBrowser();
+    context = await newContext(browser);
+    ({ page } = await openPage(context, server.link));
+    await finalSurface(page);
+});
+
+afterAll(async () => {
+    await browser?.close();
+    await server?.stop();
+    store.remove();
+});
+
+/** Hue in degrees and how colourful, of an sRGB colour. */
+function hueOf([r, g, b]: readonly number[]): { hue: number; chroma: number } {
+    const [red, green, blue] = [r ?? 0, g ?? 0, b ?? 0];
+    const high = Math.max(red, green, blue);
+    const chroma = high - Math.min(red, green, blue);
+    if (chroma === 0) return { hue: 0, chroma };
+    let sector = (red - green) / chroma + 4;
+    if (high === red) sector = ((green - blue) / chroma + 6) % 6;
+    else if (high === green) sector = (blue - red) / chroma + 2;
+    return { hue: sector * 60, chroma };
+}
+
+function isBackground([r, g, b]: Rgb): boolean {
+    return Math.max(Math.abs(r - 11), Math.abs(g - 16), Math.abs(b - 24)) <= 2;
+}
+
+interface SeenVertex {
+    scalar: number;
+    pixel: Rgb;
+    /** On the surface's own edge the pixel may belong to what is behind, but then its neighbours do not. */
+    around: Rgb[];
+}
+
+function isCovered({ pixel, around }: SeenVertex): boolean {
+    return !isBackground(pixel) || around.some((each) => !isBackground(each));
+}
+
+/** Pixels at every n-th vertex that is well inside the canvas, with the vertex's speed. */
+async function verticesInPicture(every: number): Promise<SeenVertex[]> {
+    return page.evaluate((n) => {
+        const hook = window.wakesurf!;
+        const canvas = { left: 4, top: 50, right: 520, bottom: 460 };
+        const seen = hook.vertices(n).flatMap(({ point, scalar }) => {
+            const at = hook.project(point);
+            const inside =
+                at !== null &&
+                at.x > canvas.left &&
+                at.x < canvas.right &&
+                at.y > canvas.top &&
+                at.y < canvas.bottom;
+            return inside ? [{ at, scalar }] : [];
+        });
+        const offsets = [-1, 0, 1].flatMap((dx) => [-1, 0, 1].map((dy) => ({ dx, dy })));
+        const places = seen.flatMap(({ at }) =>
+            offsets.map(({ dx, dy }) => ({ x: at.x + dx, y: at.y + dy })),
+        );
+        const pixels = hook.pixelsAt(places);
+        return seen.map(({ scalar }, i) => {
+            const around = pixels.slice(9 * i, 9 * i + 9);
+            return { scalar, pixel: around[4]!, around };
+        });
+    }, every);
+}
+
+describe('the picture', () => {
+    it('covers the projected vertices of the surface and leaves the rest dark', async () => {
+        const seen = await verticesInPicture(7);
+        expect(seen.length).toBeGreaterThan(100);
+        const covered = seen.filter(isCovered).length;
+        expect(covered / seen.length).toBeGreaterThan(0.98);
+
+        const around = await page.evaluate(() => {
+            const [x0 = 0, x1 = 0, y0 = 0, y1 = 0, z0 = 0, z1 = 0] = window.wakesurf!.bounds ?? [];
+            const outside: { x: number; y: number }[] = [];
+            // Beyond the outline of the domain as seen there can be nothing.
+            const corners = [x0, x1].flatMap((x) =>
+                [y0, y1].flatMap((y) => [z0, z1].map((z) => window.wakesurf!.project([x, y, z])!)),
+            );
+            const top = Math.min(...corners.map((corner) => corner.y)) - 20;
+            for (let x = 20; x < 500; x += 40) outside.push({ x, y: Math.max(4, top) });
+            return window.wakesurf!.pixelsAt(outside);
+        });
+        expect(around.filter(isBackground)).toHaveLength(around.length);
+    });
+
+    it('follows the camera: the same vertices are covered from elsewhere', async () => {
+        const before = await ask(page, (hook) => hook.camera);
+        await page.evaluate(() => window.wakesurf!.setCamera([20, -28, 14], [5, 0, 3]));
+        const seen = await verticesInPicture(7);
+        expect(seen.length).toBeGreaterThan(100);
+        const covered = seen.filter(isCovered).length;
+        expect(covered / seen.length).toBeGreaterThan(0.98);
+        await screenshot(page, 'from-elsewhere');
+        await page.evaluate(({ position, target }) => window.wakesurf!.setCamera(position, target), before);
+    });
+
+    it('colours the surface by the speed, as the scalar bar says', async () => {
+        const range = await ask(page, (hook) => hook.speedRange);
+        const table = colorTable();
+        const hueOfSpeed = (speed: number): number => {
+            const i = Math.round(fractionOf(speed, range) * 255) * 4;
+            return hueOf([...table.subarray(i, i + 3)]).hue;
+        };
+        // From the side that faces the camera; a vertex may be hidden behind another fold, so most, not all.
+        const seen = (await verticesInPicture(5)).filter(({ pixel }) => hueOf(pixel).chroma > 40);
+        expect(seen.length).toBeGreaterThan(60);
+        const close = seen.filter(({ scalar, pixel }) => {
+            const apart = Math.abs(hueOf(pixel).hue - hueOfSpeed(scalar));
+            return Math.min(apart, 360 - apart) < 14;
+        });
+        expect(close.length / seen.length).toBeGreaterThan(0.8);
+        const hues = seen.map(({ scalar }) => hueOfSpeed(scalar));
+        expect(Math.max(...hues) - Math.min(...hues)).toBeGreaterThan(30);
+    });
+
+    it('shows the body in the flow, grey', async () => {
+        // From the side opposite to the surface, onto the face of the square cylinder at y = -0.5.
+        const pixels = await page.evaluate(() => {
+            const hook = window.wakesurf!;
+            hook.setCamera([0, -30, 3], [0, 0, 3]);
+            const face = [-0.3, 0, 0.3].flatMap((x) => [1, 2, 3, 4, 5].map((z) => ({ x, z })));
+            return hook.pixelsAt(face.map(({ x, z }) => hook.project([x, -0.5, z])!));
+        });
+        const grey = pixels.filter((pixel) => hueOf(pixel).chroma < 30 && Math.max(...pixel) > 60);
+        expect(grey.length).toBe(pixels.length);
+        await screenshot(page, 'body');
+        await page.getByRole('button', { name: 'Fit the whole domain' }).click();
+    });
+
+    it('comes back after the graphics context was lost', async () => {
+        const drawnAt = (): Promise<number> => ask(page, (hook) => hook.framesDrawn);
+        await page.evaluate(() => window.wakesurf!.loseContext());
+        await page.waitForTimeout(200);
+        const before = await drawnAt();
+        await page.evaluate(() => window.wakesurf!.restoreContext());
+        await page.waitForFunction((count) => window.wakesurf!.framesDrawn > count, before);
+        const seen = await verticesInPicture(7);
+        const covered = seen.filter(isCovered).length;
+        expect(covered / seen.length).toBeGreaterThan(0.98);
+    });
+
+    it('projects as a camera does: halfway between two points is on the line between them', async () => {
+        const ends: [Vec3, Vec3] = [
+            [-3, -4, 0],
+            [-3, -4, 5],
+        ];
+        const [a, b, m] = await page.evaluate(([p, q]) => {
+            const middle = p.map((v, i) => (v + q[i]!) / 2) as typeof p;
+            return [p, q, middle].map((point) => window.wakesurf!.project(point)!);
+        }, ends);
+        const cross = (b!.x - a!.x) * (m!.y - a!.y) - (b!.y - a!.y) * (m!.x - a!.x);
+        expect(Math.abs(cross) / Math.hypot(b!.x - a!.x, b!.y - a!.y)).toBeLessThan(0.01);
+    });
+});

@@ -1,0 +1,211 @@
+// The whole path: real data, real server, real browser, real mouse. What is on the screen must be
+// what the server computed for the rake as it was left.
+import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { SurfaceStats, Vec3 } from '../../web-client/src/protocol/messages.ts';
+import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+
+const store = temporaryFolder();
+let server: ServerProcess;
+let browser: Browser;
+let context: BrowserContext;
+let page: Page;
+let complaints: string[];
+
+beforeAll(async () => {
+    server = await ServerProcess.start({ store: store.path });
+    browser = await launchBrowser();
+});
+
+afterAll(async () => {
+    await browser?.close();
+    await server?.stop();
+    store.remove();
+});
+
+beforeEach(async () => {
+    context = await newContext(browser);
+    ({ page, complaints } = await openPage(context, server.link));
+    await finalSurface(page);
+});
+
+afterEach(async () => {
+    expect(complaints).toEqual([]);
+    await context.close();
+});
+
+/** What the server says of the surface that the page shows. */
+async function serverStats(epoch: number): Promise<SurfaceStats> {
+    const session = await ask(page, (hook) => hook.session);
+    const surface = await ask(page, (hook) => hook.displayed?.surface ?? '');
+    const asked = { session, surface, epoch, timeoutMs: 20_000 };
+    return (await server.call('surface.wait', asked)) as unknown as SurfaceStats;
+}
+
+/** The mesh on the screen is the server's, whole: counts, and a checksum over every vertex and quad. */
+async function expectServersMesh(): Promise<void> {
+    await finalSurface(page);
+    const displayed = await ask(page, (hook) => hook.displayed);
+    const stats = await serverStats(displayed?.epoch ?? 0);
+    expect(stats.complete).toBe(true);
+    expect(displayed).toMatchObject({
+        epoch: stats.epoch,
+        vertices: stats.vertices,
+        cells: stats.quads,
+        stateCrc: stats.crc,
+        final: true,
+    });
+    expect(stats.quads).toBeGreaterThan(100);
+}
+
+/** The epoch on the screen, to be overtaken by what the test does. */
+function epochNow(): Promise<number> {
+    return ask(page, (hook) => hook.displayed?.epoch ?? 0);
+}
+
+/** The surface of an edit made after `epoch` is on the screen, and is the server's. */
+async function expectNewSurface(epoch: number): Promise<void> {
+    await page.waitForFunction((old) => (window.wakesurf?.displayed?.epoch ?? 0) > old, epoch);
+    await expectServersMesh();
+}
+
+async function dragHandle(handle: number | 'middle', dx: number, dy: number, steps: number): Promise<void> {
+    const from = await page.evaluate((name) => window.wakesurf?.handleOnScreen(name) ?? null, handle);
+    const size = page.viewportSize();
+    if (from === null || size === null) throw new Error('the handle is not in front of the camera');
+    for (const [value, limit] of [
+        [from.x, size.width],
+        [from.x + dx, size.width],
+        [from.y, size.height],
+        [from.y + dy, size.height],
+    ] as const) {
+        expect(value).toBeGreaterThan(0);
+        expect(value).toBeLessThan(limit);
+    }
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    for (let i = 1; i <= steps; ++i) {
+        const pointer = { x: from.x + (dx * i) / steps, y: from.y + (dy * i) / steps };
+        await page.mouse.move(pointer.x, pointer.y);
+        const now = await page.evaluate((name) => window.wakesurf?.handleOnScreen(name), handle);
+        expect(Math.hypot((now?.x ?? 0) - pointer.x, (now?.y ?? 0) - pointer.y)).toBeLessThan(1);
+    }
+    await page.mouse.up();
+}
+
+describe('the page', () => {
+    it('shows the final surface of the default rake and hides the token', async () => {
+        await expectServersMesh();
+        expect(page.url()).not.toContain('token');
+        expect(page.url()).toContain('session=');
+        await screenshot(page, 'first-surface');
+    });
+
+    it('follows a dragged handle, and then shows exactly the surface of the new rake', async () => {
+        const before = await ask(page, (hook) => hook.displayed);
+        const camera = await ask(page, (hook) => hook.camera);
+        await dragHandle(1, 46, 32, 10);
+        expect(await ask(page, (hook) => hook.camera)).toEqual(camera);
+        await expectNewSurface(before?.epoch ?? 0);
+        const after = await ask(page, (hook) => hook.displayed);
+        expect(after?.stateCrc).not.toBe(before?.stateCrc);
+        const session = await ask(page, (hook) => hook.session);
+        const { rakes } = (await server.call('rake.list', { session })) as { rakes: { points: Vec3[] }[] };
+        const shown = await ask(page, (hook) => hook.rakePoints);
+        rakes[0]?.points.flat().forEach((value, i) => expect(value).toBeCloseTo(shown.flat()[i]!, 9));
+        expect(await ask(page, (hook) => hook.latencySamples.length)).toBeGreaterThan(0);
+        await screenshot(page, 'after-drag');
+    });
+
+    it('moves the whole rake by its middle handle', async () => {
+        const before = await ask(page, (hook) => hook.rakePoints);
+        const epoch = await epochNow();
+        await dragHandle('middle', -15, 8, 6);
+        const after = await ask(page, (hook) => hook.rakePoints);
+        const [a, b] = before.map((point, i) => point.map((v, k) => (after[i]?.[k] ?? 0) - v));
+        a?.forEach((v, k) => expect(v).toBeCloseTo(b?.[k] ?? 0, 6));
+        expect(Math.hypot(...(a ?? []))).toBeGreaterThan(0.1);
+        await expectNewSurface(epoch);
+    });
+
+    it('turns the camera, not the rake, when the press is beside the handles', async () => {
+        const [camera, rake] = [await ask(page, (h) => h.camera), await ask(page, (h) => h.rakePoints)];
+        await page.mouse.move(500, 80);
+        await page.mouse.down();
+        await page.mouse.move(560, 110, { steps: 4 });
+        await page.mouse.up();
+        expect(await ask(page, (hook) => hook.rakePoints)).toEqual(rake);
+        expect(await ask(page, (hook) => hook.camera)).not.toEqual(camera);
+    });
+
+    it('draws nothing while nothing changes', async () => {
+        const before = await ask(page, (hook) => hook.framesDrawn);
+        await page.waitForTimeout(1000);
+        expect((await ask(page, (hook) => hook.framesDrawn)) - before).toBeLessThanOrEqual(1);
+    });
+});
+
+describe('the keyboard', () => {
+    it('nudges a handle by its button', async () => {
+        const before = await ask(page, (hook) => hook.rakePoints);
+        const epoch = await epochNow();
+        await page.getByRole('button', { name: 'End', exact: true }).focus();
+        await page.keyboard.press('Shift+ArrowRight');
+        const after = await ask(page, (hook) => hook.rakePoints);
+        expect(after[1]![0] - before[1]![0]).toBeGreaterThan(0.05);
+        expect(after[0]).toEqual(before[0]);
+        await expectNewSurface(epoch);
+    });
+
+    it('moves the time with the slider, and the surface with it', async () => {
+        const before = await ask(page, (hook) => hook.displayed);
+        await page.getByRole('slider', { name: 'Time', exact: true }).focus();
+        for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowRight');
+        await expectNewSurface(before?.epoch ?? 0);
+        const after = await ask(page, (hook) => hook.displayed);
+        expect(after?.stateCrc).not.toBe(before?.stateCrc);
+        const session = await ask(page, (hook) => hook.session);
+        const list = await server.call('surface.list', { session });
+        expect((list['surfaces'] as { from: number }[])[0]?.from).toBeCloseTo(11);
+    });
+
+    it('takes numbers for the rake, and says so when they are outside the domain', async () => {
+        const epoch = await epochNow();
+        await page.getByRole('spinbutton', { name: 'Start x' }).fill('2');
+        await page.keyboard.press('Enter');
+        await expectNewSurface(epoch);
+        expect((await ask(page, (hook) => hook.rakePoints))[0]?.[0]).toBe(2);
+        await page.getByRole('spinbutton', { name: 'Start x' }).fill('500');
+        await page.getByRole('spinbutton', { name: 'End x' }).fill('500');
+        await page.keyboard.press('Enter');
+        await page.getByRole('alert').filter({ hasText: /outside/i }).waitFor({ timeout: 10_000 });
+        complaints.length = 0;
+    });
+
+    it('follows a path surface until the data end', async () => {
+        const before = await ask(page, (hook) => hook.displayed);
+        await page.getByRole('radio', { name: 'Path' }).check();
+        await expectNewSurface(before?.epoch ?? 0);
+        expect((await ask(page, (hook) => hook.displayed))?.stateCrc).not.toBe(before?.stateCrc);
+        await page.getByText(/there the data end/).waitFor();
+    });
+});
+
+describe('a link', () => {
+    it('opens the same session in another window, which sees every edit', async () => {
+        const { page: other } = await openPage(context, page.url());
+        await finalSurface(other);
+        expect(await ask(other, (hook) => hook.session)).toBe(await ask(page, (hook) => hook.session));
+        const epoch = await epochNow();
+        await dragHandle(0, 20, 10, 6);
+        await expectNewSurface(epoch);
+        const shown = await ask(page, (hook) => hook.displayed);
+        await other.waitForFunction(
+            (crc) => window.wakesurf?.phase === 'final' && window.wakesurf.displayed?.stateCrc === crc,
+            shown?.stateCrc ?? 0,
+        );
+        const [mine, theirs] = [await ask(page, (h) => h.rakePoints), await ask(other, (h) => h.rakePoints)];
+        theirs.flat().forEach((value, i) => expect(value).toBeCloseTo(mine.flat()[i]!, 9));
+    });
+});

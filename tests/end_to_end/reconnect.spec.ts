@@ -1,0 +1,108 @@
+// Bad networks and restarted servers: the page says what is wrong and goes on by itself.
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+
+const folder = temporaryFolder();
+const store = join(folder.path, 'store');
+const tokenFile = join(folder.path, 'token');
+let server: ServerProcess;
+let browser: Browser;
+let context: BrowserContext;
+
+beforeAll(async () => {
+    writeFileSync(tokenFile, 'a-token-that-survives-a-restart-0123456789abcdef\n', { mode: 0o600 });
+    server = await ServerProcess.start({ store, tokenFile });
+    browser = await launchBrowser();
+});
+
+afterEach(async () => context?.close());
+
+afterAll(async () => {
+    await browser?.close();
+    await server?.stop();
+    folder.remove();
+});
+
+async function open(link: string): Promise<Page> {
+    context = await newContext(browser);
+    const { page } = await openPage(context, link);
+    return page;
+}
+
+function connectionIs(page: Page, wanted: 'open' | 'down', timeout: number): Promise<unknown> {
+    return page.waitForFunction(
+        (state) => (window.wakesurf?.connection === 'open') === (state === 'open'),
+        wanted,
+        { timeout },
+    );
+}
+
+describe('the connection', () => {
+    it('resumes after the server was killed and started again, with the same rake', async () => {
+        const page = await open(server.link);
+        await finalSurface(page);
+        await page.getByRole('spinbutton', { name: 'Start x' }).fill('-2');
+        await page.keyboard.press('Enter');
+        await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
+        await finalSurface(page);
+        const before = await ask(page, (hook) => hook.displayed);
+        await server.stop('SIGKILL');
+        const banner = page.getByText(/Connection lost/);
+        await banner.waitFor();
+        await screenshot(page, 'connection-lost');
+
+        const camera = await ask(page, (hook) => hook.camera);
+        await page.mouse.move(400, 80);
+        await page.mouse.down();
+        await page.mouse.move(440, 100, { steps: 3 });
+        await page.mouse.up();
+        expect(await ask(page, (hook) => hook.camera)).not.toEqual(camera);
+
+        server = await ServerProcess.start({ store, tokenFile, port: server.port });
+        await connectionIs(page, 'open', 15_000);
+        await finalSurface(page);
+        await banner.waitFor({ state: 'hidden' });
+        const after = await ask(page, (hook) => hook.displayed);
+        expect(after?.stateCrc).toBe(before?.stateCrc);
+        expect((await ask(page, (hook) => hook.rakePoints))[0]?.[0]).toBe(-2);
+    });
+
+    it('notices a silent network within 10 seconds and resumes when it is back', async () => {
+        const page = await open(server.link);
+        await finalSurface(page);
+        const session = await ask(page, (hook) => hook.session);
+        await context.setOffline(true);
+        await connectionIs(page, 'down', 12_500);
+        await page.getByText(/Connection lost/).waitFor();
+        await context.setOffline(false);
+        await connectionIs(page, 'open', 10_000);
+        await finalSurface(page);
+        expect(await ask(page, (hook) => hook.session)).toBe(session);
+    });
+});
+
+describe('a page that cannot work says why', () => {
+    it('without a token', async () => {
+        const page = await open(server.link.replace(/#.*/, ''));
+        await page.getByText(/needs the access token/).waitFor();
+    });
+
+    it('with a wrong token', async () => {
+        const page = await open(server.link.replace(/token=.*/, 'token=wrong'));
+        await page.getByText(/does not accept the access token/).waitFor();
+        expect(page.url()).not.toContain('token');
+    });
+
+    it('without WebGL2', async () => {
+        context = await newContext(browser);
+        await context.addInitScript(() => {
+            HTMLCanvasElement.prototype.getContext = () => null;
+        });
+        const { page } = await openPage(context, server.link);
+        await page.getByText(/no WebGL2/).waitFor();
+    });
+});

@@ -1,0 +1,55 @@
+// Calls over one socket: numbers requests, matches replies. Knows the envelope, not the socket.
+import { encodeRequest, type Incoming, RpcError } from '../protocol/jsonRpc.ts';
+import type { MethodName, ParamsOf, ResultOf } from '../protocol/messages.ts';
+
+/** The call went unanswered because the connection is down; it may or may not have been carried out. */
+export class DisconnectedError extends Error {
+    constructor() {
+        super('The server cannot be reached at the moment.');
+        this.name = 'DisconnectedError';
+    }
+}
+
+interface Pending {
+    resolve: (result: unknown) => void;
+    reject: (error: Error) => void;
+}
+
+export class RpcClient {
+    private readonly send: (text: string) => boolean;
+    private readonly pending = new Map<number, Pending>();
+    private nextId = 1;
+
+    /** @param send false when there is no connection */
+    constructor(send: (text: string) => boolean) {
+        this.send = send;
+    }
+
+    call<M extends MethodName>(method: M, params: ParamsOf<M>): Promise<ResultOf<M>> {
+        const id = this.nextId++;
+        return new Promise((resolve, reject) => {
+            if (!this.send(encodeRequest(id, method, params))) {
+                reject(new DisconnectedError());
+                return;
+            }
+            this.pending.set(id, { resolve: (result) => resolve(result as ResultOf<M>), reject });
+        });
+    }
+
+    /** Takes a reply; one that nobody waits for is ignored. */
+    receive(incoming: Incoming): void {
+        if (incoming.type === 'notification' || incoming.id === null) return;
+        const waiting = this.pending.get(incoming.id);
+        if (waiting === undefined) return;
+        this.pending.delete(incoming.id);
+        if (incoming.type === 'result') waiting.resolve(incoming.result);
+        else waiting.reject(new RpcError(incoming.error));
+    }
+
+    /** The connection is gone: nothing pending will be answered. */
+    disconnected(): void {
+        const lost = [...this.pending.values()];
+        this.pending.clear();
+        for (const waiting of lost) waiting.reject(new DisconnectedError());
+    }
+}

@@ -1,0 +1,60 @@
+// Puts the page together. The path of a datum: worker/ (socket, decoding) -> session/ (records,
+// newest state) -> scene/ (pixels); the path of an edit: scene/ or ui/ -> session/edits -> worker/.
+import { probeGraphics } from './scene/graphics.ts';
+import { FlowScene } from './scene/scene.ts';
+import { Edits } from './session/edits.ts';
+import { SessionController } from './session/sessionController.ts';
+import { SurfaceFeed } from './session/surfaceFeed.ts';
+import { baseUrl, readFragment, showFragment, writeFragment } from './session/urlState.ts';
+import { AppState } from './state/appState.ts';
+import { LatencyLog } from './state/latency.ts';
+import { installTestHook } from './testHook.ts';
+import { App } from './ui/app.ts';
+import { WorkerClient } from './worker/workerClient.ts';
+
+const noWebGl2 =
+    'This browser offers no WebGL2, which the picture needs. Use a current browser, and allow ' +
+    'hardware or software rendering in its settings.';
+
+function start(app: App): void {
+    const url = readFragment(location.hash);
+    // The token must not stay in the address bar, in the history or in a link that is passed on.
+    showFragment(writeFragment(url.session, url.dataset));
+    const graphics = probeGraphics();
+    if (graphics === null) {
+        app.fail(noWebGl2);
+        return;
+    }
+    const state = new AppState();
+    const latency = new LatencyLog();
+    const { canvas, labels } = app;
+    const scene = new FlowScene({
+        canvas,
+        labels,
+        graphics,
+        onRakeMove: (move) => edits.moveRake(move),
+    });
+    const worker = new WorkerClient((event) => controller.handle(event));
+    const edits = new Edits({
+        state,
+        worker,
+        latency,
+        requestFrame: scene.loop.request,
+        setRakePoints: (points) => {
+            scene.rake.setPoints(points);
+            scene.loop.request();
+        },
+        dragging: () => scene.interaction.dragging,
+    });
+    const feed = new SurfaceFeed({ state, scene, worker, latency });
+    const controller = new SessionController({ state, scene, worker, edits, feed, url });
+    scene.loop.beforeFrame(() => edits.flush());
+    scene.loop.beforeFrame(() => feed.apply());
+    installTestHook({ state, scene, feed, latency, canvas });
+    app.begin({ state, edits, scene, retryNow: () => worker.retryNow() });
+    addEventListener('online', () => worker.retryNow());
+    worker.start(baseUrl(), url.token);
+}
+
+const app = document.querySelector('wakesurf-app');
+if (app instanceof App) start(app);

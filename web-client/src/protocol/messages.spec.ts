@@ -1,0 +1,80 @@
+import { describe, expect, it } from 'vitest';
+import { errorWords, readNotification } from './messages.ts';
+
+const rake = {
+    rake: 'r1',
+    rev: 3,
+    kind: 'line',
+    points: [
+        [0, 0, 0],
+        [1, 0, 0],
+    ],
+    seeds: 8,
+    name: 'inlet',
+    clipped: false,
+};
+
+describe('readNotification', () => {
+    it('reads patches that put and delete records', () => {
+        const patches = [
+            { op: 'put', type: 'rake', id: 'r1', record: rake },
+            { op: 'delete', type: 'surface', id: 's1' },
+        ];
+        expect(readNotification('session.patched', { session: 'a', seq: 4, patches })).toEqual({
+            method: 'session.patched',
+            session: 'a',
+            seq: 4,
+            patches,
+        });
+    });
+
+    it('leaves out patches that it cannot trust', () => {
+        const broken = { ...rake, points: [[0, 0, null]] };
+        const patches = [
+            { op: 'put', type: 'rake', id: 'r1', record: broken },
+            { op: 'put', type: 'camera', id: 'c1', record: {} },
+            { op: 'move', type: 'rake', id: 'r1' },
+            7,
+        ];
+        const read = readNotification('session.patched', { session: 'a', seq: 4, patches });
+        expect(read).toMatchObject({ patches: [] });
+    });
+
+    it('keeps what and what to do of the error of a surface', () => {
+        const error = { code: -32012, message: 'the rake is outside', hint: 'move it' };
+        expect(readNotification('surface.done', { surface: 's1', epoch: 2, error })).toEqual({
+            method: 'surface.done',
+            surface: 's1',
+            epoch: 2,
+            error: { message: 'the rake is outside', hint: 'move it' },
+        });
+        expect(readNotification('surface.done', { surface: 's1', epoch: 2, stats: {} })).toMatchObject({
+            error: null,
+        });
+    });
+
+    it('says what and what to do in one text', () => {
+        expect(errorWords({ message: 'it is outside', hint: 'move it' })).toBe('it is outside: move it');
+        expect(errorWords({ message: 'it is outside' })).toBe('it is outside');
+    });
+
+    it('reads the progress of an import', () => {
+        const steps = { ready: 3, total: 16 };
+        const read = readNotification('dataset.patched', {
+            dataset: 'd',
+            state: 'importing',
+            progress: 0.2,
+            steps,
+        });
+        expect(read).toEqual({
+            method: 'dataset.patched',
+            dataset: 'd',
+            change: { state: 'importing', progress: 0.2, steps },
+        });
+    });
+
+    it('ignores what it does not know', () => {
+        expect(readNotification('presence.patched', {})).toBeNull();
+        expect(readNotification('surface.done', { surface: 's1' })).toBeNull();
+    });
+});

@@ -1,0 +1,39 @@
+import { PerspectiveCamera } from 'three';
+import { describe, expect, it } from 'vitest';
+import type { Vec3 } from '../protocol/messages.ts';
+import { type Bounds, centreOf, labelledEdges } from './domainAxes.ts';
+import { projectToScreen } from './rakeDrag.ts';
+
+const bounds: Bounds = [-3, 13, -4, 4, 0, 6];
+const size = { width: 800, height: 600 };
+
+function edgesSeenFrom(eye: Vec3): ReturnType<typeof labelledEdges> {
+    const camera = new PerspectiveCamera(30, size.width / size.height, 0.1, 1000);
+    camera.up.set(0, 0, 1);
+    camera.position.set(...eye);
+    camera.lookAt(...centreOf(bounds));
+    camera.updateMatrixWorld();
+    return labelledEdges(bounds, eye, (p) => projectToScreen(p, camera, size));
+}
+
+describe('labelledEdges', () => {
+    it('chooses one edge of the box for each axis, along that axis', () => {
+        const edges = edgesSeenFrom([-20, -40, 25]);
+        expect(edges.map(({ axis }) => axis)).toEqual([0, 1, 2]);
+        for (const { axis, from, to } of edges) {
+            expect(from[axis]).toBe(bounds[2 * axis]);
+            expect(to[axis]).toBe(bounds[2 * axis + 1]);
+        }
+    });
+
+    it('prefers the lower edges, which is where axes are looked for', () => {
+        const [x, y] = edgesSeenFrom([-20, -40, 25]);
+        expect(x?.from).toEqual([-3, -4, 0]);
+        expect(y?.from).toEqual([-3, -4, 0]);
+    });
+
+    it('follows the camera to the other side', () => {
+        const [x] = edgesSeenFrom([20, 40, 25]);
+        expect(x?.from).toEqual([-3, 4, 0]);
+    });
+});

@@ -1,0 +1,109 @@
+// The box of the domain with numbers and names along three of its edges. The numbers are DOM text
+// over the canvas: sharp at any size and readable by assistive tools.
+import { BoxGeometry, EdgesGeometry, LineBasicMaterial, LineSegments } from 'three';
+import type { Vec3 } from '../protocol/messages.ts';
+import { type AxisEdge, type Bounds, centreOf, labelledEdges } from './domainAxes.ts';
+import type { ScreenPoint } from './rakeDrag.ts';
+import { niceTicks } from './ticks.ts';
+
+const axisNames = ['x', 'y', 'z'];
+const pxPerTick = 52;
+const tickGapPx = 14;
+const nameGapPx = 40;
+/** Two numbers nearer than this would run into each other, as where two axes meet. */
+const clearancePx = { x: 26, y: 13 };
+
+export class DomainOutline {
+    readonly lines: LineSegments;
+    private readonly bounds: Bounds;
+    private readonly layer: HTMLElement;
+    private readonly pool: HTMLElement[] = [];
+    private used = 0;
+    private placed: ScreenPoint[] = [];
+    private placedFor = '';
+
+    constructor(bounds: Bounds, layer: HTMLElement) {
+        this.bounds = bounds;
+        this.layer = layer;
+        const box = new BoxGeometry(
+            bounds[1] - bounds[0],
+            bounds[3] - bounds[2],
+            bounds[5] - bounds[4],
+        );
+        this.lines = new LineSegments(
+            new EdgesGeometry(box),
+            new LineBasicMaterial({ color: 0x6b7a90 }),
+        );
+        this.lines.position.set(...centreOf(bounds));
+    }
+
+    /** Places the labels for the present camera, unless they are there already: text is costly to lay out. */
+    update(eye: Vec3, project: (point: Vec3) => ScreenPoint | null): void {
+        const view = JSON.stringify([eye, project(this.corner(0)), project(this.corner(1))]);
+        if (view === this.placedFor) return;
+        this.placedFor = view;
+        this.used = 0;
+        this.placed = [];
+        for (const edge of labelledEdges(this.bounds, eye, project)) this.labelEdge(edge, project);
+        for (const label of this.pool.slice(this.used)) label.hidden = true;
+    }
+
+    private corner(end: 0 | 1): Vec3 {
+        const [x, y, z] = [this.bounds[end], this.bounds[2 + end], this.bounds[4 + end]];
+        return [x ?? 0, y ?? 0, z ?? 0];
+    }
+
+    dispose(): void {
+        this.lines.geometry.dispose();
+        for (const label of this.pool) label.remove();
+    }
+
+    private labelEdge(edge: AxisEdge, project: (point: Vec3) => ScreenPoint | null): void {
+        const [a, b] = [project(edge.from), project(edge.to)];
+        if (a === null || b === null) return;
+        const lengthPx = Math.hypot(b.x - a.x, b.y - a.y);
+        // An axis seen end-on has no room for numbers.
+        if (lengthPx < 30) return;
+        const [low, high] = [edge.from[edge.axis], edge.to[edge.axis]];
+        for (const tick of niceTicks(low, high, Math.min(8, lengthPx / pxPerTick))) {
+            const at: Vec3 = [...edge.from];
+            at[edge.axis] = tick.value;
+            this.place(project(at), edge.outward, tickGapPx, tick.label, 'tick');
+        }
+        const middle = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
+        const name = axisNames[edge.axis] ?? '';
+        this.place(middle, edge.outward, nameGapPx, name, `axis-name axis-${name}`);
+    }
+
+    private place(
+        at: ScreenPoint | null,
+        outward: ScreenPoint,
+        gapPx: number,
+        text: string,
+        className: string,
+    ): void {
+        if (at === null) return;
+        const to = { x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx };
+        if (this.placed.some((other) => collide(other, to))) return;
+        this.placed.push(to);
+        const label = this.nextLabel();
+        label.textContent = text;
+        label.className = className;
+        const [x, y] = [to.x.toFixed(1), to.y.toFixed(1)];
+        label.style.transform = `translate(-50%, -50%) translate(${x}px, ${y}px)`;
+        label.hidden = false;
+    }
+
+    private nextLabel(): HTMLElement {
+        const existing = this.pool[this.used++];
+        if (existing !== undefined) return existing;
+        const label = document.createElement('span');
+        this.pool.push(label);
+        this.layer.append(label);
+        return label;
+    }
+}
+
+function collide(a: ScreenPoint, b: ScreenPoint): boolean {
+    return Math.abs(a.x - b.x) < clearancePx.x && Math.abs(a.y - b.y) < clearancePx.y;
+}

@@ -1,0 +1,51 @@
+import { describe, expect, it } from 'vitest';
+import { defaultLength, defaultRake } from './defaults.ts';
+
+describe('defaultRake', () => {
+    it('stands along z near the inflow of a domain that is longest in x', () => {
+        const [a, b] = defaultRake([-3, 13, -4, 4, 0, 6]);
+        expect(a[0]).toBeCloseTo(-1.4);
+        expect([a[2], b[2]]).toEqual([expect.closeTo(0.3), expect.closeTo(5.7)]);
+        expect([a[0], a[1]]).toEqual([b[0], b[1]]);
+    });
+
+    it('keeps off the line of symmetry', () => {
+        const [a] = defaultRake([-5, 10, -5, 5, -5, 5]);
+        expect(a[1]).not.toBeCloseTo(0, 2);
+        expect(Math.abs(a[1])).toBeLessThan(0.5);
+    });
+
+    it('is perpendicular to the longest axis of any domain, and inside', () => {
+        for (const bounds of [
+            [0, 1, 0, 5, 0, 2],
+            [0, 2, 0, 1, -5, 5],
+            [0, 1, 0, 1, 0, 1],
+        ] as [number, number, number, number, number, number][]) {
+            const [a, b] = defaultRake(bounds);
+            const sides = [0, 1, 2].map((k) => bounds[2 * k + 1]! - bounds[2 * k]!);
+            const longest = sides.indexOf(Math.max(...sides));
+            expect(b[longest]! - a[longest]!).toBe(0);
+            for (const point of [a, b]) {
+                point.forEach((v, k) => {
+                    expect(v).toBeGreaterThan(bounds[2 * k]!);
+                    expect(v).toBeLessThan(bounds[2 * k + 1]!);
+                });
+            }
+            expect(Math.hypot(...b.map((v, k) => v - a[k]!))).toBeGreaterThan(0.5);
+        }
+    });
+});
+
+describe('defaultLength', () => {
+    it('lets the fastest flow cross the domain, whatever its units', () => {
+        for (const speed of [1e-6, 1, 340]) {
+            const travelled = defaultLength([-3, 13, -4, 4, 0, 6], speed) * speed;
+            expect(travelled).toBeGreaterThan(16);
+            expect(travelled).toBeLessThan(32);
+        }
+    });
+
+    it('is usable without any flow', () => {
+        expect(defaultLength([0, 1, 0, 1, 0, 1], 0)).toBe(1);
+    });
+});

@@ -1,0 +1,44 @@
+// The first rake and surface of an empty session: something to look at and to drag, in any domain.
+import type { DatasetDescription, Vec3 } from '../protocol/messages.ts';
+import { niceStep } from '../scene/ticks.ts';
+
+export const defaultSeeds = 32;
+
+type Axis = 0 | 1 | 2;
+type Bounds = DatasetDescription['bounds'];
+
+/**
+ * A line across the domain, 10 % from the low end of its longest axis, along the shorter of the
+ * other two, a little off the middle of the third: exactly on a line of symmetry a surface would
+ * hit the stagnation point of a body in the middle and show nothing but that.
+ */
+export function defaultRake(bounds: Bounds): [Vec3, Vec3] {
+    const longest = ([0, 1, 2] as Axis[]).reduce((a, b) => (extent(bounds, b) > extent(bounds, a) ? b : a));
+    const others = ([2, 1, 0] as Axis[]).filter((axis) => axis !== longest) as [Axis, Axis];
+    const [along, across] =
+        extent(bounds, others[1]) < extent(bounds, others[0]) ? [others[1], others[0]] : others;
+    const start: Vec3 = [0, 0, 0];
+    start[longest] = at(bounds, longest, 0.1);
+    start[across] = at(bounds, across, 0.53);
+    start[along] = at(bounds, along, 0.05);
+    const end: Vec3 = [...start];
+    end[along] = at(bounds, along, 0.95);
+    return [start, end];
+}
+
+/** An integration time in which the flow crosses most of the domain. */
+export function defaultLength(bounds: Bounds, fastest: number): number {
+    const longest = Math.max(...([0, 1, 2] as Axis[]).map((axis) => extent(bounds, axis)));
+    if (!(fastest > 0)) return 1;
+    const rough = (1.5 * longest) / fastest;
+    const step = niceStep(rough / 20);
+    return Math.max(step, Math.round(rough / step) * step);
+}
+
+function extent(bounds: Bounds, axis: Axis): number {
+    return (bounds[axis * 2 + 1] ?? 0) - (bounds[axis * 2] ?? 0);
+}
+
+function at(bounds: Bounds, axis: Axis, fraction: number): number {
+    return (bounds[axis * 2] ?? 0) + fraction * extent(bounds, axis);
+}

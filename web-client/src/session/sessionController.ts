@@ -1,0 +1,323 @@
+// The life of a session on this page: connect, wait for data, join or create, mirror the server's
+// records, and do the same again after every interruption.
+import { apiLevel } from '../protocol/version.ts';
+import {
+    errorWords,
+    type DatasetDescription,
+    type DatasetEntry,
+    type Notification,
+    type Patch,
+    type RakeRecord,
+    type SessionSnapshot,
+    type SurfaceRecord,
+    type Vec3,
+} from '../protocol/messages.ts';
+import type { FlowScene } from '../scene/scene.ts';
+import type { AppState } from '../state/appState.ts';
+import { CallError, type WorkerClient, type WorkerEvent } from '../worker/workerClient.ts';
+import { defaultLength, defaultRake, defaultSeeds } from './defaults.ts';
+import type { Edits } from './edits.ts';
+import type { SurfaceFeed } from './surfaceFeed.ts';
+import { showFragment, type UrlState, writeFragment } from './urlState.ts';
+
+const notFound = -32004;
+const importPollMs = 1000;
+
+export interface SessionControllerOptions {
+    state: AppState;
+    scene: FlowScene;
+    worker: WorkerClient;
+    edits: Edits;
+    feed: SurfaceFeed;
+    url: UrlState;
+}
+
+/** What a session is rebuilt from when the server no longer knows it. */
+interface Remembered {
+    rakes: RakeRecord[];
+    surfaces: SurfaceRecord[];
+}
+
+export class SessionController {
+    private readonly options: SessionControllerOptions;
+    private session: string | null;
+    private resumeToken: string | undefined;
+    /** Counts connections; what an earlier one began must not go on in the next. */
+    private connectionNumber = 0;
+    /** While records are made anew one by one, the page keeps showing those that were lost. */
+    private rebuilding = false;
+
+    constructor(options: SessionControllerOptions) {
+        this.options = options;
+        this.session = options.url.session;
+    }
+
+    handle(event: WorkerEvent): void {
+        const { state, feed } = this.options;
+        if (event.type === 'surface') feed.receive(event);
+        else if (event.type === 'notification') this.notified(event.notification);
+        else if (event.type === 'frameTrouble') void feed.resubscribe(event.subscription);
+        else {
+            const { type: _, ...connection } = event;
+            state.connection.value = connection;
+            if (connection.state === 'waiting') {
+                state.retryAt.value = performance.now() + connection.retryInMs;
+                state.stage.value = 'starting';
+            }
+            if (connection.state === 'refused') state.fatal.value = connection.reason;
+            if (connection.state === 'open') void this.begin();
+        }
+    }
+
+    private async begin(): Promise<void> {
+        const { state } = this.options;
+        const connection = ++this.connectionNumber;
+        const gone = (): boolean => connection !== this.connectionNumber;
+        state.everConnected.value = true;
+        try {
+            await this.checkServer();
+            const snapshot = await this.join(this.session);
+            const id = snapshot?.surfaces[0]?.dataset ?? this.options.url.dataset;
+            const entry = await this.waitForDataset(id, gone);
+            if (entry === null || gone()) return;
+            await this.describe(entry.dataset);
+            const own = snapshot ?? (await this.createSession(entry.dataset));
+            if (own.surfaces.length === 0) await this.addDefaultSurface(entry.dataset);
+            if (gone()) return;
+            await this.subscribeAll();
+            state.stage.value = 'running';
+        } catch (error) {
+            if (gone() || (error instanceof CallError && error.failure.kind === 'disconnected')) return;
+            state.stage.value = 'failed';
+            state.notice.value = error instanceof Error ? error.message : String(error);
+        }
+    }
+
+    private async checkServer(): Promise<void> {
+        const info = await this.options.worker.call('server.info', {});
+        this.options.state.capabilities.value = info.capabilities;
+        if (info.apiLevel === apiLevel) return;
+        this.options.state.notice.value =
+            'The server speaks another version of the protocol than this page. Reload the page.';
+    }
+
+    /** Null when there is no such session (any more). */
+    private async join(session: string | null): Promise<SessionSnapshot | null> {
+        if (session === null) return null;
+        const { state } = this.options;
+        try {
+            const snapshot = await this.enter(session);
+            this.adopt(snapshot);
+            showFragment(writeFragment(session, this.options.url.dataset));
+            return snapshot;
+        } catch (error) {
+            if (!(error instanceof CallError) || error.failure.code !== notFound) throw error;
+            this.resumeToken = undefined;
+            if (state.rakes.value.size === 0) {
+                state.notice.value = 'The session of this link no longer exists; this is a new one.';
+            }
+            return null;
+        }
+    }
+
+    private async enter(session: string): Promise<SessionSnapshot> {
+        const resume = this.resumeToken === undefined ? {} : { resumeToken: this.resumeToken };
+        const joined = await this.options.worker.call('session.join', { session, ...resume });
+        this.session = session;
+        this.resumeToken = joined.resumeToken;
+        return joined.snapshot;
+    }
+
+    private async waitForDataset(
+        id: string | null,
+        gone: () => boolean,
+    ): Promise<DatasetEntry | null> {
+        const { worker, state } = this.options;
+        while (!gone()) {
+            const { datasets } = await worker.call('dataset.list', {});
+            const entry = id === null ? datasets[0] : datasets.find(({ dataset }) => dataset === id);
+            if (entry === undefined) throw new Error(noDataset(id));
+            state.datasetEntry.value = entry;
+            if (entry.state === 'failed') throw new Error(importFailed(entry));
+            if (entry.state === 'ready' || (entry.steps?.ready ?? 0) > 0) return entry;
+            state.stage.value = 'importing';
+            await new Promise((resolve) => setTimeout(resolve, importPollMs));
+        }
+        return null;
+    }
+
+    private async describe(dataset: string): Promise<void> {
+        const { worker, state, scene } = this.options;
+        const known = state.dataset.value;
+        const description = await worker.call('dataset.describe', { dataset });
+        state.dataset.value = description;
+        scene.setRange(state.speedRange.value);
+        if (known?.dataset === dataset) return;
+        scene.setDomain(description.bounds);
+        if (description.obstacle) void this.loadObstacle(description);
+    }
+
+    private async loadObstacle({ dataset, lattice }: DatasetDescription): Promise<void> {
+        try {
+            const geometry = await this.options.worker.obstacle(dataset, lattice);
+            if (geometry !== null) {
+                this.options.scene.setObstacle(geometry.positions, geometry.indices);
+            }
+        } catch (error) {
+            this.options.state.notice.value = error instanceof Error ? error.message : String(error);
+        }
+    }
+
+    /** A new session, with what the user had if the server has forgotten an earlier one. */
+    private async createSession(dataset: string): Promise<SessionSnapshot> {
+        const { worker, state } = this.options;
+        const remembered: Remembered = {
+            rakes: [...state.rakes.value.values()],
+            surfaces: [...state.surfaces.value.values()].filter((s) => s.dataset === dataset),
+        };
+        const points = state.rakePoints.value;
+        const active = state.rake.value?.rake;
+        const { session } = await worker.call('session.create', {});
+        this.rebuilding = true;
+        try {
+            await this.enter(session);
+            await this.makeAnew(remembered, dataset, (rake, recorded) =>
+                rake === active && points.length > 0 ? [...points] : recorded,
+            );
+        } finally {
+            this.rebuilding = false;
+        }
+        const snapshot = await this.join(session);
+        if (snapshot === null) throw new Error('The new session disappeared at once.');
+        return snapshot;
+    }
+
+    /** `seen`: the points on the screen, which may be ahead of the record that was lost. */
+    private async makeAnew(
+        remembered: Remembered,
+        dataset: string,
+        seen: (rake: string, recorded: Vec3[]) => Vec3[],
+    ): Promise<void> {
+        const { worker } = this.options;
+        for (const { rake, kind, points: recorded, seeds, name } of remembered.rakes) {
+            const points = seen(rake, recorded);
+            const made = await worker.call('rake.set', { kind, points, seeds, name });
+            const surfaces = remembered.surfaces.filter((s) => s.rake === rake);
+            for (const old of surfaces) {
+                const { kind, from, to, direction, separation, accuracy, maxQuads } = old;
+                await worker.call('surface.set', {
+                    rake: made.rake,
+                    dataset,
+                    ...{ kind, from, to, direction, separation, accuracy, maxQuads },
+                });
+            }
+        }
+    }
+
+    private async addDefaultSurface(dataset: string): Promise<void> {
+        const { worker, state } = this.options;
+        const description = state.dataset.value;
+        if (description === null) return;
+        const { rake } = await worker.call('rake.set', {
+            kind: 'line',
+            points: defaultRake(description.bounds),
+            seeds: defaultSeeds,
+            name: 'Rake 1',
+        });
+        const from = state.times.value[0] ?? 0;
+        const length = defaultLength(description.bounds, state.speedRange.value[1]);
+        await worker.call('surface.set', { rake, dataset, kind: 'stream', from, to: from + length });
+        await this.join(this.session);
+    }
+
+    private async subscribeAll(): Promise<void> {
+        this.options.feed.reset();
+        this.options.edits.reconnected();
+        for (const surface of this.options.state.surfaces.value.keys()) {
+            await this.options.feed.subscribe(surface);
+        }
+    }
+
+    private adopt(snapshot: SessionSnapshot): void {
+        const { state } = this.options;
+        state.rakes.value = new Map(snapshot.rakes.map((record) => [record.rake, record]));
+        state.surfaces.value = new Map(snapshot.surfaces.map((record) => [record.surface, record]));
+        state.requestedEpochs.value = new Map(snapshot.surfaces.map((s) => [s.surface, s.epoch]));
+        state.surfaceErrors.value = new Map();
+        this.chooseActive();
+    }
+
+    private chooseActive(): void {
+        const { state, edits } = this.options;
+        const { activeSurface, surfaces } = state;
+        if (!surfaces.value.has(activeSurface.value ?? '')) {
+            activeSurface.value = [...surfaces.value.keys()][0] ?? null;
+        }
+        edits.recordsChanged();
+    }
+
+    private notified(notification: Notification): void {
+        const { state, feed } = this.options;
+        switch (notification.method) {
+            case 'session.patched':
+                if (notification.session === this.session && !this.rebuilding) {
+                    this.patched(notification.patches);
+                }
+                break;
+            case 'surface.done':
+                feed.done(notification.surface, notification.epoch, notification.error);
+                break;
+            case 'dataset.patched':
+                this.datasetPatched(notification.dataset, notification.change);
+                break;
+            case 'server.notice':
+                state.notice.value = notification.text;
+                break;
+            case 'surface.progress':
+                break;
+        }
+    }
+
+    private patched(patches: readonly Patch[]): void {
+        const { state, feed } = this.options;
+        const rakes = new Map(state.rakes.value);
+        const surfaces = new Map(state.surfaces.value);
+        const added: string[] = [];
+        for (const patch of patches) {
+            const records = patch.type === 'rake' ? rakes : surfaces;
+            if (patch.op === 'delete') {
+                records.delete(patch.id);
+                if (patch.type === 'surface') feed.removed(patch.id);
+            } else if (patch.type === 'rake') rakes.set(patch.id, patch.record);
+            else {
+                if (!surfaces.has(patch.id)) added.push(patch.id);
+                surfaces.set(patch.id, patch.record);
+                feed.requested(patch.id, patch.record.epoch);
+            }
+        }
+        state.rakes.value = rakes;
+        state.surfaces.value = surfaces;
+        this.chooseActive();
+        if (state.stage.value === 'running') for (const id of added) void feed.subscribe(id);
+    }
+
+    private datasetPatched(dataset: string, change: Partial<DatasetEntry>): void {
+        const { state } = this.options;
+        const entry = state.datasetEntry.value;
+        if (entry === null || entry.dataset !== dataset) return;
+        state.datasetEntry.value = { ...entry, ...change };
+        // The range of the velocity is known in full only now.
+        if (change.state === 'ready') void this.describe(dataset).catch(() => undefined);
+    }
+}
+
+function noDataset(id: string | null): string {
+    return id === null
+        ? 'The server has no dataset. Start it with one: wakesurf serve DATASET.'
+        : 'The server does not have the dataset of this link.';
+}
+
+function importFailed(entry: DatasetEntry): string {
+    const why = entry.error === undefined ? '' : ` ${errorWords(entry.error)}`;
+    return `${entry.name} could not be imported.${why}`;
+}

@@ -1,0 +1,116 @@
+// What the page knows, as signals: the connection, and mirrors of the server's records. Written by
+// session/, read by ui/.
+import { computed, signal } from '@preact/signals-core';
+import type { ConnectionState } from '../connection/liveSocket.ts';
+import type {
+    DatasetDescription,
+    DatasetEntry,
+    RakeRecord,
+    SurfaceRecord,
+    Vec3,
+} from '../protocol/messages.ts';
+
+/** What is on the screen of one surface. */
+export interface DisplayedSurface {
+    surface: string;
+    epoch: number;
+    vertices: number;
+    cells: number;
+    triangles: number;
+    stateCrc: number;
+    final: boolean;
+}
+
+export type Stage = 'starting' | 'importing' | 'running' | 'failed';
+
+export class AppState {
+    /** Why nothing can be shown at all; null when all is well. */
+    readonly fatal = signal<string | null>(null);
+    readonly connection = signal<ConnectionState>({ state: 'connecting', attempt: 1 });
+    /** On performance.now()'s clock, while waiting to try again. */
+    readonly retryAt = signal(0);
+    readonly everConnected = signal(false);
+    readonly stage = signal<Stage>('starting');
+    /** What the server says it can do; what is not named here it cannot. */
+    readonly capabilities = signal<readonly string[]>([]);
+    readonly datasetEntry = signal<DatasetEntry | null>(null);
+    readonly dataset = signal<DatasetDescription | null>(null);
+    readonly rakes = signal<ReadonlyMap<string, RakeRecord>>(new Map());
+    readonly surfaces = signal<ReadonlyMap<string, SurfaceRecord>>(new Map());
+    /** The surface that the panel and the time bar act on, and the rake it starts at. */
+    readonly activeSurface = signal<string | null>(null);
+    /** The rake as the user has it on the screen, ahead of the server's record while dragging. */
+    readonly rakePoints = signal<readonly Vec3[]>([]);
+    readonly displayed = signal<ReadonlyMap<string, DisplayedSurface>>(new Map());
+    /** The newest epoch that an answer or a record of the server has named, by surface. */
+    readonly requestedEpochs = signal<ReadonlyMap<string, number>>(new Map());
+    readonly surfaceErrors = signal<ReadonlyMap<string, { epoch: number; text: string }>>(new Map());
+    readonly editsPending = signal(false);
+    readonly editError = signal<string | null>(null);
+    readonly notice = signal<string | null>(null);
+    readonly latencyMs = signal<number | null>(null);
+
+    readonly surface = computed(() => this.surfaces.value.get(this.activeSurface.value ?? ''));
+    readonly rake = computed(() => this.rakes.value.get(this.surface.value?.rake ?? ''));
+    readonly phase = computed((): SurfacePhase => {
+        if (this.stage.value !== 'running') return 'waiting';
+        const id = this.activeSurface.value ?? '';
+        return surfacePhase({
+            displayed: this.displayed.value.get(id),
+            requestedEpoch: this.requestedEpochs.value.get(id) ?? 0,
+            editsPending: this.editsPending.value,
+            error: this.surfaceErrors.value.get(id),
+        });
+    });
+    /** Times of the time-steps that can be used now: all of them once the import has finished. */
+    readonly times = computed(() => {
+        const times = this.dataset.value?.times ?? [];
+        const ready = this.datasetEntry.value?.steps?.ready ?? times.length;
+        return times.slice(0, Math.max(1, ready));
+    });
+    /** Of the velocity, over the whole dataset: colours mean the same at all times. */
+    readonly speedRange = computed((): [number, number] => {
+        const dataset = this.dataset.value;
+        const field = dataset?.fields.find(({ name }) => name === dataset.velocity);
+        const [low, high] = field?.range ?? [0, 1];
+        return high > low ? [low, high] : [low, low + 1];
+    });
+}
+
+export type SurfacePhase =
+    | 'waiting'
+    | 'none'
+    | 'updating'
+    | 'coarse'
+    | 'final'
+    | 'empty'
+    | 'error';
+
+export interface SurfaceProgress {
+    displayed: DisplayedSurface | undefined;
+    requestedEpoch: number;
+    /** An edit has not been answered yet, so that `requestedEpoch` may be old. */
+    editsPending: boolean;
+    error: { epoch: number; text: string } | undefined;
+}
+
+/** In which state the picture of a surface is, compared with what has been asked for. */
+export function surfacePhase(progress: SurfaceProgress): SurfacePhase {
+    const { displayed, requestedEpoch, editsPending, error } = progress;
+    if (error !== undefined && error.epoch >= requestedEpoch && !editsPending) return 'error';
+    if (displayed === undefined) return 'none';
+    if (displayed.epoch < requestedEpoch || editsPending) return 'updating';
+    if (!displayed.final) return 'coarse';
+    return displayed.cells === 0 ? 'empty' : 'final';
+}
+
+/** A copy of a map with one entry set, for signals that compare by identity. */
+export function withEntry<V>(map: ReadonlyMap<string, V>, key: string, value: V): Map<string, V> {
+    return new Map(map).set(key, value);
+}
+
+export function withoutEntry<V>(map: ReadonlyMap<string, V>, key: string): Map<string, V> {
+    const copy = new Map(map);
+    copy.delete(key);
+    return copy;
+}

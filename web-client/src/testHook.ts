@@ -1,0 +1,125 @@
+// `window.wakesurf`: facts about what is on the screen, for tests and for people with a console. It
+// reads; the only things it sets are the camera's place.
+import type { Vec3 } from './protocol/messages.ts';
+import type { FlowScene } from './scene/scene.ts';
+import type { ScreenPoint } from './scene/rakeDrag.ts';
+import type { Handle } from './scene/rakeWidget.ts';
+import type { SurfaceFeed } from './session/surfaceFeed.ts';
+import type { AppState, DisplayedSurface } from './state/appState.ts';
+import type { LatencyLog, LatencySample } from './state/latency.ts';
+
+export interface TestHook {
+    readonly framesDrawn: number;
+    readonly connection: string;
+    readonly stage: string;
+    readonly session: string | null;
+    readonly phase: string;
+    readonly requestedEpoch: number;
+    readonly displayed: DisplayedSurface | null;
+    readonly rakePoints: Vec3[];
+    readonly bounds: readonly number[] | null;
+    readonly speedRange: [number, number];
+    readonly latencySamples: LatencySample[];
+    readonly camera: { position: Vec3; target: Vec3 };
+    setCamera(position: Vec3, target: Vec3): void;
+    /** Position in the window, in CSS pixels; null behind the camera. */
+    project(point: Vec3): ScreenPoint | null;
+    handleOnScreen(handle: Handle): ScreenPoint | null;
+    /** Every n-th vertex of the surface shown, with its scalar. */
+    vertices(every: number): { point: Vec3; scalar: number }[];
+    /** Draws and returns RGB at positions in the window. */
+    pixelsAt(points: ScreenPoint[]): [number, number, number][];
+    loseContext(): void;
+    restoreContext(): void;
+}
+
+declare global {
+    interface Window {
+        wakesurf?: TestHook;
+    }
+}
+
+export interface TestHookParts {
+    state: AppState;
+    scene: FlowScene;
+    feed: SurfaceFeed;
+    latency: LatencyLog;
+    canvas: HTMLCanvasElement;
+}
+
+export function installTestHook({ state, scene, feed, latency, canvas }: TestHookParts): void {
+    const active = (): string => state.activeSurface.value ?? '';
+    const displayed = (): DisplayedSurface | undefined => state.displayed.value.get(active());
+    const requested = (): number => state.requestedEpochs.value.get(active()) ?? 0;
+    const inWindow = (at: ScreenPoint | null): ScreenPoint | null => {
+        const box = canvas.getBoundingClientRect();
+        return at === null ? null : { x: at.x + box.left, y: at.y + box.top };
+    };
+    let contextLoss: WEBGL_lose_context | null = null;
+    window.wakesurf = Object.freeze<TestHook>({
+        get framesDrawn() {
+            return scene.framesDrawn;
+        },
+        get connection() {
+            return state.connection.value.state;
+        },
+        get stage() {
+            return state.stage.value;
+        },
+        get session() {
+            return new URLSearchParams(location.hash.slice(1)).get('session');
+        },
+        get phase() {
+            return state.phase.value;
+        },
+        get requestedEpoch() {
+            return requested();
+        },
+        get displayed() {
+            return displayed() ?? null;
+        },
+        get rakePoints() {
+            return scene.rake.getPoints();
+        },
+        get bounds() {
+            return state.dataset.value?.bounds ?? null;
+        },
+        get speedRange() {
+            return state.speedRange.value;
+        },
+        get latencySamples() {
+            return [...latency.samples];
+        },
+        get camera() {
+            const position = scene.controls.camera.position.toArray() as Vec3;
+            return { position, target: scene.controls.target };
+        },
+        setCamera: (position, target) => scene.controls.place(position, target),
+        project: (point) => inWindow(scene.project(point)),
+        handleOnScreen: (handle) => inWindow(scene.project(scene.rake.positionOf(handle))),
+        vertices: (every) => {
+            const arrays = feed.shownArrays(active());
+            const found: { point: Vec3; scalar: number }[] = [];
+            for (let i = 0; arrays !== undefined && i < arrays.vertices; i += every) {
+                const point = [...arrays.positions.subarray(3 * i, 3 * i + 3)] as Vec3;
+                found.push({ point, scalar: arrays.scalars[i] ?? 0 });
+            }
+            return found;
+        },
+        pixelsAt: (points) => {
+            const { width, height, pixels } = scene.readPixels();
+            const box = canvas.getBoundingClientRect();
+            return points.map(({ x, y }) => {
+                const column = Math.floor(((x - box.left) / box.width) * width);
+                const row = height - 1 - Math.floor(((y - box.top) / box.height) * height);
+                const at = 4 * (row * width + column);
+                return [pixels[at] ?? 0, pixels[at + 1] ?? 0, pixels[at + 2] ?? 0];
+            });
+        },
+        loseContext: () => {
+            contextLoss = scene.renderer.getContext().getExtension('WEBGL_lose_context');
+            contextLoss?.loseContext();
+        },
+        restoreContext: () => contextLoss?.restoreContext(),
+    });
+}

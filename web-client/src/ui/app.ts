@@ -1,0 +1,175 @@
+// The page: the picture with its overlays, the panel beside it, the time below; or, where nothing
+// can be shown, the reason in words.
+import { css, html, type TemplateResult } from 'lit';
+import { signal } from '@preact/signals-core';
+import type { AppModel } from './appModel.ts';
+import './banner.ts';
+import './panel.ts';
+import './scalarBar.ts';
+import { sharedStyles } from './sharedStyles.ts';
+import { SignalElement } from './signalElement.ts';
+import './timeBar.ts';
+import './viewButtons.ts';
+
+export class App extends SignalElement {
+    readonly canvas = document.createElement('canvas');
+    readonly labels = document.createElement('div');
+    private readonly model = signal<AppModel | null>(null);
+    private readonly failure = signal<string | null>(null);
+
+    static override styles = [
+        sharedStyles,
+        css`
+            :host {
+                display: block;
+                height: 100%;
+            }
+            .layout {
+                display: grid;
+                grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) 304px;
+                height: 100%;
+            }
+            main {
+                position: relative;
+                overflow: hidden;
+                background: #0b1018;
+            }
+            canvas {
+                display: block;
+                width: 100%;
+                height: 100%;
+                touch-action: none;
+                outline-offset: -2px;
+            }
+            canvas.over-handle {
+                cursor: grab;
+            }
+            canvas.dragging {
+                cursor: grabbing;
+            }
+            .labels {
+                position: absolute;
+                inset: 0;
+                overflow: hidden;
+                pointer-events: none;
+                color: #c3cede;
+                font-size: 12px;
+                font-variant-numeric: tabular-nums;
+            }
+            .labels span {
+                position: absolute;
+                left: 0;
+                top: 0;
+                white-space: nowrap;
+            }
+            .labels .axis-name {
+                font-size: 15px;
+                font-weight: 600;
+            }
+            .axis-x {
+                color: #ff8a80;
+            }
+            .axis-y {
+                color: #7ee2a8;
+            }
+            .axis-z {
+                color: #8ab8ff;
+            }
+            wakesurf-scalar-bar {
+                position: absolute;
+                right: 12px;
+                bottom: 12px;
+            }
+            wakesurf-view-buttons {
+                position: absolute;
+                right: 12px;
+                top: 12px;
+            }
+            wakesurf-banner {
+                position: absolute;
+                left: 12px;
+                right: 150px;
+                top: 12px;
+            }
+            wakesurf-panel {
+                grid-row: 1 / 3;
+                grid-column: 2;
+            }
+            .failure {
+                display: grid;
+                place-content: center;
+                gap: 8px;
+                height: 100%;
+                padding: 24px;
+                background: #0b1018;
+                color: #e8edf5;
+                font-size: 16px;
+            }
+            .failure h1 {
+                margin: 0;
+                font-size: 22px;
+            }
+            .failure p {
+                max-width: 60ch;
+                margin: 0;
+            }
+            @media (max-width: 760px) {
+                .layout {
+                    grid-template: minmax(45vh, 1fr) auto minmax(0, 40vh) / minmax(0, 1fr);
+                }
+                wakesurf-panel {
+                    grid-row: 3;
+                    grid-column: 1;
+                }
+                wakesurf-banner {
+                    right: 12px;
+                    top: 48px;
+                }
+            }
+        `,
+    ];
+
+    constructor() {
+        super();
+        this.labels.className = 'labels';
+        this.canvas.setAttribute('role', 'img');
+        this.canvas.setAttribute(
+            'aria-label',
+            'The surface in the flow. The rake can be moved in the panel, under Rake.',
+        );
+    }
+
+    /** The model needs the canvas, so it comes after the element. */
+    begin(model: AppModel): void {
+        this.model.value = model;
+    }
+
+    /** Shows why there is nothing to show. */
+    fail(reason: string): void {
+        this.failure.value = reason;
+    }
+
+    override render(): TemplateResult {
+        const model = this.model.value;
+        const reason = this.failure.value ?? model?.state.fatal.value ?? null;
+        if (reason !== null) {
+            return html`<main class="failure" role="alert">
+                <h1>wakesurf</h1>
+                <p>${reason}</p>
+            </main>`;
+        }
+        if (model === null) return html`<main></main>`;
+        return html`<div class="layout">
+            <main>
+                ${this.canvas} ${this.labels}
+                <wakesurf-scalar-bar .model=${model}></wakesurf-scalar-bar>
+                <wakesurf-view-buttons .model=${model}></wakesurf-view-buttons>
+                <wakesurf-banner .model=${model}></wakesurf-banner>
+            </main>
+            <wakesurf-panel role="complementary" aria-label="Settings" .model=${model}></wakesurf-panel>
+            <wakesurf-time-bar role="region" aria-label="Time of the data" .model=${model}></wakesurf-time-bar>
+        </div>`;
+    }
+}
+
+customElements.define('wakesurf-app', App);

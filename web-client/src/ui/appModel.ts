@@ -1,0 +1,11 @@
+// What the components share: the state they show and the actions they offer.
+import type { Edits } from '../session/edits.ts';
+import type { FlowScene } from '../scene/scene.ts';
+import type { AppState } from '../state/appState.ts';
+
+export interface AppModel {
+    state: AppState;
+    edits: Edits;
+    scene: FlowScene;
+    retryNow: () => void;
+}

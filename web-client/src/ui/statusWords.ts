@@ -1,0 +1,20 @@
+// The state of the picture in words: what is coarse or old must not pass for the result.
+import type { SurfacePhase } from '../state/appState.ts';
+
+export const phaseWords: Record<SurfacePhase, string> = {
+    waiting: 'Waiting for the server …',
+    none: 'Computing the first surface …',
+    updating: 'Updating …',
+    coarse: 'Coarse, refining …',
+    final: 'Final',
+    empty: 'Final: no surface grows from this rake',
+    error: 'Not computed',
+};
+
+export function latencyWords(milliseconds: number | null): string {
+    return milliseconds === null ? '–' : `${Math.round(milliseconds)} ms`;
+}
+
+export function countWords(count: number): string {
+    return count.toLocaleString('en').replaceAll(',', '\u202f');
+}

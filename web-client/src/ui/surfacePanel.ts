@@ -1,0 +1,156 @@
+// The settings of the surface: its kind, how long it is followed, how fine it is.
+import { css, html, type TemplateResult } from 'lit';
+import type { SurfaceKind } from '../protocol/messages.ts';
+import { niceStep, shortNumber } from '../scene/ticks.ts';
+import { defaultLength } from '../session/defaults.ts';
+import type { AppModel } from './appModel.ts';
+import { sharedStyles } from './sharedStyles.ts';
+import { SignalElement } from './signalElement.ts';
+
+/** Separation as a multiple of the finest spacing of the dataset's grid. */
+const separations = [
+    { factor: 0.5, words: 'fine' },
+    { factor: 1, words: 'as the grid' },
+    { factor: 2, words: 'medium' },
+    { factor: 4, words: 'coarse' },
+];
+
+export class SurfacePanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            fieldset {
+                display: grid;
+                grid-template-columns: 1fr 1fr;
+                margin: 0 0 10px;
+                padding: 2px;
+                border: 1px solid var(--line);
+                border-radius: 8px;
+                background: var(--raised);
+            }
+            legend {
+                position: absolute;
+                width: 1px;
+                height: 1px;
+                overflow: hidden;
+                clip-path: inset(50%);
+            }
+            .kind {
+                display: flex;
+                align-items: center;
+                justify-content: center;
+                gap: 6px;
+                min-height: 28px;
+                border-radius: 6px;
+                cursor: pointer;
+            }
+            .kind input {
+                margin: 0;
+                accent-color: var(--accent);
+            }
+            .row {
+                display: flex;
+                justify-content: space-between;
+                align-items: center;
+                gap: 8px;
+                margin-top: 6px;
+            }
+            .value {
+                font-variant-numeric: tabular-nums;
+            }
+            .quiet {
+                margin: 4px 0 0;
+                color: var(--quiet);
+                font-size: 12px;
+            }
+            select {
+                max-width: 170px;
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { state, edits } = this.model;
+        const intent = edits.intent.value;
+        const dataset = state.dataset.value;
+        if (intent === null || dataset === null) return html``;
+        const usual = defaultLength(dataset.bounds, state.speedRange.value[1]);
+        const step = niceStep(usual / 40);
+        const longest = Math.max(2 * usual, intent.length);
+        const { to = 0, from = 0 } = state.surface.value ?? {};
+        const cut = intent.kind === 'path' && to - from < intent.length * 0.999;
+        return html`
+            <fieldset>
+                <legend>Kind of surface</legend>
+                ${this.kindChoice('stream', 'Stream', false)}
+                ${this.kindChoice('path', 'Path', dataset.times.length < 2 && !dataset.steady)}
+            </fieldset>
+            <label class="row" for="length">
+                <span>Integration time</span>
+                <span class="value">${shortNumber(intent.length)}</span>
+            </label>
+            <input
+                id="length"
+                type="range"
+                min=${step}
+                max=${longest}
+                step=${step}
+                .value=${String(intent.length)}
+                @input=${this.lengthChanged}
+            />
+            <p class="quiet" ?hidden=${!cut}>
+                Followed for ${shortNumber(to - from)}: there the data end.
+            </p>
+            <label class="row" for="separation">
+                <span>Separation</span>
+                <select id="separation" @change=${this.separationChanged}>
+                    ${this.separationChoices(dataset.finestSpacing, intent.separation)}
+                </select>
+            </label>
+        `;
+    }
+
+    private kindChoice(kind: SurfaceKind, label: string, disabled: boolean): TemplateResult {
+        const { edits } = this.model;
+        return html`<label class="kind">
+            <input
+                type="radio"
+                name="kind"
+                value=${kind}
+                ?disabled=${disabled}
+                .checked=${edits.intent.value?.kind === kind}
+                @change=${() => edits.changeSurface({ kind })}
+            />${label}
+        </label>`;
+    }
+
+    private separationChoices(spacing: number, current: number): TemplateResult[] {
+        const choices = separations.map(({ factor, words }) => ({
+            value: factor * spacing,
+            words: `${shortNumber(factor * spacing)}, ${words}`,
+        }));
+        const close = (value: number): boolean => Math.abs(value - current) <= 1e-6 * current;
+        if (!choices.some(({ value }) => close(value))) {
+            choices.push({ value: current, words: shortNumber(current) });
+        }
+        return choices.map(
+            ({ value, words }) =>
+                html`<option value=${value} .selected=${close(value)}>${words}</option>`,
+        );
+    }
+
+    private lengthChanged(event: Event): void {
+        const length = (event.target as HTMLInputElement).valueAsNumber;
+        if (length > 0) this.model.edits.changeSurface({ length });
+    }
+
+    private separationChanged(event: Event): void {
+        const separation = Number((event.target as HTMLSelectElement).value);
+        if (separation > 0) this.model.edits.changeSurface({ separation });
+    }
+}
+
+customElements.define('wakesurf-surface', SurfacePanel);

@@ -1,0 +1,44 @@
+// The body of a dataset: mesh frames one after the other, each after its length in bytes.
+import type { DracoPoints } from '../protocol/dracoPoints.ts';
+import type { Lattice } from '../protocol/lattice.ts';
+import { MeshDecoder } from '../protocol/meshDecoder.ts';
+import { triangulate } from '../protocol/triangulate.ts';
+import type { GeometryArrays } from './workerMessages.ts';
+
+/** Null when the dataset has no obstacle. */
+export async function fetchObstacle(
+    baseUrl: string,
+    dataset: string,
+    draco: DracoPoints,
+    lattice: Lattice,
+): Promise<GeometryArrays | null> {
+    const path = `api/v1/datasets/${encodeURIComponent(dataset)}/obstacle.bin`;
+    const response = await fetch(new URL(path, baseUrl));
+    if (response.status === 404) return null;
+    if (!response.ok) throw new Error(`The obstacle could not be loaded (${response.status}).`);
+    return decodeObstacle(new Uint8Array(await response.arrayBuffer()), draco, lattice);
+}
+
+export function decodeObstacle(
+    bytes: Uint8Array,
+    draco: DracoPoints,
+    lattice: Lattice,
+): GeometryArrays | null {
+    const decoder = new MeshDecoder(draco, lattice, []);
+    for (const frame of framesOf(bytes)) decoder.fold(frame);
+    const mesh = decoder.take();
+    if (mesh === undefined || !mesh.complete) return null;
+    return { positions: mesh.positions, indices: triangulate(mesh.cells, mesh.positions) };
+}
+
+export function framesOf(bytes: Uint8Array): Uint8Array[] {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    const frames: Uint8Array[] = [];
+    for (let at = 0; at + 4 <= bytes.length; ) {
+        const length = view.getUint32(at, true);
+        if (at + 4 + length > bytes.length) throw new Error('The obstacle arrived incomplete.');
+        frames.push(bytes.subarray(at + 4, at + 4 + length));
+        at += 4 + length;
+    }
+    return frames;
+}

@@ -1,0 +1,142 @@
+// The worker: owns the WebSocket, Draco and the folding of meshes, so that neither a large mesh nor
+// a slow frame on the page delays the other. Hands on complete states in transferred arrays.
+import { authorise, openWebSocket } from '../connection/authorise.ts';
+import { systemClock } from '../connection/clock.ts';
+import { type ConnectionState, LiveSocket } from '../connection/liveSocket.ts';
+import { RpcClient } from '../connection/rpcClient.ts';
+import type { DracoPoints } from '../protocol/dracoPoints.ts';
+import { parseIncoming, RpcError } from '../protocol/jsonRpc.ts';
+import {
+    type MethodName,
+    type ParamsOf,
+    readNotification,
+    type Subscription,
+} from '../protocol/messages.ts';
+import { loadDraco } from './draco.ts';
+import { fetchObstacle } from './obstacle.ts';
+import { SurfaceFolder } from './surfaceFolder.ts';
+import type { CallFailure, FromWorker, MessageOf, SurfaceState, ToWorker } from './workerMessages.ts';
+
+interface WorkerPort {
+    postMessage(message: MessageOf<FromWorker>, transfer?: Transferable[]): void;
+    onmessage: ((event: { data: MessageOf<ToWorker> }) => void) | null;
+}
+
+class SessionWorker {
+    private readonly port: WorkerPort;
+    private readonly baseUrl: string;
+    private readonly draco: DracoPoints;
+    private readonly rpc = new RpcClient((text) => this.socket.send(text));
+    private readonly folder: SurfaceFolder;
+    private readonly socket: LiveSocket;
+
+    constructor(port: WorkerPort, draco: DracoPoints, baseUrl: string, token: string | null) {
+        this.port = port;
+        this.draco = draco;
+        this.baseUrl = baseUrl;
+        this.folder = new SurfaceFolder({
+            draco,
+            onState: (state) => this.sendState(state),
+            onTrouble: (subscription, reason) =>
+                port.postMessage({ type: 'frameTrouble', subscription, reason }),
+        });
+        this.socket = new LiveSocket({
+            clock: systemClock,
+            connect: async () => {
+                // Each time: a restarted server knows the token but not its predecessor's cookies.
+                await authorise(baseUrl, token);
+                return openWebSocket(baseUrl);
+            },
+            onState: (state) => this.connectionChanged(state),
+            onMessage: (data) => this.receive(data),
+            ping: () => void this.rpc.call('server.ping', {}).catch(() => undefined),
+        });
+        this.socket.start();
+    }
+
+    handle(message: MessageOf<ToWorker>): void {
+        if (message.type === 'call') {
+            this.answer(message.id, this.call(message.method as MethodName, message.params));
+        } else if (message.type === 'obstacle') {
+            const { dataset, lattice } = message;
+            this.answer(message.id, fetchObstacle(this.baseUrl, dataset, this.draco, lattice));
+        } else if (message.type === 'retryNow') {
+            this.socket.retryNow();
+        }
+    }
+
+    private call(method: MethodName, params: object): Promise<unknown> {
+        return this.rpc.call(method, params as ParamsOf<MethodName>);
+    }
+
+    private answer(id: number, outcome: Promise<unknown>): void {
+        outcome.then(
+            (result) => this.port.postMessage({ type: 'reply', id, result }),
+            (error: unknown) =>
+                this.port.postMessage({ type: 'failure', id, failure: failureOf(error) }),
+        );
+    }
+
+    private connectionChanged(state: ConnectionState): void {
+        if (state.state === 'waiting') {
+            this.folder.clear();
+            this.rpc.disconnected();
+        }
+        this.port.postMessage({ type: 'connection', ...state });
+    }
+
+    private receive(data: unknown): void {
+        if (data instanceof ArrayBuffer) this.folder.receive(new Uint8Array(data));
+        else if (typeof data === 'string') this.receiveText(data);
+    }
+
+    private receiveText(text: string): void {
+        const incoming = parseIncoming(text);
+        if (incoming === null) return;
+        if (incoming.type === 'notification') {
+            const notification = readNotification(incoming.method, incoming.params);
+            if (notification !== null) this.port.postMessage({ type: 'notification', notification });
+            return;
+        }
+        // Before the reply is handed on: the first frames follow it at once.
+        if (incoming.type === 'result' && isSubscription(incoming.result)) {
+            this.folder.subscribed(incoming.result);
+        }
+        this.rpc.receive(incoming);
+    }
+
+    private sendState(state: SurfaceState): void {
+        const { positions, normals, scalars, indices } = state;
+        this.port.postMessage({ type: 'surface', ...state }, [
+            ...new Set([positions.buffer, normals.buffer, scalars.buffer, indices.buffer]),
+        ]);
+    }
+}
+
+function isSubscription(result: unknown): result is Subscription {
+    return typeof result === 'object' && result !== null && 'subscription' in result;
+}
+
+function failureOf(error: unknown): CallFailure {
+    if (error instanceof RpcError) {
+        return { kind: 'rpc', code: error.code, message: error.message, hint: error.hint };
+    }
+    const message = error instanceof Error ? error.message : String(error);
+    return { kind: 'disconnected', code: 0, message, hint: '' };
+}
+
+const port = self as unknown as WorkerPort;
+let worker: Promise<SessionWorker> | null = null;
+
+port.onmessage = ({ data }) => {
+    if (data.type === 'start') {
+        const { baseUrl, token } = data;
+        worker = loadDraco().then((draco) => new SessionWorker(port, draco, baseUrl, token));
+        worker.catch((error: unknown) => {
+            const reason = error instanceof Error ? error.message : String(error);
+            port.postMessage({ type: 'connection', state: 'refused', reason });
+        });
+        return;
+    }
+    void worker?.then((running) => running.handle(data));
+};
