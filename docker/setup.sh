@@ -1,0 +1,92 @@
+# What ./run and ./check share: packages, npm packages, build, web client. Sourced by bash; wants `root` and `log`.
+# Every step does nothing, fast, when there is nothing to do. Progress goes to standard error, one line a stage.
+# shellcheck shell=bash disable=SC2034,SC2154 # root and log come from the script that sources this
+
+release=$root/build/release
+web=$root/web-client
+
+say() { printf '%s\n' "$*" >&2; }
+
+# Only one set-up at a time works on the build folder.
+begin_setup() {
+    mkdir -p "$root/build"
+    : >"$log"
+    exec 9>"$root/build/.lock"
+    flock -n 9 || {
+        say "waiting for another ./run or ./check to finish its set-up ..."
+        flock 9
+    }
+}
+
+end_setup() { exec 9>&-; }
+
+# stage TITLE COMMAND...: the output goes to the log; of a failure the end is shown.
+stage() {
+    local title=$1 start=$SECONDS
+    shift
+    printf '%s ... ' "$title" >&2
+    printf '\n== %s: %s\n' "$title" "$*" >>"$log"
+    if "$@" </dev/null >>"$log" 2>&1; then
+        say "$((SECONDS - start)) s"
+    else
+        say "failed; the end of $log:"
+        tail -n 40 "$log" >&2
+        return 1
+    fi
+}
+
+setup_packages() {
+    [ "${WAKESURF_PACKAGES:-}" = present ] && return
+    # Asked for first, in sight: sudo may want a password.
+    "$root/docker/install_packages" "$@" >&2
+}
+
+setup_npm() {
+    # shellcheck source=/dev/null
+    . "$web/toolchain/activate.sh" >>"$log" # a node that is new enough, first in PATH
+    local stamp=$web/node_modules/.wakesurf-lock now
+    now=$(sha256sum <"$web/package-lock.json")
+    [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$now" ] && return
+    stage "npm packages" npm --prefix "$web" ci --no-audit --no-fund --prefer-offline || return 1
+    printf '%s\n' "$now" >"$stamp"
+}
+
+# The paths and contents of everything the web client is built from.
+web_fingerprint() {
+    (cd "$web" && find . \( -name node_modules -o -name dist -o -name coverage \) -prune -o -type f -print0 |
+        LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum)
+}
+
+setup_web() {
+    local stamp=$root/build/web-client.sha256 now
+    now=$(web_fingerprint)
+    [ -f "$web/dist/index.html" ] && [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$now" ] && return
+    stage "web client" npm --prefix "$web" run build || return 1
+    printf '%s\n' "$now" >"$stamp"
+}
+
+cached() { sed -n "s/^$2:[A-Z]*=//p" "$1/CMakeCache.txt" 2>/dev/null; }
+
+# configure PRESET TESTS: ON adds the tests; OFF leaves a tree that already has them alone, so that ./run after
+# ./check rebuilds nothing.
+configure() {
+    local tree=$root/build/$1 tests=$2
+    [ "$(cached "$tree" WAKESURF_TESTS)" = ON ] && tests=ON
+    local home
+    home=$(cached "$tree" CMAKE_HOME_DIRECTORY)
+    [ -n "$home" ] && [ "$home" != "$root" ] && rm -rf "$tree"
+    if [ -f "$tree/build.ninja" ] && [ "$(cached "$tree" WAKESURF_TESTS)" = "$tests" ] &&
+        [ ! "$root/CMakePresets.json" -nt "$tree/CMakeCache.txt" ]; then
+        return
+    fi
+    (cd "$root" && stage "configuring $1" cmake --preset "$1" -DWAKESURF_TESTS="$tests") || return 1
+    touch "$tree/CMakeCache.txt"
+}
+
+# build PRESET TESTS [TARGET...]
+build() {
+    local preset=$1 tests=$2
+    shift 2
+    configure "$preset" "$tests" || return 1
+    stage "building $preset" cmake --build "$root/build/$preset" --target "$@"
+}
