@@ -8,9 +8,9 @@
 
 namespace wakesurf::core {
 
-/// A quad for every pair of neighbouring nodes of which one is solid, seen counter-clockwise from the fluid. Vertices
-/// are shared between the quads, so the wall is closed except where the obstacle meets the domain's border. Only
-/// positions and cells are filled in. Cost: O(nodes).
+/// A quad for every pair of neighbouring nodes of which one is solid, seen counter-clockwise from the fluid; what lies
+/// beyond the domain counts as fluid, so an obstacle that meets the border is capped there. Vertices are shared
+/// between the quads: the wall is closed. Only positions and cells are filled in. Cost: O(nodes).
 /// REQUIRES: mask.fluid has grid.nodes() entries, or none.
 QuadComplex obstacle_surface(const UniformGrid& grid, const SolidMask& mask);
 

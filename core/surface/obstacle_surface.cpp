@@ -1,4 +1,4 @@
-#include "core/dataset/obstacle_surface.hpp"
+#include "core/surface/obstacle_surface.hpp"
 
 #include <algorithm>
 #include <unordered_map>
@@ -14,12 +14,12 @@ class Wall {
   public:
     explicit Wall(const UniformGrid& grid) : grid_(grid) {}
 
-    /// The face between node `below` and the next one along `axis`.
-    void add_face(const Index& below, int axis, bool fluid_above) {
+    /// The face of `node` towards the next node along `axis`, or towards the one before it.
+    void add_face(const Index& node, int axis, bool towards_next, bool fluid_above) {
         const int u = (axis + 1) % 3;
         const int v = (axis + 2) % 3;
-        Index corner = below;
-        ++corner[static_cast<std::size_t>(axis)];
+        Index corner = node;
+        corner[static_cast<std::size_t>(axis)] += towards_next ? 1 : 0;
         const auto at = [&](std::uint32_t du, std::uint32_t dv) {
             Index c = corner;
             c[static_cast<std::size_t>(u)] += du;
@@ -71,12 +71,13 @@ QuadComplex obstacle_surface(const UniformGrid& grid, const SolidMask& mask) {
             for (std::uint32_t i = 0; i < n[0]; ++i, ++node) {
                 const Index index{i, j, k};
                 for (std::size_t axis = 0; axis < 3; ++axis) {
-                    if (index[axis] + 1 == n[axis])
-                        continue;
                     const bool here = mask.fluid[node] != 0;
-                    const bool above = mask.fluid[node + stride[axis]] != 0;
+                    const bool above =
+                        index[axis] + 1 == n[axis] || mask.fluid[node + stride[axis]] != 0;
+                    if (index[axis] == 0 && !here)
+                        wall.add_face(index, static_cast<int>(axis), false, false);
                     if (here != above)
-                        wall.add_face(index, static_cast<int>(axis), above);
+                        wall.add_face(index, static_cast<int>(axis), true, above);
                 }
             }
     return std::move(wall.mesh);
