@@ -8,6 +8,8 @@ import type { LatencyLog } from '../state/latency.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
 import { fulfils, intentOf, settingOf, type SurfaceIntent } from './surfaceIntent.ts';
 
+const numbersEveryMs = 200;
+
 interface RakeEdit {
     rake: string;
     kind: string;
@@ -42,6 +44,7 @@ export class Edits {
     private readonly surfaceWindow: EditWindow<SurfaceEdit>;
     private lastSetting: SurfaceSetting | null = null;
     private lastRake: RakeEdit | null = null;
+    private numbersShownAt = 0;
 
     constructor(options: EditsOptions) {
         this.options = options;
@@ -60,7 +63,11 @@ export class Edits {
     }
 
     moveRake(move: RakeMove): void {
-        this.options.state.rakePoints.value = move.points;
+        // The numbers in the panel need not follow every frame: drawing text costs as much as the surface.
+        if (!move.dragging || move.movedAt - this.numbersShownAt > numbersEveryMs) {
+            this.numbersShownAt = move.movedAt;
+            this.options.state.rakePoints.value = move.points;
+        }
         this.submitRake(move.points, this.seeds.value, move.dragging, move.movedAt);
     }
 

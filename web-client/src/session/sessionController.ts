@@ -56,8 +56,9 @@ export class SessionController {
         const { state, feed } = this.options;
         if (event.type === 'surface') feed.receive(event);
         else if (event.type === 'notification') this.notified(event.notification);
-        else if (event.type === 'frameTrouble') void feed.resubscribe(event.subscription);
-        else {
+        else if (event.type === 'frameTrouble') {
+            void feed.troubled(event.subscription, event.reason);
+        } else {
             const { type: _, ...connection } = event;
             state.connection.value = connection;
             if (connection.state === 'waiting') {

@@ -7,6 +7,9 @@ import type { LatencyLog } from '../state/latency.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
 import type { SurfaceState } from '../worker/workerMessages.ts';
 
+const firstPauseMs = 500;
+const troublesAtMost = 4;
+
 export interface SurfaceFeedOptions {
     state: AppState;
     scene: FlowScene;
@@ -18,6 +21,8 @@ export class SurfaceFeed {
     private readonly options: SurfaceFeedOptions;
     private readonly surfaceOf = new Map<number, string>();
     private readonly waiting = new Map<string, SurfaceState>();
+    /** How often in a row the frames of a surface did not fit together. */
+    private readonly troubles = new Map<string, number>();
     /** The state on the screen with its arrays, for tests of what is displayed. */
     private readonly arrays = new Map<string, SurfaceState>();
 
@@ -31,12 +36,23 @@ export class SurfaceFeed {
         this.surfaceOf.set(subscription, surface);
     }
 
-    /** Starts afresh after frames that did not fit together. */
-    async resubscribe(subscription: number): Promise<void> {
+    /**
+     * Starts afresh after frames that did not fit together. Each time later than before: if page and server
+     * do not understand each other, asking again at once would keep both busy for ever.
+     */
+    async troubled(subscription: number, reason: string): Promise<void> {
+        const { worker, state } = this.options;
         const surface = this.surfaceOf.get(subscription);
         if (surface === undefined) return;
         this.surfaceOf.delete(subscription);
-        await this.options.worker.call('surface.unsubscribe', { subscription }).catch(() => null);
+        const troubles = (this.troubles.get(surface) ?? 0) + 1;
+        this.troubles.set(surface, troubles);
+        if (troubles > troublesAtMost) {
+            state.notice.value = `The surface cannot be shown: ${reason}. Reload the page.`;
+            return;
+        }
+        await new Promise((resolve) => setTimeout(resolve, firstPauseMs * 2 ** (troubles - 1)));
+        await worker.call('surface.unsubscribe', { subscription }).catch(() => null);
         await this.subscribe(surface).catch(() => undefined);
     }
 
@@ -44,6 +60,7 @@ export class SurfaceFeed {
     reset(): void {
         const { state, scene } = this.options;
         this.surfaceOf.clear();
+        this.troubles.clear();
         this.waiting.clear();
         for (const id of state.displayed.value.keys()) {
             if (!state.surfaces.value.has(id)) scene.removeSurface(id);
@@ -56,6 +73,7 @@ export class SurfaceFeed {
         if (surface === undefined) return;
         const newest = this.waiting.get(surface) ?? this.options.state.displayed.value.get(surface);
         if (newest !== undefined && arrived.epoch < newest.epoch) return;
+        this.troubles.delete(surface);
         this.waiting.set(surface, arrived);
         this.options.scene.loop.request();
     }
