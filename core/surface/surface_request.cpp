@@ -52,6 +52,9 @@ Result<void> check_request(const SurfaceParameters& p) {
     if (!std::isfinite(p.from) || !std::isfinite(p.to) || p.from == p.to)
         return fail(Error::Code::InvalidArgument, "'from' and 'to' must be finite and differ",
                     "give the integration time as to - from");
+    if (p.to < p.from && p.direction != Direction::Backward)
+        return fail(Error::Code::InvalidArgument, "'to' must be later than 'from'",
+                    "swap them, or choose the direction backward");
     if (!std::isfinite(p.separation) || p.separation < 0.0)
         return fail(Error::Code::InvalidArgument, "'separation' must be positive",
                     "leave it out for the dataset's finest spacing");

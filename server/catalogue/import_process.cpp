@@ -3,6 +3,7 @@
 #include "protocol/dataset_json.hpp"
 #include "protocol/json_text.hpp"
 #include "server/catalogue/child_process.hpp"
+#include "server/catalogue/shipped_files.hpp"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -18,8 +19,7 @@ constexpr std::string_view program_name = "wakesurf-import";
 std::filesystem::path program_of(const ImportCommand& command) {
     if (!command.program.empty())
         return command.program;
-    std::error_code ignored;
-    return std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / program_name;
+    return this_program().parent_path() / program_name;
 }
 
 std::vector<std::string> arguments_of(const ImportCommand& command) {

@@ -21,6 +21,8 @@ using core::fail;
 
 namespace {
 
+constexpr int wrong_usage = 2;
+
 struct Address {
     std::string host;
     std::uint16_t port = 0;
@@ -72,12 +74,13 @@ std::string shown_host(const std::string& host) {
     return host.find(':') == std::string::npos ? host : "[" + host + "]";
 }
 
-core::Result<void> serve(const ServeOptions& options) {
+/// Error: InvalidArgument, wrong usage; anything else, a token file that cannot be used.
+core::Result<ServerOptions> server_options(const ServeOptions& options) {
     const auto address = parse_address(options.listen);
     if (!address)
         return tl::unexpected(address.error());
     if (auto origins = check_origins(options.origins); !origins)
-        return origins;
+        return tl::unexpected(origins.error());
     const auto token = choose_token(options, *address);
     if (!token)
         return tl::unexpected(token.error());
@@ -92,11 +95,15 @@ core::Result<void> serve(const ServeOptions& options) {
     server.token = *token;
     server.origins = options.origins;
     server.web = options.web;
-    auto running = Server::open(server);
+    return server;
+}
+
+core::Result<void> serve(const ServerOptions& options) {
+    auto running = Server::open(options);
     if (!running)
         return tl::unexpected(running.error());
-    fmt::print("wakesurf: http://{}:{}/{}{}\n", shown_host(address->host), (*running)->port(),
-               token->empty() ? "" : "#token=", *token);
+    fmt::print("wakesurf: http://{}:{}/{}{}\n", shown_host(options.host), (*running)->port(),
+               options.token.empty() ? "" : "#token=", options.token);
     std::fflush(stdout);
     (*running)->run();
     return {};
@@ -132,7 +139,12 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
 int run_serve(const ServeOptions& options) {
     spdlog::set_default_logger(spdlog::stderr_color_mt("wakesurf"));
     spdlog::set_level(spdlog::level::from_str(options.log_level));
-    const auto served = serve(options);
+    const auto server = server_options(options);
+    if (!server) {
+        const int status = report_failure(server.error());
+        return server.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
+    }
+    const auto served = serve(*server);
     return served ? 0 : report_failure(served.error());
 }
 

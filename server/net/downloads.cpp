@@ -1,6 +1,6 @@
 #include "server/net/downloads.hpp"
 
-#include "core/dataset/obstacle_surface.hpp"
+#include "core/surface/obstacle_surface.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "protocol/bytes.hpp"
 #include "protocol/mesh_encoder.hpp"

@@ -68,7 +68,7 @@ class HttpConnection final : public Connection,
     using Response = http::response<http::span_body<const char>>;
 
     void handle(Request request);
-    void upgrade(const Request& request);
+    void upgrade(const HttpRequest& request);
     void respond(const HttpResponse& response, bool keep_alive, bool head);
 
     beast::tcp_stream stream_;
@@ -117,7 +117,7 @@ void HttpConnection::handle(Request request) {
     if (values.upgrade) {
         if (const auto refusal = services_.routes.refuse_upgrade(values))
             return respond(*refusal, false, false);
-        return upgrade(request);
+        return upgrade(values);
     }
     const bool keep_alive = request.keep_alive();
     const bool head = request.method() == http::verb::head;
@@ -127,14 +127,12 @@ void HttpConnection::handle(Request request) {
         });
 }
 
-void HttpConnection::upgrade(const Request& request) {
+void HttpConnection::upgrade(const HttpRequest& request) {
     if (services_.clients >= limits::clients)
         return respond(
             http_error(503, "the server has as many clients as it may have", "try again later"),
             false, false);
-    http::request<http::empty_body> header;
-    header.base() = request.base();
-    serve_websocket(stream_.release_socket(), header, services_);
+    serve_websocket(stream_.release_socket(), request, services_);
 }
 
 void HttpConnection::respond(const HttpResponse& response, bool keep_alive, bool head) {

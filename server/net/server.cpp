@@ -24,13 +24,6 @@ namespace {
 
 constexpr std::chrono::milliseconds goodbye{700};
 
-StaticFiles load_client(const std::filesystem::path& folder) {
-    auto files = StaticFiles::load(folder.empty() ? find_web_client() : folder);
-    if (files.empty())
-        spdlog::warn("the web client is not built; scripts can connect all the same");
-    return files;
-}
-
 nlohmann::json dataset_entries(const DatasetCatalogue& catalogue) {
     auto list = nlohmann::json::array();
     for (const DatasetStatus& each : catalogue.list())
@@ -43,7 +36,8 @@ nlohmann::json dataset_entries(const DatasetCatalogue& catalogue) {
 /// In order of need: what goes first is declared last. Connections end with the context's handlers, jobs with the pool.
 struct Server::Parts {
     explicit Parts(const ServerOptions& options)
-        : pool(options.threads), files(load_client(options.web)) {}
+        : pool(options.threads),
+          files(StaticFiles::load(options.web.empty() ? find_web_client() : options.web)) {}
 
     void serve(const ServerOptions& options) {
         port = listener->port();
@@ -127,6 +121,8 @@ std::uint16_t Server::port() const {
 
 void Server::run() {
     Parts& all = *parts_;
+    if (all.files.empty())
+        spdlog::warn("the web client is not built; scripts can connect all the same");
     asio::signal_set signals(all.context, SIGINT, SIGTERM);
     signals.async_wait([&](boost::system::error_code error, int) {
         if (error)

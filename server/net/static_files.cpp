@@ -1,6 +1,7 @@
 #include "server/net/static_files.hpp"
 
 #include "protocol/crc32c.hpp"
+#include "server/catalogue/shipped_files.hpp"
 
 #include <fmt/format.h>
 
@@ -95,7 +96,7 @@ HttpResponse StaticFiles::respond(const HttpRequest& request) const {
 
 fs::path find_web_client() {
     std::error_code error;
-    const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
+    const fs::path here = this_program().parent_path();
     for (const char* place : {"../../../web-client/dist", "../share/wakesurf/web"})
         if (const fs::path folder = (here / place).lexically_normal();
             fs::exists(folder / "index.html", error))

@@ -48,7 +48,7 @@ core::Result<std::string> token_from(const std::filesystem::path& file, Entropy&
     const auto printable = [](char c) { return c > ' ' && c < 0x7f; };
     if (token.size() < 32 || token.size() > 512 ||
         !std::all_of(token.begin(), token.end(), printable))
-        return fail(Error::Code::InvalidArgument,
+        return fail(Error::Code::Corrupt,
                     "the token in the token file must be 32 to 512 characters without blanks",
                     "delete the file to get a fresh one");
     return token;

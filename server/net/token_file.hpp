@@ -13,7 +13,7 @@ namespace wakesurf::server {
 std::string fresh_token(Entropy& entropy);
 
 /// The first line of `file`; a file that is not there is made, readable by its owner only, with a fresh token.
-/// Error: Io; InvalidArgument for a token shorter than 32 or longer than 512 characters or with blanks.
+/// Error: Io; Corrupt for a token shorter than 32 or longer than 512 characters or with blanks.
 core::Result<std::string> token_from(const std::filesystem::path& file, Entropy& entropy);
 
 } // namespace wakesurf::server

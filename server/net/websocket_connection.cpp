@@ -8,6 +8,8 @@
 #include <boost/beast/core/buffers_to_string.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/message.hpp>
 #include <boost/beast/websocket.hpp>
 #include <spdlog/spdlog.h>
 
@@ -40,7 +42,7 @@ class WebSocketConnection final : public Connection,
         --services_.clients;
     }
 
-    void accept(const http::request<http::empty_body>& upgrade);
+    void accept(const HttpRequest& request);
 
     void go_away() override { close(websocket::close_code::going_away, "the server is stopping"); }
 
@@ -73,7 +75,10 @@ class WebSocketConnection final : public Connection,
     std::optional<Client> client_;
 };
 
-void WebSocketConnection::accept(const http::request<http::empty_body>& upgrade) {
+void WebSocketConnection::accept(const HttpRequest& request) {
+    http::request<http::empty_body> upgrade(http::verb::get, request.path, 11);
+    for (const auto& [name, value] : request.headers)
+        upgrade.insert(name, value);
     websocket::stream_base::timeout timeouts{};
     timeouts.handshake_timeout = limits::handshake;
     timeouts.idle_timeout = limits::idle;
@@ -199,9 +204,7 @@ void WebSocketConnection::end() {
 
 } // namespace
 
-void serve_websocket(tcp::socket socket,
-                     const http::request<http::empty_body>& upgrade,
-                     NetServices services) {
+void serve_websocket(tcp::socket socket, const HttpRequest& upgrade, NetServices services) {
     std::make_shared<WebSocketConnection>(std::move(socket), services)->accept(upgrade);
 }
 

@@ -3,16 +3,15 @@
 #pragma once
 
 #include "server/net/http_connection.hpp"
+#include "server/net/http_message.hpp"
 
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/beast/http/empty_body.hpp>
-#include <boost/beast/http/message.hpp>
 
 namespace wakesurf::server {
 
 /// Answers the upgrade request, already let in, and serves the socket until it closes.
 void serve_websocket(boost::asio::ip::tcp::socket socket,
-                     const boost::beast::http::request<boost::beast::http::empty_body>& upgrade,
+                     const HttpRequest& upgrade,
                      NetServices services);
 
 } // namespace wakesurf::server

@@ -1,6 +1,7 @@
 #include "server/rpc/dispatcher.hpp"
 
 #include "server/rpc/openrpc.hpp"
+#include "server/session/log_text.hpp"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
@@ -113,7 +114,7 @@ void Dispatcher::run(const RpcCall& call, Client* client, bool batched, Answer a
         method->handler({context_, parameters, client, batched}, std::move(reply));
     } catch (const std::exception&
                  error) { // the reply, moved into the handler, answers as it is destroyed
-        spdlog::error("{} failed: {}", method->name, error.what());
+        spdlog::error("{} failed: {}", method->name, without_paths(error.what()));
     }
 }
 

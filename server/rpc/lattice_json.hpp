@@ -3,14 +3,10 @@
 
 #include "protocol/lattice.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace wakesurf::server {
 
-inline nlohmann::json lattice_json(const protocol::Lattice& lattice) {
-    return {{"origin", {lattice.origin.x, lattice.origin.y, lattice.origin.z}},
-            {"step", lattice.step},
-            {"bits", lattice.bits}};
-}
+nlohmann::json lattice_json(const protocol::Lattice& lattice);
 
 } // namespace wakesurf::server

@@ -179,7 +179,9 @@ void LiveSurface::give_up(std::uint64_t waiter) {
         return;
     const Waiter answer = std::move(found->answer);
     waiting_.erase(found);
-    answer(outcome());
+    SurfaceOutcome so_far = outcome();
+    so_far.complete = false; // the epoch asked for is not there
+    answer(std::move(so_far));
 }
 
 } // namespace wakesurf::server

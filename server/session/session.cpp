@@ -35,6 +35,11 @@ Session::Session(std::string id,
     : id_(std::move(id)), name_(std::move(name)), services_(services), next_number_(next_number),
       participants_(services.entropy) {}
 
+Session::~Session() {
+    for (const auto& [id, entry] : surfaces_)
+        entry.live->retire();
+}
+
 std::vector<protocol::RakeRecord> Session::rakes() const {
     std::vector<protocol::RakeRecord> out;
     for (const auto& [id, record] : rakes_)

@@ -35,6 +35,10 @@ struct RakeChange {
 class Session {
   public:
     Session(std::string id, std::string name, SessionServices services, std::uint32_t& next_number);
+    /// Retires its surfaces.
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
 
     const std::string& id() const { return id_; }
 

@@ -2,6 +2,8 @@
 
 #include "server/limits.hpp"
 
+#include <algorithm>
+
 namespace wakesurf::server {
 
 SessionDirectory::SessionDirectory(SessionServices services) : services_(services) {
@@ -15,7 +17,7 @@ std::shared_ptr<Session> SessionDirectory::add(std::string id, std::string name)
 }
 
 core::Result<std::shared_ptr<Session>> SessionDirectory::create(std::string name) {
-    if (sessions_.size() >= limits::sessions)
+    if (sessions_.size() >= limits::sessions && !make_room())
         return core::fail(core::Error::Code::OverLimit,
                           "the server has as many sessions as it may have, " +
                               std::to_string(limits::sessions),
@@ -23,6 +25,7 @@ core::Result<std::shared_ptr<Session>> SessionDirectory::create(std::string name
     std::string id = "session-" + std::to_string(next_session_++);
     if (name.empty())
         name = id;
+    created_.push_back(id);
     return add(std::move(id), std::move(name));
 }
 
@@ -33,6 +36,19 @@ core::Result<std::shared_ptr<Session>> SessionDirectory::find(const std::string&
                           "there is no session `" + id.substr(0, 64) + "`",
                           "create one with session.create, or use `main`");
     return found->second;
+}
+
+/// Every visit of the page without a session's address makes one; most are left for good.
+bool SessionDirectory::make_room() {
+    const auto empty =
+        std::find_if(created_.begin(), created_.end(), [this](const std::string& id) {
+            return sessions_.at(id)->participants().present().empty();
+        });
+    if (empty == created_.end())
+        return false;
+    sessions_.erase(*empty);
+    created_.erase(empty);
+    return true;
 }
 
 } // namespace wakesurf::server

@@ -4,6 +4,7 @@
 
 #include "server/session/session.hpp"
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <string>
@@ -16,7 +17,7 @@ class SessionDirectory {
   public:
     explicit SessionDirectory(SessionServices services);
 
-    /// Error: OverLimit.
+    /// Where there are too many, the oldest that nobody is in makes room. Error: OverLimit when all are in use.
     core::Result<std::shared_ptr<Session>> create(std::string name);
 
     /// Error: NotFound.
@@ -26,11 +27,13 @@ class SessionDirectory {
 
   private:
     std::shared_ptr<Session> add(std::string id, std::string name);
+    bool make_room();
 
     SessionServices services_;
     std::uint32_t next_surface_number_ = 1;
     std::size_t next_session_ = 1;
     std::map<std::string, std::shared_ptr<Session>> sessions_;
+    std::deque<std::string> created_; ///< ids, oldest first; without `main`
 };
 
 } // namespace wakesurf::server

@@ -2,6 +2,7 @@
 
 #include "core/surface/surface_builder.hpp"
 #include "protocol/mesh_encoder.hpp"
+#include "server/session/log_text.hpp"
 
 #include <spdlog/spdlog.h>
 
@@ -70,7 +71,7 @@ guarded_pass(const SurfaceJob& job, const Pass& pass, const std::stop_token& sto
                           "there is not enough memory for this surface",
                           "use a larger separation, fewer seeds or a lower maxQuads");
     } catch (const std::exception& error) {
-        spdlog::error("building surface {} failed: {}", job.number, error.what());
+        spdlog::error("building surface {} failed: {}", job.number, without_paths(error.what()));
         return core::fail(core::Error::Code::Io, "building the surface failed inside the server",
                           "the server's log has the details");
     }

@@ -283,6 +283,9 @@ TEST(SurfaceBuilder, ImpossibleRequestsAreRefused) {
     EXPECT_EQ(build_surface(**flow, line({0, 0, 0}, {1, 0, 0}), p).error().code,
               Error::Code::Unsupported);
     p.kind = SurfaceKind::Stream;
+    p.to = p.from - 1.0;
+    EXPECT_EQ(build_surface(**flow, line({0, 0, 0}, {1, 0, 0}), p).error().code,
+              Error::Code::InvalidArgument);
     p.to = p.from;
     EXPECT_EQ(build_surface(**flow, line({0, 0, 0}, {1, 0, 0}), p).error().code,
               Error::Code::InvalidArgument);

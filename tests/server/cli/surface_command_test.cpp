@@ -164,10 +164,14 @@ TEST_F(SurfaceCommand, StopsWithinASecondAndLeavesNothingHalfWritten) {
     EXPECT_NE(std::string(line.data()).find("building"), std::string::npos) << line.data();
     const auto asked = std::chrono::steady_clock::now();
     ::kill(process, SIGINT);
+    std::string last_words;
+    while (std::fgets(line.data(), line.size(), pipe))
+        last_words += line.data();
     const int status = ::pclose(pipe);
     EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(1));
     EXPECT_TRUE(WIFEXITED(status));
     EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_NE(last_words.find("cancelled"), std::string::npos) << last_words;
     EXPECT_EQ(files(), 0u);
 }
 

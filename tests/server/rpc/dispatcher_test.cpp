@@ -1,6 +1,7 @@
 // The examples of the JSON-RPC 2.0 specification, section 7, all 15 of them, against the methods they assume.
 #include "server/rpc/dispatcher.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/session/log_text.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -188,6 +189,14 @@ TEST_F(DispatcherTest, RefusesWhatTheTableDoesNotName) {
            R"({"jsonrpc":"2.0","error":-32600,"id":1})");
     expect(R"({"jsonrpc":"2.0","method":"rpc.secret","id":1})",
            R"({"jsonrpc":"2.0","error":-32601,"id":1})");
+}
+
+TEST(LogText, KeepsPathsOut) {
+    EXPECT_EQ(without_paths("cannot open /home/ada/data.raw: no such file"),
+              "cannot open (path) no such file");
+    EXPECT_EQ(without_paths("[/a/b]"), "(path)");
+    EXPECT_EQ(without_paths("plain words"), "plain words");
+    EXPECT_EQ(without_paths(""), "");
 }
 
 TEST(MethodTable, NamesEveryMethodOfTheContractOnceAndDocumentsIt) {

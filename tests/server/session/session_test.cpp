@@ -1,0 +1,234 @@
+// A session without sockets: a loop turned by hand, timers fired by hand, a flow with a closed form.
+#include "core/field/analytic_flow.hpp"
+#include "server/limits.hpp"
+#include "server/session/session_directory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+
+namespace wakesurf::server {
+
+namespace {
+
+class HandLoop final : public Loop {
+  public:
+    void post(std::function<void()> task) override {
+        const std::lock_guard lock(mutex_);
+        tasks_.push_back(std::move(task));
+        posted_.notify_one();
+    }
+
+    std::shared_ptr<void> after(std::chrono::milliseconds, std::function<void()> task) override {
+        auto ticket = std::make_shared<std::function<void()>>(std::move(task));
+        timers_.push_back(ticket);
+        return ticket;
+    }
+
+    /// Runs tasks, waiting for them to be posted, until `done`.
+    void turn_until(const std::function<bool()>& done) {
+        while (!done()) {
+            std::unique_lock lock(mutex_);
+            posted_.wait(lock, [this] { return !tasks_.empty(); });
+            const auto task = std::move(tasks_.front());
+            tasks_.pop_front();
+            lock.unlock();
+            task();
+        }
+    }
+
+    void fire_timers() {
+        for (const auto& each : std::exchange(timers_, {}))
+            if (const auto task = each.lock())
+                (*task)();
+    }
+
+  private:
+    std::mutex mutex_;
+    std::condition_variable posted_;
+    std::deque<std::function<void()>> tasks_;
+    std::vector<std::weak_ptr<std::function<void()>>> timers_;
+};
+
+class OneFlow final : public Datasets {
+  public:
+    std::vector<std::string> ids() const override { return {"abc"}; }
+
+    core::Result<OpenDataset> open(const std::string& id) const override {
+        if (id != "abc")
+            return core::fail(core::Error::Code::NotFound, "no dataset " + id);
+        auto info = core::describe_analytic_flow("abc");
+        return OpenDataset{*info, protocol::lattice_over(info->bounds), flow_};
+    }
+
+  private:
+    std::shared_ptr<const core::Flow> flow_ = *core::make_analytic_flow("abc");
+};
+
+struct Recorder final : Observer, FrameSink {
+    void patched(const std::string&, std::uint64_t seq, std::span<const Patch> patches) override {
+        seqs.push_back(seq);
+        changed.insert(changed.end(), patches.begin(), patches.end());
+    }
+
+    void progress(const std::string&, std::uint32_t, bool) override {}
+
+    void done(const SurfaceOutcome& outcome) override { outcomes.push_back(outcome); }
+
+    void frames(std::uint32_t, const std::shared_ptr<const SurfaceState>& state) override {
+        states.push_back(state);
+    }
+
+    void superseded(std::uint32_t, std::uint32_t epoch) override { over = epoch; }
+
+    std::vector<std::uint64_t> seqs;
+    std::vector<Patch> changed;
+    std::vector<SurfaceOutcome> outcomes;
+    std::vector<std::shared_ptr<const SurfaceState>> states;
+    std::uint32_t over = 0;
+};
+
+protocol::RakeSetting rake_at(double x, std::optional<std::string> id = {}) {
+    protocol::RakeSetting setting;
+    setting.rake = std::move(id);
+    setting.shape.points = {{x, 0, 0}, {x, 2, 0}};
+    setting.shape.seeds = 9;
+    return setting;
+}
+
+protocol::SurfaceSetting surface_on(const std::string& rake) {
+    protocol::SurfaceSetting setting;
+    setting.rake = rake;
+    setting.dataset = "abc";
+    setting.parameters.to = 2.0;
+    return setting;
+}
+
+class SessionTest : public testing::Test {
+  protected:
+    HandLoop loop;
+    ComputePool pool{2};
+    OneFlow datasets;
+    SystemEntropy entropy;
+    SessionDirectory sessions{{loop, pool, datasets, entropy}};
+    std::shared_ptr<Session> session = *sessions.find("main");
+    Recorder me;
+
+    std::shared_ptr<LiveSurface> build(const std::string& rake) {
+        const auto record = session->set_surface(surface_on(rake));
+        EXPECT_TRUE(record.has_value()) << record.error().message;
+        return *session->live(record->surface);
+    }
+};
+
+} // namespace
+
+TEST_F(SessionTest, TellsEveryChangeInOrderWithTheNewRecords) {
+    ASSERT_TRUE(session->participants().join("me", "", me));
+    const auto rake = session->set_rake(rake_at(0.0));
+    ASSERT_TRUE(rake);
+    EXPECT_EQ(rake->record.rev, 1u);
+    const auto live = build(rake->record.rake);
+    const auto moved = session->set_rake(rake_at(1.0, rake->record.rake));
+    EXPECT_EQ(moved->record.rev, 2u);
+    ASSERT_EQ(moved->surfaces.size(), 1u);
+    EXPECT_EQ(moved->surfaces[0].second, 2u) << "the edit begins an epoch";
+    ASSERT_TRUE(session->delete_rake(rake->record.rake));
+    EXPECT_EQ(me.seqs, (std::vector<std::uint64_t>{1, 2, 3, 4}));
+    ASSERT_EQ(me.changed.size(), 6u);
+    EXPECT_EQ(std::get<protocol::SurfaceRecord>(me.changed[3]).epoch, 2u);
+    EXPECT_EQ(std::get<DeletedRecord>(me.changed[4]).type, "surface");
+    EXPECT_EQ(std::get<DeletedRecord>(me.changed[5]).id, rake->record.rake);
+    EXPECT_TRUE(session->surfaces().empty());
+}
+
+TEST_F(SessionTest, BuildsTheSurfaceOfTheNewestEditAndDropsTheOthers) {
+    ASSERT_TRUE(session->participants().join("me", "", me));
+    const std::string rake = session->set_rake(rake_at(0.0))->record.rake;
+    const auto live = build(rake);
+    live->subscribe(me);
+    for (int i = 1; i <= 20; ++i)
+        ASSERT_TRUE(session->set_rake(rake_at(0.1 * i, rake)));
+    EXPECT_EQ(me.over, 21u);
+    loop.turn_until([&] { return !me.outcomes.empty(); });
+    ASSERT_EQ(me.outcomes.size(), 1u);
+    EXPECT_EQ(me.outcomes[0].epoch, 21u);
+    EXPECT_TRUE(me.outcomes[0].complete);
+    for (const auto& state : me.states)
+        EXPECT_EQ(state->epoch, 21u);
+    EXPECT_EQ(live->state(), me.states.back());
+    EXPECT_EQ(me.outcomes[0].crc, me.states.back()->crc);
+    live->unsubscribe(me);
+}
+
+TEST_F(SessionTest, WaitsForTheSurfaceOrForTheTimeToRunOut) {
+    const std::string rake = session->set_rake(rake_at(0.0))->record.rake;
+    const auto live = build(rake);
+    std::vector<core::Result<SurfaceOutcome>> answers;
+    const auto keep = [&](core::Result<SurfaceOutcome> outcome) {
+        answers.push_back(std::move(outcome));
+    };
+    live->wait(1, std::chrono::seconds(1), keep);
+    loop.turn_until([&] { return !answers.empty(); });
+    EXPECT_TRUE(answers[0]->complete);
+    live->wait(1, std::chrono::seconds(1), keep);
+    ASSERT_EQ(answers.size(), 2u) << "what is complete is answered at once";
+    live->wait(7, std::chrono::seconds(1), keep);
+    EXPECT_EQ(answers.size(), 2u);
+    loop.fire_timers();
+    ASSERT_EQ(answers.size(), 3u);
+    EXPECT_FALSE(answers[2]->complete) << "epoch 7 is not there";
+    live->wait(8, std::chrono::seconds(1), keep);
+    ASSERT_TRUE(session->delete_rake(rake));
+    ASSERT_EQ(answers.size(), 4u);
+    EXPECT_EQ(answers[3].error().code, core::Error::Code::NotFound);
+}
+
+TEST_F(SessionTest, RefusesWhatItHasNotAndWhatIsTooMuch) {
+    using Code = core::Error::Code;
+    EXPECT_EQ(session->set_rake(rake_at(0.0, "r9")).error().code, Code::NotFound);
+    EXPECT_EQ(session->set_surface(surface_on("r9")).error().code, Code::NotFound);
+    EXPECT_EQ(session->set_rake(rake_at(100.0)).error().code, Code::OutOfDomain);
+    const std::string rake = session->set_rake(rake_at(0.0))->record.rake;
+    auto streak = surface_on(rake);
+    streak.parameters.kind = core::SurfaceKind::Streak;
+    EXPECT_EQ(session->set_surface(streak).error().code, Code::Unsupported);
+    auto elsewhere = surface_on(rake);
+    elsewhere.dataset = "none";
+    EXPECT_EQ(session->set_surface(elsewhere).error().code, Code::NotFound);
+    EXPECT_TRUE(session->surfaces().empty());
+    for (std::size_t i = 1; i < limits::rakes; ++i)
+        ASSERT_TRUE(session->set_rake(rake_at(0.0)));
+    EXPECT_EQ(session->set_rake(rake_at(0.0)).error().code, Code::OverLimit);
+}
+
+TEST_F(SessionTest, GivesAParticipantItsPlaceAgainForItsToken) {
+    Recorder other;
+    const auto first = session->participants().join("Ada", "", me);
+    session->participants().leave(me);
+    EXPECT_TRUE(session->participants().present().empty());
+    const auto again = session->participants().join("", first->resume_token, other);
+    EXPECT_EQ(again->id, first->id);
+    EXPECT_EQ(again->name, "Ada");
+    const auto taken_over = session->participants().join("", first->resume_token, me);
+    EXPECT_EQ(taken_over->id, first->id);
+    EXPECT_EQ(session->participants().present().size(), 1u)
+        << "the old connection's place is the new one's";
+    EXPECT_NE(session->participants().join("", "no token of ours", other)->id, first->id);
+}
+
+TEST_F(SessionTest, MakesRoomAmongSessionsNobodyIsIn) {
+    const std::string used = (*sessions.create("used"))->id();
+    ASSERT_TRUE((*sessions.find(used))->participants().join("me", "", me));
+    const std::string oldest = (*sessions.create(""))->id();
+    for (std::size_t i = 0; i < limits::sessions; ++i)
+        ASSERT_TRUE(sessions.create(""));
+    EXPECT_EQ(sessions.all().size(), limits::sessions);
+    EXPECT_TRUE(sessions.find(used));
+    EXPECT_TRUE(sessions.find("main"));
+    EXPECT_FALSE(sessions.find(oldest));
+}
+
+} // namespace wakesurf::server
