@@ -41,6 +41,7 @@ RakeSetting read_rake_setting(CheckedJson& in, const RakeLimits& limits) {
     setting.shape.seeds =
         static_cast<std::uint32_t>(in.count("seeds", limits.seeds_least, limits.seeds_most));
     setting.name = in.text_or("name", {}, limits.name_bytes);
+    setting.dragging = in.flag_or("dragging", false);
     setting.if_rev = in.count_if("ifRev", 0, std::uint64_t{1} << 53);
     return setting;
 }
@@ -59,7 +60,8 @@ nlohmann::json rake_json(const RakeRecord& record) {
             {"points", points_json(record.shape.points)},
             {"seeds", record.shape.seeds},
             {"name", record.name},
-            {"clipped", record.clipped}};
+            {"clipped", record.clipped},
+            {"dragging", record.dragging}};
 }
 
 } // namespace wakesurf::protocol

@@ -28,6 +28,7 @@ struct RakeSetting {
     std::optional<std::string> rake; ///< nothing: create one
     core::Rake shape;
     std::string name;
+    bool dragging = false;               ///< more edits of this drag follow
     std::optional<std::uint64_t> if_rev; ///< only if the record is still at this revision
 };
 
@@ -40,6 +41,7 @@ struct RakeRecord {
     core::Rake shape; ///< as clipped
     std::string name;
     bool clipped = false;
+    bool dragging = false; ///< somebody holds it just now
 };
 
 nlohmann::json rake_json(const RakeRecord& record);

@@ -19,8 +19,9 @@ struct FieldInfo {
     std::string name;
     int components = 1;
     Source source = Source::Point;
-    std::array<double, 2> range{0.0, 0.0}; ///< over what has been read so far; of the magnitude for vectors
-    std::string unit;                      ///< empty where the format has none
+    std::array<double, 2> range{
+        0.0, 0.0};    ///< over what has been read so far; of the magnitude for vectors
+    std::string unit; ///< empty where the format has none
 };
 
 struct DatasetInfo {

@@ -16,7 +16,8 @@ struct TimeStep {
     Slab slab;
 
     std::span<const float> velocity() const {
-        return {reinterpret_cast<const float*>(slab.bytes().data()), slab.bytes().size() / sizeof(float)};
+        return {reinterpret_cast<const float*>(slab.bytes().data()),
+                slab.bytes().size() / sizeof(float)};
     }
 };
 

@@ -32,7 +32,8 @@ class TimeStepSource {
     virtual std::size_t bytes_per_step() const = 0;
 
     /// Error: NotFound (not written yet), Corrupt, Io, Cancelled.
-    virtual Result<std::shared_ptr<const TimeStep>> load(std::size_t index, std::stop_token stop) const = 0;
+    virtual Result<std::shared_ptr<const TimeStep>> load(std::size_t index,
+                                                         std::stop_token stop) const = 0;
 };
 
 } // namespace wakesurf::core

@@ -14,12 +14,11 @@ struct UniformGrid {
     Vec3 spacing{1.0};
     std::array<std::uint32_t, 3> dimensions{2, 2, 2}; ///< nodes per axis, each at least 2
 
-    std::size_t nodes() const {
-        return std::size_t{dimensions[0]} * dimensions[1] * dimensions[2];
-    }
+    std::size_t nodes() const { return std::size_t{dimensions[0]} * dimensions[1] * dimensions[2]; }
 
     Box bounds() const {
-        return {origin, origin + spacing * Vec3(dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1)};
+        return {origin,
+                origin + spacing * Vec3(dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1)};
     }
 };
 

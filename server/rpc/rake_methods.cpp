@@ -85,6 +85,9 @@ std::vector<Method> rake_methods() {
                        limits::seeds_most),
            true, "how many seeds lie on it"},
           {"name", text, false, "for people"},
+          {"dragging", R"({"type":"boolean"})", false,
+           "more edits of this drag follow; told to everybody in the record. Leases are not "
+           "offered yet"},
           {"ifRev", R"({"type":"integer"})", false, "refuse if the rake is at another revision"}},
          "{rake, rev, clipped, points, surfaces: [{surface, epoch}]}: points as clipped to the "
          "domain",

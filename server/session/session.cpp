@@ -124,6 +124,7 @@ core::Result<RakeChange> Session::set_rake(const protocol::RakeSetting& setting)
     ++record.rev;
     record.shape = std::move(clipped->rake);
     record.clipped = clipped->clipped;
+    record.dragging = setting.dragging;
     if (!setting.name.empty() || record.name.empty())
         record.name = setting.name.empty() ? id : setting.name;
 

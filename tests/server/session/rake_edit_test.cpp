@@ -180,6 +180,19 @@ TEST(RakeEdit, ARakeOutsideIsRefusedByHowMuchAndPartlyOutsideIsClipped) {
     EXPECT_DOUBLE_EQ(result["points"][1][0], 10.0);
 }
 
+TEST(RakeEdit, EverybodySeesThatARakeIsBeingDragged) {
+    const ServerProcess server;
+    WebSocketClient client(server);
+    json edit = rake_at(0.0);
+    edit["dragging"] = true;
+    edit["rake"] = client.result("rake.set", rake_at(0.0))["rake"];
+    client.result("rake.set", edit);
+    EXPECT_EQ(client.result("rake.list")["rakes"][0]["dragging"], true);
+    edit["dragging"] = false;
+    client.result("rake.set", edit);
+    EXPECT_EQ(client.result("rake.list")["rakes"][0]["dragging"], false);
+}
+
 TEST(RakeEdit, DeletingARakeTakesItsSurfacesAlong) {
     const ServerProcess server;
     WebSocketClient client(server);

@@ -70,6 +70,8 @@ export interface RakeRecord {
     seeds: number;
     name: string;
     clipped: boolean;
+    /** Somebody holds it just now. */
+    dragging: boolean;
 }
 
 export type SurfaceKind = 'stream' | 'path';
