@@ -24,7 +24,7 @@ import { createSurfaceMaterial } from './surfaceMaterial.ts';
 import { type MeshArrays, SurfaceMesh } from './surfaceMesh.ts';
 
 const background = 0x0b1018;
-const movingPixelRatio = 0.6;
+const movingPixelRatio = 0.5;
 
 export interface FlowSceneOptions {
     canvas: HTMLCanvasElement;
@@ -35,7 +35,7 @@ export interface FlowSceneOptions {
 }
 
 export class FlowScene {
-    readonly loop = new FrameLoop(() => this.draw());
+    readonly loop = new FrameLoop((finished) => this.drawFrame(finished));
     readonly controls = new CameraControls(this.loop.request, (held) => this.hold(held));
     readonly rake = new RakeWidget();
     readonly interaction: RakeInteraction;
@@ -152,10 +152,14 @@ export class FlowScene {
         );
         this.renderer.render(this.scene, camera);
         this.framesDrawn += 1;
-        if (this.afterNextFrame.length === 0) return;
+    }
+
+    private drawFrame(finished: () => void): void {
+        this.draw();
         const listeners = this.afterNextFrame.splice(0);
         whenDrawn(this.renderer.getContext() as WebGL2RenderingContext, (time) => {
-            for (const listener of listeners) listener(time);
+            finished();
+            if (time !== null) for (const listener of listeners) listener(time);
         });
     }
 
