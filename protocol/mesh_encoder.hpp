@@ -35,7 +35,7 @@ struct EncodedState {
 ///
 /// Error: what guard_mesh refuses; OverLimit for more than max_mesh_vertices vertices or max_mesh_cells cells.
 /// Thread safety: concurrent calls are fine; frames are encoded in parallel in the caller's oneTBB arena, and the
-/// bytes do not depend on the number of threads. Cost: about 0.2 microseconds a vertex.
+/// bytes do not depend on the number of threads. Cost: about 0.4 microseconds a vertex (20,000 vertices: 8 to 9 ms).
 core::Result<EncodedState>
 encode_state(const core::QuadComplex& mesh, const Lattice& lattice, const EncodeOptions& options);
 

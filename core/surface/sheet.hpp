@@ -29,7 +29,7 @@ class Sheet {
 
     /// Builds the strips between `seeds` (parameters, increasing; a closed rake's last one is below 1).
     /// Error: OverLimit when the quads would exceed max_quads, Cancelled, and what tracing reports.
-    /// Cost: tracing, plus about 0.2 microseconds a quad and round.
+    /// Cost: tracing, plus O(quads of the strips that changed) a round.
     Result<void> build(const std::set<double>& seeds, const Clock& clock, std::stop_token stop);
 
     /// Seed parameters at which the sheet now leaves the rake: `seeds` and those it added.
