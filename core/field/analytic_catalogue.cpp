@@ -4,6 +4,7 @@
 #include "core/field/closed_forms.hpp"
 
 #include <numbers>
+#include <type_traits>
 
 namespace wakesurf::core {
 
@@ -11,7 +12,8 @@ namespace {
 
 template <class Form>
 std::unique_ptr<Flow> bounded(Form form, const Box& box) {
-    return std::make_unique<AnalyticFlow<Form>>(form, box);
+    constexpr bool obstacle = !std::is_base_of_v<NoObstacle, Form>;
+    return std::make_unique<AnalyticFlow<Form>>(form, box, obstacle);
 }
 
 using Values = std::span<const FlowParameter>;

@@ -1,6 +1,7 @@
 // A closed form on its domain as a flow: sampled exactly, never through a grid.
 #pragma once
 
+#include "core/field/advance_particles.hpp"
 #include "core/field/flow.hpp"
 #include "core/field/trace_curves.hpp"
 
@@ -16,6 +17,17 @@ struct BoundedForm {
 
     Vec3 velocity(const Vec3& p, double t) const { return form.velocity(p, t); }
 
+    /// (grad v) w by central differences: 1e-5 of the domain balances truncation and rounding at about 1e-10.
+    Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
+        const double length = glm::length(w);
+        if (length == 0.0)
+            return Vec3(0.0);
+        const Vec3 side = box.extent();
+        const double h = 1e-5 * std::min({side.x, side.y, side.z});
+        const Vec3 offset = w * (h / length);
+        return (form.velocity(p + offset, t) - form.velocity(p - offset, t)) * (length / (2.0 * h));
+    }
+
     PointStatus status(const Vec3& p) const {
         if (!box.contains(p))
             return PointStatus::OutsideDomain;
@@ -26,7 +38,7 @@ struct BoundedForm {
 template <class Form>
 class AnalyticFlow final : public Flow {
   public:
-    AnalyticFlow(Form form, Box box) : field_{form, box} {}
+    AnalyticFlow(Form form, Box box, bool obstacle) : field_{form, box}, obstacle_(obstacle) {}
 
     Box domain() const override { return field_.box; }
 
@@ -51,6 +63,23 @@ class AnalyticFlow final : public Flow {
         return TraceCost{};
     }
 
+    Result<TraceCost> advance(const Particles& particles,
+                              double to,
+                              const AdvanceOptions& options,
+                              std::stop_token stop) const override {
+        const int sign = std::any_of(particles.time.begin(), particles.time.end(),
+                                     [&](double time) { return time > to; })
+                             ? -1
+                             : +1;
+        if (!advance_particles(field_, particles, to, sign, options, stop))
+            return fail(Error::Code::Cancelled, "the integration was cancelled");
+        return TraceCost{};
+    }
+
+    bool resident() const override { return true; }
+
+    bool obstacle() const override { return obstacle_; }
+
     Result<void> sample(std::span<const Vec3> positions,
                         std::span<const double> times,
                         std::span<Vec3> velocities,
@@ -62,6 +91,7 @@ class AnalyticFlow final : public Flow {
 
   private:
     BoundedForm<Form> field_;
+    bool obstacle_;
 };
 
 } // namespace wakesurf::core

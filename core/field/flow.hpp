@@ -3,9 +3,10 @@
 #pragma once
 
 #include "core/base/box.hpp"
+#include "core/base/point_status.hpp"
 #include "core/base/result.hpp"
-#include "core/field/point_status.hpp"
 #include "core/integrate/curve.hpp"
+#include "core/integrate/particles.hpp"
 
 #include <array>
 #include <optional>
@@ -39,6 +40,22 @@ class Flow {
     /// Error: Cancelled, or what loading a time-step reports.
     virtual Result<TraceCost>
     trace(std::span<Curve> curves, const TraceOptions& options, std::stop_token stop) const = 0;
+
+    /// Carries every running particle from the time it has reached to `to`, tangents too where there are any. All of
+    /// them move the same way in time. Runs in parallel; the result does not depend on the number of threads. A
+    /// particle that ends stays at the place and time where it did.
+    /// Error: Cancelled (particles are then at various times), or what loading a time-step reports.
+    virtual Result<TraceCost> advance(const Particles& particles,
+                                      double to,
+                                      const AdvanceOptions& options,
+                                      std::stop_token stop) const = 0;
+
+    /// True when every time-step can be in memory at once, so that particles can be traced again from an earlier
+    /// time at no cost but computing. Does not change while the flow lives.
+    virtual bool resident() const = 0;
+
+    /// True when parts of the domain are solid.
+    virtual bool obstacle() const = 0;
 
     /// Velocity at n points, each at its own time; the field's continuation outside the domain, zero inside
     /// obstacles of stored data.

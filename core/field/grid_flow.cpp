@@ -1,5 +1,6 @@
 #include "core/field/grid_flow.hpp"
 
+#include "core/field/advance_particles.hpp"
 #include "core/field/grid_sampler.hpp"
 #include "core/field/trace_curves.hpp"
 
@@ -71,6 +72,54 @@ class GridFlow final : public Flow {
         return advance(*interval, curves, options, upstream(curves) ? -infinite : infinite, stop)
             .map([&] { return cost; });
     }
+
+    Result<TraceCost> advance(const Particles& particles,
+                              double to,
+                              const AdvanceOptions& options,
+                              std::stop_token stop) const override {
+        const std::vector<double>& times = source_.times();
+        TraceCost cost;
+        double from = to;
+        int direction = 0;
+        for (std::size_t i = 0; i < particles.count(); ++i) {
+            if (particles.end[i] != CurveEnd::Running || particles.time[i] == to)
+                continue;
+            direction = particles.time[i] < to ? +1 : -1;
+            from = direction > 0 ? std::min(from, particles.time[i])
+                                 : std::max(from, particles.time[i]);
+        }
+        if (direction == 0)
+            return cost;
+        auto k = static_cast<std::ptrdiff_t>(interval_at(from));
+        if (direction < 0 && k > 0 && times[static_cast<std::size_t>(k)] == from)
+            --k;
+        for (double reached = from; reached != to; k += direction) {
+            const auto index = static_cast<std::size_t>(k);
+            const auto start = clock_->now();
+            const auto interval = acquire(index, true, stop);
+            cost.load += seconds_since(start);
+            if (!interval)
+                return tl::unexpected(interval.error());
+            cache_->prefetch(direction > 0 ? index + 1 : index, direction);
+            // Time-steps end the interval, but not before `to` and not after the last of them.
+            const double border =
+                times[std::min(direction > 0 ? index + 1 : index, times.size() - 1)];
+            const bool last =
+                direction > 0 ? border >= to || k + 2 >= static_cast<std::ptrdiff_t>(times.size())
+                              : border <= to || k == 0;
+            reached = last ? to : border;
+            if (!advance_particles(sampler(*interval), particles, reached, direction, options,
+                                   stop))
+                return fail(Error::Code::Cancelled, "the integration was cancelled");
+        }
+        return cost;
+    }
+
+    bool resident() const override {
+        return cache_->status().budget >= source_.bytes_per_step() * source_.times().size();
+    }
+
+    bool obstacle() const override { return !source_.mask().empty(); }
 
     Result<void> sample(std::span<const Vec3> positions,
                         std::span<const double> times,

@@ -2,9 +2,9 @@
 // frozen field. Mirrors what vtkProbeFilter gives on image data.
 #pragma once
 
+#include "core/base/point_status.hpp"
 #include "core/dataset/solid_mask.hpp"
 #include "core/dataset/uniform_grid.hpp"
-#include "core/field/point_status.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -89,6 +89,16 @@ struct GridSampler {
         return v0 + a * (blend(velocity1, at) - v0);
     }
 
+    /// (grad v) w: the exact derivative of the trilinear field within its cell.
+    Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
+        const CellPoint at = locate(*grid, p);
+        const Vec3 step = w / grid->spacing;
+        const Vec3 d0 = slope(velocity0, at, step);
+        if (!velocity1)
+            return d0;
+        return d0 + (t - time0) / interval * (slope(velocity1, at, step) - d0);
+    }
+
     PointStatus status(const Vec3& p) const {
         if (!grid->bounds().contains(p))
             return PointStatus::OutsideDomain;
@@ -109,6 +119,19 @@ struct GridSampler {
     }
 
   private:
+    Vec3 slope(const float* velocity, const CellPoint& at, const Vec3& step) const {
+        Vec3 sum(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            CellPoint low = at;
+            CellPoint high = at;
+            low.fraction[axis] = 0.0;
+            high.fraction[axis] = 1.0;
+            sum += step[axis] *
+                   (blend(velocity, corners(*grid, high)) - blend(velocity, corners(*grid, low)));
+        }
+        return sum;
+    }
+
     static Vec3 blend(const float* velocity, const Corners& at) {
         Vec3 sum(0.0);
         for (int i = 0; i < 8; ++i) {

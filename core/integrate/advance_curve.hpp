@@ -3,7 +3,7 @@
 // the domain, and `status(position)`.
 #pragma once
 
-#include "core/field/point_status.hpp"
+#include "core/base/point_status.hpp"
 #include "core/integrate/curve.hpp"
 #include "core/integrate/runge_kutta.hpp"
 

@@ -32,38 +32,66 @@ inline void hermite_output(CurveStep& step,
     step.c[4] = glm::dvec4(0.0);
 }
 
+/// The stages of a Dormand-Prince 5(4) step that the solutions and their error are made of; y + dt * rate is its end.
+template <class State>
+struct Dopri5Stages {
+    State k1, k3, k4, k5, k6, k7, rate;
+};
+
+/// @param f  slope of a State at (State, time); states add and scale
+template <class State, class Slope>
+Dopri5Stages<State>
+dopri5_stages(const Slope& f, const State& y, double time, double dt, const State& k1) {
+    const auto k = [&](double c, const State& increment) {
+        return f(y + dt * increment, time + c * dt);
+    };
+    const State k2 = k(0.2, 0.2 * k1);
+    const State k3 = k(0.3, 3.0 / 40 * k1 + 9.0 / 40 * k2);
+    const State k4 = k(0.8, 44.0 / 45 * k1 - 56.0 / 15 * k2 + 32.0 / 9 * k3);
+    const State k5 = k(8.0 / 9, 19372.0 / 6561 * k1 - 25360.0 / 2187 * k2 + 64448.0 / 6561 * k3 -
+                                    212.0 / 729 * k4);
+    const State k6 = k(1.0, 9017.0 / 3168 * k1 - 355.0 / 33 * k2 + 46732.0 / 5247 * k3 +
+                                49.0 / 176 * k4 - 5103.0 / 18656 * k5);
+    const State rate = 35.0 / 384 * k1 + 500.0 / 1113 * k3 + 125.0 / 192 * k4 - 2187.0 / 6784 * k5 +
+                       11.0 / 84 * k6;
+    return {k1, k3, k4, k5, k6, k(1.0, rate), rate};
+}
+
+/// The difference of the fifth and fourth order solutions, over dt.
+template <class State>
+State dopri5_error(const Dopri5Stages<State>& k) {
+    return 71.0 / 57600 * k.k1 - 71.0 / 16695 * k.k3 + 71.0 / 1920 * k.k4 -
+           17253.0 / 339200 * k.k5 + 22.0 / 525 * k.k6 - 1.0 / 40 * k.k7;
+}
+
 /// @param time absolute time at which y holds; @param v0 velocity there
 template <class Velocity>
 RungeKuttaStep
 dopri5_step(const Velocity& f, const glm::dvec4& y, double time, double dt, const Vec3& v0) {
     const double sign = dt < 0.0 ? -1.0 : 1.0;
     const glm::dvec4 k1(v0, sign * glm::length(v0));
-    const auto k = [&](double c, const glm::dvec4& increment) {
-        return slope(f, y + dt * increment, time + c * dt, sign);
-    };
-    const glm::dvec4 k2 = k(0.2, 0.2 * k1);
-    const glm::dvec4 k3 = k(0.3, 3.0 / 40 * k1 + 9.0 / 40 * k2);
-    const glm::dvec4 k4 = k(0.8, 44.0 / 45 * k1 - 56.0 / 15 * k2 + 32.0 / 9 * k3);
-    const glm::dvec4 k5 = k(8.0 / 9, 19372.0 / 6561 * k1 - 25360.0 / 2187 * k2 +
-                                         64448.0 / 6561 * k3 - 212.0 / 729 * k4);
-    const glm::dvec4 k6 = k(1.0, 9017.0 / 3168 * k1 - 355.0 / 33 * k2 + 46732.0 / 5247 * k3 +
-                                     49.0 / 176 * k4 - 5103.0 / 18656 * k5);
-    const glm::dvec4 rate = 35.0 / 384 * k1 + 500.0 / 1113 * k3 + 125.0 / 192 * k4 -
-                            2187.0 / 6784 * k5 + 11.0 / 84 * k6;
-    const glm::dvec4 k7 = k(1.0, rate);
+    const auto k = dopri5_stages(
+        [&](const glm::dvec4& at, double t) { return slope(f, at, t, sign); }, y, time, dt, k1);
 
     RungeKuttaStep result;
     result.dense.dt = dt;
-    hermite_output(result.dense, y, dt * rate, k1, k7);
+    hermite_output(result.dense, y, dt * k.rate, k1, k.k7);
     result.dense.c[4] =
-        dt * (-12715105075.0 / 11282082432.0 * k1 + 87487479700.0 / 32700410799.0 * k3 -
-              10690763975.0 / 1880347072.0 * k4 + 701980252875.0 / 199316789632.0 * k5 -
-              1453857185.0 / 822651844.0 * k6 + 69997945.0 / 29380423.0 * k7);
-    result.velocity = Vec3(k7);
-    result.error =
-        std::abs(dt) * glm::length(Vec3(71.0 / 57600 * k1 - 71.0 / 16695 * k3 + 71.0 / 1920 * k4 -
-                                        17253.0 / 339200 * k5 + 22.0 / 525 * k6 - 1.0 / 40 * k7));
+        dt * (-12715105075.0 / 11282082432.0 * k1 + 87487479700.0 / 32700410799.0 * k.k3 -
+              10690763975.0 / 1880347072.0 * k.k4 + 701980252875.0 / 199316789632.0 * k.k5 -
+              1453857185.0 / 822651844.0 * k.k6 + 69997945.0 / 29380423.0 * k.k7);
+    result.velocity = Vec3(k.k7);
+    result.error = std::abs(dt) * glm::length(Vec3(dopri5_error(k)));
     return result;
+}
+
+/// What a classic RK4 step changes y by.
+template <class State, class Slope>
+State rk4_change(const Slope& f, const State& y, double time, double dt, const State& k1) {
+    const State k2 = f(y + 0.5 * dt * k1, time + 0.5 * dt);
+    const State k3 = f(y + 0.5 * dt * k2, time + 0.5 * dt);
+    const State k4 = f(y + dt * k3, time + dt);
+    return dt / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
 }
 
 template <class Velocity>
@@ -71,10 +99,8 @@ RungeKuttaStep
 rk4_step(const Velocity& f, const glm::dvec4& y, double time, double dt, const Vec3& v0) {
     const double sign = dt < 0.0 ? -1.0 : 1.0;
     const glm::dvec4 k1(v0, sign * glm::length(v0));
-    const glm::dvec4 k2 = slope(f, y + 0.5 * dt * k1, time + 0.5 * dt, sign);
-    const glm::dvec4 k3 = slope(f, y + 0.5 * dt * k2, time + 0.5 * dt, sign);
-    const glm::dvec4 k4 = slope(f, y + dt * k3, time + dt, sign);
-    const glm::dvec4 change = dt / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+    const glm::dvec4 change = rk4_change(
+        [&](const glm::dvec4& at, double t) { return slope(f, at, t, sign); }, y, time, dt, k1);
 
     RungeKuttaStep result;
     result.dense.dt = dt;

@@ -1,6 +1,6 @@
 #include "core/surface/surface_builder.hpp"
 
-#include "core/surface/sheet_mesh.hpp"
+#include "core/surface/columns/sheet_mesh.hpp"
 #include "core/surface/surface_request.hpp"
 #include "core/surface/vertex_attributes.hpp"
 

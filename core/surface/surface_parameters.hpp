@@ -1,7 +1,10 @@
 // What a surface is asked to be: the parameters of `wakesurf surface` and `surface.set`.
 #pragma once
 
+#include "core/surface/rake.hpp"
+
 #include <cstdint>
+#include <optional>
 
 namespace wakesurf::core {
 
@@ -11,14 +14,22 @@ enum class Accuracy { Fast, Balanced, Exact };
 
 struct SurfaceParameters {
     SurfaceKind kind = SurfaceKind::Stream;
-    double from = 0.0; ///< stream: time at which the field is frozen; path: release time
-    double to = 1.0;   ///< shown until; `to - from` is the integration time
+    double from =
+        0.0; ///< stream: time at which the field is frozen; else: time of the (first) release
+    double to = 1.0; ///< shown until; `to - from` is the integration time
     Direction direction = Direction::Forward;
     double separation =
         0.0; ///< longest edge allowed, in the dataset's length unit; 0: DatasetInfo::finest_spacing
     Accuracy accuracy = Accuracy::Balanced;
+    double merge =
+        0.35; ///< cells merge where both of their sides are shorter than this part of the separation; 0: never
+    double angle = 20.0; ///< degrees: neighbouring cells that meet at more are refined; 180: never
     std::uint64_t max_quads = 1'000'000;
     bool deformation = false; ///< compute the deformation array (four more samples a step)
+    std::optional<double>
+        release_until;         ///< streak: the release stops here (a streak sheet); default: `to`
+    std::optional<Rake> rake2; ///< time: the patch lies between the rake and this one
+    std::optional<Vec3> sweep; ///< time: the patch is the rake swept along this vector
 
     bool operator==(const SurfaceParameters&) const = default;
 };

@@ -1,7 +1,7 @@
 // From what was asked to what is built: checks a request and works out the sheets it takes, one a direction.
 #pragma once
 
-#include "core/surface/sheet.hpp"
+#include "core/surface/columns/sheet.hpp"
 #include "core/surface/surface_parameters.hpp"
 
 #include <stop_token>

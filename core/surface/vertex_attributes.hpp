@@ -3,7 +3,7 @@
 
 #include "core/field/flow.hpp"
 #include "core/surface/rake.hpp"
-#include "core/surface/sheet_mesh.hpp"
+#include "core/surface/columns/sheet_mesh.hpp"
 #include "core/surface/surface_parameters.hpp"
 
 #include <stop_token>

@@ -38,10 +38,10 @@ FORBIDDEN = [
     (r"server/session/", r"server/net/|boost/beast|boost/asio/ip/|nlohmann/json\.hpp",
      "a session knows neither sockets nor JSON text"),
     (r"server/(catalogue|import)/", r"server/(net|rpc|session)/", "datasets know no clients"),
-    # Inside the engine. field and integrate are neighbours: a flow traces curves, a curve ends as a point status.
+    # Inside the engine.
     (r"core/base/", r"core/(dataset|integrate|field|surface)/", "base stands below the rest of core"),
     (r"core/dataset/", r"core/(integrate|field|surface)/", "dataset knows no flow"),
-    (r"core/integrate/", r"core/surface/", "integrate knows no surface"),
+    (r"core/integrate/", r"core/(dataset|field|surface)/", "integrate knows only what a field must offer"),
     (r"core/field/", r"core/surface/", "a flow knows no surface"),
 ]
 

@@ -1,6 +1,6 @@
 #include "core/field/analytic_flow.hpp"
-#include "core/surface/sheet.hpp"
-#include "core/surface/sheet_mesh.hpp"
+#include "core/surface/columns/sheet.hpp"
+#include "core/surface/columns/sheet_mesh.hpp"
 #include "tests/support/mesh_measures.hpp"
 
 #include <gtest/gtest.h>

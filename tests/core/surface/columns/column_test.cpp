@@ -1,4 +1,4 @@
-#include "core/surface/column.hpp"
+#include "core/surface/columns/column.hpp"
 #include "tests/support/straight_curve.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/surface/zip.hpp"
+#include "core/surface/columns/zip.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
-#include "core/surface/sheet.hpp"
+#include "core/surface/columns/sheet.hpp"
 
 #include <map>
 #include <vector>

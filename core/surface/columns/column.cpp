@@ -1,4 +1,4 @@
-#include "core/surface/column.hpp"
+#include "core/surface/columns/column.hpp"
 
 #include <algorithm>
 #include <cmath>

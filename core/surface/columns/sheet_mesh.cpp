@@ -1,4 +1,4 @@
-#include "core/surface/sheet_mesh.hpp"
+#include "core/surface/columns/sheet_mesh.hpp"
 
 #include <utility>
 

@@ -4,7 +4,7 @@
 // to the strip, so strips are built in parallel and the result does not depend on the order.
 #pragma once
 
-#include "core/surface/zip.hpp"
+#include "core/surface/columns/zip.hpp"
 
 #include <cstdint>
 #include <deque>

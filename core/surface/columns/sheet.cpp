@@ -1,4 +1,4 @@
-#include "core/surface/sheet.hpp"
+#include "core/surface/columns/sheet.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>

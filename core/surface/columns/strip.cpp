@@ -1,4 +1,4 @@
-#include "core/surface/strip.hpp"
+#include "core/surface/columns/strip.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #include "core/field/analytic_flow.hpp"
-#include "core/surface/zip.hpp"
+#include "core/surface/columns/zip.hpp"
 #include "tests/support/straight_curve.hpp"
 
 #include <gtest/gtest.h>

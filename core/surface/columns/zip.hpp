@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/field/flow.hpp"
-#include "core/surface/column.hpp"
+#include "core/surface/columns/column.hpp"
 
 #include <cstddef>
 #include <optional>

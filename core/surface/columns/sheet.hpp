@@ -5,7 +5,7 @@
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
 #include "core/surface/rake.hpp"
-#include "core/surface/strip.hpp"
+#include "core/surface/columns/strip.hpp"
 
 #include <deque>
 #include <map>

@@ -1,0 +1,140 @@
+// Carries one particle of a moving surface to a given time, or until it leaves the domain, meets an obstacle or stands
+// still. Keeps nothing of the way there, unlike advance_curve. Works on any field with `velocity`, `derivative` and
+// `status`.
+#pragma once
+
+#include "core/base/point_status.hpp"
+#include "core/integrate/carried.hpp"
+#include "core/integrate/particles.hpp"
+#include "core/integrate/runge_kutta.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+
+namespace wakesurf::core {
+
+/// `derivative(p, t, w)` is (grad v) w.
+template <class F>
+concept CarryingField = requires(const F& field, const Vec3& p, double t) {
+    { field.velocity(p, t) } -> std::convertible_to<Vec3>;
+    { field.derivative(p, t, p) } -> std::convertible_to<Vec3>;
+    { field.status(p) } -> std::same_as<PointStatus>;
+};
+
+/// One particle between steps.
+struct ParticleState {
+    Carried carried;
+    double time = 0.0;
+    CurveEnd end = CurveEnd::Running;
+};
+
+/// Where on the way from `before` to `after` the particle leaves, on the cubic through both; 1: it does not.
+template <CarryingField Field>
+double leaves_at(const Field& field,
+                 const Carried& before,
+                 const Carried& change,
+                 const Carried& slope0,
+                 const Carried& slope1,
+                 CurveEnd& end) {
+    PointStatus status = field.status(before.position + change.position);
+    if (status == PointStatus::Inside)
+        return 1.0;
+    CurveStep cubic;
+    cubic.dt = 1.0;
+    hermite_output(cubic, glm::dvec4(before.position, 0.0), glm::dvec4(change.position, 0.0),
+                   glm::dvec4(slope0.position, 0.0), glm::dvec4(slope1.position, 0.0));
+    double inside = 0.0;
+    double outside = 1.0;
+    for (int halving = 0; halving < 40; ++halving) {
+        const double middle = 0.5 * (inside + outside);
+        const PointStatus there = field.status(Vec3(cubic.at(middle)));
+        (there == PointStatus::Inside ? inside : outside) = middle;
+        status = there == PointStatus::Inside ? status : there;
+    }
+    end = status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
+    return inside;
+}
+
+/// Accepts a step: moves the particle by `change`, or as far as it stays inside.
+template <CarryingField Field>
+void take_step(const Field& field,
+               ParticleState& at,
+               const Carried& change,
+               const Carried& slope0,
+               const Carried& slope1,
+               double dt) {
+    const double part = leaves_at(field, at.carried, change, dt * slope0, dt * slope1, at.end);
+    at.carried = at.carried + part * change;
+    at.time += part * dt;
+}
+
+/// @param to        simulation time
+/// @param tangents  false: only the position is carried
+template <CarryingField Field>
+void advance_particle(const Field& field,
+                      ParticleState& at,
+                      double to,
+                      const AdvanceOptions& options,
+                      bool tangents) {
+    const auto slope = [&](const Carried& y, double t) {
+        const Vec3 v = field.velocity(y.position, t);
+        if (!tangents)
+            return Carried{v, Vec3(0.0), Vec3(0.0)};
+        return Carried{v, field.derivative(y.position, t, y.along_s),
+                       field.derivative(y.position, t, y.along_t)};
+    };
+    const double whole = to - at.time;
+    if (whole == 0.0 || at.end != CurveEnd::Running)
+        return;
+    if (options.method == AdvanceOptions::Method::Rk4) {
+        const auto steps = std::max(1.0, std::ceil(std::abs(whole) / options.step - 1e-9));
+        const double dt = whole / steps;
+        const double start = at.time;
+        for (double i = 0; i < steps && at.end == CurveEnd::Running; ++i) {
+            const Carried k1 = slope(at.carried, at.time);
+            if (!(glm::length(k1.position) > options.stagnation_speed)) {
+                at.end = CurveEnd::Stagnation;
+                return;
+            }
+            const Carried change = rk4_change(slope, at.carried, at.time, dt, k1);
+            // The slope at the end only serves to find a crossing.
+            const Carried end_slope{
+                field.velocity(at.carried.position + change.position, at.time + dt), Vec3(0.0),
+                Vec3(0.0)};
+            take_step(field, at, change, k1, end_slope, dt);
+            if (at.end == CurveEnd::Running)
+                at.time = start + (i + 1.0) * dt;
+        }
+        if (at.end == CurveEnd::Running)
+            at.time = to;
+        return;
+    }
+    const double sign = whole < 0.0 ? -1.0 : 1.0;
+    double next = 0.0;
+    Carried k1 = slope(at.carried, at.time);
+    while (at.end == CurveEnd::Running && at.time != to) {
+        const double speed = glm::length(k1.position);
+        if (!(speed > options.stagnation_speed)) {
+            at.end = CurveEnd::Stagnation;
+            return;
+        }
+        const double left = std::abs(to - at.time);
+        const double cap = options.longest_step / speed;
+        const double dt = std::min(next > 0.0 ? std::min(next, cap) : 0.25 * cap, left);
+        const auto k = dopri5_stages(slope, at.carried, at.time, sign * dt, k1);
+        const double error = dt * glm::length(dopri5_error(k).position);
+        const double allowed =
+            options.tolerance * std::max(dt * speed, 0.05 * options.longest_step);
+        const double scale = error > 0.0 ? 0.9 * std::pow(allowed / error, 0.2) : 5.0;
+        next = dt * std::clamp(scale, 0.2, 5.0);
+        if (!(error <= allowed) && dt * speed > 1e-9 * options.longest_step)
+            continue;
+        take_step(field, at, sign * dt * k.rate, k1, k.k7, sign * dt);
+        if (at.end == CurveEnd::Running && dt == left)
+            at.time = to;
+        k1 = k.k7;
+    }
+}
+
+} // namespace wakesurf::core

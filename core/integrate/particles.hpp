@@ -1,0 +1,36 @@
+// Particles that are carried together: the vertices of streak and time surfaces, which all move in every step.
+// Filled by Flow::advance.
+#pragma once
+
+#include "core/base/vec3.hpp"
+#include "core/integrate/curve.hpp"
+
+#include <cstddef>
+#include <span>
+
+namespace wakesurf::core {
+
+/// Structure of arrays, one entry a particle; the two tangents may be left empty together.
+struct Particles {
+    std::span<Vec3> position;
+    std::span<Vec3> along_s; ///< transported tangent dx/ds
+    std::span<Vec3> along_t; ///< transported tangent dx/dt, t the surface's other parameter
+    std::span<double> time;  ///< simulation time a particle has reached
+    std::span<CurveEnd> end; ///< Running, or why it stays where it is
+
+    std::size_t count() const { return position.size(); }
+
+    bool tangents() const { return !along_s.empty(); }
+};
+
+struct AdvanceOptions {
+    enum class Method { Rk4, Dopri5 };
+    Method method = Method::Rk4;
+    double step = 0.0;             ///< Rk4: longest time step; > 0
+    double tolerance = 1e-6;       ///< Dopri5: error allowed per unit length
+    double longest_step = 0.0;     ///< Dopri5: arc length a step may cover; > 0
+    double stagnation_speed = 0.0; ///< a slower particle ends with Stagnation
+    bool smooth = false; ///< stored data: tricubic in space and cubic in time instead of linear
+};
+
+} // namespace wakesurf::core
