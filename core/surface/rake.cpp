@@ -133,9 +133,17 @@ Result<ClippedRake> clip_rake(const Rake& rake, const Box& domain) {
     return ClippedRake{{kind, std::move(best), rake.seeds}, true};
 }
 
-SeedingCurve::SeedingCurve(const Rake& rake) : points_(outline(rake)), arc_{0.0} {
+SeedingCurve::SeedingCurve(const Rake& rake)
+    : points_(outline(rake)), arc_{0.0}, round_(rake.closed()) {
     for (std::size_t i = 1; i < points_.size(); ++i)
         arc_.push_back(arc_.back() + glm::length(points_[i] - points_[i - 1]));
+}
+
+std::vector<double> SeedingCurve::corners() const {
+    std::vector<double> found;
+    for (std::size_t i = 1; !round_ && i + 1 < points_.size(); ++i)
+        found.push_back(arc_[i] / length());
+    return found;
 }
 
 std::size_t SeedingCurve::piece(double s) const {

@@ -43,10 +43,14 @@ class SeedingCurve {
 
     double length() const { return arc_.back(); }
 
+    /// Seed parameters, between 0 and 1, where the curve turns sharply; a circle has none.
+    std::vector<double> corners() const;
+
   private:
     std::size_t piece(double s) const;
     std::vector<Vec3> points_;
     std::vector<double> arc_;
+    bool round_; ///< a circle: its pieces stand for a smooth curve
 };
 
 } // namespace wakesurf::core

@@ -1,6 +1,7 @@
 #include "core/surface/surface_builder.hpp"
 
 #include "core/surface/columns/sheet_mesh.hpp"
+#include "core/surface/moving/moving_builder.hpp"
 #include "core/surface/surface_request.hpp"
 #include "core/surface/vertex_attributes.hpp"
 
@@ -145,6 +146,8 @@ Result<Surface> build_surface(const Flow& flow,
     const auto start = clock.now();
     if (auto sound = check_request(parameters); !sound)
         return tl::unexpected(sound.error());
+    if (parameters.kind == SurfaceKind::Streak || parameters.kind == SurfaceKind::Time)
+        return build_moving_surface(flow, rake, parameters, stop, clock);
     auto built = build_within_budget(flow, rake, parameters, clock, stop);
     if (!built)
         return tl::unexpected(built.error());

@@ -6,23 +6,18 @@
 #include "core/field/flow.hpp"
 #include "core/surface/quad_complex.hpp"
 #include "core/surface/rake.hpp"
+#include "core/surface/surface.hpp"
 #include "core/surface/surface_parameters.hpp"
-#include "core/surface/surface_statistics.hpp"
 
 #include <stop_token>
 
 namespace wakesurf::core {
 
-struct Surface {
-    QuadComplex mesh;
-    SurfaceStatistics statistics;
-};
-
-/// Builds a stream or path surface. Runs in the calling thread's oneTBB arena.
+/// Builds a surface of any kind. Runs in the calling thread's oneTBB arena.
 ///
 /// @param rake  inside the flow's domain (see clip_rake)
 /// @return      the surface; the same bytes for any number of threads.
-/// Error: InvalidArgument, OutOfTime, Unsupported (streak and time surfaces), Cancelled within 50 ms of `stop`,
+/// Error: InvalidArgument, OutOfTime, OverLimit, Cancelled within 50 ms of `stop`,
 /// and what loading a time-step reports.
 /// Thread safety: concurrent calls are fine.
 Result<Surface> build_surface(const Flow& flow,

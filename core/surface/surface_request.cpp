@@ -8,8 +8,40 @@ namespace wakesurf::core {
 
 namespace {
 
+/// Keeps the curves from the rake within four steps a quad allowed, about 800 bytes: a particle that circles for ever ends.
+std::size_t steps_per_curve(const Rake& rake, double separation, std::uint64_t max_quads) {
+    const double columns = std::max<double>(rake.seeds, SeedingCurve(rake).length() / separation);
+    return static_cast<std::size_t>(
+        std::clamp(4.0 * static_cast<double>(max_quads) / columns, 500.0, 50'000.0));
+}
+
+/// What only one kind of surface takes.
+Result<void> check_kind(const SurfaceParameters& p) {
+    const auto refuse = [](const char* what, const char* hint) {
+        return fail(Error::Code::InvalidArgument, what, hint);
+    };
+    if (p.release_until) {
+        if (p.kind != SurfaceKind::Streak)
+            return refuse("'releaseUntil' is for streak surfaces", "leave it out");
+        const double released = std::abs(*p.release_until - p.from);
+        if (!(released > 0.0 && released <= std::abs(p.to - p.from)))
+            return refuse("'releaseUntil' must lie between 'from' and 'to'",
+                          "leave it out to release until 'to'");
+    }
+    if (p.kind == SurfaceKind::Time && p.rake2.has_value() == p.sweep.has_value())
+        return refuse("a time surface needs either a second rake or a sweep",
+                      "give rake2 or sweep");
+    if (p.kind != SurfaceKind::Time && (p.rake2 || p.sweep))
+        return refuse("'rake2' and 'sweep' are for time surfaces", "leave them out");
+    if (p.sweep && !(finite(*p.sweep) && glm::length(*p.sweep) > 0.0))
+        return refuse("'sweep' must be a finite vector with a length", "give the patch a width");
+    return {};
+}
+
+} // namespace
+
 /// Error allowed per unit length: 1e-5 keeps a column of 16 lengths within 1e-3 of a default separation.
-double tolerance(Accuracy accuracy) {
+double trace_tolerance(Accuracy accuracy) {
     switch (accuracy) {
     case Accuracy::Fast:
         return 1e-4;
@@ -21,18 +53,11 @@ double tolerance(Accuracy accuracy) {
     return 1e-9;
 }
 
-/// Keeps the curves from the rake within four steps a quad allowed, about 800 bytes: a particle that circles for ever ends.
-std::size_t steps_per_curve(const Rake& rake, double separation, std::uint64_t max_quads) {
-    const double columns = std::max<double>(rake.seeds, SeedingCurve(rake).length() / separation);
-    return static_cast<std::size_t>(
-        std::clamp(4.0 * static_cast<double>(max_quads) / columns, 500.0, 50'000.0));
-}
-
 Result<void> check_times(const Flow& flow, const SurfaceParameters& p, double duration) {
     const auto range = flow.time_range();
     if (!range)
         return {};
-    const double last = p.kind == SurfaceKind::Path ? p.from + duration : p.from;
+    const double last = p.kind == SurfaceKind::Stream ? p.from : p.from + duration;
     for (const double time : {p.from, last})
         if (time < (*range)[0] || time > (*range)[1]) {
             std::ostringstream text;
@@ -43,12 +68,7 @@ Result<void> check_times(const Flow& flow, const SurfaceParameters& p, double du
     return {};
 }
 
-} // namespace
-
 Result<void> check_request(const SurfaceParameters& p) {
-    if (p.kind != SurfaceKind::Stream && p.kind != SurfaceKind::Path)
-        return fail(Error::Code::Unsupported, "streak and time surfaces are not offered yet",
-                    "choose a stream or path surface");
     if (!std::isfinite(p.from) || !std::isfinite(p.to) || p.from == p.to)
         return fail(Error::Code::InvalidArgument, "'from' and 'to' must be finite and differ",
                     "give the integration time as to - from");
@@ -58,6 +78,14 @@ Result<void> check_request(const SurfaceParameters& p) {
     if (!std::isfinite(p.separation) || p.separation < 0.0)
         return fail(Error::Code::InvalidArgument, "'separation' must be positive",
                     "leave it out for the dataset's finest spacing");
+    if (!(p.merge >= 0.0 && p.merge <= 0.7))
+        return fail(Error::Code::InvalidArgument, "'merge' must lie between 0 and 0.7",
+                    "it is a part of the separation; 0 never merges");
+    if (!(p.angle > 0.0 && p.angle <= 180.0))
+        return fail(Error::Code::InvalidArgument, "'angle' must lie between 0 and 180 degrees",
+                    "leave it out for 20");
+    if (auto fits = check_kind(p); !fits)
+        return fits;
     if (p.max_quads < 1)
         return fail(Error::Code::InvalidArgument, "'maxQuads' must be at least 1",
                     "leave it out for the default");
@@ -91,7 +119,7 @@ Result<std::vector<SheetOptions>> sheet_options(const Flow& flow,
                                                 double largest_speed) {
     SheetOptions one;
     one.trace.frozen = p.kind == SurfaceKind::Stream;
-    one.trace.tolerance = tolerance(p.accuracy);
+    one.trace.tolerance = trace_tolerance(p.accuracy);
     one.trace.longest_step = flow.finest_spacing();
     one.trace.stagnation_speed = 1e-6 * largest_speed;
     one.trace.most_steps = steps_per_curve(rake, separation, p.max_quads);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/field/flow.hpp"
-#include "core/surface/rake.hpp"
 #include "core/surface/columns/sheet_mesh.hpp"
+#include "core/surface/rake.hpp"
 #include "core/surface/surface_parameters.hpp"
 
 #include <stop_token>

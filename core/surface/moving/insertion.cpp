@@ -1,0 +1,80 @@
+#include "core/surface/moving/insertion.hpp"
+
+namespace wakesurf::core {
+
+namespace {
+
+/// Beyond this the cubic says nothing of the surface; without the limit one run reached edges of 25,000
+/// separations (double gyre, streak surface).
+constexpr double largest_sagitta = 0.25;
+
+struct ParameterStep {
+    double s, t;
+};
+
+ParameterStep parameter_step(const MovingMesh& mesh, VertexId a, VertexId b) {
+    const MaterialVertices& v = mesh.vertices;
+    return {mesh.lattice.s_between(v.s[a], v.s[b]), v.t[b] - v.t[a]};
+}
+
+Vec3 tangent(const MovingMesh& mesh, VertexId at, const ParameterStep& step) {
+    return mesh.vertices.along_s[at] * step.s + mesh.vertices.along_t[at] * step.t;
+}
+
+MaterialPoint average(const MovingMesh& mesh, VertexId a, VertexId b) {
+    const MaterialPoint p = mesh.vertices.point(a);
+    const MaterialPoint q = mesh.vertices.point(b);
+    const RakeLattice& lattice = mesh.lattice;
+    MaterialPoint mid;
+    mid.carried = 0.5 * (p.carried + q.carried);
+    mid.s = lattice.wrapped_s(p.s + 0.5 * lattice.s_between(p.s, q.s));
+    mid.t = 0.5 * (p.t + q.t);
+    mid.place.column = lattice.wrapped_column(
+        p.place.column + 0.5 * lattice.columns_between(p.place.column, q.place.column));
+    mid.place.row = 0.5 * (p.place.row + q.place.row);
+    mid.birth_area = 0.5f * (p.birth_area + q.birth_area);
+    mid.approximated = true;
+    return mid;
+}
+
+} // namespace
+
+Vec3 edge_tangent(const MovingMesh& mesh, VertexId at, VertexId a, VertexId b) {
+    return tangent(mesh, at, parameter_step(mesh, a, b));
+}
+
+double relative_sagitta(const MovingMesh& mesh, VertexId a, VertexId b) {
+    const ParameterStep step = parameter_step(mesh, a, b);
+    const double bulge = glm::length(tangent(mesh, a, step) - tangent(mesh, b, step)) / 8.0;
+    const double chord = mesh.edge_length(a, b);
+    return bulge > 0.0 ? bulge / chord : 0.0;
+}
+
+Midpoint midpoint(const MovingMesh& mesh, VertexId a, VertexId b, InsertionPolicy policy) {
+    MaterialPoint mid = average(mesh, a, b);
+    if (policy == InsertionPolicy::Linear)
+        return {mid, 0.0};
+    const ParameterStep step = parameter_step(mesh, a, b);
+    const Vec3 chord = mesh.vertices.position[b] - mesh.vertices.position[a];
+    const Vec3 at_a = tangent(mesh, a, step);
+    const Vec3 at_b = tangent(mesh, b, step);
+    const Vec3 bulge = (at_a - at_b) / 8.0;
+    const double sagitta = glm::length(bulge) / glm::length(chord);
+    if (!(sagitta <= largest_sagitta))
+        return {mid, std::isfinite(sagitta) ? sagitta : 1.0};
+    mid.carried.position += bulge;
+    // The averaged tangents, corrected so that along the edge they give the cubic's slope; the larger takes more.
+    const Vec3 slope = 1.5 * chord - 0.25 * (at_a + at_b);
+    const Vec3 missing = slope - (mid.carried.along_s * step.s + mid.carried.along_t * step.t);
+    const double s2 = step.s * step.s * glm::dot(mid.carried.along_s, mid.carried.along_s);
+    const double t2 = step.t * step.t * glm::dot(mid.carried.along_t, mid.carried.along_t);
+    if (s2 + t2 > 0.0) {
+        if (step.s != 0.0)
+            mid.carried.along_s += missing * (s2 / (s2 + t2) / step.s);
+        if (step.t != 0.0)
+            mid.carried.along_t += missing * (t2 / (s2 + t2) / step.t);
+    }
+    return {mid, sagitta};
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,26 @@
+// Where a new vertex goes: the middle of an edge, by cubic Hermite interpolation with the transported tangents, or by a
+// straight line. Source: Schneider, Wiebel, Scheuermann, EuroVis 2009. Tracing it again from the rake is
+// retrace.hpp.
+#pragma once
+
+#include "core/surface/moving/moving_mesh.hpp"
+
+namespace wakesurf::core {
+
+enum class InsertionPolicy { Linear, Hermite, Exact };
+
+/// Tangent of the edge from a to b at a: dx/ds ds + dx/dt dt.
+Vec3 edge_tangent(const MovingMesh& mesh, VertexId at, VertexId a, VertexId b);
+
+/// How far the cubic through an edge bulges from its chord, over the chord's length: |T_a - T_b| / 8 |b - a|.
+double relative_sagitta(const MovingMesh& mesh, VertexId a, VertexId b);
+
+struct Midpoint {
+    MaterialPoint point;
+    double bulge; ///< relative sagitta of the edge; above 0.25 the point lies on the chord
+};
+
+/// The point in the middle of the parameters of a and b, flagged approximated.
+Midpoint midpoint(const MovingMesh& mesh, VertexId a, VertexId b, InsertionPolicy policy);
+
+} // namespace wakesurf::core

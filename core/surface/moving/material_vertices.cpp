@@ -1,0 +1,99 @@
+#include "core/surface/moving/material_vertices.hpp"
+
+#include <tuple>
+
+namespace wakesurf::core {
+
+namespace {
+
+template <class Visit>
+void for_each_array(MaterialVertices& v, Visit visit) {
+    visit(v.position);
+    visit(v.along_s);
+    visit(v.along_t);
+    visit(v.time);
+    visit(v.end);
+    visit(v.s);
+    visit(v.t);
+    visit(v.place);
+    visit(v.velocity);
+    visit(v.birth_area);
+    visit(v.id);
+    visit(v.role);
+    visit(v.approximated);
+}
+
+} // namespace
+
+VertexId MaterialVertices::add(const MaterialPoint& point, VertexRole as, double now) {
+    VertexId v;
+    if (free_.empty()) {
+        v = static_cast<VertexId>(slots());
+        for_each_array(*this, [](auto& array) { array.emplace_back(); });
+    } else {
+        v = free_.back();
+        free_.pop_back();
+    }
+    set(v, point);
+    time[v] = now;
+    velocity[v] = Vec3f(0.0f);
+    end[v] = as == VertexRole::Attached ? CurveEnd::Time : CurveEnd::Running;
+    id[v] = next_id_++;
+    role[v] = as;
+    return v;
+}
+
+void MaterialVertices::remove(VertexId v) {
+    role[v] = VertexRole::Unused;
+    end[v] = CurveEnd::Time;
+    free_.push_back(v);
+}
+
+MaterialPoint MaterialVertices::point(VertexId v) const {
+    return {{position[v], along_s[v], along_t[v]},
+            s[v],
+            t[v],
+            place[v],
+            birth_area[v],
+            approximated[v] != 0};
+}
+
+void MaterialVertices::set(VertexId v, const MaterialPoint& point) {
+    position[v] = point.carried.position;
+    along_s[v] = point.carried.along_s;
+    along_t[v] = point.carried.along_t;
+    s[v] = point.s;
+    t[v] = point.t;
+    place[v] = point.place;
+    birth_area[v] = point.birth_area;
+    approximated[v] = point.approximated ? 1 : 0;
+}
+
+Particles MaterialVertices::particles(bool tangents) {
+    Particles p{position, {}, {}, time, end};
+    if (tangents) {
+        p.along_s = along_s;
+        p.along_t = along_t;
+    }
+    return p;
+}
+
+void MaterialVertices::renumber(std::span<const VertexId> order) {
+    for_each_array(*this, [&](auto& array) {
+        std::remove_reference_t<decltype(array)> sorted;
+        sorted.reserve(order.size() + order.size() / 8);
+        for (const VertexId old : order)
+            sorted.push_back(array[old]);
+        array = std::move(sorted);
+    });
+    free_.clear();
+}
+
+std::size_t MaterialVertices::bytes() const {
+    std::size_t sum = free_.capacity() * sizeof(VertexId);
+    for_each_array(const_cast<MaterialVertices&>(*this),
+                   [&](auto& array) { sum += array.capacity() * sizeof(array[0]); });
+    return sum;
+}
+
+} // namespace wakesurf::core

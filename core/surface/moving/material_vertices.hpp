@@ -1,0 +1,80 @@
+// The vertices of a moving surface: material points that know where on the rake and when they were released, so that each
+// can be traced again, with the surface's tangents there. Structure of arrays in mesh order, as advection wants it.
+#pragma once
+
+#include "core/integrate/carried.hpp"
+#include "core/integrate/particles.hpp"
+#include "core/surface/quad_complex.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace wakesurf::core {
+
+/// Free: carried by the flow. Attached: on the rake, to be released. Unused: an empty slot.
+enum class VertexRole : std::uint8_t { Free, Attached, Unused };
+
+/// Place on the lattice of columns and rows the surface began with: whole numbers there, dyadic fractions where something
+/// was inserted. Merging takes out odd places only, so that neighbouring rows merge alike.
+struct LatticePlace {
+    double column = 0.0;
+    double row = 0.0;
+};
+
+/// What a vertex is made from.
+struct MaterialPoint {
+    Carried carried;
+    double s = 0.0;
+    double t = 0.0; ///< release time, or place across the patch
+    LatticePlace place;
+    float birth_area = 0.0f; ///< |dx/ds x dx/dt| at release
+    bool approximated = false;
+};
+
+class MaterialVertices {
+  public:
+    /// Puts a vertex into an empty slot. @param time simulation time it holds at
+    VertexId add(const MaterialPoint& point, VertexRole role, double time);
+
+    void remove(VertexId v);
+
+    std::size_t slots() const { return role.size(); }
+
+    std::size_t used() const { return role.size() - free_.size(); }
+
+    MaterialPoint point(VertexId v) const;
+
+    /// Overwrites what is known of a vertex, its id and role staying.
+    void set(VertexId v, const MaterialPoint& point);
+
+    /// For Flow::advance: only free, living vertices are Running.
+    Particles particles(bool tangents);
+
+    bool dead(VertexId v) const {
+        return end[v] != CurveEnd::Running &&
+               !(role[v] == VertexRole::Attached && end[v] == CurveEnd::Time);
+    }
+
+    /// Gives each vertex the slot it has in `order`, which names every used one once.
+    void renumber(std::span<const VertexId> order);
+
+    std::size_t bytes() const;
+
+    std::vector<Vec3> position, along_s, along_t;
+    std::vector<double> time;
+    std::vector<CurveEnd> end; ///< Running; Time while attached; else why it is dead
+    std::vector<double> s, t;
+    std::vector<LatticePlace> place;
+    std::vector<Vec3f> velocity; ///< at the surface's time, as of the last sample
+    std::vector<float> birth_area;
+    std::vector<std::uint32_t> id;
+    std::vector<VertexRole> role;
+    std::vector<std::uint8_t> approximated;
+
+  private:
+    std::vector<VertexId> free_;
+    std::uint32_t next_id_ = 0;
+};
+
+} // namespace wakesurf::core

@@ -1,0 +1,87 @@
+// A streak or time surface in motion: every vertex is carried in every step, the rake releases new ones, and local
+// operations keep the mesh within its limits. Its state is a value: keep a copy to come back to it. Source: McLoughlin,
+// Laramee, Zhang, Constructing Streak Surfaces for 3D Unsteady Vector Fields, SCCG 2010.
+#pragma once
+
+#include "core/base/clock.hpp"
+#include "core/surface/keyed_mesh.hpp"
+#include "core/surface/moving/origin.hpp"
+#include "core/surface/moving/refinement.hpp"
+#include "core/surface/surface_parameters.hpp"
+#include "core/surface/surface_statistics.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <stop_token>
+
+namespace wakesurf::core {
+
+/// All that a surface is at one time.
+struct MovingState {
+    MovingMesh mesh;
+    double separation = 0.0; ///< raised by the quad budget
+    double row = 0.0;        ///< rows released so far
+    double row_travel = 0.0; ///< how far the fastest particle of the newest row has gone
+    bool releasing = false;  ///< the rake still has attached vertices
+    std::uint64_t steps = 0;
+    std::uint64_t vertex_steps = 0; ///< integrator steps of all vertices
+    SurfaceStatistics::Terminated terminated;
+
+    std::size_t bytes() const { return mesh.vertices.bytes() + mesh.quads.bytes(); }
+};
+
+/// Thread safety: one thread at a time. Runs in the calling thread's oneTBB arena.
+class MovingSurface {
+  public:
+    /// The surface at `parameters.from`: nothing of a streak surface yet, the whole patch of a time surface.
+    /// @param parameters  checked (see check_request), separation > 0, one direction
+    /// @param flow        must outlive the surface
+    /// Error: OverLimit, Cancelled, what sampling reports.
+    static Result<MovingSurface> start(const Flow& flow,
+                                       const Rake& rake,
+                                       const SurfaceParameters& parameters,
+                                       std::stop_token stop,
+                                       const Clock& clock);
+
+    /// Carries the surface over one step, as long as it is safe; not beyond `to`. Error: Cancelled (within 50 ms) and what
+    /// loading time-steps reports; the surface is then of no use but to restore().
+    Result<void> step(double to, std::stop_token stop);
+
+    /// Steps until `to`.
+    Result<void> advance_to(double to, std::stop_token stop);
+
+    double time() const { return state_.mesh.time; }
+
+    /// Where parameters.to lies.
+    double end_time() const { return end_; }
+
+    const MovingState& state() const { return state_; }
+
+    /// Goes back, or forward, to a state this surface had. Stepping on from there gives the same bytes again.
+    void restore(MovingState state);
+
+    /// The mesh as it is now, without dead vertices.
+    KeyedMesh mesh() const;
+
+    SurfaceStatistics statistics() const;
+
+    /// True where every invariant of the mesh holds; else what does not. Cost: O(cells log cells).
+    std::string validate() const;
+
+  private:
+    struct Plan; // what does not change while the surface moves
+
+    MovingSurface(const Flow& flow, std::shared_ptr<const Plan> plan, const Clock& clock);
+    Result<void> sample_velocity(const std::stop_token& stop);
+    double next_step(double to) const;
+    Result<void> begin(const std::stop_token& stop);
+
+    const Flow* flow_;
+    const Clock* clock_;
+    std::shared_ptr<const Plan> plan_;
+    double end_;
+    MovingState state_;
+    SurfaceStatistics::Seconds seconds_;
+};
+
+} // namespace wakesurf::core

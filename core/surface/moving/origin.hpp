@@ -1,0 +1,67 @@
+// Where the material points of a moving surface come from: a rake that releases over time (streak), or a patch released
+// at once (time). The inverse of advection: what it says of (s, t) can be traced again.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/field/flow.hpp"
+#include "core/surface/moving/moving_mesh.hpp"
+#include "core/surface/rake.hpp"
+
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace wakesurf::core {
+
+class Origin {
+  public:
+    /// Streak: t is the release time.
+    explicit Origin(const Rake& rake);
+
+    /// Time: t in 0..1 runs from the rake to `opposite`, a second rake or the rake moved by a vector; all is released at
+    /// `release`.
+    Origin(const Rake& rake, const Rake& opposite, double release);
+    Origin(const Rake& rake, const Vec3& sweep, double release);
+
+    bool patch() const { return opposite_.has_value() || sweep_.has_value(); }
+
+    bool closed() const { return closed_; }
+
+    Vec3 position(double s, double t) const;
+
+    double release(double t) const { return patch() ? release_ : t; }
+
+    /// Lengths of the patch along its two opposite seeding curves' longest, and from one to the other at its widest of 17 places.
+    double longest_across() const;
+
+    double length() const;
+
+    /// Seed parameters that must be vertices: where the curve has corners.
+    std::vector<double> corners() const;
+
+    /// Position, tangents and area at release of every (s, t). `along_t` of a streak is minus the velocity there then:
+    /// Error: what sampling reports.
+    Result<std::vector<MaterialPoint>> points(const Flow& flow,
+                                              std::span<const double> s,
+                                              std::span<const double> t,
+                                              std::stop_token stop) const;
+
+  private:
+    SeedingCurve curve_;
+    bool closed_;
+    std::optional<SeedingCurve> opposite_;
+    std::optional<Vec3> sweep_;
+    double release_ = 0.0;
+};
+
+/// Traces vertices again from where they were released to the mesh's time; they are no longer approximated, and dead if
+/// they do not arrive. Error: what advancing reports.
+Result<void> retrace(MovingMesh& mesh,
+                     const Origin& origin,
+                     const Flow& flow,
+                     std::span<const VertexId> vertices,
+                     const AdvanceOptions& options,
+                     std::stop_token stop);
+
+} // namespace wakesurf::core

@@ -1,0 +1,68 @@
+#include "core/surface/moving/reconnection.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace wakesurf::core {
+
+namespace {
+
+constexpr double glide_gain = 0.12; // of skew, for moving one edge
+constexpr double pair_gain = 0.25;  // of skew, for making two hanging nodes
+constexpr double pair_skew = 0.6;
+
+/// |cos| of the angle between a cross edge and the columns: 0 is square.
+double skew(const MovingMesh& mesh, VertexId left, VertexId right, const Vec3& along) {
+    const Vec3 edge = mesh.vertices.position[right] - mesh.vertices.position[left];
+    const double product = glm::length(edge) * glm::length(along);
+    return product > 0.0 ? std::abs(glm::dot(edge, along)) / product : 0.0;
+}
+
+} // namespace
+
+std::optional<Reconnection> worthwhile_reconnection(const MovingMesh& mesh,
+                                                    const LocalOperations& operations,
+                                                    CellIndex index,
+                                                    const RefinementRules& rules) {
+    const LinkedCell& here = mesh.quads[index];
+    const CellIndex old = here.across[2][0];
+    if (old == no_cell || here.cell.mid[2] != no_vertex)
+        return std::nullopt;
+    const auto& p = mesh.vertices.position;
+    const Cell& a = here.cell;
+    const Cell& b = mesh.quads[old].cell;
+    const Vec3 along = (p[b.corner[3]] - p[a.corner[0]]) + (p[b.corner[2]] - p[a.corner[1]]);
+    const double now = skew(mesh, a.corner[3], a.corner[2], along);
+    if (now < glide_gain)
+        return std::nullopt;
+    const double length = mesh.edge_length(a.corner[3], a.corner[2]);
+    std::optional<Reconnection> best;
+    double best_length = 0.0;
+    for (const auto how :
+         {Reconnection::LeftYoung, Reconnection::RightYoung, Reconnection::LeftOld,
+          Reconnection::RightOld, Reconnection::PairRight, Reconnection::PairLeft}) {
+        const bool pair = how == Reconnection::PairRight || how == Reconnection::PairLeft;
+        if (pair && (now < pair_skew || best))
+            continue;
+        const auto [left, right] = operations.reconnected(index, how);
+        if (left == no_vertex || mesh.vertices.dead(left) || mesh.vertices.dead(right))
+            continue;
+        const double shifted = mesh.edge_length(left, right);
+        const double gain = now - skew(mesh, left, right, along);
+        // In a strip much thinner than its cells are long every edge is oblique: there the shorter one wins.
+        const bool straighter = gain > (pair ? pair_gain : glide_gain);
+        const bool shorter = gain > 0.0 && shifted < (pair ? 0.6 : 0.75) * length;
+        if (!(straighter || shorter) || shifted > rules.separation ||
+            (best && shifted >= best_length))
+            continue;
+        // Longer parameter gaps cost interpolation accuracy.
+        if (rules.policy == InsertionPolicy::Hermite && !rules.retrace &&
+            !(relative_sagitta(mesh, left, right) < rules.trusted_sagitta))
+            continue;
+        best = how;
+        best_length = shifted;
+    }
+    return best;
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,243 @@
+#include "core/surface/moving/refinement.hpp"
+
+#include "core/surface/moving/cell_shape.hpp"
+#include "core/surface/moving/reconnection.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace wakesurf::core {
+
+namespace {
+
+constexpr int most_cut_passes = 40;
+constexpr double coarsening = 1.25;
+
+template <class Visit>
+void for_each_index(std::size_t count, Visit visit) {
+    tbb::this_task_arena::isolate([&] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
+            for (std::size_t i = range.begin(); i != range.end(); ++i)
+                visit(i);
+        });
+    });
+}
+
+/// Asks `decide` of every live cell in parallel; those with an answer other than 0, in ascending order.
+template <class Decide>
+std::vector<CellIndex>
+candidates(const MovingMesh& mesh, std::vector<std::uint8_t>& decisions, Decide decide) {
+    const auto slots = mesh.quads.slots();
+    decisions.assign(slots.size(), 0);
+    for_each_index(slots.size(), [&](std::size_t i) {
+        if (slots[i].live)
+            decisions[i] = decide(static_cast<CellIndex>(i)) ? 1 : 0;
+    });
+    std::vector<CellIndex> found;
+    for (std::size_t i = 0; i < decisions.size(); ++i)
+        if (decisions[i] != 0)
+            found.push_back(static_cast<CellIndex>(i));
+    return found;
+}
+
+/// The last resort of the budget: cells that cannot be joined any further go, those of the oldest rows first.
+void drop_oldest(const MovingMesh& mesh, std::size_t count, LocalOperations& operations) {
+    std::vector<std::pair<double, CellIndex>> by_row;
+    const auto slots = mesh.quads.slots();
+    for (CellIndex i = 0; i < slots.size(); ++i)
+        if (slots[i].live)
+            by_row.emplace_back(mesh.vertices.place[slots[i].cell.corner[3]].row, i);
+    std::sort(by_row.begin(), by_row.end());
+    for (std::size_t i = 0; i < count; ++i)
+        operations.tear(by_row[i].second);
+}
+
+} // namespace
+
+void Refinement::find_normals(const MovingMesh& mesh) {
+    const auto slots = mesh.quads.slots();
+    normals_.resize(slots.size());
+    if (rules_.cosine <= -1.0)
+        return;
+    for_each_index(slots.size(), [&](std::size_t i) {
+        if (slots[i].live)
+            normals_[i] = normal(mesh, slots[i].cell);
+    });
+}
+
+VertexId Refinement::insert(MovingMesh& mesh, VertexId a, VertexId b) {
+    MaterialVertices& vertices = mesh.vertices;
+    const bool attached =
+        vertices.role[a] == VertexRole::Attached && vertices.role[b] == VertexRole::Attached;
+    Midpoint mid = midpoint(mesh, a, b, rules_.policy);
+    if (attached) { // on the rake itself: nothing is approximate there
+        mid.point.carried.position = origin_.position(mid.point.s, mid.point.t);
+        mid.point.approximated = false;
+        mid.bulge = 0.0;
+    }
+    const VertexId v =
+        vertices.add(mid.point, attached ? VertexRole::Attached : VertexRole::Free, mesh.time);
+    if (rules_.policy == InsertionPolicy::Exact ||
+        (rules_.retrace && mid.bulge > rules_.trusted_sagitta)) {
+        if (!attached)
+            to_retrace_.push_back(v);
+    } else if (const PointStatus status = flow_.status(mid.point.carried.position);
+               status != PointStatus::Inside) {
+        vertices.end[v] = status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
+    }
+    return v;
+}
+
+/// One pass over the cells in `dirty` (all when it is empty); leaves there the cells the next pass must look at.
+Result<bool> Refinement::cut_pass(MovingMesh& mesh,
+                                  LocalOperations& operations,
+                                  std::vector<CellIndex>& dirty,
+                                  const std::stop_token& stop) {
+    const auto decide = [&](CellIndex cell) {
+        return needed_cut(mesh, cell, rules_, flow_, normals_) != Cut::None;
+    };
+    std::vector<CellIndex> wanted;
+    if (dirty.empty()) {
+        find_normals(mesh);
+        wanted = candidates(mesh, decisions_, decide);
+    } else {
+        normals_.resize(mesh.quads.slots().size());
+        for (const CellIndex cell : dirty)
+            normals_[cell] = normal(mesh, mesh.quads[cell].cell);
+        std::copy_if(dirty.begin(), dirty.end(), std::back_inserter(wanted), decide);
+    }
+    operations.touched().clear();
+    to_retrace_.clear();
+    bool torn = false;
+    for (const CellIndex cell : wanted) {
+        if (!mesh.quads[cell].live)
+            continue;
+        const Cut cut = needed_cut(mesh, cell, rules_, flow_, normals_);
+        const std::size_t before = operations.touched().size();
+        if (cut == Cut::Tear) {
+            operations.tear(cell);
+            torn = true;
+        } else if (cut != Cut::None) {
+            const Axis axis = cut == Cut::AcrossS ? Axis::S : Axis::T;
+            if (!operations.split(cell, axis))
+                operations.split(cell, axis == Axis::S ? Axis::T : Axis::S);
+        }
+        normals_.resize(mesh.quads.slots().size());
+        for (std::size_t i = before; i < operations.touched().size(); ++i)
+            normals_[operations.touched()[i]] =
+                normal(mesh, mesh.quads[operations.touched()[i]].cell);
+    }
+    if (!to_retrace_.empty())
+        if (auto traced = retrace(mesh, origin_, flow_, to_retrace_, trace_, stop); !traced)
+            return tl::unexpected(traced.error());
+    std::vector<CellIndex>& next = dirty;
+    next.clear();
+    for (const CellIndex cell : operations.touched()) {
+        if (!mesh.quads[cell].live)
+            continue;
+        next.push_back(cell);
+        for (const auto& side : mesh.quads[cell].across)
+            for (const CellIndex neighbour : side)
+                if (neighbour != no_cell)
+                    next.push_back(neighbour);
+    }
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    return torn || !next.empty();
+}
+
+void Refinement::reconnect_pass(MovingMesh& mesh, LocalOperations& operations) {
+    const auto decide = [&](CellIndex cell) {
+        return worthwhile_reconnection(mesh, operations, cell, rules_).has_value();
+    };
+    for (const CellIndex cell : candidates(mesh, decisions_, decide))
+        if (mesh.quads[cell].live)
+            if (const auto how = worthwhile_reconnection(mesh, operations, cell, rules_))
+                operations.reconnect(cell, *how);
+}
+
+bool Refinement::merge_pass(MovingMesh& mesh, LocalOperations& operations, Axis axis) {
+    if (rules_.merge <= 0.0)
+        return false;
+    find_normals(mesh);
+    const auto decide = [&](CellIndex cell) {
+        return should_merge(mesh, operations, cell, axis, rules_, flow_, normals_);
+    };
+    const auto drop = [&](VertexId before, VertexId mid, VertexId after) {
+        if (!droppable(mesh, before, mid, after, rules_))
+            return false;
+        if (mesh.vertices.role[mid] == VertexRole::Attached)
+            mesh.vertices.remove(mid); // or the next row would be released with it
+        return true;
+    };
+    bool merged = false;
+    for (const CellIndex cell : candidates(mesh, decisions_, decide)) {
+        if (!mesh.quads[cell].live || !decide(cell))
+            continue;
+        operations.merge(cell, axis, drop);
+        normals_[cell] = normal(mesh, mesh.quads[cell].cell);
+        merged = true;
+    }
+    return merged;
+}
+
+void Refinement::keep_budget(MovingMesh& mesh, LocalOperations& operations) {
+    for (int round = 0; round < 60 && mesh.quads.live() > rules_.max_quads; ++round) {
+        rules_.separation *= coarsening;
+        const double merge = rules_.merge;
+        const double cosine = rules_.cosine;
+        rules_.merge = std::max(merge, 0.35);
+        rules_.cosine = -1.0; // a small budget is kept at the cost of the shape
+        for (bool merged = true; merged && mesh.quads.live() > rules_.max_quads;) {
+            merged = merge_pass(mesh, operations, Axis::S);
+            merged = merge_pass(mesh, operations, Axis::T) || merged;
+        }
+        rules_.merge = merge;
+        rules_.cosine = cosine;
+    }
+    if (mesh.quads.live() > rules_.max_quads)
+        drop_oldest(mesh, mesh.quads.live() - rules_.max_quads, operations);
+}
+
+Result<void> Refinement::run(MovingMesh& mesh, std::stop_token stop) {
+    LocalOperations operations(mesh, [&](VertexId a, VertexId b) { return insert(mesh, a, b); });
+    keep_budget(mesh, operations);
+    if (rules_.reconnect) {
+        reconnect_pass(mesh, operations);
+        reconnect_pass(mesh, operations);
+    }
+    std::vector<CellIndex> dirty;
+    for (int pass = 0; pass < most_cut_passes; ++pass) {
+        if (stop.stop_requested())
+            return fail(Error::Code::Cancelled, "the surface was cancelled");
+        const auto more = cut_pass(mesh, operations, dirty, stop);
+        if (!more)
+            return tl::unexpected(more.error());
+        if (mesh.quads.live() > rules_.max_quads) {
+            keep_budget(mesh, operations);
+            dirty.clear();
+            continue;
+        }
+        if (!*more)
+            break;
+    }
+    merge_pass(mesh, operations, Axis::S);
+    merge_pass(mesh, operations, Axis::T);
+    remove_unused_vertices(mesh);
+    return {};
+}
+
+void remove_unused_vertices(MovingMesh& mesh) {
+    std::vector<std::uint8_t> used(mesh.vertices.slots(), 0);
+    for (const LinkedCell& slot : mesh.quads.slots())
+        if (slot.live)
+            for_each_vertex(slot.cell, [&](VertexId v) { used[v] = 1; });
+    for (VertexId v = 0; v < used.size(); ++v)
+        if (used[v] == 0 && mesh.vertices.role[v] == VertexRole::Free)
+            mesh.vertices.remove(v);
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,17 @@
+// The mesh of a moving surface as others see it: without empty slots and unreleased vertices, in order of ids.
+#pragma once
+
+#include "core/surface/keyed_mesh.hpp"
+#include "core/surface/moving/moving_mesh.hpp"
+
+#include <string>
+
+namespace wakesurf::core {
+
+KeyedMesh snapshot(const MovingMesh& mesh, bool deformation);
+
+/// What keeps a moving mesh sound: links that answer each other, no dead vertex in a cell, no zero-length edge, no cell without area,
+/// and all that QuadComplex::validate demands. Empty, or the first violation. Cost: O(cells log cells).
+std::string violation(const MovingMesh& mesh);
+
+} // namespace wakesurf::core

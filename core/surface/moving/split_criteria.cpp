@@ -1,0 +1,172 @@
+#include "core/surface/moving/split_criteria.hpp"
+
+#include "core/surface/moving/cell_shape.hpp"
+
+#include <cmath>
+
+namespace wakesurf::core {
+
+namespace {
+
+/// Seven opposite pairs: the axes and the diagonals of a cube.
+constexpr double diagonal = 0.57735026918962576;
+constexpr Vec3 directions[] = {{1, 0, 0},
+                               {0, 1, 0},
+                               {0, 0, 1},
+                               {diagonal, diagonal, diagonal},
+                               {diagonal, diagonal, -diagonal},
+                               {diagonal, -diagonal, diagonal},
+                               {-diagonal, diagonal, diagonal}};
+
+bool has_dead_vertex(const MovingMesh& mesh, const Cell& cell) {
+    bool dead = false;
+    for_each_vertex(cell, [&](VertexId v) { dead = dead || mesh.vertices.dead(v); });
+    return dead;
+}
+
+bool side_crosses_obstacle(const MovingMesh& mesh,
+                           const Cell& cell,
+                           std::size_t side,
+                           const RefinementRules& rules,
+                           const Flow& flow) {
+    for (const SubEdge& edge : outline(cell))
+        if (edge.side == side &&
+            crosses_obstacle(mesh, edge.from, edge.to, mesh.edge_length(edge.from, edge.to), rules,
+                             flow))
+            return true;
+    return false;
+}
+
+/// Parameter extents of a cell.
+double s_extent(const MovingMesh& mesh, const Cell& cell) {
+    return std::abs(
+        mesh.lattice.s_between(mesh.vertices.s[cell.corner[0]], mesh.vertices.s[cell.corner[1]]));
+}
+
+double t_extent(const MovingMesh& mesh, const Cell& cell) {
+    const auto& t = mesh.vertices.t;
+    return std::max(std::abs(t[cell.corner[3]] - t[cell.corner[0]]),
+                    std::abs(t[cell.corner[2]] - t[cell.corner[1]]));
+}
+
+bool beside_obstacle(const MovingMesh& mesh,
+                     const Cell& cell,
+                     const RefinementRules& rules,
+                     const Flow& flow) {
+    if (!rules.obstacle)
+        return false;
+    const auto& p = mesh.vertices.position;
+    const Vec3 centre =
+        0.25 * (p[cell.corner[0]] + p[cell.corner[1]] + p[cell.corner[2]] + p[cell.corner[3]]);
+    const double reach = 0.25 * rules.separation;
+    for (const Vec3& direction : directions)
+        if (flow.status(centre + reach * direction) == PointStatus::InObstacle ||
+            flow.status(centre - reach * direction) == PointStatus::InObstacle)
+            return true;
+    return false;
+}
+
+/// The cut across an axis, or a tear where the parameters are too close for the surface to be continuous.
+Cut cut_or_tear(const MovingMesh& mesh,
+                const Cell& cell,
+                Axis axis,
+                const RefinementRules& rules,
+                const Flow& flow) {
+    const bool s = axis == Axis::S;
+    const double extent = 0.5 * (s ? s_extent(mesh, cell) : t_extent(mesh, cell));
+    const bool torn = !(extent > (s ? rules.least_s : rules.least_t)) ||
+                      (extent <= (s ? rules.least_s_at_wall : rules.least_t_at_wall) &&
+                       beside_obstacle(mesh, cell, rules, flow));
+    return torn ? Cut::Tear : s ? Cut::AcrossS : Cut::AcrossT;
+}
+
+/// Cubic bulge of a whole side, which a straight edge would miss.
+bool bulges(const MovingMesh& mesh,
+            const Cell& cell,
+            std::size_t side,
+            double length,
+            const RefinementRules& rules) {
+    constexpr double part_of_separation = 0.1;
+    const VertexId a = cell.corner[side];
+    const VertexId b = cell.corner[(side + 1) % 4];
+    return cell.mid[side] == no_vertex && length > 2.0 * rules.finest * rules.separation &&
+           relative_sagitta(mesh, a, b) * length > part_of_separation * rules.separation;
+}
+
+/// True when a point inside an obstacle is within `depth` of the fluid, and on one side of it only: a chord that dips into a
+/// convex wall, not one that goes through a thin plate.
+bool barely_inside(const Flow& flow, const Vec3& point, double depth) {
+    bool shallow = false;
+    for (const Vec3& direction : directions) {
+        const bool ahead = flow.status(point + depth * direction) != PointStatus::InObstacle;
+        const bool behind = flow.status(point - depth * direction) != PointStatus::InObstacle;
+        if (ahead && behind)
+            return false;
+        shallow = shallow || ahead || behind;
+    }
+    return shallow;
+}
+
+} // namespace
+
+bool crosses_obstacle(const MovingMesh& mesh,
+                      VertexId a,
+                      VertexId b,
+                      double length,
+                      const RefinementRules& rules,
+                      const Flow& flow) {
+    if (!rules.obstacle || length <= 0.25 * rules.separation)
+        return false;
+    const Vec3 middle = 0.5 * (mesh.vertices.position[a] + mesh.vertices.position[b]);
+    return flow.status(middle) == PointStatus::InObstacle &&
+           !barely_inside(flow, middle, 0.15 * rules.separation);
+}
+
+Cut needed_cut(const MovingMesh& mesh,
+               CellIndex index,
+               const RefinementRules& rules,
+               const Flow& flow,
+               std::span<const Vec3f> normals) {
+    const LinkedCell& here = mesh.quads[index];
+    const Cell& cell = here.cell;
+    const std::array<double, 4> length = longest_of_sides(mesh, cell);
+    const double across_s = std::max(length[0], length[2]);
+    const double across_t = std::max(length[1], length[3]);
+    const Axis longer = across_s >= across_t ? Axis::S : Axis::T;
+    // Particles that gather at one point are on one place of the surface in all but name.
+    for (const SubEdge& edge : outline(cell))
+        if (!(mesh.edge_length(edge.from, edge.to) > 1e-9 * rules.separation))
+            return Cut::Tear;
+    if (has_dead_vertex(mesh, cell)) {
+        if (!(std::max(across_s, across_t) > rules.tear_size * rules.separation))
+            return Cut::Tear;
+        return cut_or_tear(mesh, cell, longer, rules, flow);
+    }
+    const double limit = rules.separation * (1.0 + 1e-9);
+    if (!(std::max(across_s, across_t) <= limit)) // not a number must not pass
+        return cut_or_tear(mesh, cell, longer, rules, flow);
+    if (rules.obstacle)
+        for (std::size_t side = 0; side < 4; ++side)
+            if (side_crosses_obstacle(mesh, cell, side, rules, flow))
+                return cut_or_tear(mesh, cell, side % 2 == 0 ? Axis::S : Axis::T, rules, flow);
+    if (rules.cosine <= -1.0)
+        return Cut::None;
+    if (rules.tangents)
+        for (std::size_t side = 0; side < 4; ++side)
+            if (bulges(mesh, cell, side, length[side], rules))
+                return cut_or_tear(mesh, cell, side % 2 == 0 ? Axis::S : Axis::T, rules, flow);
+    const double floor = 2.0 * rules.finest * rules.separation;
+    for (std::size_t side = 0; side < 4; ++side) {
+        const bool s_neighbour = side % 2 == 1;
+        if ((s_neighbour ? across_s : across_t) <= floor)
+            continue;
+        for (std::size_t half = 0; half < (cell.mid[side] == no_vertex ? 1u : 2u); ++half) {
+            const CellIndex neighbour = here.across[side][half];
+            if (neighbour != no_cell && glm::dot(normals[index], normals[neighbour]) < rules.cosine)
+                return cut_or_tear(mesh, cell, s_neighbour ? Axis::S : Axis::T, rules, flow);
+        }
+    }
+    return Cut::None;
+}
+
+} // namespace wakesurf::core

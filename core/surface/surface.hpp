@@ -1,0 +1,14 @@
+// A finished surface: its mesh, and what making it took.
+#pragma once
+
+#include "core/surface/quad_complex.hpp"
+#include "core/surface/surface_statistics.hpp"
+
+namespace wakesurf::core {
+
+struct Surface {
+    QuadComplex mesh;
+    SurfaceStatistics statistics;
+};
+
+} // namespace wakesurf::core
