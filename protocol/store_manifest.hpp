@@ -29,8 +29,8 @@ struct SourceFile {
 /// What a store was made from: equal sources give equal stores, so an import of one need not be repeated.
 struct StoreSource {
     std::vector<SourceFile> files;
-    std::string
-        selection; ///< --fields and --times of the import, empty: everything; the flow, grid and times of `generate`
+    /// --fields and --times of an import, empty: everything. Flow, grid and times of what was generated.
+    std::string selection;
 
     bool operator==(const StoreSource&) const = default;
 };

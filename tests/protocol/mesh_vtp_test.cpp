@@ -79,6 +79,22 @@ TEST(MeshVtp, WritesMetadataThatReadsBackTheSame) {
               std::string::npos);
 }
 
+TEST(MeshVtp, SaysWhatTheSurfaceWasReleasedFromWhereThatIsMoreThanARake) {
+    EXPECT_EQ(mesh_vtp(small_mesh(), metadata).find("Name=\"sweep\""), std::string::npos);
+    auto more = metadata;
+    more.sweep = core::Vec3(0, 1, 0);
+    more.rake2 = {{0, 0, 1}, {0, 0, 2}};
+    more.release_until = 2.5;
+    const auto file = mesh_vtp(small_mesh(), more);
+    for (const std::string part : {"Name=\"sweep\" NumberOfComponents=\"3\" NumberOfTuples=\"1\" "
+                                   "format=\"ascii\">0 1 0 <",
+                                   "Name=\"rake2\" NumberOfComponents=\"3\" NumberOfTuples=\"2\" "
+                                   "format=\"ascii\">0 0 1 0 0 2 <",
+                                   "Name=\"releaseUntil\" NumberOfComponents=\"1\" "
+                                   "NumberOfTuples=\"1\" format=\"ascii\">2.5 <"})
+        EXPECT_NE(file.find(part), std::string::npos) << part;
+}
+
 TEST(MeshVtp, GivesTheSameBytesForTheSameMesh) {
     EXPECT_EQ(mesh_vtp(small_mesh(), metadata), mesh_vtp(small_mesh(), metadata));
 }
