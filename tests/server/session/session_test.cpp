@@ -195,6 +195,12 @@ TEST_F(SessionTest, RefusesWhatItHasNotAndWhatIsTooMuch) {
     auto streak = surface_on(rake);
     streak.parameters.kind = core::SurfaceKind::Streak;
     EXPECT_EQ(session->set_surface(streak).error().code, Code::Unsupported);
+    auto between = surface_on(rake);
+    between.parameters.kind = core::SurfaceKind::Time;
+    between.rake2 = "r9";
+    EXPECT_EQ(session->set_surface(between).error().code, Code::NotFound);
+    between.rake2 = rake;
+    EXPECT_EQ(session->set_surface(between).error().code, Code::InvalidArgument);
     auto elsewhere = surface_on(rake);
     elsewhere.dataset = "none";
     EXPECT_EQ(session->set_surface(elsewhere).error().code, Code::NotFound);
