@@ -73,12 +73,12 @@ class GenerateCommand : public testing::Test {
     tests::TemporaryFolder folder_;
 };
 
-/// A generate of 108 MB a time-step that is certainly still running when it is stopped.
+/// A generate of 48 MB a time-step that is certainly still running when it is stopped.
 class RunningGenerate {
   public:
     explicit RunningGenerate(const fs::path& store) {
         const std::string command = "echo $$; exec " WAKESURF_BINARY " generate abc " +
-                                    store.string() + " --grid 300,300,100 --times 0:1:3 2>&1";
+                                    store.string() + " --grid 200,200,100 --times 0:1:3 2>&1";
         pipe_ = ::popen(command.c_str(), "r");
         process_ = std::stoi(line());
     }
@@ -215,7 +215,7 @@ TEST_F(GenerateCommand, StopsWithinASecondAndGoesOnLaterToTheSameBytes) {
     EXPECT_EQ(wakesurf({"info", store()}).status, 0) << "from its first time-step on it is a store";
 
     const auto first = fs::last_write_time(store() / "velocity_000000.f32");
-    const std::vector<std::string> same{"--grid", "300,300,100", "--times", "0:1:3"};
+    const std::vector<std::string> same{"--grid", "200,200,100", "--times", "0:1:3"};
     ASSERT_EQ(run("abc", same).status, 0);
     EXPECT_TRUE(manifest().complete);
     EXPECT_EQ(fs::last_write_time(store() / "velocity_000000.f32"), first);
@@ -227,7 +227,7 @@ TEST_F(GenerateCommand, StopsWithinASecondAndGoesOnLaterToTheSameBytes) {
 TEST_F(GenerateCommand, RefusesAFolderThatAnotherOneIsWriting) {
     RunningGenerate generate(store());
     EXPECT_NE(generate.line().find("generate: 1 of 3"), std::string::npos);
-    const auto second = run("abc", {"--grid", "300,300,100", "--times", "0:1:3"});
+    const auto second = run("abc", {"--grid", "200,200,100", "--times", "0:1:3"});
     EXPECT_EQ(second.status, 1);
     EXPECT_NE(second.errors.find("another program"), std::string::npos) << second.errors;
     EXPECT_EQ(generate.stop(SIGTERM).first, 1);
