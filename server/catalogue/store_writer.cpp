@@ -75,7 +75,11 @@ bool write_all(int file, std::span<const std::byte> bytes) {
 }
 
 core::Result<void> cannot_write(const std::string& name) {
-    return failure("cannot write " + name);
+    const bool full = errno == ENOSPC || errno == EDQUOT;
+    auto error = failure("cannot write " + name);
+    if (full)
+        error.value().hint = "make room; the same command goes on where this one ended";
+    return error;
 }
 
 core::Result<void> fill(int file, const std::string& name, const NextPiece& next) {
