@@ -122,7 +122,6 @@ TEST_F(SurfaceCommand, CutsARakeThatIsPartlyOutsideAndSaysSo) {
 
 TEST_F(SurfaceCommand, FailsWithStatusOneWhereTheRequestIsWellFormedButCannotBeDone) {
     refuses({"--rake", "30,0,0 40,0,0"}, 1, "outside");
-    refuses({"--kind", "streak"}, 1, "streak and time surfaces");
     refuses({"--kind", "time", "--rake2", "30,0,0 40,0,0"}, 1, "--rake2");
     refuses({"--fields", "p"}, 1, "--fields");
     refuses({"-o", file("out.glb")}, 1, ".glb");
