@@ -40,6 +40,15 @@ bool coordinate(const json& value) {
     return value.is_number() && std::isfinite(static_cast<float>(value.get<double>()));
 }
 
+bool is_point(const json& value) {
+    return value.is_array() && value.size() == 3 &&
+           std::all_of(value.begin(), value.end(), coordinate);
+}
+
+core::Vec3 point_of(const json& value) {
+    return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
 } // namespace
 
 CheckedJson::CheckedJson(const json& object) : object_(object) {
@@ -102,15 +111,19 @@ double CheckedJson::number(std::string_view name, double lo, double hi) {
 }
 
 double CheckedJson::number_or(std::string_view name, double lo, double hi, double fallback) {
+    return number_if(name, lo, hi).value_or(fallback);
+}
+
+std::optional<double> CheckedJson::number_if(std::string_view name, double lo, double hi) {
     const json* value = find(name);
     if (value == nullptr)
-        return fallback;
+        return std::nullopt;
     if (value->is_number())
         if (const auto number = value->get<double>();
             std::isfinite(number) && number >= lo && number <= hi)
             return number;
     fault(name, range_text(lo, hi));
-    return fallback;
+    return std::nullopt;
 }
 
 std::uint64_t CheckedJson::count(std::string_view name, std::uint64_t lo, std::uint64_t hi) {
@@ -135,6 +148,16 @@ CheckedJson::count_if(std::string_view name, std::uint64_t lo, std::uint64_t hi)
     return std::nullopt;
 }
 
+std::optional<core::Vec3> CheckedJson::point_if(std::string_view name) {
+    const json* value = find(name);
+    if (value == nullptr)
+        return std::nullopt;
+    if (is_point(*value))
+        return point_of(*value);
+    fault(name, "must be three finite numbers [x,y,z]");
+    return std::nullopt;
+}
+
 std::vector<core::Vec3> CheckedJson::points(std::string_view name, std::size_t most) {
     std::vector<core::Vec3> out;
     const json* value = need(name);
@@ -145,13 +168,12 @@ std::vector<core::Vec3> CheckedJson::points(std::string_view name, std::size_t m
         return out;
     }
     for (const json& point : *value) {
-        if (!point.is_array() || point.size() != 3 ||
-            !std::all_of(point.begin(), point.end(), coordinate)) {
+        if (!is_point(point)) {
             fault(name, fmt::format("must hold points of three finite numbers; point {} is not one",
                                     out.size()));
             return {};
         }
-        out.emplace_back(point[0].get<double>(), point[1].get<double>(), point[2].get<double>());
+        out.push_back(point_of(point));
     }
     return out;
 }

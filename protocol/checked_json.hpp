@@ -29,11 +29,13 @@ class CheckedJson {
     bool flag_or(std::string_view name, bool fallback);
     double number(std::string_view name, double lo, double hi);
     double number_or(std::string_view name, double lo, double hi, double fallback);
+    std::optional<double> number_if(std::string_view name, double lo, double hi);
     std::uint64_t count(std::string_view name, std::uint64_t lo, std::uint64_t hi);
     std::uint64_t
     count_or(std::string_view name, std::uint64_t lo, std::uint64_t hi, std::uint64_t fallback);
     std::optional<std::uint64_t>
     count_if(std::string_view name, std::uint64_t lo, std::uint64_t hi);
+    std::optional<core::Vec3> point_if(std::string_view name);
     std::vector<core::Vec3> points(std::string_view name, std::size_t most);
     std::vector<std::string> texts_or_none(std::string_view name, std::size_t most);
 

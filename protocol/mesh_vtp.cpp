@@ -116,15 +116,25 @@ std::vector<float> speeds_of(const core::QuadComplex& mesh) {
     return out;
 }
 
+void field_points(std::string& xml, std::string_view name, std::span<const core::Vec3> points) {
+    std::vector<double> numbers;
+    for (const core::Vec3& point : points)
+        numbers.insert(numbers.end(), {point.x, point.y, point.z});
+    field_numbers(xml, name, numbers, 3);
+}
+
 void field_data(std::string& xml, const VtpMetadata& metadata) {
-    std::vector<double> rake;
-    for (const core::Vec3& point : metadata.rake)
-        rake.insert(rake.end(), {point.x, point.y, point.z});
     xml += "<FieldData>\n";
     field_text(xml, "kind", name(metadata.kind));
-    field_numbers(xml, "rake", rake, 3);
+    field_points(xml, "rake", metadata.rake);
+    if (!metadata.rake2.empty())
+        field_points(xml, "rake2", metadata.rake2);
+    if (metadata.sweep)
+        field_points(xml, "sweep", std::span(&*metadata.sweep, 1));
     field_numbers(xml, "from", std::span(&metadata.from, 1));
     field_numbers(xml, "to", std::span(&metadata.to, 1));
+    if (metadata.release_until)
+        field_numbers(xml, "releaseUntil", std::span(&*metadata.release_until, 1));
     field_numbers(xml, "separation", std::span(&metadata.separation, 1));
     field_text(xml, "dataset", metadata.dataset);
     field_text(xml, "version", metadata.version);

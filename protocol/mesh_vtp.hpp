@@ -7,6 +7,7 @@
 #include "core/surface/surface_parameters.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,10 @@ struct VtpMetadata {
     double to = 0.0;
     double separation = 0.0;
     std::string dataset;
-    std::string version; ///< of wakesurf
+    std::string version;                   ///< of wakesurf
+    std::optional<double> release_until{}; ///< these three only where the surface has them
+    std::vector<core::Vec3> rake2{};
+    std::optional<core::Vec3> sweep{};
 };
 
 /// Further point arrays by name, each with one value a vertex.

@@ -30,6 +30,10 @@ core::SurfaceParameters read_parameters(CheckedJson& in, const SurfaceLimits& li
         in.fault("accuracy", "must be fast, balanced or exact");
     out.from = in.number("from", -any_time, any_time);
     out.to = in.number("to", -any_time, any_time);
+    out.release_until = in.number_if("releaseUntil", -any_time, any_time);
+    out.sweep = in.point_if("sweep");
+    out.merge = in.number_or("merge", 0.0, 0.7, out.merge);
+    out.angle = in.number_or("angle", 0.0, 180.0, out.angle);
     out.separation = in.number_or("separation", 0.0, any, 0.0);
     out.max_quads = in.count_or("maxQuads", 1, limits.quads_most, limits.quads_default);
     return out;
@@ -42,32 +46,39 @@ SurfaceSetting read_surface_setting(CheckedJson& in, const SurfaceLimits& limits
     if (in.has("surface"))
         setting.surface = in.text("surface");
     setting.rake = in.text("rake");
+    if (in.has("rake2"))
+        setting.rake2 = in.text("rake2");
     setting.dataset = in.text("dataset");
     setting.parameters = read_parameters(in, limits);
     setting.fields = in.texts_or_none("fields", 16);
     setting.if_rev = in.count_if("ifRev", 0, std::uint64_t{1} << 53);
-    for (const char* unsteady : {"releaseUntil", "sweep", "rake2"})
-        if (in.has(unsteady))
-            in.fault(unsteady,
-                     "belongs to streak and time surfaces, which this server does not offer");
     return setting;
 }
 
 nlohmann::json surface_json(const SurfaceRecord& record) {
     const core::SurfaceParameters& p = record.parameters;
-    return {{"surface", record.surface},
-            {"rev", record.rev},
-            {"epoch", record.epoch},
-            {"rake", record.rake},
-            {"kind", name(p.kind)},
-            {"dataset", record.dataset},
-            {"from", p.from},
-            {"to", p.to},
-            {"direction", name(p.direction)},
-            {"separation", p.separation},
-            {"accuracy", name(p.accuracy)},
-            {"maxQuads", p.max_quads},
-            {"fields", record.fields}};
+    nlohmann::json out{{"surface", record.surface},
+                       {"rev", record.rev},
+                       {"epoch", record.epoch},
+                       {"rake", record.rake},
+                       {"kind", name(p.kind)},
+                       {"dataset", record.dataset},
+                       {"from", p.from},
+                       {"to", p.to},
+                       {"direction", name(p.direction)},
+                       {"separation", p.separation},
+                       {"accuracy", name(p.accuracy)},
+                       {"merge", p.merge},
+                       {"angle", p.angle},
+                       {"maxQuads", p.max_quads},
+                       {"fields", record.fields}};
+    if (p.release_until)
+        out["releaseUntil"] = *p.release_until;
+    if (p.sweep)
+        out["sweep"] = {p.sweep->x, p.sweep->y, p.sweep->z};
+    if (record.rake2)
+        out["rake2"] = *record.rake2;
+    return out;
 }
 
 } // namespace wakesurf::protocol

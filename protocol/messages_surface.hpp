@@ -22,8 +22,9 @@ struct SurfaceLimits {
 struct SurfaceSetting {
     std::optional<std::string> surface; ///< nothing: create one
     std::string rake;
+    std::optional<std::string> rake2; ///< of the session as well
     std::string dataset;
-    core::SurfaceParameters parameters;
+    core::SurfaceParameters parameters; ///< its rake2 is left to the session
     std::vector<std::string> fields;
     std::optional<std::uint64_t> if_rev;
 };
@@ -36,9 +37,12 @@ struct SurfaceRecord {
     std::uint64_t rev = 0;
     std::uint32_t epoch = 0;
     std::string rake;
+    std::optional<std::string> rake2;
     std::string dataset;
-    core::SurfaceParameters parameters;
+    core::SurfaceParameters parameters; ///< without the shape of rake2
     std::vector<std::string> fields;
+
+    bool hangs_on(const std::string& id) const { return rake == id || rake2 == id; }
 };
 
 nlohmann::json surface_json(const SurfaceRecord& record);

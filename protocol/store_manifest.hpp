@@ -1,4 +1,5 @@
-// A store's manifest, store.json <-> values: what wakesurf-import writes and the server opens a store by.
+// A store's manifest, store.json <-> values: what wakesurf-import and `wakesurf generate` write and
+// the server opens a store by.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -28,7 +29,8 @@ struct SourceFile {
 /// What a store was made from: equal sources give equal stores, so an import of one need not be repeated.
 struct StoreSource {
     std::vector<SourceFile> files;
-    std::string selection; ///< --fields and --times of the import, empty: everything
+    /// --fields and --times of an import, empty: everything. Flow, grid and times of what was generated.
+    std::string selection;
 
     bool operator==(const StoreSource&) const = default;
 };

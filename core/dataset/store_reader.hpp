@@ -1,4 +1,4 @@
-// Reads a store: the folder of raw float32 files that wakesurf-import writes. First stage of the path;
+// Reads a store: the folder of raw float32 files that wakesurf-import and `wakesurf generate` write. First stage of the path;
 // the manifest's text is read by protocol/store_manifest.hpp, which fills the layout.
 #pragma once
 

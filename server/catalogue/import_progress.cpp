@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include <algorithm>
+
 namespace wakesurf::server {
 
 std::string progress_line(const ImportProgress& progress) {
@@ -36,22 +38,27 @@ std::optional<ImportProgress> parse_progress_line(std::string_view line) {
     return progress;
 }
 
-void show_progress(const ImportProgress& progress, std::FILE* stream) {
+void show_progress(const ImportProgress& progress, std::FILE* stream, std::string_view work) {
     const bool terminal = ::isatty(::fileno(stream)) != 0;
-    const char* const line_start = terminal ? "\r\033[K" : "";
+    const std::string line_start = std::string(terminal ? "\r\033[K" : "") + std::string(work);
     if (!progress.note.empty())
-        std::fprintf(stream, "%simport: %s\n", line_start, progress.note.c_str());
+        std::fprintf(stream, "%s: %s\n", line_start.c_str(), progress.note.c_str());
     constexpr std::size_t width = 40;
-    const std::size_t filled = progress.total == 0 ? 0 : width * progress.done / progress.total;
+    const double done = static_cast<double>(progress.done) + progress.part;
+    const auto filled =
+        progress.total == 0
+            ? std::size_t{0}
+            : std::min(width, static_cast<std::size_t>(width * done /
+                                                       static_cast<double>(progress.total)));
     if (terminal)
-        std::fprintf(stream, "%simport [%s%s] %zu of %zu %s", line_start,
+        std::fprintf(stream, "%s [%s%s] %zu of %zu %s", line_start.c_str(),
                      std::string(filled, '#').c_str(), std::string(width - filled, ' ').c_str(),
                      progress.done, progress.total, progress.file.c_str());
     if (terminal && progress.phase == "done")
         std::fputc('\n', stream);
-    if (!terminal && progress.phase == "import")
-        std::fprintf(stream, "import: %zu of %zu, %s\n", progress.done, progress.total,
-                     progress.file.c_str());
+    if (!terminal && progress.phase == work)
+        std::fprintf(stream, "%s: %zu of %zu, %s\n", line_start.c_str(), progress.done,
+                     progress.total, progress.file.c_str());
     std::fflush(stream);
 }
 

@@ -1,5 +1,6 @@
 // The program `wakesurf`: parses the command line and hands over to one command.
 #include "server/bench/bench_command.hpp"
+#include "server/cli/generate_command.hpp"
 #include "server/cli/import_command.hpp"
 #include "server/cli/info_command.hpp"
 #include "server/cli/serve_command.hpp"
@@ -58,6 +59,10 @@ int run(int argc, char** argv) {
     add_import_options(
         *command("import", "Convert a dataset into a store", [&] { return run_import(import); }),
         import);
+    GenerateOptions generate;
+    add_generate_options(*command("generate", "Sample a built-in flow into a store",
+                                  [&] { return run_generate(generate); }),
+                         generate);
     BenchOptions bench;
     add_bench_options(*command("bench", "Measure this machine", [&] { return run_bench(bench); }),
                       bench);

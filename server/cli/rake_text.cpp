@@ -10,6 +10,7 @@ namespace wakesurf::server {
 
 namespace {
 
+constexpr auto invalid = core::Error::Code::InvalidArgument;
 constexpr std::string_view blanks = " \t\n";
 
 std::optional<core::Vec3> point_of(std::string_view word) {
@@ -31,23 +32,30 @@ std::optional<core::Vec3> point_of(std::string_view word) {
 
 } // namespace
 
-core::Result<core::Rake> parse_rake(std::string_view text, std::uint32_t seeds) {
-    constexpr auto invalid = core::Error::Code::InvalidArgument;
+core::Result<core::Vec3> parse_vector(std::string_view text, const std::string& option) {
+    const auto point = point_of(text);
+    if (!point)
+        return core::fail(invalid, option + ": '" + std::string(text) + "' is not a point",
+                          "write points as x,y,z and separate them by spaces");
+    if (!core::finite(*point))
+        return core::fail(invalid, option + ": '" + std::string(text) + "' is not finite");
+    return *point;
+}
+
+core::Result<core::Rake>
+parse_rake(std::string_view text, std::uint32_t seeds, const std::string& option) {
     core::Rake rake{.kind = core::Rake::Kind::Line, .points = {}, .seeds = seeds};
     for (auto start = text.find_first_not_of(blanks); start != std::string_view::npos;) {
         const auto stop = std::min(text.find_first_of(blanks, start), text.size());
-        const auto word = text.substr(start, stop - start);
-        const auto point = point_of(word);
+        const auto point = parse_vector(text.substr(start, stop - start), option);
         if (!point)
-            return core::fail(invalid, "--rake: '" + std::string(word) + "' is not a point",
-                              "write points as x,y,z and separate them by spaces");
-        if (!core::finite(*point))
-            return core::fail(invalid, "--rake: '" + std::string(word) + "' is not finite");
+            return tl::unexpected(point.error());
         rake.points.push_back(*point);
         start = text.find_first_not_of(blanks, stop);
     }
     if (rake.points.size() < 2)
-        return core::fail(invalid, "--rake: fewer than two points", "as in --rake \"0,0,0 0,0,1\"");
+        return core::fail(invalid, option + ": fewer than two points",
+                          "as in " + option + " \"0,0,0 0,0,1\"");
     if (rake.points.size() > 2)
         rake.kind = core::Rake::Kind::Polyline;
     return rake;

@@ -5,11 +5,16 @@
 #include "core/surface/rake.hpp"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace wakesurf::server {
 
-/// Two points make a line, more a polyline. Error: InvalidArgument, naming the point that is wrong.
-core::Result<core::Rake> parse_rake(std::string_view text, std::uint32_t seeds);
+/// Two points make a line, more a polyline. Error: InvalidArgument, naming the option and the point that is wrong.
+core::Result<core::Rake>
+parse_rake(std::string_view text, std::uint32_t seeds, const std::string& option = "--rake");
+
+/// x,y,z. Error: InvalidArgument for anything but three finite numbers.
+core::Result<core::Vec3> parse_vector(std::string_view text, const std::string& option);
 
 } // namespace wakesurf::server

@@ -62,12 +62,42 @@ core::Result<void> write(const SurfaceOptions& options,
                                          .to = request.parameters.to,
                                          .separation = surface.statistics.separation,
                                          .dataset = info.dataset,
-                                         .version = WAKESURF_VERSION};
+                                         .version = WAKESURF_VERSION,
+                                         .release_until = request.parameters.release_until,
+                                         .rake2 = request.parameters.rake2
+                                                      ? request.parameters.rake2->points
+                                                      : std::vector<core::Vec3>{},
+                                         .sweep = request.parameters.sweep};
     auto written = write_whole_file(options.output, protocol::mesh_vtp(surface.mesh, metadata));
     if (!written || options.stats.empty())
         return written;
     const auto statistics = protocol::statistics_json(surface.statistics);
     return write_whole_file(options.stats, protocol::json_text(statistics, 2) + "\n");
+}
+
+core::Result<core::Rake> clipped(const core::Rake& rake, const core::Box& domain) {
+    return core::clip_rake(rake, domain).map([](core::ClippedRake&& kept) {
+        if (kept.clipped)
+            fmt::print(stderr,
+                       "wakesurf: part of the rake is outside the domain and was cut away\n");
+        return std::move(kept.rake);
+    });
+}
+
+/// Both curves of the patch end up inside the domain.
+core::Result<void> clip_rakes(SurfaceRequest& request, const core::Box& domain) {
+    auto rake = clipped(request.rake, domain);
+    if (!rake)
+        return tl::unexpected(rake.error());
+    request.rake = std::move(*rake);
+    if (!request.parameters.rake2)
+        return {};
+    auto second = clipped(*request.parameters.rake2, domain);
+    if (!second)
+        return core::fail(second.error().code, "--rake2: " + second.error().message,
+                          second.error().hint);
+    request.parameters.rake2 = std::move(*second);
+    return {};
 }
 
 core::Result<void>
@@ -79,12 +109,8 @@ make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop
         return chosen;
     if (request.parameters.separation == 0.0)
         request.parameters.separation = dataset->info.finest_spacing;
-    auto clipped = core::clip_rake(request.rake, dataset->flow->domain());
-    if (!clipped)
-        return tl::unexpected(clipped.error());
-    if (clipped->clipped)
-        fmt::print(stderr, "wakesurf: part of the rake is outside the domain and was cut away\n");
-    request.rake = std::move(clipped->rake);
+    if (auto inside = clip_rakes(request, dataset->flow->domain()); !inside)
+        return inside;
     const auto surface = build(*dataset, request, options.threads, stop);
     if (!surface)
         return tl::unexpected(surface.error());
@@ -111,7 +137,8 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
     command.add_option("--seeds", options.seeds, "Seeds on the rake to begin with")
         ->check(CLI::Range(2, 4096))
         ->capture_default_str();
-    command.add_option("--from", options.from, "Time frozen at (stream) or of release (path)");
+    command.add_option("--from", options.from,
+                       "Time frozen at (stream), of release (path, time) or of the first (streak)");
     command.add_option("--to", options.to, "Shown until; --to less --from is the integration time");
     command.add_option("--separation", options.separation,
                        "Longest edge (default: the finest spacing)");
@@ -119,9 +146,16 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         ->capture_default_str();
     command.add_option("--direction", options.direction, "forward, backward or both")
         ->capture_default_str();
-    command.add_option("--release-until", options.release_until, "Streak: release stops here");
-    command.add_option("--rake2", options.rake2, "Time: the second curve of the patch");
-    command.add_option("--sweep", options.sweep, "Time: x,y,z the curve is swept along");
+    command.add_option("--release-until", options.release_until,
+                       "Streak: the release stops here (default: --to)");
+    command.add_option("--rake2", options.rake2, "Time: the patch lies between --rake and this");
+    command.add_option("--sweep", options.sweep, "Time: or --rake is swept along x,y,z");
+    command
+        .add_option("--merge", options.merge,
+                    "Cells merge below this part of the separation, 0 to 0.7")
+        ->capture_default_str();
+    command.add_option("--angle", options.angle, "Cells that meet at more degrees are refined")
+        ->capture_default_str();
     command.add_option("--fields", options.fields, "Scalar fields to write at the vertices, a,b");
     command.add_option("--max-quads", options.max_quads, "Most quads to build")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}))
@@ -144,7 +178,13 @@ int run_surface(const SurfaceOptions& options) {
     }
     const StopOnSignal signals;
     const auto made = make(options, *std::move(request), signals.token());
-    return made ? 0 : report_failure(made.error());
+    if (made)
+        return 0;
+    // Which times make sense is known only with the dataset.
+    const bool usage = made.error().code == core::Error::Code::InvalidArgument &&
+                       made.error().message.starts_with("--");
+    const int status = report_failure(made.error());
+    return usage ? 2 : status;
 }
 
 } // namespace wakesurf::server

@@ -1,6 +1,8 @@
 // `wakesurf surface`: from a dataset and a rake to a mesh file, without a server.
 #pragma once
 
+#include "core/surface/surface_parameters.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -25,6 +27,8 @@ struct SurfaceOptions {
     std::optional<double> release_until;
     std::string rake2;
     std::string sweep;
+    double merge = core::SurfaceParameters{}.merge;
+    double angle = core::SurfaceParameters{}.angle;
     std::string fields;
     std::uint64_t max_quads = 1'000'000;
     std::uint64_t memory = std::uint64_t{4} << 30;

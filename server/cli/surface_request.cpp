@@ -46,6 +46,14 @@ core::Result<void> check_numbers(const SurfaceOptions& options) {
         return refuse("--separation");
     if (options.separation < 0)
         return core::fail(Code::InvalidArgument, "--separation is negative");
+    if (options.release_until && !std::isfinite(*options.release_until))
+        return refuse("--release-until");
+    if (!(options.merge >= 0.0 && options.merge <= 0.7))
+        return core::fail(Code::InvalidArgument, "--merge is not within 0 and 0.7",
+                          "0 never merges cells, 0.35 is the default");
+    if (!(options.angle >= 0.0 && options.angle <= 180.0))
+        return core::fail(Code::InvalidArgument, "--angle is not within 0 and 180 degrees",
+                          "180 never refines by angle, 20 is the default");
     return {};
 }
 
@@ -70,21 +78,43 @@ core::Result<void> check_output(const std::string& output, const char* option, b
     return {};
 }
 
-core::Result<void> check_supported(const SurfaceOptions& options, core::SurfaceKind kind) {
-    const auto unsupported = [](const std::string& what) {
-        return core::fail(Code::Unsupported, "this version of wakesurf does not have " + what,
-                          "stream and path surfaces of one rake work");
-    };
-    if (kind == core::SurfaceKind::Streak || kind == core::SurfaceKind::Time)
-        return unsupported(std::string(protocol::name(kind)) + " surfaces");
-    if (options.release_until)
-        return unsupported("--release-until");
-    if (!options.rake2.empty())
-        return unsupported("--rake2");
-    if (!options.sweep.empty())
-        return unsupported("--sweep");
+core::Result<void> usage(const std::string& what, const std::string& hint) {
+    return core::fail(Code::InvalidArgument, what, hint);
+}
+
+/// What only streak surfaces and only time surfaces have.
+core::Result<void> check_kind(const SurfaceOptions& options, core::SurfaceKind kind) {
+    const bool time = kind == core::SurfaceKind::Time;
+    if (options.release_until && kind != core::SurfaceKind::Streak)
+        return usage("--release-until belongs to streak surfaces", "use it with --kind streak");
+    if (!options.rake2.empty() && !time)
+        return usage("--rake2 belongs to time surfaces", "use it with --kind time");
+    if (!options.sweep.empty() && !time)
+        return usage("--sweep belongs to time surfaces", "use it with --kind time");
+    if (time && options.rake2.empty() == options.sweep.empty())
+        return usage("--kind time takes one of --rake2 and --sweep",
+                     "as in --rake2 \"0,0,0 0,0,1\" or --sweep 0,1,0");
     if (!options.fields.empty())
-        return unsupported("--fields");
+        return core::fail(Code::Unsupported, "this version of wakesurf does not have --fields",
+                          "speed, velocity and deformation are written at every vertex");
+    return {};
+}
+
+core::Result<void> read_patch(const SurfaceOptions& options, core::SurfaceParameters& out) {
+    if (!options.rake2.empty()) {
+        auto rake = parse_rake(options.rake2, options.seeds, "--rake2");
+        if (!rake)
+            return tl::unexpected(rake.error());
+        out.rake2 = *std::move(rake);
+    }
+    if (!options.sweep.empty()) {
+        const auto sweep = parse_vector(options.sweep, "--sweep");
+        if (!sweep)
+            return tl::unexpected(sweep.error());
+        if (*sweep == core::Vec3(0.0))
+            return usage("--sweep: '" + options.sweep + "' goes nowhere", "as in --sweep 0,1,0");
+        out.sweep = *sweep;
+    }
     return {};
 }
 
@@ -96,12 +126,14 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
         return tl::unexpected(checked.error());
     if (auto checked = check_numbers(options); !checked)
         return tl::unexpected(checked.error());
-    if (auto checked = check_supported(options, request.parameters.kind); !checked)
+    if (auto checked = check_kind(options, request.parameters.kind); !checked)
         return tl::unexpected(checked.error());
     auto rake = parse_rake(options.rake, options.seeds);
     if (!rake)
         return tl::unexpected(rake.error());
     request.rake = *std::move(rake);
+    if (auto checked = read_patch(options, request.parameters); !checked)
+        return tl::unexpected(checked.error());
     if (auto checked = check_output(options.output, "-o", true); !checked)
         return tl::unexpected(checked.error());
     if (!options.stats.empty()) {
@@ -109,6 +141,8 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
             return tl::unexpected(checked.error());
     }
     request.parameters.separation = options.separation;
+    request.parameters.merge = options.merge;
+    request.parameters.angle = options.angle;
     request.parameters.max_quads = options.max_quads;
     request.parameters.deformation = true;
     return request;
@@ -126,6 +160,14 @@ core::Result<void> choose_times(core::SurfaceParameters& parameters,
         return core::fail(Code::InvalidArgument, "--to " + std::to_string(parameters.to) +
                                                      " does not lie after --from " +
                                                      std::to_string(parameters.from));
+    parameters.release_until = options.release_until;
+    const double until = options.release_until.value_or(parameters.to);
+    if (!(until > parameters.from) || until > parameters.to)
+        return core::fail(Code::InvalidArgument,
+                          "--release-until " + std::to_string(until) +
+                              " does not lie between --from " + std::to_string(parameters.from) +
+                              " and --to " + std::to_string(parameters.to),
+                          "leave it out to release until --to");
     return {};
 }
 

@@ -21,7 +21,8 @@ struct SurfaceRequest {
 core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options);
 
 /// `from` and `to` where the options leave them open: the first and last time of the data; 10 time units after `from`
-/// where it has only one. Error: InvalidArgument when the two do not follow each other.
+/// where it has only one. Error: InvalidArgument when the two do not follow each other, or the release does not end
+/// between them.
 core::Result<void> choose_times(core::SurfaceParameters& parameters,
                                 const SurfaceOptions& options,
                                 const std::vector<double>& times);

@@ -1,7 +1,7 @@
 #include "server/import/conversion.hpp"
 
+#include "server/catalogue/store_writer.hpp"
 #include "server/import/image_file.hpp"
-#include "server/import/store_writer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -265,6 +265,7 @@ core::Result<void> convert(const ImportRequest& request,
     protocol::StoreSource source{std::move(*files), request.selection};
     auto writer = StoreWriter::open(store, [&] {
         show({"waiting", 0, 0, {}, "another import is writing this store"});
+        return core::Result<void>();
     });
     if (!writer)
         return tl::unexpected(writer.error());

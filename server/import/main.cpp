@@ -2,8 +2,8 @@
 // hurts nobody else.
 #include "protocol/dataset_json.hpp"
 #include "protocol/json_text.hpp"
+#include "server/catalogue/store_writer.hpp"
 #include "server/import/conversion.hpp"
-#include "server/import/store_writer.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -78,7 +78,8 @@ int main(int argc, char** argv) {
     for (const auto& field : request.fields)
         request.selection += "field " + field + " ";
     request.selection += times.empty() ? "" : "times " + times;
-    server::end_on_signals();
+    server::end_on_signals(
+        "wakesurf-import: interrupted; the same command goes on where this one ended\n");
     try {
         return run(request, store, describe_only);
     } catch (const std::exception& error) {

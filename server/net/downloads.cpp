@@ -65,9 +65,17 @@ Body surface_file(const SurfaceJob& job, const std::string& dataset, const std::
     const auto surface = core::build_surface(*job.flow, job.rake, parameters, stop);
     if (!surface)
         return tl::unexpected(surface.error());
-    const protocol::VtpMetadata metadata{parameters.kind, job.rake.points,       parameters.from,
-                                         parameters.to,   parameters.separation, dataset,
-                                         WAKESURF_VERSION};
+    protocol::VtpMetadata metadata{.kind = parameters.kind,
+                                   .rake = job.rake.points,
+                                   .from = parameters.from,
+                                   .to = parameters.to,
+                                   .separation = parameters.separation,
+                                   .dataset = dataset,
+                                   .version = WAKESURF_VERSION,
+                                   .release_until = parameters.release_until,
+                                   .sweep = parameters.sweep};
+    if (parameters.rake2)
+        metadata.rake2 = parameters.rake2->points;
     return std::make_shared<const std::string>(protocol::mesh_vtp(surface->mesh, metadata));
 }
 

@@ -14,7 +14,7 @@ json info() {
     return {{"name", "wakesurf"},
             {"version", WAKESURF_VERSION},
             {"apiLevel", 1},
-            {"capabilities", {"stream", "path", "mesh.vtp", "obstacle.bin"}},
+            {"capabilities", {"stream", "path", "streak", "time", "mesh.vtp", "obstacle.bin"}},
             {"limits",
              {{"messageBytes", limits::message_bytes},
               {"batch", limits::batch},

@@ -86,7 +86,7 @@ core::Result<core::ClippedRake> Session::clip_to(const core::Rake& shape,
 core::Result<core::ClippedRake> Session::clip(const protocol::RakeSetting& setting) const {
     std::vector<std::string> used;
     for (const auto& [id, entry] : surfaces_)
-        if (entry.record.rake == setting.rake)
+        if (setting.rake && entry.record.hangs_on(*setting.rake))
             used.push_back(entry.record.dataset);
     core::ClippedRake result{setting.shape, false};
     for (const std::string& dataset : used) {
@@ -131,7 +131,7 @@ core::Result<RakeChange> Session::set_rake(const protocol::RakeSetting& setting)
     RakeChange change{record, {}};
     std::vector<Patch> patches{record};
     for (auto& [surface, entry] : surfaces_) {
-        if (entry.record.rake != id)
+        if (!entry.record.hangs_on(id))
             continue;
         auto job = job_for(entry.record);
         if (!job) // its dataset has gone since; the surface keeps what it has
@@ -150,7 +150,7 @@ core::Result<void> Session::delete_rake(const std::string& id) {
     std::vector<Patch> patches;
     std::erase_if(surfaces_, [&](auto& each) {
         auto& [surface, entry] = each;
-        if (entry.record.rake != id)
+        if (!entry.record.hangs_on(id))
             return false;
         entry.live->retire();
         patches.emplace_back(DeletedRecord{"surface", surface});
@@ -169,7 +169,13 @@ core::Result<SurfaceJob> Session::job_for(const protocol::SurfaceRecord& record)
     auto rake = core::clip_rake(rakes_.at(record.rake).shape, open->flow->domain());
     if (!rake)
         return tl::unexpected(rake.error());
-    const core::SurfaceParameters& p = record.parameters;
+    core::SurfaceParameters p = record.parameters;
+    if (record.rake2) {
+        auto second = core::clip_rake(rakes_.at(*record.rake2).shape, open->flow->domain());
+        if (!second)
+            return tl::unexpected(second.error());
+        p.rake2 = std::move(second->rake);
+    }
     if (auto sound = core::check_request(p); !sound)
         return tl::unexpected(sound.error());
     // The engine's own checks of times and budget, now rather than when the job runs.
@@ -177,7 +183,7 @@ core::Result<SurfaceJob> Session::job_for(const protocol::SurfaceRecord& record)
         return tl::unexpected(options.error());
     SurfaceJob job;
     job.rake = std::move(rake->rake);
-    job.parameters = record.parameters;
+    job.parameters = std::move(p);
     job.flow = open->flow;
     job.lattice = open->lattice;
     return job;
@@ -188,6 +194,8 @@ core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::Surfa
         return no_record("surface", *asked.surface);
     if (!rakes_.contains(asked.rake))
         return no_record("rake", asked.rake);
+    if (asked.rake2 && !rakes_.contains(*asked.rake2))
+        return no_record("rake", *asked.rake2);
     if (!asked.surface && surfaces_.size() >= limits::surfaces)
         return too_many("surfaces", limits::surfaces);
     protocol::SurfaceSetting setting = asked;
@@ -197,7 +205,7 @@ core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::Surfa
     if (auto complete = complete_surface(setting, *open); !complete)
         return tl::unexpected(complete.error());
     protocol::SurfaceRecord record{
-        {}, 0, 0, setting.rake, setting.dataset, setting.parameters, setting.fields};
+        {}, 0, 0, setting.rake, setting.rake2, setting.dataset, setting.parameters, setting.fields};
     auto job = job_for(record);
     if (!job)
         return tl::unexpected(job.error());

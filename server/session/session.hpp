@@ -56,9 +56,11 @@ class Session {
     core::Result<protocol::SurfaceRecord> surface(const std::string& id) const;
     core::Result<std::shared_ptr<LiveSurface>> live(const std::string& id) const;
 
-    /// Creates or replaces a rake and rebuilds the surfaces that hang on it. Error: NotFound, OverLimit,
+    /// Creates or replaces a rake and rebuilds the surfaces that hang on it, as rake or as rake2. Error: NotFound, OverLimit,
     /// InvalidArgument, OutOfDomain by how much; nothing has changed then.
     core::Result<RakeChange> set_rake(const protocol::RakeSetting& setting);
+
+    /// Deletes the surfaces that hang on it as well.
     core::Result<void> delete_rake(const std::string& id);
 
     /// Creates or replaces a surface and starts building it. Error: NotFound (surface, rake, dataset), Unsupported

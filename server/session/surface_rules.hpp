@@ -6,7 +6,8 @@
 
 namespace wakesurf::server {
 
-/// Fills in what was left to the dataset (the separation). Error: Unsupported (kind), InvalidArgument (unknown field).
+/// Fills in what was left to the dataset (the separation). Error: InvalidArgument (an unknown field; what the kind of
+/// surface does not have, or lacks), naming the parameter.
 core::Result<void> complete_surface(protocol::SurfaceSetting& setting, const OpenDataset& dataset);
 
 } // namespace wakesurf::server

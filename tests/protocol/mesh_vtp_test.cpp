@@ -1,15 +1,14 @@
 #include "protocol/mesh_vtp.hpp"
 #include "tests/support/small_mesh.hpp"
+#include "tests/support/vtp_arrays.hpp"
 
 #include <gtest/gtest.h>
-
-#include <cstring>
-#include <regex>
 
 namespace wakesurf::protocol {
 
 namespace {
 
+using tests::array_of;
 using tests::small_mesh;
 
 const VtpMetadata metadata{.kind = core::SurfaceKind::Path,
@@ -19,23 +18,6 @@ const VtpMetadata metadata{.kind = core::SurfaceKind::Path,
                            .separation = 0.05,
                            .dataset = "a<b",
                            .version = "1.2.3"};
-
-/// The array `name` read back by its offset into the appended data, as a reader would.
-template <class T>
-std::vector<T> array_of(const std::string& file, const std::string& type, const std::string& name) {
-    const std::regex entry("<DataArray type=\"" + type + "\" Name=\"" + name +
-                           "\"[^>]*offset=\"([0-9]+)\"");
-    const auto xml = file.substr(0, file.find("<AppendedData"));
-    std::smatch match;
-    if (!std::regex_search(xml, match, entry))
-        return {};
-    const auto start = file.find("\n_") + 2 + std::stoull(match[1]);
-    std::uint64_t bytes = 0;
-    std::memcpy(&bytes, file.data() + start, sizeof(bytes));
-    std::vector<T> values(bytes / sizeof(T));
-    std::memcpy(values.data(), file.data() + start + sizeof(bytes), bytes);
-    return values;
-}
 
 } // namespace
 
@@ -77,6 +59,22 @@ TEST(MeshVtp, WritesMetadataThatReadsBackTheSame) {
     EXPECT_NE(file.find("Name=\"separation\" NumberOfComponents=\"1\" NumberOfTuples=\"1\" "
                         "format=\"ascii\">0.05 <"),
               std::string::npos);
+}
+
+TEST(MeshVtp, SaysWhatTheSurfaceWasReleasedFromWhereThatIsMoreThanARake) {
+    EXPECT_EQ(mesh_vtp(small_mesh(), metadata).find("Name=\"sweep\""), std::string::npos);
+    auto more = metadata;
+    more.sweep = core::Vec3(0, 1, 0);
+    more.rake2 = {{0, 0, 1}, {0, 0, 2}};
+    more.release_until = 2.5;
+    const auto file = mesh_vtp(small_mesh(), more);
+    for (const std::string part : {"Name=\"sweep\" NumberOfComponents=\"3\" NumberOfTuples=\"1\" "
+                                   "format=\"ascii\">0 1 0 <",
+                                   "Name=\"rake2\" NumberOfComponents=\"3\" NumberOfTuples=\"2\" "
+                                   "format=\"ascii\">0 0 1 0 0 2 <",
+                                   "Name=\"releaseUntil\" NumberOfComponents=\"1\" "
+                                   "NumberOfTuples=\"1\" format=\"ascii\">2.5 <"})
+        EXPECT_NE(file.find(part), std::string::npos) << part;
 }
 
 TEST(MeshVtp, GivesTheSameBytesForTheSameMesh) {

@@ -25,6 +25,16 @@ TEST(RakeText, RefusesWhatIsNoPointAndSaysWhich) {
     }
     EXPECT_FALSE(parse_rake("", 2));
     EXPECT_FALSE(parse_rake("0,0,0", 2));
+    EXPECT_EQ(parse_rake("0,0,0", 2, "--rake2").error().message, "--rake2: fewer than two points");
+}
+
+TEST(RakeText, AVectorIsOnePoint) {
+    EXPECT_EQ(parse_vector("1,-2,3e1", "--sweep"), core::Vec3(1, -2, 30));
+    for (const auto* text : {"", "1,2", "1,2,3 4,5,6", "1,2,inf"}) {
+        const auto vector = parse_vector(text, "--sweep");
+        ASSERT_FALSE(vector) << text;
+        EXPECT_TRUE(vector.error().message.starts_with("--sweep: '")) << vector.error().message;
+    }
 }
 
 } // namespace wakesurf::server

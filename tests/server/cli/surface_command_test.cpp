@@ -122,8 +122,7 @@ TEST_F(SurfaceCommand, CutsARakeThatIsPartlyOutsideAndSaysSo) {
 
 TEST_F(SurfaceCommand, FailsWithStatusOneWhereTheRequestIsWellFormedButCannotBeDone) {
     refuses({"--rake", "30,0,0 40,0,0"}, 1, "outside");
-    refuses({"--kind", "streak"}, 1, "streak surfaces");
-    refuses({"--sweep", "0,0,1"}, 1, "--sweep");
+    refuses({"--kind", "time", "--rake2", "30,0,0 40,0,0"}, 1, "--rake2");
     refuses({"--fields", "p"}, 1, "--fields");
     refuses({"-o", file("out.glb")}, 1, ".glb");
     refuses({"-o", file("missing/out.vtp")}, 1, "no folder");
@@ -139,6 +138,26 @@ TEST_F(SurfaceCommand, AnswersWrongUsageWithStatusTwo) {
     refuses({"--accuracy", "good"}, 2, "--accuracy");
     refuses({"-o", file("out.stl")}, 2, "out.stl");
     refuses({"--no-such-option", "1"}, 2, "--no-such-option");
+    refuses({"--merge", "0.8"}, 2, "--merge");
+    refuses({"--merge", "nan"}, 2, "--merge");
+    refuses({"--angle", "-1"}, 2, "--angle");
+    refuses({"--from", "3"}, 2, "--to 2");
+}
+
+TEST_F(SurfaceCommand, AnswersWrongUsageToWhatAnotherKindOfSurfaceHas) {
+    refuses({"--release-until", "1"}, 2, "--release-until");
+    refuses({"--kind", "time", "--sweep", "0,1,0", "--release-until", "1"}, 2, "--release-until");
+    refuses({"--sweep", "0,0,1"}, 2, "--sweep");
+    refuses({"--kind", "streak", "--rake2", "0,1,0 1,1,0"}, 2, "--rake2");
+    refuses({"--kind", "time"}, 2, "--rake2 and --sweep");
+    refuses({"--kind", "time", "--sweep", "0,1,0", "--rake2", "0,1,0 1,1,0"}, 2,
+            "--rake2 and --sweep");
+    refuses({"--kind", "time", "--sweep", "0,0,0"}, 2, "--sweep");
+    refuses({"--kind", "time", "--sweep", "0,1"}, 2, "--sweep");
+    refuses({"--kind", "time", "--rake2", "0,1,0"}, 2, "--rake2");
+    refuses({"--kind", "streak", "--release-until", "nan"}, 2, "--release-until");
+    refuses({"--kind", "streak", "--release-until", "2.5"}, 2, "--release-until");
+    refuses({"--kind", "streak", "--release-until", "0"}, 2, "--release-until");
 }
 
 TEST_F(SurfaceCommand, KeepsTheOldFileWhenTheNewOneCannotBeMade) {

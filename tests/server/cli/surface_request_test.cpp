@@ -41,4 +41,42 @@ TEST(SurfaceRequest, RefusesTimesThatRunBackwards) {
     EXPECT_FALSE(choose_times(parameters, times({}, -1.0), {0, 1}));
 }
 
+TEST(SurfaceRequest, HasTheReleaseEndBetweenFromAndTo) {
+    auto options = times(1.0, 4.0);
+    EXPECT_FALSE(chosen(options, {}).release_until);
+    for (const double until : {1.5, 4.0}) {
+        options.release_until = until;
+        EXPECT_EQ(chosen(options, {}).release_until, until);
+    }
+    for (const double until : {0.5, 1.0, 4.5}) {
+        options.release_until = until;
+        core::SurfaceParameters parameters;
+        EXPECT_FALSE(choose_times(parameters, options, {})) << until;
+    }
+}
+
+TEST(SurfaceRequest, CarriesEverythingTheEngineIsToKnow) {
+    SurfaceOptions options = times(0.0, 1.0);
+    options.kind = "time";
+    options.rake = "0,0,0 1,0,0";
+    options.rake2 = "0,1,0 1,1,0 2,1,0";
+    options.seeds = 9;
+    options.merge = 0.5;
+    options.angle = 12;
+    options.output = "out.vtp";
+    const auto between = check_surface_options(options);
+    ASSERT_TRUE(between) << between.error().message;
+    EXPECT_EQ(between->parameters.kind, core::SurfaceKind::Time);
+    EXPECT_EQ(between->parameters.rake2->points.size(), 3U);
+    EXPECT_EQ(between->parameters.rake2->seeds, 9U);
+    EXPECT_EQ(between->parameters.merge, 0.5);
+    EXPECT_EQ(between->parameters.angle, 12.0);
+    EXPECT_FALSE(between->parameters.sweep);
+    options.rake2.clear();
+    options.sweep = "0,-1,2.5";
+    const auto swept = check_surface_options(options);
+    ASSERT_TRUE(swept) << swept.error().message;
+    EXPECT_EQ(swept->parameters.sweep, core::Vec3(0, -1, 2.5));
+}
+
 } // namespace wakesurf::server

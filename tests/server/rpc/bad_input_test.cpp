@@ -119,9 +119,17 @@ TEST_F(BadInput, OfSurfacesIsRefused) {
     EXPECT_EQ(
         surface(R"("kind":"stream","dataset":"lamb-oseen","from":0,"to":1,"fields":["p"])")["code"],
         -32602);
-    const json streak = surface(R"("kind":"streak","dataset":"lamb-oseen","from":0,"to":1)");
-    EXPECT_EQ(streak["data"]["kind"], "unsupported");
-    EXPECT_NE(streak["message"].get<std::string>().find("not offered yet"), std::string::npos);
+    const json sweep =
+        surface(R"("kind":"path","dataset":"lamb-oseen","from":0,"to":1,"sweep":[0,1,0])");
+    EXPECT_EQ(sweep["code"], -32602);
+    EXPECT_NE(sweep["message"].get<std::string>().find("`sweep`"), std::string::npos);
+    EXPECT_EQ(
+        surface(R"("kind":"time","dataset":"lamb-oseen","from":0,"to":1,"rake2":"r99")")["code"],
+        -32004);
+    EXPECT_EQ(
+        surface(
+            R"("kind":"streak","dataset":"lamb-oseen","from":0,"to":1,"releaseUntil":2)")["code"],
+        -32602);
 }
 
 TEST_F(BadInput, OfEnvelopesGetsTheSpecifiedCodes) {

@@ -163,6 +163,50 @@ TEST_F(SessionTest, BuildsTheSurfaceOfTheNewestEditAndDropsTheOthers) {
     live->unsubscribe(me);
 }
 
+TEST_F(SessionTest, HangsATimeSurfaceOnBothItsRakes) {
+    ASSERT_TRUE(session->participants().join("me", "", me));
+    const std::string one = session->set_rake(rake_at(0.0))->record.rake;
+    const std::string two = session->set_rake(rake_at(1.0))->record.rake;
+    const std::string other = session->set_rake(rake_at(2.0))->record.rake;
+    auto between = surface_on(one);
+    between.parameters.kind = core::SurfaceKind::Time;
+    between.rake2 = two;
+    const auto record = session->set_surface(between);
+    ASSERT_TRUE(record) << record.error().message;
+    EXPECT_EQ(record->rake2, two);
+    EXPECT_FALSE(record->parameters.rake2) << "the record names the rake, the job has its shape";
+    const auto live = *session->live(record->surface);
+    EXPECT_EQ(live->wanted().parameters.rake2->points.front(), core::Vec3(1, 0, 0));
+    EXPECT_TRUE(session->set_rake(rake_at(3.0, other))->surfaces.empty());
+    EXPECT_EQ(session->set_rake(rake_at(0.5, one))->surfaces.size(), 1U);
+    const auto moved = session->set_rake(rake_at(1.5, two));
+    ASSERT_EQ(moved->surfaces.size(), 1U);
+    EXPECT_EQ(moved->surfaces[0].second, 3U);
+    EXPECT_EQ(live->wanted().rake.points.front(), core::Vec3(0.5, 0, 0));
+    EXPECT_EQ(live->wanted().parameters.rake2->points.front(), core::Vec3(1.5, 0, 0));
+    loop.turn_until([&] { return !me.outcomes.empty(); });
+    EXPECT_FALSE(me.outcomes[0].error);
+    EXPECT_TRUE(me.outcomes[0].complete);
+    ASSERT_TRUE(session->delete_rake(two));
+    EXPECT_TRUE(session->surfaces().empty());
+    EXPECT_EQ(session->rakes().size(), 2U);
+}
+
+TEST_F(SessionTest, CutsTheSecondRakeToTheDomainToo) {
+    const std::string one = session->set_rake(rake_at(0.0))->record.rake;
+    auto wide = rake_at(0.0);
+    wide.shape.points = {{1, 0, 0}, {1, 30, 0}};
+    const auto two = session->set_rake(wide)->record;
+    EXPECT_TRUE(two.clipped);
+    auto between = surface_on(one);
+    between.parameters.kind = core::SurfaceKind::Time;
+    between.rake2 = two.rake;
+    const auto record = session->set_surface(between);
+    ASSERT_TRUE(record) << record.error().message;
+    const auto live = *session->live(record->surface);
+    EXPECT_EQ(live->wanted().parameters.rake2->points.back(), core::Vec3(1, 20, 0));
+}
+
 TEST_F(SessionTest, WaitsForTheSurfaceOrForTheTimeToRunOut) {
     const std::string rake = session->set_rake(rake_at(0.0))->record.rake;
     const auto live = build(rake);
@@ -192,9 +236,12 @@ TEST_F(SessionTest, RefusesWhatItHasNotAndWhatIsTooMuch) {
     EXPECT_EQ(session->set_surface(surface_on("r9")).error().code, Code::NotFound);
     EXPECT_EQ(session->set_rake(rake_at(100.0)).error().code, Code::OutOfDomain);
     const std::string rake = session->set_rake(rake_at(0.0))->record.rake;
-    auto streak = surface_on(rake);
-    streak.parameters.kind = core::SurfaceKind::Streak;
-    EXPECT_EQ(session->set_surface(streak).error().code, Code::Unsupported);
+    auto between = surface_on(rake);
+    between.parameters.kind = core::SurfaceKind::Time;
+    between.rake2 = "r9";
+    EXPECT_EQ(session->set_surface(between).error().code, Code::NotFound);
+    between.rake2 = rake;
+    EXPECT_EQ(session->set_surface(between).error().code, Code::InvalidArgument);
     auto elsewhere = surface_on(rake);
     elsewhere.dataset = "none";
     EXPECT_EQ(session->set_surface(elsewhere).error().code, Code::NotFound);

@@ -73,6 +73,21 @@ describe('readNotification', () => {
         });
     });
 
+    it('takes streak and time surfaces, and drops records whose parts are not what they say', () => {
+        const record = { surface: 's1', rake: 'r1', kind: 'time', epoch: 2, from: 0, to: 1 };
+        const patched = (more: object): number => {
+            const patches = [{ op: 'put', type: 'surface', id: 's1', record: { ...record, ...more } }];
+            const read = readNotification('session.patched', { session: 'main', seq: 1, patches });
+            return read?.method === 'session.patched' ? read.patches.length : -1;
+        };
+        expect(patched({ sweep: [0, 1, 0] })).toBe(1);
+        expect(patched({ rake2: 'r2' })).toBe(1);
+        expect(patched({ kind: 'streak', releaseUntil: 0.5 })).toBe(1);
+        expect(patched({ sweep: [0, 1] })).toBe(0);
+        expect(patched({ rake2: 2 })).toBe(0);
+        expect(patched({ releaseUntil: '1' })).toBe(0);
+    });
+
     it('ignores what it does not know', () => {
         expect(readNotification('presence.patched', {})).toBeNull();
         expect(readNotification('surface.done', { surface: 's1' })).toBeNull();

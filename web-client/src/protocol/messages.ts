@@ -74,7 +74,7 @@ export interface RakeRecord {
     dragging: boolean;
 }
 
-export type SurfaceKind = 'stream' | 'path';
+export type SurfaceKind = 'stream' | 'path' | 'streak' | 'time';
 export type Direction = 'forward' | 'backward' | 'both';
 export type Accuracy = 'fast' | 'balanced' | 'exact';
 
@@ -90,8 +90,15 @@ export interface SurfaceRecord {
     direction: Direction;
     separation: number;
     accuracy: Accuracy;
+    merge: number;
+    angle: number;
     maxQuads: number;
     fields: string[];
+    /** Streak: when the release stops; without it, at `to`. */
+    releaseUntil?: number;
+    /** Time: the patch is the rake swept along this vector, or lies between the rake and `rake2`. */
+    sweep?: Vec3;
+    rake2?: string;
 }
 
 export interface SurfaceStats {
@@ -131,7 +138,12 @@ export interface SurfaceSetting {
     direction?: Direction;
     separation?: number;
     accuracy?: Accuracy;
+    merge?: number;
+    angle?: number;
     maxQuads?: number;
+    releaseUntil?: number;
+    sweep?: Vec3;
+    rake2?: string;
     session?: string;
 }
 
@@ -290,7 +302,10 @@ function isSurfaceRecord(value: unknown): value is SurfaceRecord & Record<string
         typeof value['rake'] === 'string' &&
         typeof value['epoch'] === 'number' &&
         typeof value['from'] === 'number' &&
-        typeof value['to'] === 'number'
+        typeof value['to'] === 'number' &&
+        ['undefined', 'number'].includes(typeof value['releaseUntil']) &&
+        ['undefined', 'string'].includes(typeof value['rake2']) &&
+        (value['sweep'] === undefined || isVec3(value['sweep']))
     );
 }
 

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { defaultLength, defaultRake } from './defaults.ts';
+import type { Vec3 } from '../protocol/messages.ts';
+import { defaultLength, defaultRake, defaultSweep } from './defaults.ts';
 
 describe('defaultRake', () => {
     it('stands along z near the inflow of a domain that is longest in x', () => {
@@ -33,6 +34,35 @@ describe('defaultRake', () => {
             }
             expect(Math.hypot(...b.map((v, k) => v - a[k]!))).toBeGreaterThan(0.5);
         }
+    });
+});
+
+describe('defaultSweep', () => {
+    const bounds: [number, number, number, number, number, number] = [-8, 8, -4, 4, 0, 6];
+
+    it('goes across the flow from a rake across it, by a quarter of the longest side', () => {
+        const rake: Vec3[] = [
+            [-7, -2, 1],
+            [-7, -2, 5],
+        ];
+        expect(defaultSweep(bounds, rake)).toEqual([0, 4, 0]);
+    });
+
+    it('takes the axis most perpendicular to the rake, whatever its length', () => {
+        const rake: Vec3[] = [
+            [-7, -3, 1],
+            [-6.9, 3, 2],
+        ];
+        expect(defaultSweep(bounds, rake)).toEqual([4, 0, 0]);
+    });
+
+    it('goes to where there is room, and never out of the domain', () => {
+        const rake: Vec3[] = [
+            [-7, 1, 1],
+            [-7, 1, 5],
+        ];
+        expect(defaultSweep([-8, 8, -2, 2, 0, 6], rake)).toEqual([0, -2.85, 0]);
+        expect(defaultSweep(bounds, rake)).toEqual([0, -4, 0]);
     });
 });
 

@@ -26,6 +26,28 @@ export function defaultRake(bounds: Bounds): [Vec3, Vec3] {
     return [start, end];
 }
 
+/**
+ * What a time surface's rake is swept along where nobody has chosen: the axis that is most
+ * perpendicular to the rake, across the flow rather than along it (along the longest side), to
+ * where there is more room, a quarter of the longest side but not out of the domain.
+ */
+export function defaultSweep(bounds: Bounds, rake: readonly Vec3[]): Vec3 {
+    const [first = [0, 0, 0], last = [0, 0, 0]] = [rake[0], rake[rake.length - 1]];
+    const axes = ([0, 1, 2] as Axis[]).sort(
+        (a, b) =>
+            Math.abs(last[a] - first[a]) - Math.abs(last[b] - first[b]) ||
+            extent(bounds, a) - extent(bounds, b),
+    );
+    const axis = axes[0] ?? 0;
+    const below = Math.min(...rake.map((point) => point[axis])) - (bounds[axis * 2] ?? 0);
+    const above = (bounds[axis * 2 + 1] ?? 0) - Math.max(...rake.map((point) => point[axis]));
+    const longest = Math.max(...axes.map((each) => extent(bounds, each)));
+    const length = Math.min(0.25 * longest, 0.95 * Math.max(below, above));
+    const sweep: Vec3 = [0, 0, 0];
+    sweep[axis] = Number((above >= below ? length : -length).toPrecision(3));
+    return sweep;
+}
+
 /** An integration time in which the flow crosses most of the domain. */
 export function defaultLength(bounds: Bounds, fastest: number): number {
     const longest = Math.max(...([0, 1, 2] as Axis[]).map((axis) => extent(bounds, axis)));

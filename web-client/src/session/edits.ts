@@ -6,7 +6,13 @@ import type { RakeMove } from '../scene/rakeInteraction.ts';
 import { type AppState, withEntry } from '../state/appState.ts';
 import type { LatencyLog } from '../state/latency.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
-import { fulfils, intentOf, settingOf, type SurfaceIntent } from './surfaceIntent.ts';
+import {
+    fulfils,
+    intentOf,
+    settingOf,
+    type SurfaceIntent,
+    withSecondCurve,
+} from './surfaceIntent.ts';
 
 const numbersEveryMs = 200;
 
@@ -86,13 +92,17 @@ export class Edits {
         const record = state.surface.value;
         const before = this.intent.value;
         if (record === undefined || before === null) return;
-        const intent = { ...before, ...change };
+        const dataset = state.dataset.value;
+        let intent = { ...before, ...change };
+        if (dataset !== null) {
+            intent = withSecondCurve(intent, dataset.bounds, state.rakePoints.value);
+        }
         this.intent.value = intent;
-        const steady = state.dataset.value?.steady ?? false;
+        const steady = dataset?.steady ?? false;
         const setting = settingOf(intent, record, state.times.value, steady);
         if (setting === null) {
             state.editError.value =
-                'No time is left in the data after this moment to follow a path surface. ' +
+                `No time is left in the data after this moment to follow a ${intent.kind} surface. ` +
                 'Choose an earlier time.';
             return;
         }

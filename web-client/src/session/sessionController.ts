@@ -17,6 +17,7 @@ import type { AppState } from '../state/appState.ts';
 import { CallError, type WorkerClient, type WorkerEvent } from '../worker/workerClient.ts';
 import { defaultLength, defaultRake, defaultSeeds } from './defaults.ts';
 import type { Edits } from './edits.ts';
+import { settingAnew } from './surfaceIntent.ts';
 import type { SurfaceFeed } from './surfaceFeed.ts';
 import { showFragment, type UrlState, writeFragment } from './urlState.ts';
 
@@ -200,18 +201,15 @@ export class SessionController {
         seen: (rake: string, recorded: Vec3[]) => Vec3[],
     ): Promise<void> {
         const { worker } = this.options;
+        const ids = new Map<string, string>();
         for (const { rake, kind, points: recorded, seeds, name } of remembered.rakes) {
             const points = seen(rake, recorded);
             const made = await worker.call('rake.set', { kind, points, seeds, name });
-            const surfaces = remembered.surfaces.filter((s) => s.rake === rake);
-            for (const old of surfaces) {
-                const { kind, from, to, direction, separation, accuracy, maxQuads } = old;
-                await worker.call('surface.set', {
-                    rake: made.rake,
-                    dataset,
-                    ...{ kind, from, to, direction, separation, accuracy, maxQuads },
-                });
-            }
+            ids.set(rake, made.rake);
+        }
+        for (const record of remembered.surfaces) {
+            const setting = settingAnew({ ...record, dataset }, ids);
+            if (setting !== null) await worker.call('surface.set', setting);
         }
     }
 

@@ -1,8 +1,9 @@
 // The settings of the surface: its kind, how long it is followed, how fine it is.
 import { css, html, type TemplateResult } from 'lit';
-import type { SurfaceKind } from '../protocol/messages.ts';
+import type { DatasetDescription, SurfaceKind, Vec3 } from '../protocol/messages.ts';
 import { niceStep, shortNumber } from '../scene/ticks.ts';
 import { defaultLength } from '../session/defaults.ts';
+import type { SurfaceIntent } from '../session/surfaceIntent.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
@@ -14,6 +15,8 @@ const separations = [
     { factor: 2, words: 'medium' },
     { factor: 4, words: 'coarse' },
 ];
+
+const axes = ['x', 'y', 'z'] as const;
 
 export class SurfacePanel extends SignalElement {
     static override properties = { model: { attribute: false } };
@@ -69,6 +72,24 @@ export class SurfacePanel extends SignalElement {
             select {
                 max-width: 170px;
             }
+            .sweep {
+                display: grid;
+                grid-template-columns: 42px repeat(3, 1fr);
+                gap: 6px;
+                align-items: center;
+                margin-top: 8px;
+            }
+            .sweep input {
+                width: 100%;
+                min-width: 0;
+                padding: 3px 6px;
+                text-align: right;
+                font-variant-numeric: tabular-nums;
+                appearance: textfield;
+            }
+            .sweep input::-webkit-inner-spin-button {
+                appearance: none;
+            }
         `,
     ];
 
@@ -81,12 +102,14 @@ export class SurfacePanel extends SignalElement {
         const step = niceStep(usual / 40);
         const longest = Math.max(2 * usual, intent.length);
         const { to = 0, from = 0 } = state.surface.value ?? {};
-        const cut = intent.kind === 'path' && to - from < intent.length * 0.999;
+        const cut = intent.kind !== 'stream' && to - from < intent.length * 0.999;
         return html`
             <fieldset>
                 <legend>Kind of surface</legend>
-                ${this.kindChoice('stream', 'Stream', false)}
-                ${this.kindChoice('path', 'Path', dataset.times.length < 2 && !dataset.steady)}
+                ${this.kindChoice('stream', 'Stream', dataset)}
+                ${this.kindChoice('path', 'Path', dataset)}
+                ${this.kindChoice('streak', 'Streak', dataset)}
+                ${this.kindChoice('time', 'Time', dataset)}
             </fieldset>
             <label class="row" for="length">
                 <span>Integration time</span>
@@ -104,6 +127,8 @@ export class SurfacePanel extends SignalElement {
             <p class="quiet" ?hidden=${!cut}>
                 Followed for ${shortNumber(to - from)}: there the data end.
             </p>
+            ${intent.kind === 'streak' ? this.release(intent, cut ? to - from : intent.length) : ''}
+            ${intent.kind === 'time' ? this.secondCurve(intent) : ''}
             <label class="row" for="separation">
                 <span>Separation</span>
                 <select id="separation" @change=${this.separationChanged}>
@@ -113,8 +138,14 @@ export class SurfacePanel extends SignalElement {
         `;
     }
 
-    private kindChoice(kind: SurfaceKind, label: string, disabled: boolean): TemplateResult {
-        const { edits } = this.model;
+    private kindChoice(
+        kind: SurfaceKind,
+        label: string,
+        { times, steady }: DatasetDescription,
+    ): TemplateResult {
+        const { edits, state } = this.model;
+        const still = kind !== 'stream' && times.length < 2 && !steady;
+        const disabled = still || !state.capabilities.value.includes(kind);
         return html`<label class="kind">
             <input
                 type="radio"
@@ -125,6 +156,48 @@ export class SurfacePanel extends SignalElement {
                 @change=${() => edits.changeSurface({ kind })}
             />${label}
         </label>`;
+    }
+
+    /** Until when a streak surface is released; at the end of the slider, as long as it is shown. */
+    private release({ from, released }: SurfaceIntent, shown: number): TemplateResult {
+        const current = Math.min(released ?? shown, shown);
+        return html`<label class="row" for="release-until">
+                <span>Release until</span>
+                <span class="value">t = ${shortNumber(from + current)}</span>
+            </label>
+            <input
+                id="release-until"
+                type="range"
+                min=${shown / 50}
+                max=${shown}
+                step=${shown / 50}
+                .value=${String(current)}
+                @input=${(event: Event) => this.releaseChanged(event, shown)}
+            />`;
+    }
+
+    /** The second curve of a time surface's patch. */
+    private secondCurve({ sweep, rake2 }: SurfaceIntent): TemplateResult {
+        const rakes = this.model.state.rakes.value;
+        if (sweep === null) {
+            const name = rakes.get(rake2 ?? '')?.name ?? 'another rake';
+            return html`<p class="quiet">Released between this rake and ${name}.</p>`;
+        }
+        return html`<div class="sweep" role="group" aria-label="Sweep">
+            <span>Sweep</span>
+            ${axes.map(
+                (axis, k) =>
+                    html`<input
+                        id=${`sweep-${axis}`}
+                        type="number"
+                        step="any"
+                        aria-label=${`Sweep along ${axis}`}
+                        title=${`Sweep along ${axis}`}
+                        .value=${String(Number((sweep[k] ?? 0).toPrecision(4)))}
+                        @change=${(event: Event) => this.sweepChanged(event, sweep, k)}
+                    />`,
+            )}
+        </div>`;
     }
 
     private separationChoices(spacing: number, current: number): TemplateResult[] {
@@ -145,6 +218,21 @@ export class SurfacePanel extends SignalElement {
     private lengthChanged(event: Event): void {
         const length = (event.target as HTMLInputElement).valueAsNumber;
         if (length > 0) this.model.edits.changeSurface({ length });
+    }
+
+    private releaseChanged(event: Event, shown: number): void {
+        const value = (event.target as HTMLInputElement).valueAsNumber;
+        const released = value > shown * 0.999 ? null : value;
+        if (released === null || released > 0) this.model.edits.changeSurface({ released });
+    }
+
+    private sweepChanged(event: Event, before: Vec3, axis: number): void {
+        const value = (event.target as HTMLInputElement).valueAsNumber;
+        const sweep: Vec3 = [...before];
+        sweep[axis] = value;
+        if (sweep.every(Number.isFinite) && sweep.some((each) => each !== 0)) {
+            this.model.edits.changeSurface({ sweep });
+        } else this.requestUpdate();
     }
 
     private separationChanged(event: Event): void {

@@ -1,9 +1,18 @@
 // The time of the data: one stop of the slider for every time-step that is ready.
 import { css, html, type TemplateResult } from 'lit';
+import type { SurfaceKind } from '../protocol/messages.ts';
 import { shortNumber } from '../scene/ticks.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
+
+/** What the time of the slider is for a surface of each kind. */
+const meanings: Record<SurfaceKind, string> = {
+    stream: 'frozen at',
+    path: 'released at',
+    streak: 'released from',
+    time: 'released at',
+};
 
 export class TimeBar extends SignalElement {
     static override properties = { model: { attribute: false } };
@@ -37,7 +46,7 @@ export class TimeBar extends SignalElement {
         const intent = edits.intent.value;
         const index = nearestIndex(times, intent?.from ?? 0);
         const still = intent === null || times.length < 2;
-        const meaning = intent?.kind === 'path' ? 'released at' : 'frozen at';
+        const meaning = meanings[intent?.kind ?? 'stream'];
         return html`
             <label for="time">Time</label>
             <button

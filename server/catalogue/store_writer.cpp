@@ -1,4 +1,4 @@
-#include "server/import/store_writer.hpp"
+#include "server/catalogue/store_writer.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -24,13 +24,17 @@ constexpr std::string_view lock_name = "store.lock";
 // What a signal handler may touch: the name of the unfinished file, valid while `unfinished` is set.
 std::array<char, 4096> part_name{};
 std::atomic<bool> unfinished{false};
+std::string_view last_words;
+
+// A file reaches the disk in portions, so that one as large as memory neither fills it with unwritten pages nor keeps
+// Ctrl-C waiting for all of them at the end.
+constexpr off_t portion_bytes = off_t{32} << 20;
 
 extern "C" void end_now(int) {
     if (unfinished.load())
         ::unlink(part_name.data());
-    constexpr std::string_view message =
-        "wakesurf-import: interrupted; the same command goes on where this one ended\n";
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
+    [[maybe_unused]] const auto written =
+        ::write(STDERR_FILENO, last_words.data(), last_words.size());
     ::_exit(1);
 }
 
@@ -39,7 +43,7 @@ tl::unexpected<Error> failure(const std::string& what) {
     return core::fail(Error::Code::Io, what + ": " + std::generic_category().message(error));
 }
 
-bool written_by_an_importer(const std::string& name) {
+bool of_a_store(const std::string& name) {
     return name == protocol::manifest_file_name || name == protocol::mask_file_name ||
            (name.starts_with("velocity_") && name.ends_with(".f32")) || name.ends_with(".part");
 }
@@ -48,7 +52,7 @@ core::Result<void> check_contents(const fs::path& folder) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
         const std::string name = entry.path().filename().string();
-        if (name != lock_name && !written_by_an_importer(name))
+        if (name != lock_name && !of_a_store(name))
             return core::fail(Error::Code::InvalidArgument,
                               "the store folder holds something that is not of a store: " + name,
                               "give a new or empty folder");
@@ -70,10 +74,37 @@ bool write_all(int file, std::span<const std::byte> bytes) {
     return true;
 }
 
+core::Result<void> cannot_write(const std::string& name) {
+    const bool full = errno == ENOSPC || errno == EDQUOT;
+    auto error = failure("cannot write " + name);
+    if (full)
+        error.value().hint = "make room; the same command goes on where this one ended";
+    return error;
+}
+
+core::Result<void> fill(int file, const std::string& name, const NextPiece& next) {
+    for (off_t at = 0, portion = 0;;) {
+        const auto piece = next();
+        if (!piece)
+            return tl::unexpected(piece.error());
+        if (!write_all(file, *piece))
+            return cannot_write(name);
+        at += static_cast<off_t>(piece->size());
+        if (piece->empty())
+            return ::fdatasync(file) == 0 ? core::Result<void>() : cannot_write(name);
+        if (at - portion < portion_bytes)
+            continue;
+        // Starts this portion on its way to the disk and waits for the one before, as the disk works at its own pace.
+        ::sync_file_range(file, portion, at - portion, SYNC_FILE_RANGE_WRITE);
+        ::sync_file_range(file, 0, portion, SYNC_FILE_RANGE_WAIT_BEFORE);
+        portion = at;
+    }
+}
+
 } // namespace
 
 core::Result<StoreWriter> StoreWriter::open(const fs::path& folder,
-                                            const std::function<void()>& waiting) {
+                                            const std::function<core::Result<void>()>& waiting) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error || !fs::is_directory(folder))
@@ -86,7 +117,8 @@ core::Result<StoreWriter> StoreWriter::open(const fs::path& folder,
         return failure("cannot write to the store folder");
     if (::flock(writer.lock_, LOCK_EX | LOCK_NB) == 0)
         return writer;
-    waiting();
+    if (auto patient = waiting(); !patient)
+        return tl::unexpected(patient.error());
     while (::flock(writer.lock_, LOCK_EX) != 0)
         if (errno != EINTR)
             return failure("cannot lock the store folder");
@@ -107,7 +139,7 @@ core::Result<void> StoreWriter::clear() {
     std::vector<fs::path> files;
     if (!error)
         for (const auto& entry : fs::directory_iterator(folder_, error))
-            if (written_by_an_importer(entry.path().filename().string()))
+            if (of_a_store(entry.path().filename().string()))
                 files.push_back(entry.path());
     for (const auto& file : files)
         if (!error)
@@ -118,6 +150,12 @@ core::Result<void> StoreWriter::clear() {
 }
 
 core::Result<void> StoreWriter::write(const std::string& name, std::span<const std::byte> bytes) {
+    return write(name, [rest = bytes]() mutable {
+        return core::Result<std::span<const std::byte>>(std::exchange(rest, {}));
+    });
+}
+
+core::Result<void> StoreWriter::write(const std::string& name, const NextPiece& next) {
     const fs::path whole = folder_ / name;
     const std::string part = whole.string() + ".part";
     if (part.size() >= part_name.size())
@@ -125,22 +163,20 @@ core::Result<void> StoreWriter::write(const std::string& name, std::span<const s
     std::memcpy(part_name.data(), part.c_str(), part.size() + 1);
     unfinished = true;
     const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    bool good = file >= 0 && write_all(file, bytes) && ::fdatasync(file) == 0;
-    const int reason = errno;
-    if (file >= 0 && ::close(file) != 0)
-        good = false;
-    if (good && ::rename(part.c_str(), whole.c_str()) == 0) {
-        unfinished = false;
-        return {};
-    }
-    errno = good ? errno : reason;
-    auto error = failure("cannot write " + name);
-    ::unlink(part.c_str());
+    core::Result<void> written = file < 0 ? cannot_write(name) : fill(file, name, next);
+    if (file >= 0 && ::close(file) != 0 && written)
+        written = cannot_write(name);
+    if (written && ::rename(part.c_str(), whole.c_str()) != 0)
+        written = cannot_write(name);
+    if (!written)
+        ::unlink(part.c_str());
     unfinished = false;
-    return error;
+    return written;
 }
 
-void end_on_signals() {
+void end_on_signals(std::string_view words) {
+    last_words = words;
+
     struct sigaction action {};
 
     action.sa_handler = end_now;

@@ -1,0 +1,51 @@
+// Writes a store: one writer at a time, every file whole or absent (written as *.part, then renamed).
+#pragma once
+
+#include "core/base/result.hpp"
+#include "protocol/store_manifest.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace wakesurf::server {
+
+/// The next bytes of a file, valid until the next call; none at its end. An error gives the file up.
+using NextPiece = std::function<core::Result<std::span<const std::byte>>()>;
+
+class StoreWriter {
+  public:
+    /// Makes the folder and locks it; calls `waiting` once if another writer holds it, and waits, or gives up with
+    /// the error it returns. Error: InvalidArgument for a folder with other things in it, Io.
+    static core::Result<StoreWriter> open(const std::filesystem::path& folder,
+                                          const std::function<core::Result<void>()>& waiting);
+    StoreWriter(StoreWriter&& other) noexcept;
+    StoreWriter& operator=(StoreWriter&&) = delete;
+    ~StoreWriter();
+
+    /// Removes everything a writer wrote, the manifest first.
+    core::Result<void> clear();
+
+    /// Error: Io, a full disk for example; nothing is left of the file then.
+    core::Result<void> write(const std::string& name, std::span<const std::byte> bytes);
+
+    /// The same for a file that need not be in memory as a whole. Error: Io, or what `next` reports.
+    core::Result<void> write(const std::string& name, const NextPiece& next);
+
+    const std::filesystem::path& folder() const { return folder_; }
+
+  private:
+    StoreWriter(std::filesystem::path folder, int lock) : folder_(std::move(folder)), lock_(lock) {}
+
+    std::filesystem::path folder_;
+    int lock_;
+};
+
+/// On SIGINT and SIGTERM: removes the unfinished file, writes `words` (which live as long as the process) to standard
+/// error and ends the process with status 1 at once.
+void end_on_signals(std::string_view words);
+
+} // namespace wakesurf::server

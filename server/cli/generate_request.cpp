@@ -1,0 +1,111 @@
+#include "server/cli/generate_request.hpp"
+
+#include "core/dataset/store_reader.hpp"
+#include "core/field/analytic_flow.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace wakesurf::server {
+
+namespace {
+
+using Code = core::Error::Code;
+
+// A manifest with more would be longer than what readers take.
+constexpr std::size_t most_times = 100'000;
+
+template <class Number>
+std::optional<Number> number_of(std::string_view text) {
+    Number value{};
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (fault != std::errc{} || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const auto at = text.find(separator);
+        parts.push_back(text.substr(0, at));
+        if (at == std::string_view::npos)
+            return parts;
+        text.remove_prefix(at + 1);
+    }
+}
+
+core::Result<core::UniformGrid> grid_over(const core::Box& box, const std::string& text) {
+    core::UniformGrid grid;
+    const auto parts = split(text, ',');
+    bool sound = parts.size() == 3;
+    for (std::size_t axis = 0; sound && axis < 3; ++axis) {
+        const auto nodes = number_of<std::uint32_t>(parts[axis]);
+        sound = nodes && *nodes >= 2;
+        grid.dimensions[axis] = nodes.value_or(2);
+    }
+    if (!sound)
+        return core::fail(Code::InvalidArgument,
+                          "--grid: '" + text + "' is not three numbers of nodes, each at least 2",
+                          "as in --grid 64,64,64");
+    const auto& d = grid.dimensions;
+    grid.origin = box.lo;
+    grid.spacing = box.extent() / core::Vec3(d[0] - 1.0, d[1] - 1.0, d[2] - 1.0);
+    if (auto size = core::velocity_file_size(grid); !size)
+        return core::fail(Code::InvalidArgument, "--grid: " + size.error().message);
+    return grid;
+}
+
+core::Result<std::vector<double>> times_of(const std::string& text) {
+    const auto parts = split(text, ':');
+    const auto first = number_of<double>(parts.front());
+    const auto last = parts.size() == 3 ? number_of<double>(parts[1]) : std::nullopt;
+    const auto count = parts.size() == 3 ? number_of<std::size_t>(parts[2]) : std::nullopt;
+    if (!first || !last || !count || !std::isfinite(*first) || !std::isfinite(*last) ||
+        *count < 1 || *count > most_times || (*count > 1 && !(*first < *last)))
+        return core::fail(Code::InvalidArgument,
+                          "--times: '" + text + "' is not T0:T1:N, N time-steps from T0 to T1",
+                          "as in --times 0:10:21, with N from 1 to " + std::to_string(most_times));
+    std::vector<double> times{*first};
+    for (std::size_t i = 1; i < *count; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(*count - 1);
+        times.push_back(i + 1 == *count ? *last : *first + (*last - *first) * part);
+        if (!(times[i - 1] < times[i]))
+            return core::fail(Code::InvalidArgument,
+                              "--times: '" + text + "' has time-steps too close to tell apart",
+                              "choose fewer");
+    }
+    return times;
+}
+
+std::string specification(const GenerateOptions& options) {
+    constexpr std::string_view prefix = "flow:";
+    std::string flow =
+        options.flow.starts_with(prefix) ? options.flow.substr(prefix.size()) : options.flow;
+    if (!options.parameters.empty())
+        flow += (flow.find('?') == std::string::npos ? "?" : ",") + options.parameters;
+    return flow;
+}
+
+} // namespace
+
+core::Result<GenerateRequest> check_generate_options(const GenerateOptions& options) {
+    GenerateRequest request;
+    request.flow = specification(options);
+    const auto info = core::describe_analytic_flow(request.flow);
+    if (!info)
+        return tl::unexpected(info.error());
+    const auto grid = grid_over(info->bounds, options.grid);
+    if (!grid)
+        return tl::unexpected(grid.error());
+    request.grid = *grid;
+    auto times = options.times.empty() ? info->times : times_of(options.times);
+    if (!times)
+        return tl::unexpected(times.error());
+    request.times = std::move(*times);
+    return request;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,236 @@
+// `wakesurf generate` as its user meets it: a process with an exit status, messages and a store.
+#include "core/dataset/store_reader.hpp"
+#include "core/field/analytic_flow.hpp"
+#include "protocol/store_manifest.hpp"
+#include "server/catalogue/child_process.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+
+namespace wakesurf::server {
+
+namespace {
+
+namespace fs = std::filesystem;
+using tests::read_file;
+using tests::write_file;
+
+struct Outcome {
+    int status = -1;
+    std::string errors;
+    std::string output;
+};
+
+Outcome wakesurf(const std::vector<std::string>& arguments) {
+    Outcome out;
+    const auto line = [&](std::string_view text) { out.output.append(text).append("\n"); };
+    const auto run = run_child(WAKESURF_BINARY, arguments, 0, line, {});
+    EXPECT_TRUE(run) << run.error().message;
+    out.status = run->exit_status;
+    out.errors = run->errors;
+    return out;
+}
+
+class GenerateCommand : public testing::Test {
+  protected:
+    fs::path store() const { return folder_ / "store"; }
+
+    Outcome run(const std::string& flow, std::vector<std::string> more = {}) const {
+        more.insert(more.begin(), {"generate", flow, store()});
+        return wakesurf(more);
+    }
+
+    protocol::StoreManifest manifest() const {
+        return protocol::read_store_manifest(store(), core::PosixDisk()).value();
+    }
+
+    std::vector<std::string> names() const {
+        std::vector<std::string> out;
+        for (const auto& entry : fs::directory_iterator(store()))
+            out.push_back(entry.path().filename());
+        std::sort(out.begin(), out.end());
+        return out;
+    }
+
+    void refuses(const std::string& flow,
+                 const std::vector<std::string>& more,
+                 int status,
+                 const std::string& part) const {
+        const auto outcome = run(flow, more);
+        EXPECT_EQ(outcome.status, status) << part;
+        EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
+        EXPECT_FALSE(fs::exists(store())) << part;
+    }
+
+    tests::TemporaryFolder folder_;
+};
+
+/// A generate of 48 MB a time-step that is certainly still running when it is stopped.
+class RunningGenerate {
+  public:
+    explicit RunningGenerate(const fs::path& store) {
+        const std::string command = "echo $$; exec " WAKESURF_BINARY " generate abc " +
+                                    store.string() + " --grid 200,200,100 --times 0:1:3 2>&1";
+        pipe_ = ::popen(command.c_str(), "r");
+        process_ = std::stoi(line());
+    }
+
+    std::string line() {
+        std::array<char, 256> text{};
+        return std::fgets(text.data(), text.size(), pipe_) == nullptr ? "" : text.data();
+    }
+
+    /// Its exit status and last words.
+    std::pair<int, std::string> stop(int signal) {
+        ::kill(process_, signal);
+        std::string words;
+        for (std::string more = line(); !more.empty(); more = line())
+            words += more;
+        const int status = ::pclose(pipe_);
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, words};
+    }
+
+  private:
+    std::FILE* pipe_ = nullptr;
+    pid_t process_ = -1;
+};
+
+} // namespace
+
+TEST_F(GenerateCommand, WritesWhatTheFlowSaysAtEveryNodeAndTime) {
+    const auto outcome =
+        run("flow:oscillating?a=2", {"--grid", "9,5,7", "--times", "1:3:5", "--parameters", "u=3"});
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const auto store_manifest = manifest();
+    EXPECT_TRUE(store_manifest.complete);
+    EXPECT_EQ(store_manifest.times, (std::vector<double>{1, 1.5, 2, 2.5, 3}));
+    const auto reader = core::StoreReader::open(protocol::store_layout(store_manifest, store()),
+                                                std::make_shared<core::PosixDisk>());
+    ASSERT_TRUE(reader);
+    const auto flow = *core::make_analytic_flow("oscillating?a=2,u=3");
+    double fastest = 0.0;
+    for (std::size_t step = 0; step < 5; ++step) {
+        const auto loaded = (*reader)->load(step, {});
+        ASSERT_TRUE(loaded);
+        const auto bytes = (*loaded)->slab.bytes();
+        ASSERT_EQ(bytes.size(), 9U * 5 * 7 * 12);
+        const auto* velocity = reinterpret_cast<const float*>(bytes.data());
+        const core::Vec3 middle(0.0);
+        core::Vec3 expected;
+        ASSERT_TRUE(
+            flow->sample({&middle, 1}, {&store_manifest.times[step], 1}, {&expected, 1}, {}));
+        const std::size_t node = 3U * ((3 * 5 + 2) * 9 + 4);
+        EXPECT_EQ(velocity[node], static_cast<float>(expected.x));
+        EXPECT_EQ(velocity[node + 1], static_cast<float>(expected.y));
+        fastest = std::max(fastest, glm::length(expected));
+    }
+    EXPECT_NEAR(store_manifest.velocity_range[1], fastest, 1e-6);
+    EXPECT_EQ(store_manifest.info.fields.front().range, store_manifest.velocity_range);
+}
+
+TEST_F(GenerateCommand, MakesAStoreThatInfoAndSurfaceOpenAtOnce) {
+    ASSERT_EQ(run("cylinder", {"--grid", "61,41,11"}).status, 0);
+    EXPECT_EQ(names(), (std::vector<std::string>{"mask.u8", "store.json", "store.lock",
+                                                 "velocity_000000.f32"}));
+    const auto info = wakesurf({"info", store(), "--json"});
+    ASSERT_EQ(info.status, 0) << info.errors;
+    const auto description = nlohmann::json::parse(info.output);
+    EXPECT_EQ(description["grid"], "uniform");
+    EXPECT_EQ(description["obstacle"], true);
+    EXPECT_EQ(description["steady"], true);
+    EXPECT_EQ(description["points"], 61 * 41 * 11);
+    EXPECT_EQ(description["bounds"], nlohmann::json::parse("[-5.0,10.0,-5.0,5.0,-5.0,5.0]"));
+    const auto surface = wakesurf({"surface", store(), "--kind", "stream", "--rake",
+                                   "-4,0.3,-4 -4,0.3,2", "--to", "5", "-o", folder_ / "out.vtp"});
+    EXPECT_EQ(surface.status, 0) << surface.errors;
+}
+
+TEST_F(GenerateCommand, UsesTheFlowsOwnTimesAndTellsEveryTimeStep) {
+    const auto outcome = run("double-gyre", {"--grid", "4,4,4"});
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(manifest().times.size(), 21U);
+    EXPECT_EQ(manifest().times.back(), 10.0);
+    EXPECT_NE(outcome.output.find("generate: 7 of 21, velocity_000006.f32\n"), std::string::npos)
+        << outcome.output;
+    EXPECT_NE(outcome.output.find("21 time-steps of 4 x 4 x 4 nodes"), std::string::npos);
+}
+
+TEST_F(GenerateCommand, DoesNothingWhereTheSameStoreIsThereAlready) {
+    ASSERT_EQ(run("abc", {"--grid", "8,8,8"}).status, 0);
+    const auto before = fs::last_write_time(store() / "velocity_000000.f32");
+    const auto again = run("abc", {"--grid", "8,8,8"});
+    EXPECT_EQ(again.status, 0) << again.errors;
+    EXPECT_NE(again.output.find("up to date"), std::string::npos) << again.output;
+    EXPECT_EQ(fs::last_write_time(store() / "velocity_000000.f32"), before);
+}
+
+TEST_F(GenerateCommand, TouchesNoFolderOfSomethingElse) {
+    ASSERT_EQ(run("abc", {"--grid", "8,8,8"}).status, 0);
+    const auto other = run("abc", {"--grid", "8,8,9"});
+    EXPECT_EQ(other.status, 1);
+    EXPECT_NE(other.errors.find("another store"), std::string::npos) << other.errors;
+    EXPECT_EQ(manifest().grid.dimensions[2], 8U);
+    fs::remove_all(store());
+    fs::create_directory(store());
+    write_file(store() / "thesis.tex", "text");
+    const auto thesis = run("abc", {"--grid", "8,8,8"});
+    EXPECT_EQ(thesis.status, 1);
+    EXPECT_NE(thesis.errors.find("thesis.tex"), std::string::npos) << thesis.errors;
+    EXPECT_EQ(names(), std::vector<std::string>{"thesis.tex"});
+}
+
+TEST_F(GenerateCommand, RefusesBeforeItWritesAnything) {
+    refuses("abc", {"--grid", "1,8,8"}, 2, "--grid");
+    refuses("abc", {"--grid", "8,8"}, 2, "--grid");
+    refuses("abc", {"--grid", "8,8,-8"}, 2, "--grid");
+    refuses("abc", {"--grid", "4000000000,4000000000,4000000000"}, 2, "--grid");
+    refuses("abc", {"--times", "0:1"}, 2, "--times");
+    refuses("abc", {"--times", "1:0:3"}, 2, "--times");
+    refuses("abc", {"--times", "0:nan:3"}, 2, "--times");
+    refuses("abc", {"--times", "0:1:1000000000"}, 2, "--times");
+    refuses("abc", {"--parameters", "Q=1"}, 2, "Q=1");
+    refuses("nothing", {}, 1, "lamb-oseen");
+    refuses("abc", {"--grid", "100000,100000,1000"}, 1, "GB");
+}
+
+TEST_F(GenerateCommand, StopsWithinASecondAndGoesOnLaterToTheSameBytes) {
+    RunningGenerate generate(store());
+    EXPECT_NE(generate.line().find("generate: 1 of 3"), std::string::npos);
+    const auto asked = std::chrono::steady_clock::now();
+    const auto [status, words] = generate.stop(SIGINT);
+    EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(1));
+    EXPECT_EQ(status, 1);
+    EXPECT_NE(words.find("goes on where this one ended"), std::string::npos) << words;
+    for (const auto& name : names())
+        EXPECT_FALSE(name.ends_with(".part")) << name;
+    EXPECT_FALSE(manifest().complete);
+    EXPECT_EQ(wakesurf({"info", store()}).status, 0) << "from its first time-step on it is a store";
+
+    const auto first = fs::last_write_time(store() / "velocity_000000.f32");
+    const std::vector<std::string> same{"--grid", "200,200,100", "--times", "0:1:3"};
+    ASSERT_EQ(run("abc", same).status, 0);
+    EXPECT_TRUE(manifest().complete);
+    EXPECT_EQ(fs::last_write_time(store() / "velocity_000000.f32"), first);
+    EXPECT_EQ(read_file(store() / "velocity_000002.f32"),
+              read_file(store() / "velocity_000000.f32"))
+        << "the flow is steady";
+}
+
+TEST_F(GenerateCommand, RefusesAFolderThatAnotherOneIsWriting) {
+    RunningGenerate generate(store());
+    EXPECT_NE(generate.line().find("generate: 1 of 3"), std::string::npos);
+    const auto second = run("abc", {"--grid", "200,200,100", "--times", "0:1:3"});
+    EXPECT_EQ(second.status, 1);
+    EXPECT_NE(second.errors.find("another program"), std::string::npos) << second.errors;
+    EXPECT_EQ(generate.stop(SIGTERM).first, 1);
+}
+
+} // namespace wakesurf::server
