@@ -42,7 +42,6 @@ struct Match {
     Triangles vtk_result;
     core::SurfaceParameters parameters;
     core::QuadComplex result;
-    Timed vtk_time, time;
 
     double vtk_quads() const { return 0.5 * static_cast<double>(vtk_result.corner.size()); }
 
@@ -83,12 +82,8 @@ double time_for(double wanted, core::SurfaceParameters parameters) {
 }
 
 Match match(const Size& size) {
-    Match m{{&sampled_tornado(), rake(size.vtk_seeds), size.vtk_step, arc_in_cells},
-            {},
-            {},
-            {},
-            {},
-            {}};
+    Match m;
+    m.vtk = {&sampled_tornado(), rake(size.vtk_seeds), size.vtk_step, arc_in_cells};
     m.vtk.build(&m.vtk_result);
     m.parameters.kind = core::SurfaceKind::Stream;
     m.parameters.max_quads = 10'000'000;
@@ -108,25 +103,35 @@ Match match(const Size& size) {
     return m;
 }
 
-/// All sizes of both contenders in turn, so that growth is a ratio of neighbours in time as well.
 const std::vector<Match>& matches() {
     static const std::vector<Match> all = [] {
         std::vector<Match> made;
         for (const Size& size : sizes)
             made.push_back(match(size));
+        return made;
+    }();
+    return all;
+}
+
+struct Times {
+    Timed ours, vtk;
+};
+
+/// All sizes of both contenders in turn, so that growth is a ratio of neighbours in time as well.
+const std::vector<Times>& times() {
+    static const std::vector<Times> all = [] {
         std::vector<Turn> turns;
-        for (const Match& m : made) {
+        for (const Match& m : matches()) {
             turns.push_back([&m] {
                 return on_one_core([&] { return seconds_of([&] { build(m.parameters); }); });
             });
             turns.push_back([&m] { return m.vtk.build(); });
         }
-        const std::vector<Timed> times = interleave(turns, repetitions);
-        for (std::size_t i = 0; i < made.size(); ++i) {
-            made[i].time = times[2 * i];
-            made[i].vtk_time = times[2 * i + 1];
-        }
-        return made;
+        const std::vector<Timed> taken = interleave(turns, repetitions);
+        std::vector<Times> pairs;
+        for (std::size_t i = 0; i < taken.size(); i += 2)
+            pairs.push_back({taken[i], taken[i + 1]});
+        return pairs;
     }();
     return all;
 }
@@ -165,17 +170,20 @@ void report(benchmark::State& state,
 void measure_time(benchmark::State& state, std::size_t which) {
     for (auto _ : state) {
         const Match& m = matches()[which];
+        const double seconds = times()[which].ours.median;
+        const double vtk_seconds = times()[which].vtk.median;
         const double cell = sampled_tornado().spacing();
-        state.SetIterationTime(m.time.median);
+        state.SetIterationTime(seconds);
         state.counters["quads"] = m.quads();
         state.counters["vtk_quads"] = m.vtk_quads();
-        state.counters["seconds"] = m.time.median;
-        state.counters["vtk_seconds"] = m.vtk_time.median;
-        state.counters["times_faster"] = m.vtk_time.median / m.time.median;
+        state.counters["seconds"] = seconds;
+        state.counters["vtk_seconds"] = vtk_seconds;
+        state.counters["spread"] = times()[which].ours.spread;
+        state.counters["times_faster"] = vtk_seconds / seconds;
         state.counters["times_faster_per_quad"] =
-            m.quads() / m.time.median / (m.vtk_quads() / m.vtk_time.median);
-        state.counters["thousand_quads_per_second"] = 1e-3 * m.quads() / m.time.median;
-        state.counters["vtk_thousand_quads_per_second"] = 1e-3 * m.vtk_quads() / m.vtk_time.median;
+            m.quads() / seconds / (m.vtk_quads() / vtk_seconds);
+        state.counters["thousand_quads_per_second"] = 1e-3 * m.quads() / seconds;
+        state.counters["vtk_thousand_quads_per_second"] = 1e-3 * m.vtk_quads() / vtk_seconds;
         state.counters["longest_edge_cells"] = core::longest_edge(m.result) / cell;
         state.counters["vtk_longest_edge_cells"] = m.vtk_result.longest_side() / cell;
         state.counters["area_cells"] = area(m.result) / (cell * cell);
@@ -183,9 +191,9 @@ void measure_time(benchmark::State& state, std::size_t which) {
         if (which > 0) {
             const Match& small = matches()[0];
             state.counters["quads_growth"] = m.quads() / small.quads();
-            state.counters["time_growth"] = m.time.median / small.time.median;
+            state.counters["time_growth"] = seconds / times()[0].ours.median;
             state.counters["vtk_quads_growth"] = m.vtk_quads() / small.vtk_quads();
-            state.counters["vtk_time_growth"] = m.vtk_time.median / small.vtk_time.median;
+            state.counters["vtk_time_growth"] = vtk_seconds / times()[0].vtk.median;
         }
     }
 }

@@ -185,21 +185,30 @@ double DenseReference::distance(const Vec3& point) const {
 }
 
 double DenseReference::to_triangles_round(const Vertex& vertex, const Vec3& point) const {
-    constexpr std::size_t round = 2;
+    // Columns may be far closer to each other than their vertices, and sheared: the triangle that is nearest may be
+    // many columns from the vertex that is nearest, but within a spacing or two of it.
+    constexpr std::size_t rows = 3;
     double least = glm::distance(vertex.position, point);
-    const std::size_t c0 = vertex.column < round ? 0 : vertex.column - round;
-    const std::size_t c1 = std::min<std::size_t>(vertex.column + round, columns_.size() - 1);
-    const std::size_t j0 = vertex.index < round ? 0 : vertex.index - round;
-    for (std::size_t c = c0; c < c1; ++c) {
+    const std::size_t j0 = vertex.index < rows ? 0 : vertex.index - rows;
+    // Between columns c and c + 1; false where the sheet has gone too far from the vertex.
+    const auto strip = [&](std::size_t c) {
         const Column& a = columns_[c];
         const Column& b = columns_[c + 1];
-        const std::size_t j1 = std::min({vertex.index + round, a.size() - 1, b.size() - 1});
+        const std::size_t j1 = std::min({vertex.index + rows, a.size() - 1, b.size() - 1});
+        if (j1 <= j0)
+            return false;
         for (std::size_t j = j0; j < j1; ++j) {
             if (glm::distance(a[j], b[j]) > 2.0 * widest * cell_)
                 continue; // a tear
             least = std::min(least, to_triangle(point, a[j], b[j], b[j + 1]));
             least = std::min(least, to_triangle(point, a[j], b[j + 1], a[j + 1]));
         }
+        const std::size_t same = std::min<std::size_t>(vertex.index, j1);
+        return glm::distance(a[same], vertex.position) < 2.0 * spacing * cell_;
+    };
+    for (std::size_t c = vertex.column; c + 1 < columns_.size() && strip(c); ++c) {
+    }
+    for (std::size_t c = vertex.column; c > 0 && strip(c - 1); --c) {
     }
     return least;
 }

@@ -21,7 +21,7 @@ class DenseReference {
     /// The field as it is at `release`. Runs on all cores.
     DenseReference(const core::Flow& flow, const core::Rake& rake, double release, Extent extent);
 
-    /// From a point to the nearest of the reference's triangles that has a vertex near it; infinite beyond eight cells.
+    /// From a point to the triangles round the nearest vertex; infinite beyond eight cells.
     double distance(const core::Vec3& point) const;
 
     std::size_t columns() const { return columns_.size(); }
