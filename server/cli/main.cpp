@@ -1,5 +1,5 @@
 // The program `wakesurf`: parses the command line and hands over to one command.
-#include "server/bench/bench_command.hpp"
+#include "server/cli/bench_command.hpp"
 #include "server/cli/generate_command.hpp"
 #include "server/cli/import_command.hpp"
 #include "server/cli/info_command.hpp"

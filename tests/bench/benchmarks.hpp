@@ -1,4 +1,4 @@
-// The benchmarks `wakesurf bench` knows. Each registers itself with Google Benchmark under a name that says what is
+// The benchmarks `wakesurf-bench` knows. Each registers itself with Google Benchmark under a name that says what is
 // measured; targets are printed beside the figures as counters named `target_ms`.
 #pragma once
 
@@ -7,10 +7,10 @@
 #include <memory>
 #include <string>
 
-namespace wakesurf::server {
+namespace wakesurf::bench {
 
 /// Stream and path surfaces of about 20,000 quads on four rakes across the domain, complete, on one core.
-void register_surface_benchmarks(std::shared_ptr<const LoadedDataset> dataset);
+void register_surface_benchmarks(std::shared_ptr<const server::LoadedDataset> dataset);
 
 /// From a rake edit at the socket of a server process to the first frame of the new surface.
 void register_edit_benchmark(const std::string& dataset);
@@ -18,4 +18,10 @@ void register_edit_benchmark(const std::string& dataset);
 /// From a handle's move in Chromium to the drawn frame that shows its surface.
 void register_drag_benchmark(const std::string& dataset);
 
-} // namespace wakesurf::server
+/// Flow::advance on 30,000 particles, against a bare kernel (the machine's limit) and vtkStreaklineFilter.
+void register_advection_benchmarks();
+
+/// Adaptive stream surfaces against vtkStreamSurface at equal longest edge and equal area: time, growth, deviation.
+void register_stream_surface_benchmarks();
+
+} // namespace wakesurf::bench

@@ -1,4 +1,4 @@
-#include "server/bench/live_server.hpp"
+#include "tests/bench/live_server.hpp"
 
 #include "server/catalogue/child_process.hpp"
 #include "server/catalogue/shipped_files.hpp"
@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace wakesurf::server {
+namespace wakesurf::bench {
 
 namespace asio = boost::asio;
 namespace beast = boost::beast;
@@ -45,9 +45,9 @@ LiveServer::LiveServer(const std::string& dataset) {
             if (std::exchange(first, false))
                 promise->set_value(parse_first_line(text));
         };
-        const auto outcome = run_child(
-            this_program(), {"serve", dataset, "--listen", "127.0.0.1:0", "--log-level", "error"},
-            0, line, stop);
+        const auto outcome = server::run_child(
+            server::this_program().parent_path() / "wakesurf",
+            {"serve", dataset, "--listen", "127.0.0.1:0", "--log-level", "error"}, 0, line, stop);
         if (first)
             promise->set_exception(std::make_exception_ptr(
                 std::runtime_error(outcome ? outcome->errors : outcome.error().message)));
@@ -121,4 +121,4 @@ protocol::Bytes LiveClient::next_frame() {
     return frame;
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::bench

@@ -1,5 +1,5 @@
 #include "core/surface/surface_builder.hpp"
-#include "server/bench/benchmarks.hpp"
+#include "tests/bench/benchmarks.hpp"
 
 #include <benchmark/benchmark.h>
 #include <tbb/task_arena.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::bench {
 
 namespace {
 
@@ -57,7 +57,7 @@ double separation_for(const core::Flow& flow,
 
 /// @param separation found in the first repetition, kept for the others
 void build(benchmark::State& state,
-           const LoadedDataset& dataset,
+           const server::LoadedDataset& dataset,
            const NamedRake& named,
            core::SurfaceKind kind,
            double& separation) {
@@ -87,7 +87,7 @@ void build(benchmark::State& state,
 
 } // namespace
 
-void register_surface_benchmarks(std::shared_ptr<const LoadedDataset> dataset) {
+void register_surface_benchmarks(std::shared_ptr<const server::LoadedDataset> dataset) {
     for (const auto kind : {core::SurfaceKind::Stream, core::SurfaceKind::Path})
         for (const NamedRake& rake : rakes) {
             const std::string name =
@@ -106,4 +106,4 @@ void register_surface_benchmarks(std::shared_ptr<const LoadedDataset> dataset) {
         }
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::bench

@@ -1,5 +1,5 @@
-// This program again, as a server process on a port of its own, and a well-behaved blocking client of it: what a
-// benchmark of the whole path needs.
+// The program `wakesurf` beside this one as a server process on a port of its own, and a well-behaved blocking client
+// of it: what a benchmark of the whole path needs.
 #pragma once
 
 #include "protocol/bytes.hpp"
@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-namespace wakesurf::server {
+namespace wakesurf::bench {
 
 struct ServerAddress {
     std::string host, port, token;
@@ -52,4 +52,4 @@ class LiveClient {
     int id_ = 0;
 };
 
-} // namespace wakesurf::server
+} // namespace wakesurf::bench

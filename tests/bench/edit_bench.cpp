@@ -1,7 +1,7 @@
 #include "core/base/vec3.hpp"
 #include "protocol/mesh_frame.hpp"
-#include "server/bench/benchmarks.hpp"
-#include "server/bench/live_server.hpp"
+#include "tests/bench/benchmarks.hpp"
+#include "tests/bench/live_server.hpp"
 
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::bench {
 
 namespace {
 
@@ -153,4 +153,4 @@ void register_edit_benchmark(const std::string& dataset) {
     add("edit_to_first_frame/busy", &EditSession::edit_while_busy);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::bench

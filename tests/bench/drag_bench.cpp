@@ -1,7 +1,7 @@
-#include "server/bench/benchmarks.hpp"
-#include "server/bench/live_server.hpp"
 #include "server/catalogue/child_process.hpp"
 #include "server/catalogue/shipped_files.hpp"
+#include "tests/bench/benchmarks.hpp"
+#include "tests/bench/live_server.hpp"
 
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-namespace wakesurf::server {
+namespace wakesurf::bench {
 
 namespace {
 
@@ -17,7 +17,8 @@ constexpr double target_ms = 250;
 
 /// The web client's tools; they are only in a source tree, beside its build.
 std::filesystem::path web_client() {
-    return std::filesystem::weakly_canonical(this_program().parent_path() / "../../../web-client");
+    return std::filesystem::weakly_canonical(server::this_program().parent_path() /
+                                             "../../../web-client");
 }
 
 void measure(benchmark::State& state, const std::string& dataset) {
@@ -33,10 +34,11 @@ void measure(benchmark::State& state, const std::string& dataset) {
             if (text.starts_with("{"))
                 figures = nlohmann::json::parse(text, nullptr, false);
         };
-        const auto outcome = run_child("/usr/bin/env",
-                                       {"WAKESURF_URL=" + server.address().url, "npm", "--prefix",
-                                        web_client().string(), "run", "--silent", "bench:drag"},
-                                       0, line, {});
+        const auto outcome =
+            server::run_child("/usr/bin/env",
+                              {"WAKESURF_URL=" + server.address().url, "npm", "--prefix",
+                               web_client().string(), "run", "--silent", "bench:drag"},
+                              0, line, {});
         if (!outcome || outcome->exit_status != 0 || !figures.is_object()) {
             state.SkipWithError(
                 ("the browser run failed: " +
@@ -64,4 +66,4 @@ void register_drag_benchmark(const std::string& dataset) {
         ->Iterations(1);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::bench

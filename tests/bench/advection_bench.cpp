@@ -1,0 +1,128 @@
+#include "tests/bench/benchmarks.hpp"
+#include "tests/bench/kernel/limit_kernel.hpp"
+#include "tests/bench/support/interleaved.hpp"
+#include "tests/bench/support/one_core.hpp"
+#include "tests/bench/support/particle_sets.hpp"
+#include "tests/bench/support/sampled_flows.hpp"
+#include "tests/bench/vtk/streaklines.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+namespace wakesurf::bench {
+
+namespace {
+
+constexpr int repetitions = 9;
+constexpr int steps = 10; ///< in one call, which crosses one interval between time-steps
+
+struct Case {
+    const char* name;
+    const SampledFlow& (*flow)();
+    std::vector<core::Vec3> (*places)(const core::UniformGrid&);
+    bool tangents;
+};
+
+constexpr Case cases[] = {
+    {"abc/front", sampled_abc, front_particles, false},
+    {"abc/random", sampled_abc, random_particles, false},
+    {"abc/front/tangents", sampled_abc, front_particles, true},
+    {"abc/random/tangents", sampled_abc, random_particles, true},
+    {"tornado/front", sampled_tornado, front_particles, false},
+    {"tornado/random", sampled_tornado, random_particles, false},
+    {"tornado/front/tangents", sampled_tornado, front_particles, true},
+    {"tornado/random/tangents", sampled_tornado, random_particles, true},
+};
+
+double carry(const SampledFlow& sampled, CarriedParticles& particles) {
+    const core::Particles carried = particles.restart();
+    core::AdvanceOptions options;
+    options.method = core::AdvanceOptions::Method::Rk4;
+    options.step = sampled.interval / steps;
+    return on_one_core([&] {
+        return seconds_of([&] {
+            if (!sampled.flow->advance(carried, sampled.interval, options, {}))
+                throw std::runtime_error("Flow::advance failed");
+        });
+    });
+}
+
+std::vector<CellPosition> in_cells(const core::UniformGrid& grid,
+                                   const std::vector<core::Vec3>& places) {
+    std::vector<CellPosition> cells;
+    for (const core::Vec3& place : places) {
+        const core::Vec3 c = (place - grid.origin) / grid.spacing;
+        cells.push_back(
+            {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 0.0f});
+    }
+    return cells;
+}
+
+/// The farthest that two contenders' particles end from each other, in cells: the check that both did the same.
+double farthest(const std::vector<CellPosition>& a, const std::vector<CellPosition>& b) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        most = std::max(most,
+                        glm::length(core::Vec3(a[i].x - b[i].x, a[i].y - b[i].y, a[i].z - b[i].z)));
+    return most;
+}
+
+void measure(benchmark::State& state, const Case& which) {
+    const SampledFlow& sampled = which.flow();
+    CarriedParticles particles(which.places(sampled.grid), which.tangents);
+    const double vertex_steps = static_cast<double>(particles.start().size()) * steps;
+    const LimitField field{sampled.step(0).velocity().data(), sampled.step(1).velocity().data(),
+                           sampled.grid};
+    const std::vector<CellPosition> start = in_cells(sampled.grid, particles.start());
+    std::vector<CellPosition> limit;
+    const bool limit_runs = limit_kernel_runs_here();
+    std::optional<VtkStreaklines> streaklines;
+
+    std::vector<Turn> contenders{[&] { return carry(sampled, particles); }};
+    if (limit_runs)
+        contenders.push_back([&] {
+            limit = start;
+            return seconds_of([&] { advance_at_the_limit(field, limit, sampled.interval, steps); });
+        });
+    if (!which.tangents) { // VTK carries none
+        streaklines.emplace(sampled);
+        contenders.push_back([&] { return streaklines->run(); });
+    }
+    for (auto _ : state) {
+        const std::vector<Timed> taken = interleave(contenders, repetitions);
+        state.SetIterationTime(taken[0].median);
+        const double ours = 1e-6 * vertex_steps / taken[0].median;
+        state.counters["million_vertex_steps_per_second"] = ours;
+        state.counters["spread"] = taken[0].spread;
+        if (limit_runs) {
+            const double most = 1e-6 * vertex_steps / taken[1].median;
+            state.counters["limit_million_per_second"] = most;
+            state.counters["ratio_to_limit"] = ours / most;
+            state.counters["cells_from_limit"] =
+                farthest(limit, in_cells(sampled.grid, particles.position()));
+        } else {
+            state.SetLabel("no AVX2 and FMA here: limit kernel skipped");
+        }
+        if (streaklines) {
+            const double peer = 1e-6 * streaklines->vertex_steps() / taken.back().median;
+            state.counters["vtk_streakline_million_per_second"] = peer;
+            state.counters["ratio_to_vtk_streakline"] = ours / peer;
+        }
+    }
+}
+
+} // namespace
+
+void register_advection_benchmarks() {
+    for (const Case& each : cases)
+        benchmark::RegisterBenchmark((std::string("advection/") + each.name).c_str(),
+                                     [each](benchmark::State& state) { measure(state, each); })
+            ->Unit(benchmark::kMillisecond)
+            ->UseManualTime()
+            ->Iterations(1);
+}
+
+} // namespace wakesurf::bench

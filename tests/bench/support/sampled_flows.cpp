@@ -1,0 +1,64 @@
+#include "tests/bench/support/sampled_flows.hpp"
+
+#include "core/field/closed_forms.hpp"
+#include "core/field/grid_flow.hpp"
+#include "tests/support/sampled_source.hpp"
+
+#include <numbers>
+
+namespace wakesurf::bench {
+
+using core::Vec3;
+
+namespace {
+
+SampledFlow sample(double side, double interval, test::SampledSource::Velocity velocity) {
+    constexpr std::uint32_t n = SampledFlow::nodes_per_side;
+    SampledFlow sampled;
+    sampled.grid = {Vec3(0.0), Vec3(side / (n - 1)), {n, n, n}};
+    sampled.interval = interval;
+    std::vector<double> times;
+    for (std::size_t i = 0; i <= SampledFlow::period; ++i)
+        times.push_back(static_cast<double>(i) * interval);
+    const auto source =
+        std::make_shared<test::SampledSource>(sampled.grid, times, std::move(velocity));
+    const auto cache =
+        std::make_shared<core::TimeStepCache>(source, core::TimeStepCache::Options{});
+    for (std::size_t i = 0; i < times.size(); ++i)
+        sampled.steps.push_back(cache->acquire(i).value());
+    sampled.flow = core::make_grid_flow(cache);
+    return sampled;
+}
+
+/// Phase of the series' one period.
+double phase(double time, double interval) {
+    return 2.0 * std::numbers::pi * time / (static_cast<double>(SampledFlow::period) * interval);
+}
+
+} // namespace
+
+const SampledFlow& sampled_abc() {
+    constexpr double interval = 0.1;
+    static const SampledFlow sampled =
+        sample(2.0 * std::numbers::pi, interval, [](const Vec3& p, double t) {
+            const double phi = phase(t, interval);
+            const core::AbcFlow flow{{},
+                                     1.0 + 0.3 * std::sin(phi),
+                                     0.8 + 0.3 * std::cos(phi),
+                                     0.6 + 0.2 * std::sin(phi + 1.0)};
+            return flow.velocity(p, t);
+        });
+    return sampled;
+}
+
+const SampledFlow& sampled_tornado() {
+    constexpr double interval = 0.15;
+    static const SampledFlow sampled = sample(1.0, interval, [](const Vec3& p, double t) {
+        const double phi = phase(t, interval);
+        const Vec3 drift = 0.08 * Vec3(std::sin(phi), std::cos(phi) - 1.0, 0.0);
+        return core::TornadoFlow{}.velocity(p - drift, 0.0);
+    });
+    return sampled;
+}
+
+} // namespace wakesurf::bench

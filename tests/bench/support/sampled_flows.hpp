@@ -1,0 +1,35 @@
+// The two flows peers are compared on, sampled on 128^3 float32 and held in memory: unsteady ABC flow and a drifting
+// tornado. Both repeat after `period` time-steps, so that a long series costs the memory of a short one.
+#pragma once
+
+#include "core/dataset/time_step_cache.hpp"
+#include "core/field/flow.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wakesurf::bench {
+
+struct SampledFlow {
+    static constexpr std::uint32_t nodes_per_side = 128;
+    static constexpr std::size_t period = 8;
+
+    core::UniformGrid grid;
+    double interval = 0.0; ///< time between two time-steps: particles move about 3 cells in it
+    std::vector<std::shared_ptr<const core::TimeStep>> steps; ///< 0..period
+    std::unique_ptr<core::Flow> flow;                         ///< over all of them
+
+    double spacing() const { return grid.spacing.x; }
+
+    /// Velocities of a time-step of the endless series.
+    const core::TimeStep& step(std::size_t index) const { return *steps[index % period]; }
+};
+
+/// A cube of side 2 pi. Sampled when first asked for (a second or two), then kept.
+const SampledFlow& sampled_abc();
+
+/// The unit cube, likewise.
+const SampledFlow& sampled_tornado();
+
+} // namespace wakesurf::bench
