@@ -1,6 +1,7 @@
 #include "core/field/grid_flow.hpp"
 
 #include "core/field/advance_particles.hpp"
+#include "core/field/advance_stored.hpp"
 #include "core/field/grid_sampler.hpp"
 #include "core/field/trace_curves.hpp"
 
@@ -39,9 +40,9 @@ struct Interval {
 
 class GridFlow final : public Flow {
   public:
-    GridFlow(std::shared_ptr<TimeStepCache> cache, std::shared_ptr<const Clock> clock)
+    GridFlow(std::shared_ptr<TimeStepCache> cache, std::shared_ptr<const Clock> clock, Simd simd)
         : cache_(std::move(cache)), clock_(std::move(clock)), source_(cache_->source()),
-          cells_(source_.grid(), source_.mask()) {}
+          cells_(source_.grid(), source_.mask()), kernel_(choose_rk4_kernel(simd)) {}
 
     Box domain() const override { return source_.grid().bounds(); }
 
@@ -108,8 +109,12 @@ class GridFlow final : public Flow {
                 direction > 0 ? border >= to || k + 2 >= static_cast<std::ptrdiff_t>(times.size())
                               : border <= to || k == 0;
             reached = last ? to : border;
-            if (!advance_particles(sampler(*interval), particles, reached, direction, options,
-                                   stop))
+            const GridSampler field = sampler(*interval);
+            const bool whole =
+                options.method == AdvanceOptions::Method::Rk4
+                    ? advance_stored(field, kernel_, particles, reached, direction, options, stop)
+                    : advance_particles(field, particles, reached, direction, options, stop);
+            if (!whole)
                 return fail(Error::Code::Cancelled, "the integration was cancelled");
         }
         return cost;
@@ -252,13 +257,15 @@ class GridFlow final : public Flow {
     std::shared_ptr<const Clock> clock_;
     const TimeStepSource& source_;
     CellMask cells_;
+    Rk4Kernel kernel_;
 };
 
 } // namespace
 
 std::unique_ptr<Flow> make_grid_flow(std::shared_ptr<TimeStepCache> cache,
-                                     std::shared_ptr<const Clock> clock) {
-    return std::make_unique<GridFlow>(std::move(cache), std::move(clock));
+                                     std::shared_ptr<const Clock> clock,
+                                     Simd simd) {
+    return std::make_unique<GridFlow>(std::move(cache), std::move(clock), simd);
 }
 
 } // namespace wakesurf::core
