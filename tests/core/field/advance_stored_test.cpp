@@ -126,15 +126,15 @@ TEST(AdvanceStored, TheKernelsGiveTheSameBits) {
             for (const bool back : {false, true}) {
                 const auto best = stored(times, Simd::Best);
                 const auto portable = stored(times, Simd::Portable);
-                Swarm a = back ? everywhere(5000, 0.95, 0.4) : everywhere(5000, 0.05, 0.7);
+                Swarm a = back ? everywhere(2000, 0.95, 0.4) : everywhere(2000, 0.05, 0.7);
                 Swarm b = a;
                 const double to = back ? 0.1 : 0.9;
                 ASSERT_TRUE(best->advance(a.particles(tangents), to, in_steps_of(0.013), {}));
                 ASSERT_TRUE(portable->advance(b.particles(tangents), to, in_steps_of(0.013), {}));
                 expect_same_bits(a, b);
-                EXPECT_GT(ended(a, CurveEnd::Running), 500u);
-                EXPECT_GT(ended(a, CurveEnd::Domain), 500u);
-                EXPECT_GT(ended(a, CurveEnd::Obstacle), 50u);
+                EXPECT_GT(ended(a, CurveEnd::Running), 200u);
+                EXPECT_GT(ended(a, CurveEnd::Domain), 200u);
+                EXPECT_GT(ended(a, CurveEnd::Obstacle), 20u);
             }
 }
 
@@ -169,7 +169,7 @@ TEST(AdvanceStored, AgreesWithTheStepsInDouble) {
     const GridSampler field{
         &grid, &cells, &mask, first->velocity().data(), second->velocity().data(), 0.0, 1.0};
     for (const double to : {0.9, 0.1}) {
-        Swarm exact = to > 0.5 ? everywhere(5000, 0.05, 0.7) : everywhere(5000, 0.95, 0.4);
+        Swarm exact = to > 0.5 ? everywhere(2000, 0.05, 0.7) : everywhere(2000, 0.95, 0.4);
         Swarm fast = exact;
         const int sign = to > 0.5 ? 1 : -1;
         ASSERT_TRUE(
