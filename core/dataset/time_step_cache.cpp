@@ -24,9 +24,7 @@ constexpr auto look = 100ms;
 constexpr int looks_when_deadlocked = 3;
 constexpr int looks_when_merely_full = 300;
 
-// A caller may hold this many time-steps while it acquires another (a pair to interpolate in).
-constexpr std::size_t held_by_a_caller = 2;
-
+// Room for one caller who interpolates by cubics in time.
 constexpr std::size_t smallest_window = 4;
 
 struct Entry {
@@ -83,7 +81,7 @@ struct TimeStepCache::State {
         std::size_t capacity = 0;           ///< time-steps the budget holds
         std::size_t used = 0;               ///< resident and in flight
         std::size_t lent = 0;               ///< entries handed out
-        std::size_t blocked = 0;            ///< acquire() calls waiting
+        std::size_t held = 0;               ///< by those whose acquire() waits, together
         std::size_t idle_threads = 0;
         bool closing = false;
         std::uint64_t clock = 0;    ///< order of use
@@ -170,7 +168,7 @@ void TimeStepCache::State::Window::withdraw(std::size_t index) {
 }
 
 bool TimeStepCache::State::Window::may_be_deadlocked() const {
-    return lent >= capacity && lent <= held_by_a_caller * blocked;
+    return lent >= capacity && lent <= held;
 }
 
 // Least recently used outside the window; inside it the farthest from its position.
@@ -331,8 +329,8 @@ const TimeStepSource& TimeStepCache::source() const {
     return *state_->source;
 }
 
-Result<std::shared_ptr<const TimeStep>> TimeStepCache::acquire(std::size_t index,
-                                                               std::stop_token stop) {
+Result<std::shared_ptr<const TimeStep>>
+TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held) {
     State::Window& window = *state_->window;
     std::unique_lock lock(window.mutex);
     if (index >= window.entries.size())
@@ -347,14 +345,14 @@ Result<std::shared_ptr<const TimeStep>> TimeStepCache::acquire(std::size_t index
     };
     window.demand(index);
     ++entry.waiters;
-    ++window.blocked;
+    window.held += held;
     window.work.notify_one();
     Patience patience;
     bool given_up = false;
     while (!window.changed.wait_for(lock, stop, look, done) && !stop.stop_requested() && !given_up)
         given_up = patience.ends(window.lent >= window.capacity, window.may_be_deadlocked(),
                                  window.progress);
-    --window.blocked;
+    window.held -= held;
     window.withdraw(index);
 
     if (entry.state == StepState::Resident)

@@ -39,12 +39,14 @@ class TimeStepCache {
     const TimeStepSource& source() const;
 
     /// The time-step, loaded if it is not resident; two callers of one cold time-step cause one load.
-    /// Blocks. A caller may hold two time-steps while it acquires a third; while the budget is taken up
-    /// by time-steps in use, it waits until one is given back.
+    /// Blocks. A caller may hold three time-steps while it acquires a fourth; while the budget is taken
+    /// up by time-steps in use, it waits until one is given back.
     /// Error: what the source says; Cancelled when `stop` fires first; OverLimit when the callers that
     /// wait may hold everything between them (after 0.3 s), or nothing is given back for 30 s: let go
     /// and try again. Cost of a resident time-step: about 0.1 microseconds.
-    Result<std::shared_ptr<const TimeStep>> acquire(std::size_t index, std::stop_token stop = {});
+    /// @param held  how many the caller holds at most: the fewer, the less often it is refused needlessly
+    Result<std::shared_ptr<const TimeStep>>
+    acquire(std::size_t index, std::stop_token stop = {}, std::size_t held = 3);
 
     /// Asks for the time-steps after `index` in the direction of play (+1 or -1), nearest first, as
     /// many as fit the budget without evicting `index` itself. Returns at once.

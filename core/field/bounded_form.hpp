@@ -83,7 +83,8 @@ class AnalyticFlow final : public Flow {
     Result<void> sample(std::span<const Vec3> positions,
                         std::span<const double> times,
                         std::span<Vec3> velocities,
-                        std::stop_token) const override {
+                        std::stop_token,
+                        bool) const override {
         for (std::size_t i = 0; i < positions.size(); ++i)
             velocities[i] = field_.velocity(positions[i], times[i]);
         return {};

@@ -59,11 +59,13 @@ class Flow {
 
     /// Velocity at n points, each at its own time; the field's continuation outside the domain, zero inside
     /// obstacles of stored data.
+    /// @param smooth  stored data: tricubic in space and cubic in time instead of linear
     /// Error: Cancelled, OutOfTime, or what loading a time-step reports.
     virtual Result<void> sample(std::span<const Vec3> positions,
                                 std::span<const double> times,
                                 std::span<Vec3> velocities,
-                                std::stop_token stop) const = 0;
+                                std::stop_token stop,
+                                bool smooth = false) const = 0;
 };
 
 } // namespace wakesurf::core

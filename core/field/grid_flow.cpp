@@ -1,7 +1,10 @@
 #include "core/field/grid_flow.hpp"
 
 #include "core/field/advance_particles.hpp"
+#include "core/field/advance_stored.hpp"
+#include "core/field/cubic_sampler.hpp"
 #include "core/field/grid_sampler.hpp"
+#include "core/field/interval.hpp"
 #include "core/field/trace_curves.hpp"
 
 #include <algorithm>
@@ -29,19 +32,12 @@ CellMask::CellMask(const UniformGrid& grid, const SolidMask& mask) {
 
 namespace {
 
-using StepPtr = std::shared_ptr<const TimeStep>;
-
-/// The time-steps at both ends of an interval, held while particles cross it.
-struct Interval {
-    StepPtr first;
-    StepPtr second; ///< null where one time-step is all that is needed
-};
-
 class GridFlow final : public Flow {
   public:
-    GridFlow(std::shared_ptr<TimeStepCache> cache, std::shared_ptr<const Clock> clock)
-        : cache_(std::move(cache)), clock_(std::move(clock)), source_(cache_->source()),
-          cells_(source_.grid(), source_.mask()) {}
+    GridFlow(std::shared_ptr<TimeStepCache> cache, std::shared_ptr<const Clock> clock, Simd simd)
+        : cache_(std::move(cache)), intervals_(cache_), clock_(std::move(clock)),
+          source_(cache_->source()), cells_(source_.grid(), source_.mask()),
+          kernel_(choose_rk4_kernel(simd)) {}
 
     Box domain() const override { return source_.grid().bounds(); }
 
@@ -54,7 +50,7 @@ class GridFlow final : public Flow {
         return std::min({h.x, h.y, h.z});
     }
 
-    PointStatus status(const Vec3& position) const override { return sampler({}).status(position); }
+    PointStatus status(const Vec3& position) const override { return linear({}).status(position); }
 
     Result<TraceCost> trace(std::span<Curve> curves,
                             const TraceOptions& options,
@@ -65,7 +61,7 @@ class GridFlow final : public Flow {
             return trace_intervals(curves, options, upstream(curves) ? -1 : +1, stop);
         const double release = curves.front().release;
         const auto start = clock_->now();
-        const auto interval = frozen_interval(release, stop);
+        const auto interval = frozen_interval(release, options.smooth, stop);
         if (!interval)
             return tl::unexpected(interval.error());
         const TraceCost cost{seconds_since(start)};
@@ -96,11 +92,11 @@ class GridFlow final : public Flow {
         for (double reached = from; reached != to; k += direction) {
             const auto index = static_cast<std::size_t>(k);
             const auto start = clock_->now();
-            const auto interval = acquire(index, true, stop);
+            const auto interval = intervals_.acquire(index, needs(true, options.smooth), stop);
             cost.load += seconds_since(start);
             if (!interval)
                 return tl::unexpected(interval.error());
-            cache_->prefetch(direction > 0 ? index + 1 : index, direction);
+            prefetch(index, direction, options.smooth);
             // Time-steps end the interval, but not before `to` and not after the last of them.
             const double border =
                 times[std::min(direction > 0 ? index + 1 : index, times.size() - 1)];
@@ -108,8 +104,14 @@ class GridFlow final : public Flow {
                 direction > 0 ? border >= to || k + 2 >= static_cast<std::ptrdiff_t>(times.size())
                               : border <= to || k == 0;
             reached = last ? to : border;
-            if (!advance_particles(sampler(*interval), particles, reached, direction, options,
-                                   stop))
+            const GridSampler field = linear(*interval);
+            const bool whole =
+                options.smooth ? advance_particles(smooth(*interval), particles, reached, direction,
+                                                   options, stop)
+                : options.method == AdvanceOptions::Method::Rk4
+                    ? advance_stored(field, kernel_, particles, reached, direction, options, stop)
+                    : advance_particles(field, particles, reached, direction, options, stop);
+            if (!whole)
                 return fail(Error::Code::Cancelled, "the integration was cancelled");
         }
         return cost;
@@ -124,7 +126,8 @@ class GridFlow final : public Flow {
     Result<void> sample(std::span<const Vec3> positions,
                         std::span<const double> times,
                         std::span<Vec3> velocities,
-                        std::stop_token stop) const override {
+                        std::stop_token stop,
+                        bool smoothly) const override {
         // Interval by interval in time order, so that the window slides once over the data.
         std::vector<std::uint32_t> order(positions.size());
         std::iota(order.begin(), order.end(), 0u);
@@ -137,18 +140,19 @@ class GridFlow final : public Flow {
             bool later = false;
             for (; end < order.size() && interval_of(order[end]) == k; ++end)
                 later = later || times[order[end]] > source_.times()[k];
-            const auto interval = acquire(k, later, stop);
+            const auto interval = intervals_.acquire(k, needs(later, smoothly), stop);
             if (!interval)
                 return tl::unexpected(interval.error());
-            const GridSampler field = sampler(*interval);
-            tbb::this_task_arena::isolate([&] {
+            const auto sample_all = [&](const auto& field) {
                 tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, 4096),
                                   [&](const auto& range) {
                                       for (std::size_t i = range.begin(); i != range.end(); ++i)
                                           velocities[order[i]] =
                                               field.velocity(positions[order[i]], times[order[i]]);
                                   });
-            });
+            };
+            tbb::this_task_arena::isolate(
+                [&] { smoothly ? sample_all(smooth(*interval)) : sample_all(linear(*interval)); });
             begin = end;
         }
         return {};
@@ -168,28 +172,32 @@ class GridFlow final : public Flow {
         return std::min(index, times.size() < 2 ? 0 : times.size() - 2);
     }
 
-    Result<Interval> acquire(std::size_t k, bool both, const std::stop_token& stop) const {
-        auto first = cache_->acquire(k, stop);
-        if (!first)
-            return tl::unexpected(first.error());
-        if (!both || k + 1 >= source_.times().size())
-            return Interval{std::move(*first), nullptr};
-        auto second = cache_->acquire(k + 1, stop);
-        if (!second)
-            return tl::unexpected(second.error());
-        return Interval{std::move(*first), std::move(*second)};
+    static Intervals::Needs needs(bool both, bool smoothly) {
+        return !both      ? Intervals::Needs::First
+               : smoothly ? Intervals::Needs::Four
+                          : Intervals::Needs::Both;
     }
 
-    /// What a field frozen at `time` needs: one time-step if the time is a stored one, else the pair round it.
-    Result<Interval> frozen_interval(double time, const std::stop_token& stop) const {
+    /// What a field frozen at `time` needs: one time-step if the time is a stored one, else those round it.
+    Result<Interval>
+    frozen_interval(double time, bool smoothly, const std::stop_token& stop) const {
         const std::vector<double>& times = source_.times();
         const auto stored = std::find(times.begin(), times.end(), time);
         return stored != times.end()
-                   ? acquire(static_cast<std::size_t>(stored - times.begin()), false, stop)
-                   : acquire(interval_at(time), true, stop);
+                   ? intervals_.acquire(static_cast<std::size_t>(stored - times.begin()),
+                                        Intervals::Needs::First, stop)
+                   : intervals_.acquire(interval_at(time), needs(true, smoothly), stop);
     }
 
-    GridSampler sampler(const Interval& interval) const {
+    /// Loads ahead of what interval `k` holds.
+    void prefetch(std::size_t k, int direction, bool smoothly) const {
+        const std::size_t last = source_.times().size() - 1;
+        const std::size_t beyond = smoothly ? 1 : 0;
+        cache_->prefetch(direction > 0 ? std::min(k + 1 + beyond, last) : k - std::min(k, beyond),
+                         direction);
+    }
+
+    GridSampler linear(const Interval& interval) const {
         GridSampler field{&source_.grid(), &cells_, &source_.mask(), nullptr, nullptr, 0.0, 1.0};
         if (interval.first) {
             field.velocity0 = interval.first->velocity().data();
@@ -202,12 +210,26 @@ class GridFlow final : public Flow {
         return field;
     }
 
+    CubicSampler smooth(const Interval& interval) const {
+        CubicSampler field{linear(interval)};
+        if (interval.before) {
+            field.before = interval.before->velocity().data();
+            field.time_before = interval.before->time;
+        }
+        if (interval.after) {
+            field.after = interval.after->velocity().data();
+            field.time_after = interval.after->time;
+        }
+        return field;
+    }
+
     Result<void> advance(const Interval& interval,
                          std::span<Curve> curves,
                          const TraceOptions& options,
                          double limit,
                          const std::stop_token& stop) const {
-        if (!trace_curves(sampler(interval), curves, options, limit, stop))
+        if (!(options.smooth ? trace_curves(smooth(interval), curves, options, limit, stop)
+                             : trace_curves(linear(interval), curves, options, limit, stop)))
             return fail(Error::Code::Cancelled, "the integration was cancelled");
         return {};
     }
@@ -227,11 +249,11 @@ class GridFlow final : public Flow {
         for (; k >= 0 && k + 1 < static_cast<std::ptrdiff_t>(times.size()); k += direction) {
             const auto index = static_cast<std::size_t>(k);
             const auto start = clock_->now();
-            const auto interval = acquire(index, true, stop);
+            const auto interval = intervals_.acquire(index, needs(true, options.smooth), stop);
             cost.load += seconds_since(start);
             if (!interval)
                 return tl::unexpected(interval.error());
-            cache_->prefetch(direction > 0 ? index + 1 : index, direction);
+            prefetch(index, direction, options.smooth);
             const double limit = times[direction > 0 ? index + 1 : index];
             if (auto done = advance(*interval, curves, options, limit, stop); !done)
                 return tl::unexpected(done.error());
@@ -249,16 +271,19 @@ class GridFlow final : public Flow {
     }
 
     std::shared_ptr<TimeStepCache> cache_;
+    Intervals intervals_;
     std::shared_ptr<const Clock> clock_;
     const TimeStepSource& source_;
     CellMask cells_;
+    Rk4Kernel kernel_;
 };
 
 } // namespace
 
 std::unique_ptr<Flow> make_grid_flow(std::shared_ptr<TimeStepCache> cache,
-                                     std::shared_ptr<const Clock> clock) {
-    return std::make_unique<GridFlow>(std::move(cache), std::move(clock));
+                                     std::shared_ptr<const Clock> clock,
+                                     Simd simd) {
+    return std::make_unique<GridFlow>(std::move(cache), std::move(clock), simd);
 }
 
 } // namespace wakesurf::core

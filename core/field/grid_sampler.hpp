@@ -23,12 +23,15 @@ class CellMask {
         return state_.empty() ? Fluid : static_cast<State>(state_[first_node]);
     }
 
+    /// A State a byte, by the cell's lowest node; null where all is fluid.
+    const std::uint8_t* data() const { return state_.empty() ? nullptr : state_.data(); }
+
   private:
     std::vector<std::uint8_t> state_; ///< indexed by the cell's lowest node
 };
 
 /// Where a point falls in the grid: lowest node of its cell and the fractions in it. Outside points get the nearest
-/// border cell and fractions clamped to it, which continues the field constantly.
+/// border cell and fractions clamped to it, which continues the field constantly. NaN counts as 0.
 struct CellPoint {
     std::size_t node;
     Vec3 fraction;
@@ -39,7 +42,8 @@ inline CellPoint locate(const UniformGrid& grid, const Vec3& p) {
     std::size_t stride = 1;
     for (int axis = 0; axis < 3; ++axis) {
         const double cells = grid.dimensions[static_cast<std::size_t>(axis)] - 1;
-        const double x = std::clamp((p[axis] - grid.origin[axis]) / grid.spacing[axis], 0.0, cells);
+        const double x =
+            std::min(std::max(0.0, (p[axis] - grid.origin[axis]) / grid.spacing[axis]), cells);
         const auto cell = static_cast<std::size_t>(std::min(x, cells - 1.0));
         at.fraction[axis] = x - static_cast<double>(cell);
         at.node += cell * stride;

@@ -69,6 +69,43 @@ void take_step(const Field& field,
     at.time += part * dt;
 }
 
+/// A particle's velocity and the change of its tangents.
+template <CarryingField Field>
+Carried carried_slope(const Field& field, const Carried& y, double t, bool tangents) {
+    const Vec3 v = field.velocity(y.position, t);
+    if (!tangents)
+        return {v, Vec3(0.0), Vec3(0.0)};
+    return {v, field.derivative(y.position, t, y.along_s),
+            field.derivative(y.position, t, y.along_t)};
+}
+
+/// Number of equal steps Rk4 divides a length of time into.
+inline double rk4_steps(double whole, const AdvanceOptions& options) {
+    return std::max(1.0, std::ceil(std::abs(whole) / options.step - 1e-9));
+}
+
+/// One of those steps. Leaves the time to the caller unless the particle ends.
+template <CarryingField Field>
+void rk4_particle_step(const Field& field,
+                       ParticleState& at,
+                       double dt,
+                       const AdvanceOptions& options,
+                       bool tangents) {
+    const auto slope = [&](const Carried& y, double t) {
+        return carried_slope(field, y, t, tangents);
+    };
+    const Carried k1 = slope(at.carried, at.time);
+    if (!(glm::length(k1.position) > options.stagnation_speed)) {
+        at.end = CurveEnd::Stagnation;
+        return;
+    }
+    const Carried change = rk4_change(slope, at.carried, at.time, dt, k1);
+    // The slope at the end only serves to find a crossing.
+    const Carried end_slope{field.velocity(at.carried.position + change.position, at.time + dt),
+                            Vec3(0.0), Vec3(0.0)};
+    take_step(field, at, change, k1, end_slope, dt);
+}
+
 /// @param to        simulation time
 /// @param tangents  false: only the position is carried
 template <CarryingField Field>
@@ -77,39 +114,24 @@ void advance_particle(const Field& field,
                       double to,
                       const AdvanceOptions& options,
                       bool tangents) {
-    const auto slope = [&](const Carried& y, double t) {
-        const Vec3 v = field.velocity(y.position, t);
-        if (!tangents)
-            return Carried{v, Vec3(0.0), Vec3(0.0)};
-        return Carried{v, field.derivative(y.position, t, y.along_s),
-                       field.derivative(y.position, t, y.along_t)};
-    };
     const double whole = to - at.time;
     if (whole == 0.0 || at.end != CurveEnd::Running)
         return;
     if (options.method == AdvanceOptions::Method::Rk4) {
-        const auto steps = std::max(1.0, std::ceil(std::abs(whole) / options.step - 1e-9));
+        const double steps = rk4_steps(whole, options);
         const double dt = whole / steps;
         const double start = at.time;
         for (double i = 0; i < steps && at.end == CurveEnd::Running; ++i) {
-            const Carried k1 = slope(at.carried, at.time);
-            if (!(glm::length(k1.position) > options.stagnation_speed)) {
-                at.end = CurveEnd::Stagnation;
-                return;
-            }
-            const Carried change = rk4_change(slope, at.carried, at.time, dt, k1);
-            // The slope at the end only serves to find a crossing.
-            const Carried end_slope{
-                field.velocity(at.carried.position + change.position, at.time + dt), Vec3(0.0),
-                Vec3(0.0)};
-            take_step(field, at, change, k1, end_slope, dt);
-            if (at.end == CurveEnd::Running)
-                at.time = start + (i + 1.0) * dt;
+            at.time = start + i * dt;
+            rk4_particle_step(field, at, dt, options, tangents);
         }
         if (at.end == CurveEnd::Running)
             at.time = to;
         return;
     }
+    const auto slope = [&](const Carried& y, double t) {
+        return carried_slope(field, y, t, tangents);
+    };
     const double sign = whole < 0.0 ? -1.0 : 1.0;
     double next = 0.0;
     Carried k1 = slope(at.carried, at.time);

@@ -26,6 +26,7 @@ struct TraceOptions {
     double stagnation_speed = 0.0;   ///< a slower particle ends with Stagnation
     std::size_t most_steps = 50'000; ///< attempts after which it ends with Budget: 200 bytes each
     bool stretch = false;            ///< transport the tangent across the rake (for deformation)
+    bool smooth = false; ///< stored data: tricubic in space and cubic in time instead of linear
 };
 
 /// Dense output of one accepted step, Hairer, Norsett, Wanner, Solving ODEs I, II.6: y(theta) =

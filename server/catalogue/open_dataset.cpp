@@ -5,7 +5,21 @@
 #include "protocol/store_manifest.hpp"
 #include "server/catalogue/import_process.hpp"
 
+#include <cstdlib>
+#include <string_view>
+
 namespace wakesurf::server {
+
+namespace {
+
+/// WAKESURF_SIMD=off: to tell a fault of the processor's vectors from one of ours.
+core::Simd simd_wanted() {
+    const char* value = std::getenv("WAKESURF_SIMD");
+    return value != nullptr && std::string_view(value) == "off" ? core::Simd::Portable
+                                                                : core::Simd::Best;
+}
+
+} // namespace
 
 const core::SolidMask* LoadedDataset::mask() const {
     return cache == nullptr || cache->source().mask().empty() ? nullptr : &cache->source().mask();
@@ -30,7 +44,8 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
     if (!reader)
         return tl::unexpected(reader.error());
     auto cache = std::make_shared<core::TimeStepCache>(*reader, options);
-    return LoadedDataset{std::move(manifest->info), core::make_grid_flow(cache), cache};
+    auto flow = core::make_grid_flow(cache, std::make_shared<core::SteadyClock>(), simd_wanted());
+    return LoadedDataset{std::move(manifest->info), std::move(flow), cache};
 }
 
 core::Result<LoadedDataset> open_dataset(const DatasetArgument& argument,

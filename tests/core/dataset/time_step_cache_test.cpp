@@ -338,6 +338,42 @@ TEST(TimeStepCache, TwoCallersWhoHoldEverythingBetweenThemMakeProgress) {
     EXPECT_LE(refused, 6);
 }
 
+TEST(TimeStepCache, ACallerMayHoldThreeStepsWhileItAcquiresAFourth) {
+    Bench bench(10, 4);
+    std::vector<std::shared_ptr<const TimeStep>> window;
+    for (std::size_t i = 0; i < 10; ++i) {
+        if (window.size() == 4)
+            window.erase(window.begin());
+        window.push_back(bench.cache.acquire(i, {}, window.size()).value());
+    }
+    EXPECT_EQ(bench.source->most_alive(), 4u);
+    EXPECT_EQ(bench.source->order().size(), 10u);
+}
+
+TEST(TimeStepCache, TwoCallersOfFourStepsEachAreRefusedOrServedButNeverStuck) {
+    Bench bench(100, 4);
+    const auto walk = [&](std::size_t start) {
+        std::vector<std::shared_ptr<const TimeStep>> window;
+        for (std::size_t i = start; i < start + 8;) {
+            auto next = bench.cache.acquire(i, {}, window.size());
+            if (!next) {
+                ASSERT_EQ(next.error().code, Error::Code::OverLimit);
+                window.clear();
+                continue;
+            }
+            window.push_back(std::move(*next));
+            if (window.size() == 4)
+                window.clear();
+            ++i;
+        }
+    };
+    {
+        std::jthread one([&] { walk(0); });
+        std::jthread two([&] { walk(50); });
+    }
+    EXPECT_LE(bench.source->most_alive(), 4u);
+}
+
 TEST(TimeStepCache, NeverExceedsItsBudgetUnderRandomUse) {
     constexpr std::size_t capacity = 6;
     constexpr std::size_t steps = 40;

@@ -1,0 +1,28 @@
+// Advances many particles through stored data by RK4, in batches of a kernel, in parallel. Each is a pure function of
+// where it is: neither the batch it travels in nor the number of threads changes a bit, and neither does the kernel.
+#pragma once
+
+#include "core/field/grid_sampler.hpp"
+#include "core/field/kernel/rk4_batch.hpp"
+#include "core/integrate/particles.hpp"
+
+#include <stop_token>
+
+namespace wakesurf::core {
+
+/// The kernel for this processor.
+Rk4Kernel choose_rk4_kernel(Simd simd);
+
+/// As advance_particles with Method::Rk4 does, to float accuracy: velocity is computed in float, the position kept
+/// in double. A step in which a particle ends is computed as there.
+/// @param sign  direction of time, +1 or -1
+/// Returns false if `stop` fired.
+bool advance_stored(const GridSampler& field,
+                    Rk4Kernel kernel,
+                    const Particles& particles,
+                    double to,
+                    int sign,
+                    const AdvanceOptions& options,
+                    const std::stop_token& stop);
+
+} // namespace wakesurf::core

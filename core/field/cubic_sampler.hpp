@@ -1,0 +1,186 @@
+// Smooth sampling of stored data: tricubic in space and cubic in time, Catmull-Rom in both, which makes velocity
+// continuously differentiable between obstacles. Source: Catmull, Rom, A Class of Local Interpolating Splines, 1974.
+#pragma once
+
+#include "core/field/grid_sampler.hpp"
+
+#include <array>
+
+namespace wakesurf::core {
+
+/// Shares of four neighbouring nodes in the value between the middle two, and in its slope along the axis.
+struct CubicWeights {
+    std::array<double, 4> value;
+    std::array<double, 4> slope;
+
+    /// @param f  0 at the second node, 1 at the third
+    static CubicWeights catmull_rom(double f) {
+        return {{f * (-0.5 + f * (1.0 - 0.5 * f)), 1.0 + f * f * (-2.5 + 1.5 * f),
+                 f * (0.5 + f * (2.0 - 1.5 * f)), f * f * (-0.5 + 0.5 * f)},
+                {-0.5 + f * (2.0 - 1.5 * f), f * (-5.0 + 4.5 * f), 0.5 + f * (4.0 - 4.5 * f),
+                 f * (-1.0 + 1.5 * f)}};
+    }
+
+    static CubicWeights linear(double f) { return {{0.0, 1.0 - f, f, 0.0}, {0.0, -1.0, 1.0, 0.0}}; }
+
+    /// Beyond the border the field goes on linearly: the missing node is twice its neighbour less the next.
+    void miss(std::size_t node) {
+        const std::size_t near = node == 0 ? 1 : 2;
+        const std::size_t far = 3 - near;
+        for (std::array<double, 4>* weights : {&value, &slope}) {
+            (*weights)[near] += 2.0 * (*weights)[node];
+            (*weights)[far] -= (*weights)[node];
+            (*weights)[node] = 0.0;
+        }
+    }
+};
+
+/// Shares of four time-steps in the value at a time between the middle two: cubic with the slopes of the parabolas
+/// through three neighbours, one-sided at the ends of the series. Nothing stands for a time-step that is missing.
+inline std::array<double, 4>
+cubic_time_shares(const std::array<double, 4>& time, bool before, bool after, double t) {
+    const double h = time[2] - time[1];
+    const double h0 = before ? time[1] - time[0] : h;
+    const double h2 = after ? time[3] - time[2] : h;
+    const double u = (t - time[1]) / h;
+    // Shares of the three differences v1 - v0, v2 - v1, v3 - v2 over their times in the slopes at both ends.
+    std::array<double, 3> slope1{0.0, 1.0, 0.0};
+    std::array<double, 3> slope2{0.0, 1.0, 0.0};
+    if (before)
+        slope1 = {h / (h0 + h), h0 / (h0 + h), 0.0};
+    else if (after)
+        slope1 = {0.0, 1.0 + h / (h + h2), -h / (h + h2)};
+    if (after)
+        slope2 = {0.0, h2 / (h + h2), h / (h + h2)};
+    else if (before)
+        slope2 = {-h / (h0 + h), 1.0 + h / (h0 + h), 0.0};
+    const double rising = u * u * (3.0 - 2.0 * u);
+    const double bend1 = h * u * (1.0 - u) * (1.0 - u);
+    const double bend2 = h * u * u * (u - 1.0);
+    const auto difference = [&](std::size_t i, double width) {
+        return (bend1 * slope1[i] + bend2 * slope2[i]) / width;
+    };
+    const double d0 = difference(0, h0);
+    const double d1 = difference(1, h);
+    const double d2 = difference(2, h2);
+    return {-d0, 1.0 - rising + d0 - d1, rising + d1 - d2, d2};
+}
+
+/// Cells whose 4^3 nodes touch a solid one are trilinear in space: a cubic would overshoot at the wall.
+struct CubicSampler {
+    GridSampler linear;            ///< over the two middle time-steps
+    const float* before = nullptr; ///< the time-steps round them; null at the ends of the series
+    const float* after = nullptr;
+    double time_before = 0.0;
+    double time_after = 0.0;
+
+    Vec3 velocity(const Vec3& p, double t) const {
+        const Stencil at = stencil(p);
+        const std::array<double, 4> share = shares(t);
+        return sum(at, share, [&](std::size_t y, std::size_t z, const Vec3& value, const Vec3&) {
+            return at.axis[1].value[y] * at.axis[2].value[z] * value;
+        });
+    }
+
+    /// (grad v) w, exact.
+    Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
+        const Stencil at = stencil(p);
+        const std::array<double, 4> share = shares(t);
+        const Vec3 step = w / linear.grid->spacing;
+        const CubicWeights& in_y = at.axis[1];
+        const CubicWeights& in_z = at.axis[2];
+        return sum(at, share,
+                   [&](std::size_t y, std::size_t z, const Vec3& value, const Vec3& slope) {
+                       const double across = step.y * in_y.slope[y] * in_z.value[z] +
+                                             step.z * in_y.value[y] * in_z.slope[z];
+                       return step.x * in_y.value[y] * in_z.value[z] * slope + across * value;
+                   });
+    }
+
+    PointStatus status(const Vec3& p) const { return linear.status(p); }
+
+  private:
+    /// The nodes round a point: cell - 1 .. cell + 2 on each axis, as far as there are any.
+    struct Stencil {
+        std::array<CubicWeights, 3> axis;
+        std::array<std::size_t, 3> cell;
+        std::array<std::size_t, 3> begin; ///< of the four
+        std::array<std::size_t, 3> end;
+
+        std::size_t
+        node(const UniformGrid& grid, std::size_t x, std::size_t y, std::size_t z) const {
+            const std::size_t row = (cell[2] + z - 1) * grid.dimensions[1] + cell[1] + y - 1;
+            return row * grid.dimensions[0] + cell[0] + x - 1;
+        }
+    };
+
+    Stencil stencil(const Vec3& p) const {
+        const UniformGrid& grid = *linear.grid;
+        const CellPoint at = locate(grid, p);
+        Stencil result;
+        std::size_t rest = at.node;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::size_t nodes = grid.dimensions[axis];
+            const std::size_t cell = axis < 2 ? rest % nodes : rest;
+            rest /= nodes;
+            result.cell[axis] = cell;
+            result.begin[axis] = cell == 0 ? 1 : 0;
+            result.end[axis] = cell + 2 == nodes ? 3 : 4;
+        }
+        const bool smooth = linear.mask->empty() || !touches_solid(result);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double f = at.fraction[static_cast<int>(axis)];
+            CubicWeights& weights = result.axis[axis];
+            weights = smooth ? CubicWeights::catmull_rom(f) : CubicWeights::linear(f);
+            if (result.begin[axis] == 1)
+                weights.miss(0);
+            if (result.end[axis] == 3)
+                weights.miss(3);
+        }
+        return result;
+    }
+
+    bool touches_solid(const Stencil& at) const {
+        for (std::size_t z = at.begin[2]; z < at.end[2]; ++z)
+            for (std::size_t y = at.begin[1]; y < at.end[1]; ++y)
+                for (std::size_t x = at.begin[0]; x < at.end[0]; ++x)
+                    if (linear.mask->fluid[at.node(*linear.grid, x, y, z)] == 0)
+                        return true;
+        return false;
+    }
+
+    std::array<double, 4> shares(double t) const {
+        if (linear.velocity1 == nullptr)
+            return {0.0, 1.0, 0.0, 0.0};
+        return cubic_time_shares(
+            {time_before, linear.time0, linear.time0 + linear.interval, time_after},
+            before != nullptr, after != nullptr, t);
+    }
+
+    /// Adds up rows of nodes: `weigh(y, z, value, slope)` of the row's value and slope in x.
+    template <class Weigh>
+    Vec3 sum(const Stencil& at, const std::array<double, 4>& share, const Weigh& weigh) const {
+        const std::array<const float*, 4> steps{before, linear.velocity0, linear.velocity1, after};
+        Vec3 total(0.0);
+        for (std::size_t z = at.begin[2]; z < at.end[2]; ++z)
+            for (std::size_t y = at.begin[1]; y < at.end[1]; ++y) {
+                Vec3 value(0.0);
+                Vec3 slope(0.0);
+                for (std::size_t x = at.begin[0]; x < at.end[0]; ++x) {
+                    const std::size_t node = at.node(*linear.grid, x, y, z);
+                    Vec3 v(0.0);
+                    for (std::size_t i = 0; i < 4; ++i)
+                        if (steps[i] != nullptr) {
+                            const float* stored = steps[i] + 3 * node;
+                            v += share[i] * Vec3(stored[0], stored[1], stored[2]);
+                        }
+                    value += at.axis[0].value[x] * v;
+                    slope += at.axis[0].slope[x] * v;
+                }
+                total += weigh(y, z, value, slope);
+            }
+        return total;
+    }
+};
+
+} // namespace wakesurf::core

@@ -1,0 +1,73 @@
+#include "core/field/interval.hpp"
+
+namespace wakesurf::core {
+
+namespace {
+
+// Each is refused only after the cache's own patience is over. Newcomers may spoil a turn.
+constexpr int most_turns = 4;
+
+// Two callers of four fill a smaller cache: there, being refused (0.3 s) would be the rule.
+constexpr std::size_t tight = 8;
+
+} // namespace
+
+Intervals::Intervals(std::shared_ptr<TimeStepCache> cache)
+    : cache_(std::move(cache)),
+      tight_(cache_->status().budget < tight * cache_->source().bytes_per_step()) {}
+
+Result<Interval> Intervals::acquire(std::size_t k, Needs needs, const std::stop_token& stop) const {
+    Result<Interval> got;
+    if (!tight_)
+        got = try_acquire(k, needs, stop);
+    if (!tight_ && (got || got.error().code != Error::Code::OverLimit))
+        return got;
+    {
+        std::unique_lock lock(mutex_);
+        if (!turn_over_.wait(lock, stop, [&] { return !turn_taken_; }))
+            return fail(Error::Code::Cancelled, "waiting for time-steps was cancelled");
+        turn_taken_ = true;
+    }
+    for (int turn = 0; turn < most_turns; ++turn) {
+        got = try_acquire(k, needs, stop);
+        if (got || got.error().code != Error::Code::OverLimit)
+            break;
+    }
+    {
+        const std::scoped_lock lock(mutex_);
+        turn_taken_ = false;
+    }
+    turn_over_.notify_one();
+    return got;
+}
+
+Result<Interval>
+Intervals::try_acquire(std::size_t k, Needs needs, const std::stop_token& stop) const {
+    Interval interval;
+    const std::size_t count = cache_->source().times().size();
+    std::size_t held = 0;
+    const auto take = [&](std::size_t index,
+                          std::shared_ptr<const TimeStep>& place) -> Result<void> {
+        auto step = cache_->acquire(index, stop, held);
+        if (!step)
+            return tl::unexpected(step.error());
+        place = std::move(*step);
+        ++held;
+        return {};
+    };
+    const bool four = needs == Needs::Four;
+    Result<void> taken;
+    if (four && k > 0)
+        taken = take(k - 1, interval.before);
+    if (taken)
+        taken = take(k, interval.first);
+    if (taken && needs != Needs::First && k + 1 < count)
+        taken = take(k + 1, interval.second);
+    if (taken && four && k + 2 < count)
+        taken = take(k + 2, interval.after);
+    if (!taken)
+        return tl::unexpected(taken.error());
+    return interval;
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,47 @@
+// The time-steps an interval between two stored times needs, held while particles cross it.
+#pragma once
+
+#include "core/dataset/time_step_cache.hpp"
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+
+namespace wakesurf::core {
+
+struct Interval {
+    std::shared_ptr<const TimeStep>
+        before; ///< null unless asked for, and at the start of the series
+    std::shared_ptr<const TimeStep> first;
+    std::shared_ptr<const TimeStep> second; ///< null where one time-step is all that is needed
+    std::shared_ptr<const TimeStep> after;  ///< null unless asked for, and at the end of the series
+};
+
+/// Thread safety: concurrent calls are fine.
+class Intervals {
+  public:
+    enum class Needs {
+        First, ///< for times at its start only
+        Both,
+        Four, ///< both ends and their neighbours: cubic in time
+    };
+
+    explicit Intervals(std::shared_ptr<TimeStepCache> cache);
+
+    /// Interval [times[k], times[k+1]]; holds nothing yet when called. Callers who hold between them what each still
+    /// wants let go, and take turns; in a small cache they do so from the start.
+    /// Error: as TimeStepCache::acquire.
+    Result<Interval> acquire(std::size_t k, Needs needs, const std::stop_token& stop) const;
+
+  private:
+    Result<Interval> try_acquire(std::size_t k, Needs needs, const std::stop_token& stop) const;
+
+    std::shared_ptr<TimeStepCache> cache_;
+    bool tight_;
+    mutable std::mutex mutex_;
+    mutable std::condition_variable_any turn_over_;
+    mutable bool turn_taken_ = false;
+};
+
+} // namespace wakesurf::core
