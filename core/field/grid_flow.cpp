@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -128,37 +129,62 @@ class GridFlow final : public Flow {
                         std::span<Vec3> velocities,
                         std::stop_token stop,
                         bool smoothly) const override {
+        const auto [first, last] = std::minmax_element(times.begin(), times.end());
+        if (positions.empty() ||
+            interval_at(*first) == interval_at(*last)) // a moment: the usual case
+            return sample_interval(positions, times, velocities, {}, stop, smoothly);
         // Interval by interval in time order, so that the window slides once over the data.
+        std::vector<std::uint32_t> interval(positions.size());
+        std::transform(times.begin(), times.end(), interval.begin(),
+                       [&](double time) { return static_cast<std::uint32_t>(interval_at(time)); });
         std::vector<std::uint32_t> order(positions.size());
         std::iota(order.begin(), order.end(), 0u);
-        const auto interval_of = [&](std::uint32_t i) { return interval_at(times[i]); };
         std::stable_sort(order.begin(), order.end(),
-                         [&](auto a, auto b) { return interval_of(a) < interval_of(b); });
+                         [&](auto a, auto b) { return interval[a] < interval[b]; });
         for (std::size_t begin = 0; begin < order.size();) {
-            const std::size_t k = interval_of(order[begin]);
             std::size_t end = begin;
-            bool later = false;
-            for (; end < order.size() && interval_of(order[end]) == k; ++end)
-                later = later || times[order[end]] > source_.times()[k];
-            const auto interval = intervals_.acquire(k, needs(later, smoothly), stop);
-            if (!interval)
-                return tl::unexpected(interval.error());
-            const auto sample_all = [&](const auto& field) {
-                tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, 4096),
-                                  [&](const auto& range) {
-                                      for (std::size_t i = range.begin(); i != range.end(); ++i)
-                                          velocities[order[i]] =
-                                              field.velocity(positions[order[i]], times[order[i]]);
-                                  });
-            };
-            tbb::this_task_arena::isolate(
-                [&] { smoothly ? sample_all(smooth(*interval)) : sample_all(linear(*interval)); });
+            while (end < order.size() && interval[order[end]] == interval[order[begin]])
+                ++end;
+            const std::span<const std::uint32_t> some(order.data() + begin, end - begin);
+            if (auto done = sample_interval(positions, times, velocities, some, stop, smoothly);
+                !done)
+                return done;
             begin = end;
         }
         return {};
     }
 
   private:
+    /// Points whose times fall into one interval. @param chosen which of them; empty: all
+    Result<void> sample_interval(std::span<const Vec3> positions,
+                                 std::span<const double> times,
+                                 std::span<Vec3> velocities,
+                                 std::span<const std::uint32_t> chosen,
+                                 const std::stop_token& stop,
+                                 bool smoothly) const {
+        const std::size_t count = chosen.empty() ? positions.size() : chosen.size();
+        if (count == 0)
+            return {};
+        const auto index = [&](std::size_t i) { return chosen.empty() ? i : chosen[i]; };
+        const std::size_t k = interval_at(times[index(0)]);
+        bool later = false;
+        for (std::size_t i = 0; i < count; ++i)
+            later = later || times[index(i)] > source_.times()[k];
+        const auto held = intervals_.acquire(k, needs(later, smoothly), stop);
+        if (!held)
+            return tl::unexpected(held.error());
+        const auto sample_all = [&](const auto& field) {
+            tbb::parallel_for(
+                tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
+                    for (std::size_t i = range.begin(); i != range.end(); ++i)
+                        velocities[index(i)] = field.velocity(positions[index(i)], times[index(i)]);
+                });
+        };
+        tbb::this_task_arena::isolate(
+            [&] { smoothly ? sample_all(smooth(*held)) : sample_all(linear(*held)); });
+        return {};
+    }
+
     static constexpr double infinite = std::numeric_limits<double>::infinity();
 
     static bool upstream(std::span<const Curve> curves) { return curves.front().duration < 0.0; }

@@ -24,6 +24,8 @@ struct SurfaceParameters {
     double merge =
         0.35; ///< cells merge where both of their sides are shorter than this part of the separation; 0: never
     double angle = 20.0; ///< degrees: neighbouring cells that meet at more are refined; 180: never
+    bool reconnect =
+        true; ///< false: shear is met by cutting cells alone, to measure what reconnecting them gains
     std::uint64_t max_quads = 1'000'000;
     bool deformation = false; ///< compute the deformation array (four more samples a step)
     std::optional<double>

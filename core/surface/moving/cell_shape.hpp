@@ -5,21 +5,35 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace wakesurf::core {
 
-/// Longest sub-edge of each side.
-inline std::array<double, 4> longest_of_sides(const MovingMesh& mesh, const Cell& cell) {
-    std::array<double, 4> longest;
+/// Squared lengths of a cell's sub-edges; roots are left to the few cells that need them.
+struct SquaredLengths {
+    std::array<double, 4> longest; ///< of each side
+    double shortest;
+};
+
+inline SquaredLengths squared_lengths(const MovingMesh& mesh, const Cell& cell) {
+    const auto& p = mesh.vertices.position;
+    const auto between = [&](VertexId a, VertexId b) {
+        const Vec3 edge = p[b] - p[a];
+        return glm::dot(edge, edge);
+    };
+    SquaredLengths lengths{{}, std::numeric_limits<double>::infinity()};
     for (std::size_t side = 0; side < 4; ++side) {
         const VertexId a = cell.corner[side];
         const VertexId b = cell.corner[(side + 1) % 4];
         const VertexId mid = cell.mid[side];
-        longest[side] = mid == no_vertex
-                            ? mesh.edge_length(a, b)
-                            : std::max(mesh.edge_length(a, mid), mesh.edge_length(mid, b));
+        const double first = between(a, mid == no_vertex ? b : mid);
+        const double second = mid == no_vertex ? first : between(mid, b);
+        // Written so that what is not a number stays.
+        lengths.longest[side] = first > second ? first : second;
+        lengths.shortest =
+            lengths.shortest < std::min(first, second) ? lengths.shortest : std::min(first, second);
     }
-    return longest;
+    return lengths;
 }
 
 /// Normal of a cell by its diagonals, of unit length; zero for a cell without area.

@@ -38,6 +38,8 @@ CellIndex LinkedQuads::place(const Cell& cell) {
     CellIndex index;
     if (free_.empty()) {
         index = static_cast<CellIndex>(slots_.size());
+        if (slots_.size() == slots_.capacity())
+            slots_.reserve(slots_.size() + slots_.size() / 8 + 256);
         slots_.emplace_back();
     } else {
         index = free_.back();

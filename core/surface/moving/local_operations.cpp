@@ -152,8 +152,10 @@ void LocalOperations::drop_mid(CellIndex cell,
     if (mesh_.row_beyond(a, b, mid) != 0.0 && side % 2 == 0)
         return; // a bend on the lattice: a straight edge could pass a vertex of either cell
     if (neighbour == no_cell) {
-        if (droppable(a, mid, b))
+        if (droppable(a, mid, b)) {
             replace(std::array{cell}, std::array{changed}, 1);
+            mesh_.vertices.remove(mid);
+        }
         return;
     }
     Cell beyond = mesh_.quads[neighbour].cell;
@@ -161,6 +163,7 @@ void LocalOperations::drop_mid(CellIndex cell,
         if (beyond.mid[k] == mid) {
             beyond.mid[k] = none;
             replace(std::array{cell, neighbour}, std::array{changed, beyond}, 2);
+            mesh_.vertices.remove(mid);
             return;
         }
 }

@@ -36,7 +36,7 @@ constexpr double growth_a_step =
     0.5; // of an edge's length: Hermite interpolation wants edges cut before they double
 constexpr double least_of_row =
     1.0 / 16.0; // of the time between rows: one violent cell must not stop the rest
-constexpr double sorting_share = 0.25; // of vertices inserted since memory was last in mesh order
+constexpr double sorting_share = 0.125; // of vertices inserted since memory was last in mesh order
 
 InsertionPolicy policy(Accuracy accuracy) {
     return accuracy == Accuracy::Fast       ? InsertionPolicy::Linear
@@ -84,6 +84,7 @@ Result<MovingSurface> MovingSurface::start(const Flow& flow,
     rules.policy = policy(p.accuracy);
     rules.tangents = p.accuracy != Accuracy::Fast || p.deformation;
     rules.retrace = p.accuracy == Accuracy::Exact || flow.resident();
+    rules.reconnect = p.reconnect;
     rules.obstacle = flow.obstacle();
     rules.max_quads = p.max_quads;
     AdvanceOptions carry;
@@ -121,7 +122,8 @@ Result<void> MovingSurface::begin(const std::stop_token& stop) {
                                   plan_->rules.max_quads, stop);
             !laid)
             return laid;
-        Refinement refinement(*flow_, plan_->origin, plan_->rules, plan_->retrace);
+        Refinement refinement(*flow_, plan_->origin, plan_->rules, plan_->retrace,
+                              refinement_memory_);
         if (auto refined = refinement.run(mesh, stop); !refined)
             return refined;
         state_.separation = refinement.rules().separation;
@@ -138,22 +140,24 @@ Result<void> MovingSurface::begin(const std::stop_token& stop) {
 /// Velocity at every vertex now; the rake's particles leave along it.
 Result<void> MovingSurface::sample_velocity(const std::stop_token& stop) {
     MaterialVertices& v = state_.mesh.vertices;
-    const std::vector<double> times(v.slots(), state_.mesh.time);
-    std::vector<Vec3> velocity(v.slots());
-    if (auto sampled = flow_->sample(v.position, times, velocity, stop); !sampled)
+    sample_times_.assign(v.slots(), state_.mesh.time);
+    sampled_.resize(v.slots());
+    if (auto sampled =
+            flow_->sample(v.position, sample_times_, sampled_, stop, plan_->carry.smooth);
+        !sampled)
         return sampled;
     for (VertexId i = 0; i < v.slots(); ++i) {
-        v.velocity[i] = Vec3f(velocity[i]);
+        v.velocity[i] = Vec3f(sampled_[i]);
         if (v.role[i] != VertexRole::Attached)
             continue;
-        v.along_t[i] = -velocity[i];
+        v.along_t[i] = -sampled_[i];
         v.birth_area[i] = static_cast<float>(glm::length(glm::cross(v.along_s[i], v.along_t[i])));
     }
     return {};
 }
 
 /// How far in time the next step may go.
-double MovingSurface::next_step(double to) const {
+double MovingSurface::step_length(double to) const {
     const MaterialVertices& v = state_.mesh.vertices;
     double rake_speed = 0.0;
     double speed = 0.0;
@@ -195,16 +199,21 @@ double MovingSurface::next_step(double to) const {
     return std::min(left, std::clamp(safe, least_of_row * row, row));
 }
 
+double MovingSurface::next_time(double to) const {
+    const double here = state_.mesh.time;
+    const double sign = to < here ? -1.0 : 1.0;
+    const double until = plan_->release_until;
+    const double target =
+        state_.releasing && sign * (until - here) > 0.0 && sign * (to - until) > 0.0 ? until : to;
+    const double dt = step_length(target);
+    return dt == std::abs(target - here) ? target : here + sign * dt;
+}
+
 Result<void> MovingSurface::step(double to, std::stop_token stop) {
     MovingMesh& mesh = state_.mesh;
     const auto began = clock_->now();
-    const double sign = to < mesh.time ? -1.0 : 1.0;
-    double target = to;
-    if (state_.releasing && sign * (plan_->release_until - mesh.time) > 0.0 &&
-        sign * (to - plan_->release_until) > 0.0)
-        target = plan_->release_until;
-    const double dt = next_step(target);
-    const double now = dt == std::abs(target - mesh.time) ? target : mesh.time + sign * dt;
+    const double now = next_time(to);
+    const double dt = std::abs(now - mesh.time);
 
     // Release the row on the rake when it would fall too far behind in this step, or for the last time.
     MaterialVertices& v = mesh.vertices;
@@ -258,7 +267,7 @@ Result<void> MovingSurface::step(double to, std::stop_token stop) {
     state_.releasing = state_.releasing && !last_release;
     RefinementRules rules = plan_->rules;
     rules.separation = state_.separation;
-    Refinement refinement(*flow_, plan_->origin, rules, plan_->retrace);
+    Refinement refinement(*flow_, plan_->origin, rules, plan_->retrace, refinement_memory_);
     if (auto refined = refinement.run(mesh, stop); !refined)
         return refined;
     state_.separation = refinement.rules().separation;

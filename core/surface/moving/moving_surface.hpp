@@ -50,9 +50,12 @@ class MovingSurface {
     /// Steps until `to`.
     Result<void> advance_to(double to, std::stop_token stop);
 
+    /// The time the next step towards `to` will reach.
+    double next_time(double to) const;
+
     double time() const { return state_.mesh.time; }
 
-    /// Where parameters.to lies.
+    /// Where `to` lies in the surface's direction.
     double end_time() const { return end_; }
 
     const MovingState& state() const { return state_; }
@@ -73,7 +76,7 @@ class MovingSurface {
 
     MovingSurface(const Flow& flow, std::shared_ptr<const Plan> plan, const Clock& clock);
     Result<void> sample_velocity(const std::stop_token& stop);
-    double next_step(double to) const;
+    double step_length(double to) const;
     Result<void> begin(const std::stop_token& stop);
 
     const Flow* flow_;
@@ -81,6 +84,9 @@ class MovingSurface {
     std::shared_ptr<const Plan> plan_;
     double end_;
     MovingState state_;
+    RefinementMemory refinement_memory_;
+    std::vector<double> sample_times_; ///< memory of sample_velocity
+    std::vector<Vec3> sampled_;
     SurfaceStatistics::Seconds seconds_;
 };
 

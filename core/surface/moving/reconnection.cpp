@@ -32,9 +32,11 @@ std::optional<Reconnection> worthwhile_reconnection(const MovingMesh& mesh,
     const Cell& a = here.cell;
     const Cell& b = mesh.quads[old].cell;
     const Vec3 along = (p[b.corner[3]] - p[a.corner[0]]) + (p[b.corner[2]] - p[a.corner[1]]);
+    const Vec3 edge = p[a.corner[2]] - p[a.corner[3]];
+    const double lean = glm::dot(edge, along);
+    if (!(lean * lean > glide_gain * glide_gain * glm::dot(edge, edge) * glm::dot(along, along)))
+        return std::nullopt; // square enough: most cells end here
     const double now = skew(mesh, a.corner[3], a.corner[2], along);
-    if (now < glide_gain)
-        return std::nullopt;
     const double length = mesh.edge_length(a.corner[3], a.corner[2]);
     std::optional<Reconnection> best;
     double best_length = 0.0;

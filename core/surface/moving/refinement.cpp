@@ -26,21 +26,41 @@ void for_each_index(std::size_t count, Visit visit) {
     });
 }
 
-/// Asks `decide` of every live cell in parallel; those with an answer other than 0, in ascending order.
+/// Asks `decide` of every live cell in parallel; `decisions` gets the answers, 0 for empty slots.
 template <class Decide>
-std::vector<CellIndex>
-candidates(const MovingMesh& mesh, std::vector<std::uint8_t>& decisions, Decide decide) {
+void decide_all(const MovingMesh& mesh, std::vector<std::uint8_t>& decisions, Decide decide) {
     const auto slots = mesh.quads.slots();
     decisions.assign(slots.size(), 0);
     for_each_index(slots.size(), [&](std::size_t i) {
         if (slots[i].live)
-            decisions[i] = decide(static_cast<CellIndex>(i)) ? 1 : 0;
+            decisions[i] = decide(static_cast<CellIndex>(i));
     });
+}
+
+/// The cells whose decision has any of the bits of `wanted`, in ascending order.
+std::vector<CellIndex> decided(const std::vector<std::uint8_t>& decisions, std::uint8_t wanted) {
     std::vector<CellIndex> found;
     for (std::size_t i = 0; i < decisions.size(); ++i)
-        if (decisions[i] != 0)
+        if ((decisions[i] & wanted) != 0)
             found.push_back(static_cast<CellIndex>(i));
     return found;
+}
+
+/// The living among `cells` and their neighbours, ascending, each once.
+std::vector<CellIndex> with_neighbours(const MovingMesh& mesh, std::span<const CellIndex> cells) {
+    std::vector<CellIndex> all;
+    for (const CellIndex cell : cells) {
+        if (!mesh.quads[cell].live)
+            continue;
+        all.push_back(cell);
+        for (const auto& side : mesh.quads[cell].across)
+            for (const CellIndex neighbour : side)
+                if (neighbour != no_cell)
+                    all.push_back(neighbour);
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
 }
 
 /// The last resort of the budget: cells that cannot be joined any further go, those of the oldest rows first.
@@ -96,13 +116,14 @@ Result<bool> Refinement::cut_pass(MovingMesh& mesh,
                                   LocalOperations& operations,
                                   std::vector<CellIndex>& dirty,
                                   const std::stop_token& stop) {
-    const auto decide = [&](CellIndex cell) {
+    const auto decide = [&](CellIndex cell) -> std::uint8_t {
         return needed_cut(mesh, cell, rules_, flow_, normals_) != Cut::None;
     };
     std::vector<CellIndex> wanted;
     if (dirty.empty()) {
         find_normals(mesh);
-        wanted = candidates(mesh, decisions_, decide);
+        decide_all(mesh, decisions_, decide);
+        wanted = decided(decisions_, 1);
     } else {
         normals_.resize(mesh.quads.slots().size());
         for (const CellIndex cell : dirty)
@@ -111,7 +132,6 @@ Result<bool> Refinement::cut_pass(MovingMesh& mesh,
     }
     operations.touched().clear();
     to_retrace_.clear();
-    bool torn = false;
     for (const CellIndex cell : wanted) {
         if (!mesh.quads[cell].live)
             continue;
@@ -119,7 +139,7 @@ Result<bool> Refinement::cut_pass(MovingMesh& mesh,
         const std::size_t before = operations.touched().size();
         if (cut == Cut::Tear) {
             operations.tear(cell);
-            torn = true;
+            torn_ = true;
         } else if (cut != Cut::None) {
             const Axis axis = cut == Cut::AcrossS ? Axis::S : Axis::T;
             if (!operations.split(cell, axis))
@@ -133,54 +153,49 @@ Result<bool> Refinement::cut_pass(MovingMesh& mesh,
     if (!to_retrace_.empty())
         if (auto traced = retrace(mesh, origin_, flow_, to_retrace_, trace_, stop); !traced)
             return tl::unexpected(traced.error());
-    std::vector<CellIndex>& next = dirty;
-    next.clear();
-    for (const CellIndex cell : operations.touched()) {
-        if (!mesh.quads[cell].live)
-            continue;
-        next.push_back(cell);
-        for (const auto& side : mesh.quads[cell].across)
-            for (const CellIndex neighbour : side)
-                if (neighbour != no_cell)
-                    next.push_back(neighbour);
-    }
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
-    return torn || !next.empty();
+    dirty = with_neighbours(mesh, operations.touched());
+    return !dirty.empty();
 }
 
+/// Twice where it did something: what one reconnection makes possible the next may need.
 void Refinement::reconnect_pass(MovingMesh& mesh, LocalOperations& operations) {
-    const auto decide = [&](CellIndex cell) {
-        return worthwhile_reconnection(mesh, operations, cell, rules_).has_value();
+    const auto reconnect = [&](std::span<const CellIndex> cells) {
+        for (const CellIndex cell : cells)
+            if (mesh.quads[cell].live)
+                if (const auto how = worthwhile_reconnection(mesh, operations, cell, rules_))
+                    operations.reconnect(cell, *how);
     };
-    for (const CellIndex cell : candidates(mesh, decisions_, decide))
-        if (mesh.quads[cell].live)
-            if (const auto how = worthwhile_reconnection(mesh, operations, cell, rules_))
-                operations.reconnect(cell, *how);
+    operations.touched().clear();
+    decide_all(mesh, decisions_, [&](CellIndex cell) -> std::uint8_t {
+        return worthwhile_reconnection(mesh, operations, cell, rules_).has_value();
+    });
+    reconnect(decided(decisions_, 1));
+    reconnect(with_neighbours(mesh, operations.touched()));
 }
 
-bool Refinement::merge_pass(MovingMesh& mesh, LocalOperations& operations, Axis axis) {
+/// REQUIRES: normals_ of the mesh as it is.
+bool Refinement::merge_pass(MovingMesh& mesh, LocalOperations& operations) {
     if (rules_.merge <= 0.0)
         return false;
-    find_normals(mesh);
-    const auto decide = [&](CellIndex cell) {
+    const auto decide = [&](CellIndex cell, Axis axis) {
         return should_merge(mesh, operations, cell, axis, rules_, flow_, normals_);
     };
+    decide_all(mesh, decisions_, [&](CellIndex cell) -> std::uint8_t {
+        return static_cast<std::uint8_t>((decide(cell, Axis::S) ? 1 : 0) |
+                                         (decide(cell, Axis::T) ? 2 : 0));
+    });
     const auto drop = [&](VertexId before, VertexId mid, VertexId after) {
-        if (!droppable(mesh, before, mid, after, rules_))
-            return false;
-        if (mesh.vertices.role[mid] == VertexRole::Attached)
-            mesh.vertices.remove(mid); // or the next row would be released with it
-        return true;
+        return droppable(mesh, before, mid, after, rules_);
     };
     bool merged = false;
-    for (const CellIndex cell : candidates(mesh, decisions_, decide)) {
-        if (!mesh.quads[cell].live || !decide(cell))
-            continue;
-        operations.merge(cell, axis, drop);
-        normals_[cell] = normal(mesh, mesh.quads[cell].cell);
-        merged = true;
-    }
+    for (const Axis axis : {Axis::S, Axis::T})
+        for (const CellIndex cell : decided(decisions_, axis == Axis::S ? 1 : 2)) {
+            if (!mesh.quads[cell].live || !decide(cell, axis))
+                continue;
+            operations.merge(cell, axis, drop);
+            normals_[cell] = normal(mesh, mesh.quads[cell].cell);
+            merged = true;
+        }
     return merged;
 }
 
@@ -191,24 +206,24 @@ void Refinement::keep_budget(MovingMesh& mesh, LocalOperations& operations) {
         const double cosine = rules_.cosine;
         rules_.merge = std::max(merge, 0.35);
         rules_.cosine = -1.0; // a small budget is kept at the cost of the shape
-        for (bool merged = true; merged && mesh.quads.live() > rules_.max_quads;) {
-            merged = merge_pass(mesh, operations, Axis::S);
-            merged = merge_pass(mesh, operations, Axis::T) || merged;
+        find_normals(mesh);
+        while (mesh.quads.live() > rules_.max_quads && merge_pass(mesh, operations)) {
         }
         rules_.merge = merge;
         rules_.cosine = cosine;
     }
-    if (mesh.quads.live() > rules_.max_quads)
+    if (mesh.quads.live() > rules_.max_quads) {
         drop_oldest(mesh, mesh.quads.live() - rules_.max_quads, operations);
+        remove_unused_vertices(mesh);
+    }
 }
 
 Result<void> Refinement::run(MovingMesh& mesh, std::stop_token stop) {
     LocalOperations operations(mesh, [&](VertexId a, VertexId b) { return insert(mesh, a, b); });
     keep_budget(mesh, operations);
-    if (rules_.reconnect) {
+    if (rules_.reconnect)
         reconnect_pass(mesh, operations);
-        reconnect_pass(mesh, operations);
-    }
+    torn_ = false;
     std::vector<CellIndex> dirty;
     for (int pass = 0; pass < most_cut_passes; ++pass) {
         if (stop.stop_requested())
@@ -224,9 +239,9 @@ Result<void> Refinement::run(MovingMesh& mesh, std::stop_token stop) {
         if (!*more)
             break;
     }
-    merge_pass(mesh, operations, Axis::S);
-    merge_pass(mesh, operations, Axis::T);
-    remove_unused_vertices(mesh);
+    merge_pass(mesh, operations);
+    if (torn_)
+        remove_unused_vertices(mesh);
     return {};
 }
 

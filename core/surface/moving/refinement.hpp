@@ -15,11 +15,22 @@
 
 namespace wakesurf::core {
 
+/// Memory kept from step to step; nothing in it outlives one.
+struct RefinementMemory {
+    std::vector<Vec3f> normals;          ///< of cell slots
+    std::vector<std::uint8_t> decisions; ///< likewise
+    std::vector<VertexId> to_retrace;
+};
+
 class Refinement {
   public:
-    /// What is kept between steps is memory only, and what the budget has done to the rules.
-    Refinement(const Flow& flow, const Origin& origin, RefinementRules rules, AdvanceOptions trace)
-        : flow_(flow), origin_(origin), rules_(rules), trace_(trace) {}
+    Refinement(const Flow& flow,
+               const Origin& origin,
+               RefinementRules rules,
+               AdvanceOptions trace,
+               RefinementMemory& memory)
+        : flow_(flow), origin_(origin), rules_(rules), trace_(trace), normals_(memory.normals),
+          decisions_(memory.decisions), to_retrace_(memory.to_retrace) {}
 
     /// Error: Cancelled, and what tracing a vertex again reports.
     Result<void> run(MovingMesh& mesh, std::stop_token stop);
@@ -27,17 +38,12 @@ class Refinement {
     /// As now in force: the quad budget raises the separation.
     const RefinementRules& rules() const { return rules_; }
 
-    void coarsen_to(double separation) { rules_.separation = separation; }
-
   private:
-    using Candidates = std::vector<std::pair<CellIndex, std::uint8_t>>;
-
-    Result<void> cut_all(MovingMesh& mesh, const std::stop_token& stop);
     Result<bool> cut_pass(MovingMesh& mesh,
                           LocalOperations& operations,
                           std::vector<CellIndex>& dirty,
                           const std::stop_token& stop);
-    bool merge_pass(MovingMesh& mesh, LocalOperations& operations, Axis axis);
+    bool merge_pass(MovingMesh& mesh, LocalOperations& operations);
     void reconnect_pass(MovingMesh& mesh, LocalOperations& operations);
     void keep_budget(MovingMesh& mesh, LocalOperations& operations);
     VertexId insert(MovingMesh& mesh, VertexId a, VertexId b);
@@ -47,9 +53,10 @@ class Refinement {
     const Origin& origin_;
     RefinementRules rules_;
     AdvanceOptions trace_;
-    std::vector<Vec3f> normals_;
-    std::vector<std::uint8_t> decisions_;
-    std::vector<VertexId> to_retrace_;
+    std::vector<Vec3f>& normals_;
+    std::vector<std::uint8_t>& decisions_;
+    std::vector<VertexId>& to_retrace_;
+    bool torn_ = false; ///< cells have been deleted: vertices may be left alone
 };
 
 /// Gives back the slots of vertices no cell uses, except attached ones.

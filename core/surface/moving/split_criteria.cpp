@@ -84,13 +84,17 @@ Cut cut_or_tear(const MovingMesh& mesh,
 bool bulges(const MovingMesh& mesh,
             const Cell& cell,
             std::size_t side,
-            double length,
+            double squared_length,
             const RefinementRules& rules) {
     constexpr double part_of_separation = 0.1;
+    if (cell.mid[side] != no_vertex ||
+        squared_length <= 4.0 * rules.finest * rules.finest * rules.separation * rules.separation)
+        return false;
     const VertexId a = cell.corner[side];
     const VertexId b = cell.corner[(side + 1) % 4];
-    return cell.mid[side] == no_vertex && length > 2.0 * rules.finest * rules.separation &&
-           relative_sagitta(mesh, a, b) * length > part_of_separation * rules.separation;
+    const Vec3 turn = edge_tangent(mesh, a, a, b) - edge_tangent(mesh, b, a, b);
+    const double allowed = 8.0 * part_of_separation * rules.separation;
+    return glm::dot(turn, turn) > allowed * allowed;
 }
 
 /// True when a point inside an obstacle is within `depth` of the fluid, and on one side of it only: a chord that dips into a
@@ -129,21 +133,23 @@ Cut needed_cut(const MovingMesh& mesh,
                std::span<const Vec3f> normals) {
     const LinkedCell& here = mesh.quads[index];
     const Cell& cell = here.cell;
-    const std::array<double, 4> length = longest_of_sides(mesh, cell);
-    const double across_s = std::max(length[0], length[2]);
-    const double across_t = std::max(length[1], length[3]);
+    const SquaredLengths lengths = squared_lengths(mesh, cell);
+    const double across_s = std::max(lengths.longest[0], lengths.longest[2]);
+    const double across_t = std::max(lengths.longest[1], lengths.longest[3]);
+    const double longest = std::max(across_s, across_t);
     const Axis longer = across_s >= across_t ? Axis::S : Axis::T;
+    const auto squared = [&](double part) {
+        return part * part * rules.separation * rules.separation;
+    };
     // Particles that gather at one point are on one place of the surface in all but name.
-    for (const SubEdge& edge : outline(cell))
-        if (!(mesh.edge_length(edge.from, edge.to) > 1e-9 * rules.separation))
-            return Cut::Tear;
+    if (!(lengths.shortest > squared(1e-9)))
+        return Cut::Tear;
     if (has_dead_vertex(mesh, cell)) {
-        if (!(std::max(across_s, across_t) > rules.tear_size * rules.separation))
+        if (!(longest > squared(rules.tear_size)))
             return Cut::Tear;
         return cut_or_tear(mesh, cell, longer, rules, flow);
     }
-    const double limit = rules.separation * (1.0 + 1e-9);
-    if (!(std::max(across_s, across_t) <= limit)) // not a number must not pass
+    if (!(longest <= squared(1.0 + 1e-9))) // not a number must not pass
         return cut_or_tear(mesh, cell, longer, rules, flow);
     if (rules.obstacle)
         for (std::size_t side = 0; side < 4; ++side)
@@ -153,9 +159,11 @@ Cut needed_cut(const MovingMesh& mesh,
         return Cut::None;
     if (rules.tangents)
         for (std::size_t side = 0; side < 4; ++side)
-            if (bulges(mesh, cell, side, length[side], rules))
+            // Each inner edge belongs to two cells: one of them looks.
+            if ((side < 2 || here.across[side][0] == no_cell) &&
+                bulges(mesh, cell, side, lengths.longest[side], rules))
                 return cut_or_tear(mesh, cell, side % 2 == 0 ? Axis::S : Axis::T, rules, flow);
-    const double floor = 2.0 * rules.finest * rules.separation;
+    const double floor = squared(2.0 * rules.finest);
     for (std::size_t side = 0; side < 4; ++side) {
         const bool s_neighbour = side % 2 == 1;
         if ((s_neighbour ? across_s : across_t) <= floor)

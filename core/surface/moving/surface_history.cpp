@@ -1,0 +1,74 @@
+#include "core/surface/moving/surface_history.hpp"
+
+#include <sstream>
+
+namespace wakesurf::core {
+
+SurfaceHistory::SurfaceHistory(MovingSurface surface, std::size_t budget_bytes)
+    : surface_(std::move(surface)), start_(surface_.time()),
+      direction_(surface_.end_time() < start_ ? -1.0 : 1.0), budget_(budget_bytes) {
+    keep();
+}
+
+std::vector<double> SurfaceHistory::checkpoints() const {
+    std::vector<double> times;
+    for (const auto& [since, state] : checkpoints_)
+        times.push_back(state.mesh.time);
+    return times;
+}
+
+void SurfaceHistory::keep() {
+    if (surface_.state().steps % every_ != 0)
+        return;
+    const auto [place, fresh] =
+        checkpoints_.try_emplace(since_start(surface_.time()), surface_.state());
+    if (!fresh)
+        return;
+    bytes_ += place->second.bytes();
+    while (bytes_ > budget_ && checkpoints_.size() > 1) {
+        every_ *= 2;
+        for (auto it = checkpoints_.begin(); it != checkpoints_.end();) {
+            if (it->second.steps % every_ == 0) {
+                ++it;
+                continue;
+            }
+            bytes_ -= it->second.bytes();
+            it = checkpoints_.erase(it);
+        }
+    }
+}
+
+/// To the last state of the uninterrupted run that is not after `time`.
+Result<void> SurfaceHistory::go_to(double time, const std::stop_token& stop) {
+    const auto after = checkpoints_.upper_bound(since_start(time));
+    const MovingState& nearest = std::prev(after)->second;
+    if (since_start(surface_.time()) > since_start(time) ||
+        since_start(nearest.mesh.time) > since_start(surface_.time()))
+        surface_.restore(nearest);
+    while (since_start(surface_.next_time(surface_.end_time())) <= since_start(time) &&
+           surface_.time() != surface_.end_time()) {
+        if (auto stepped = surface_.step(surface_.end_time(), stop); !stepped) {
+            surface_.restore(checkpoints_.begin()->second);
+            return stepped;
+        }
+        keep();
+    }
+    return {};
+}
+
+Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop) {
+    if (!(since_start(time) >= 0.0 && since_start(time) <= since_start(surface_.end_time()))) {
+        std::ostringstream text;
+        text << "time " << time << " is outside the surface's " << start_ << " to "
+             << surface_.end_time();
+        return fail(Error::Code::OutOfTime, text.str(), "choose a time between them");
+    }
+    if (auto there = go_to(time, stop); !there)
+        return tl::unexpected(there.error());
+    if (surface_.time() == time)
+        return surface_.mesh();
+    MovingSurface shown = surface_; // the last part of the way is nobody's checkpoint
+    return shown.advance_to(time, stop).map([&] { return shown.mesh(); });
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,44 @@
+// A moving surface that can be looked at at any time, again and again: plays on, pauses, steps back to stored checkpoints.
+// What it shows at a time does not depend on what was looked at before.
+#pragma once
+
+#include "core/surface/moving/moving_surface.hpp"
+
+#include <cstddef>
+#include <map>
+#include <stop_token>
+
+namespace wakesurf::core {
+
+/// Thread safety: one thread at a time.
+class SurfaceHistory {
+  public:
+    /// @param surface       as MovingSurface::start gives it
+    /// @param budget_bytes  for checkpoints; when it is full, every other one is given up. The first always stays.
+    SurfaceHistory(MovingSurface surface, std::size_t budget_bytes);
+
+    /// The mesh at a time between the surface's first and its end. Steps from the newest checkpoint before it, or from where
+    /// it stands. Error: OutOfTime, Cancelled (the next call goes on from a checkpoint), what stepping reports.
+    Result<KeyedMesh> at(double time, std::stop_token stop);
+
+    /// Times one can go back to at once, in order of play.
+    std::vector<double> checkpoints() const;
+
+    std::size_t bytes() const { return bytes_; }
+
+  private:
+    double since_start(double time) const { return direction_ * (time - start_); }
+
+    void keep();
+    Result<void> go_to(double time, const std::stop_token& stop);
+
+    MovingSurface surface_;
+    double start_;
+    double direction_;
+    std::size_t budget_;
+    std::size_t bytes_ = 0;
+    std::uint64_t every_ = 1;                   ///< steps between checkpoints
+    std::map<double, MovingState> checkpoints_; ///< by time since the start
+};
+
+} // namespace wakesurf::core
