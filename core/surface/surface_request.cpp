@@ -58,6 +58,12 @@ Result<void> check_request(const SurfaceParameters& p) {
     if (!std::isfinite(p.separation) || p.separation < 0.0)
         return fail(Error::Code::InvalidArgument, "'separation' must be positive",
                     "leave it out for the dataset's finest spacing");
+    if (!(p.merge >= 0.0 && p.merge <= 0.5))
+        return fail(Error::Code::InvalidArgument, "'merge' must be between 0 and 0.5",
+                    "leave it out for 0.35, or choose 0 for never");
+    if (!(p.angle > 0.0 && p.angle <= 180.0))
+        return fail(Error::Code::InvalidArgument, "'angle' must be above 0 and at most 180 degrees",
+                    "leave it out for 20, or choose 180 for never");
     if (p.max_quads < 1)
         return fail(Error::Code::InvalidArgument, "'maxQuads' must be at least 1",
                     "leave it out for the default");
@@ -98,6 +104,8 @@ Result<std::vector<SheetOptions>> sheet_options(const Flow& flow,
     one.trace.stretch = p.deformation;
     one.release = p.from;
     one.separation = separation;
+    one.merge = p.merge;
+    one.angle = p.angle;
     one.max_quads =
         p.direction == Direction::Both ? std::max<std::uint64_t>(p.max_quads / 2, 1) : p.max_quads;
     std::vector<SheetOptions> sheets;
