@@ -3,6 +3,7 @@
 #include "core/field/advance_particles.hpp"
 #include "core/field/grid_sampler.hpp"
 #include "core/field/trace_curves.hpp"
+#include "core/field/trilinear_cell.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -129,13 +130,16 @@ class GridFlow final : public Flow {
         std::vector<std::uint32_t> order(positions.size());
         std::iota(order.begin(), order.end(), 0u);
         const auto interval_of = [&](std::uint32_t i) { return interval_at(times[i]); };
-        std::stable_sort(order.begin(), order.end(),
-                         [&](auto a, auto b) { return interval_of(a) < interval_of(b); });
+        const bool one_time =
+            std::equal(times.begin() + !times.empty(), times.end(), times.begin());
+        if (!one_time)
+            std::stable_sort(order.begin(), order.end(),
+                             [&](auto a, auto b) { return interval_of(a) < interval_of(b); });
         for (std::size_t begin = 0; begin < order.size();) {
             const std::size_t k = interval_of(order[begin]);
             std::size_t end = begin;
             bool later = false;
-            for (; end < order.size() && interval_of(order[end]) == k; ++end)
+            for (; end < order.size() && (one_time || interval_of(order[end]) == k); ++end)
                 later = later || times[order[end]] > source_.times()[k];
             const auto interval = acquire(k, later, stop);
             if (!interval)
@@ -207,7 +211,7 @@ class GridFlow final : public Flow {
                          const TraceOptions& options,
                          double limit,
                          const std::stop_token& stop) const {
-        if (!trace_curves(sampler(interval), curves, options, limit, stop))
+        if (!trace_curves(CellwiseSampler{sampler(interval)}, curves, options, limit, stop))
             return fail(Error::Code::Cancelled, "the integration was cancelled");
         return {};
     }
