@@ -11,24 +11,46 @@
 
 namespace wakesurf::core {
 
+/// Three components in two registers of two doubles, which every x86-64 has: by itself the compiler leaves them scalar.
+struct Components {
+    using Pair = double __attribute__((vector_size(16)));
+    Pair xy{}, z{};
+
+    friend Components operator+(const Components& a, const Components& b) {
+        return {a.xy + b.xy, a.z + b.z};
+    }
+
+    friend Components operator-(const Components& a, const Components& b) {
+        return {a.xy - b.xy, a.z - b.z};
+    }
+
+    friend Components operator*(const Components& a, double k) { return {a.xy * k, a.z * k}; }
+};
+
 /// Coefficients of 1, x, y, xy, z, xz, yz, xyz; x, y, z run from 0 to 1 through the cell.
 struct TrilinearPolynomial {
-    std::array<std::array<double, 4>, 8> c{}; ///< fourth component unused: pairs of doubles
+    std::array<Components, 8> c;
 
     TrilinearPolynomial() = default;
 
     TrilinearPolynomial(const float* velocity,
                         const std::array<std::size_t, 8>& node,
                         const Vec3& scale) {
-        for (std::size_t i = 0; i < 8; ++i)
-            for (std::size_t k = 0; k < 3; ++k)
-                c[i][k] =
-                    static_cast<double>(velocity[3 * node[i] + k]) * scale[static_cast<int>(k)];
+        for (std::size_t i = 0; i < 8; ++i) {
+            const float* v = velocity + 3 * node[i];
+            c[i].xy = Components::Pair{v[0], v[1]} * Components::Pair{scale.x, scale.y};
+            c[i].z = Components::Pair{v[2] * scale.z, 0.0};
+        }
         for (const std::size_t bit : {1u, 2u, 4u})
             for (std::size_t i = 0; i < 8; ++i)
                 if (i & bit)
-                    for (std::size_t k = 0; k < 4; ++k)
-                        c[i][k] -= c[i ^ bit][k];
+                    c[i] = c[i] - c[i ^ bit];
+    }
+
+    /// Without the constant: m are the values of x, y, xy, z, xz, yz, xyz.
+    Components rest(const double (&m)[7]) const {
+        return ((c[1] * m[0] + c[2] * m[1]) + (c[3] * m[2] + c[4] * m[3])) +
+               ((c[5] * m[4] + c[6] * m[5]) + c[7] * m[6]);
     }
 };
 
@@ -79,8 +101,7 @@ class TrilinearCell {
         if (field_.velocity1) {
             change_ = TrilinearPolynomial(field_.velocity1, corner, scale_);
             for (std::size_t i = 0; i < 8; ++i)
-                for (std::size_t k = 0; k < 4; ++k)
-                    change_.c[i][k] -= now_.c[i][k];
+                change_.c[i] = change_.c[i] - now_.c[i];
         }
         lo_ = field_.grid->origin + field_.grid->spacing * Vec3(index[0], index[1], index[2]);
     }
@@ -102,45 +123,43 @@ class TrilinearCell {
     template <bool Unsteady>
     PathSeries expand(const Vec3& u, double part) const {
         PathSeries path;
-        auto& a = path.term;
-        for (std::size_t k = 0; k < 3; ++k)
-            a[0][k] = u[static_cast<int>(k)];
-        a[0][3] = 0.0;
-        double xy[5], xz[5], yz[5], xyz[5];
-        std::array<double, 4> changed{};
+        double x[5], y[5], z[5], xy[5], xz[5], yz[5], xyz[5];
+        x[0] = u.x;
+        y[0] = u.y;
+        z[0] = u.z;
+        path.term[0] = {u.x, u.y, u.z};
+        Components changed;
+#pragma GCC unroll 5
         for (std::size_t order = 0; order < 5; ++order) {
             xy[order] = xz[order] = yz[order] = xyz[order] = 0.0;
             for (std::size_t j = 0; j <= order; ++j) {
-                xy[order] += a[j][0] * a[order - j][1];
-                xz[order] += a[j][0] * a[order - j][2];
-                yz[order] += a[j][1] * a[order - j][2];
+                xy[order] += x[j] * y[order - j];
+                xz[order] += x[j] * z[order - j];
+                yz[order] += y[j] * z[order - j];
             }
             for (std::size_t j = 0; j <= order; ++j)
-                xyz[order] += xy[j] * a[order - j][2];
-            const double m[7] = {a[order][0], a[order][1], xy[order], a[order][2],
-                                 xz[order],   yz[order],   xyz[order]};
-            std::array<double, 4> v = sum(now_, m, order == 0);
+                xyz[order] += xy[j] * z[order - j];
+            const double m[7] = {x[order],  y[order],  xy[order], z[order],
+                                 xz[order], yz[order], xyz[order]};
+            Components v = now_.rest(m);
+            if (order == 0)
+                v = v + now_.c[0];
             if constexpr (Unsteady) {
-                const std::array<double, 4> change = sum(change_, m, order == 0);
-                for (std::size_t k = 0; k < 4; ++k)
-                    v[k] += part * change[k] + rate_ * changed[k];
+                Components change = change_.rest(m);
+                if (order == 0)
+                    change = change + change_.c[0];
+                v = v + change * part + changed * rate_;
                 changed = change;
             }
-            const double share = 1.0 / static_cast<double>(order + 1);
-            for (std::size_t k = 0; k < 4; ++k)
-                a[order + 1][k] = v[k] * share;
+            const Components next = v * (1.0 / static_cast<double>(order + 1));
+            path.term[order + 1] = {next.xy[0], next.xy[1], next.z[0]};
+            if (order < 4) {
+                x[order + 1] = next.xy[0];
+                y[order + 1] = next.xy[1];
+                z[order + 1] = next.z[0];
+            }
         }
         return path;
-    }
-
-    static std::array<double, 4>
-    sum(const TrilinearPolynomial& p, const double (&m)[7], bool constant) {
-        std::array<double, 4> v;
-        for (std::size_t k = 0; k < 4; ++k)
-            v[k] = (constant ? p.c[0][k] : 0.0) + (p.c[1][k] * m[0] + p.c[2][k] * m[1]) +
-                   (p.c[3][k] * m[2] + p.c[4][k] * m[3]) + (p.c[5][k] * m[4] + p.c[6][k] * m[5]) +
-                   p.c[7][k] * m[6];
-        return v;
     }
 
     const GridSampler& field_;

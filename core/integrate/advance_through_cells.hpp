@@ -14,7 +14,7 @@ namespace wakesurf::core {
 /// Position in units of the cell as a polynomial in time: the sum of term[k] t^k.
 struct PathSeries {
     static constexpr std::size_t order = 5;
-    std::array<std::array<double, 4>, order + 1> term; ///< fourth component unused
+    std::array<std::array<double, 3>, order + 1> term;
 
     double at(std::size_t axis, double t) const {
         double sum = term[order][axis];
@@ -59,16 +59,17 @@ inline CellExit roughly_leaves(const PathSeries& path, std::size_t axis) {
     return {(v + std::sqrt(v * v - 4.0 * a * behind)) / (-2.0 * a), axis, -step}; // turns back
 }
 
-/// Newton's iteration from a rough exit, to some 1e-8 of the cell; what it misses by, the next cell takes up.
-inline void sharpen(const PathSeries& path, CellExit& exit) {
+/// Newton's iteration from a rough exit. A particle that is d cells past the face when the next cell takes over is off by some
+/// d * d of what the field's kink there turns it by, so 1e-5 is near enough except at the domain's border.
+inline void sharpen(const PathSeries& path, CellExit& exit, double near_enough = 5e-3) {
     const double face = exit.step > 0 ? 1.0 : 0.0;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 5; ++i) {
         const double slope = path.slope(exit.axis, exit.time);
         if (slope * exit.step <= 0.0)
             return;
         const double change = (path.at(exit.axis, exit.time) - face) / slope;
         exit.time = std::max(exit.time - change, 0.0);
-        if (std::abs(change) <= 1e-4 * exit.time)
+        if (std::abs(change) <= near_enough * exit.time)
             return;
     }
 }
@@ -81,7 +82,7 @@ inline CellExit leaves_cell(const PathSeries& path) {
     if (first.step == 0)
         return first;
     sharpen(path, first);
-    constexpr double beyond = 1e-9; // of a cell
+    constexpr double beyond = 1e-5; // of a cell
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double u = path.at(axis, first.time);
         if (axis == first.axis || (u <= 1.0 + beyond && u >= -beyond))
@@ -191,6 +192,10 @@ bool advance_through_cells(const Field& field,
             return true;
         }
         CellExit exit = leaves_cell(path);
+        auto next = index;
+        next[exit.axis] += exit.step;
+        if (!cell.inside(next))
+            sharpen(path, exit, 1e-12);
         // A particle that grazes a face may cross it to and fro at once; it then goes on a little regardless.
         double t = std::max(exit.time, 1e-5 * finest / speed);
         if (!(t <= 1e3 * finest / speed)) // crawls round in its cell

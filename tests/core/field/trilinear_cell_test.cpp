@@ -165,9 +165,10 @@ TEST(TrilinearCell, EveryVertexOfASurfaceOfStoredDataEqualsItsOwnRetrace) {
         ASSERT_TRUE(surface);
         EXPECT_EQ(surface->mesh.validate(), "");
         const SeedingCurve seeding(rake);
-        std::uniform_int_distribution<std::size_t> pick(0, surface->mesh.vertices() - 1);
+        std::uniform_int_distribution<VertexId> pick(
+            0, static_cast<VertexId>(surface->mesh.vertices() - 1));
         for (int i = 0; i < 60; ++i) {
-            const std::size_t v = pick(random);
+            const VertexId v = pick(random);
             const double time = surface->mesh.t[v];
             if (time == 0.0 || surface->mesh.approximated[v])
                 continue;
