@@ -40,10 +40,13 @@ double theta_at_arc(const CurveStep& step, double arc) {
         const ArcAt at = arc_at(step, theta);
         const double miss = at.value - wanted;
         (miss > 0.0 ? high : low) = theta;
-        if (std::abs(miss) <= 1e-13 * step.c[1].w || high - low < 1e-15)
+        if (miss == 0.0 || high - low < 1e-15)
             break;
         const double newton = at.slope > 0.0 ? theta - miss / at.slope : -1.0;
-        theta = newton > low && newton < high ? newton : 0.5 * (low + high);
+        const bool near = newton >= low && newton <= high;
+        theta = near ? newton : 0.5 * (low + high);
+        if (near && std::abs(miss) <= 1e-7 * step.c[1].w)
+            break; // the error squares: the next one would be below rounding
     }
     return theta;
 }
