@@ -115,7 +115,14 @@ class ColumnMerger {
             mids(cell(row.left_old), cell(row.right_old), 2) > 1)
             return false;
         const Vec3 column = position_[row.to] - position_[row.from];
-        const Vec3 along = column / glm::length(column);
+        const Vec3 front =
+            position_[cell(row.right_young).corner[1]] - position_[cell(row.left_young).corner[0]];
+        const Vec3 area = glm::cross(front, column);
+        const double square = glm::dot(column, column);
+        const double widest = hysteresis * limits_.joined;
+        if (glm::dot(area, area) > widest * widest * square)
+            return false; // most rows, without a root
+        const Vec3 along = column / std::sqrt(square);
         bool old_begins = false;
         const bool narrow_on = narrow(cell(row.left_young).corner[0], row.from,
                                       cell(row.right_young).corner[1], along, row.begins) &&

@@ -159,9 +159,9 @@ Result<void> Sheet::build(const std::set<double>& seeds, const Clock& clock, std
         if (auto traced = trace(wanted, clock, stop); !traced)
             return traced;
         for (const std::size_t i : again)
-            for (const double s : wanted)
-                if (s > strips_[i].left_s() && s < strips_[i].right_s())
-                    strips_[i].supply(*curve_at_.at(s));
+            for (auto s = wanted.upper_bound(strips_[i].left_s());
+                 s != wanted.end() && *s < strips_[i].right_s(); ++s)
+                strips_[i].supply(*curve_at_.at(*s));
         if (!new_seeds.empty()) {
             seeds_.insert(new_seeds.begin(), new_seeds.end());
             std::vector<double> marks;
