@@ -157,7 +157,6 @@ void append_sheet(SheetMesh& mesh, const Sheet& sheet) {
     std::vector<Cell> cells = cells_of(sheet, numbers);
     merge(sheet, numbers, cells);
     const std::vector<VertexId> id = append_vertices(mesh, numbers, cells);
-    mesh.complex.cells.reserve(mesh.complex.cells.size() + cells.size());
     for (Cell& cell : cells) {
         for (std::size_t k = 0; k < 4; ++k) {
             cell.corner[k] = id[cell.corner[k]];
@@ -169,8 +168,11 @@ void append_sheet(SheetMesh& mesh, const Sheet& sheet) {
             std::swap(cell.corner[2], cell.corner[3]);
             std::swap(cell.mid[1], cell.mid[3]);
         }
-        mesh.complex.cells.push_back(cell);
     }
+    if (mesh.complex.cells.empty())
+        mesh.complex.cells = std::move(cells);
+    else
+        mesh.complex.cells.insert(mesh.complex.cells.end(), cells.begin(), cells.end());
 }
 
 } // namespace wakesurf::core
