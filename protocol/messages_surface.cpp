@@ -32,7 +32,7 @@ core::SurfaceParameters read_parameters(CheckedJson& in, const SurfaceLimits& li
     out.to = in.number("to", -any_time, any_time);
     out.release_until = in.number_if("releaseUntil", -any_time, any_time);
     out.sweep = in.point_if("sweep");
-    out.merge = in.number_or("merge", 0.0, 0.7, out.merge);
+    out.merge = in.number_or("merge", 0.0, 0.5, out.merge);
     out.angle = in.number_or("angle", 0.0, 180.0, out.angle);
     out.separation = in.number_or("separation", 0.0, any, 0.0);
     out.max_quads = in.count_or("maxQuads", 1, limits.quads_most, limits.quads_default);

@@ -6,6 +6,7 @@
 #include "core/field/grid_sampler.hpp"
 #include "core/field/interval.hpp"
 #include "core/field/trace_curves.hpp"
+#include "core/field/trilinear_cell.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -254,8 +255,9 @@ class GridFlow final : public Flow {
                          const TraceOptions& options,
                          double limit,
                          const std::stop_token& stop) const {
-        if (!(options.smooth ? trace_curves(smooth(interval), curves, options, limit, stop)
-                             : trace_curves(linear(interval), curves, options, limit, stop)))
+        if (!(options.smooth
+                  ? trace_curves(smooth(interval), curves, options, limit, stop)
+                  : trace_curves(CellwiseSampler{linear(interval)}, curves, options, limit, stop)))
             return fail(Error::Code::Cancelled, "the integration was cancelled");
         return {};
     }

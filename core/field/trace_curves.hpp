@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/integrate/advance_curve.hpp"
+#include "core/integrate/advance_through_cells.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -26,6 +27,13 @@ bool trace_curves(const Field& field,
     const auto advance = [&](Curve& curve) {
         const double until = curve.duration < 0.0 ? std::max(curve.duration, limit - curve.release)
                                                   : std::min(curve.duration, limit - curve.release);
+        if constexpr (CellwiseField<Field>) {
+            if (options.method == TraceOptions::Method::Dopri5) {
+                if (!advance_through_cells(field, curve, options, until, stop))
+                    whole = false;
+                return;
+            }
+        }
         if (!advance_curve(field, curve, options, until, stop))
             whole = false;
     };

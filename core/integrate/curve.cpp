@@ -15,21 +15,38 @@ CurvePoint point_in(const Curve& curve, std::size_t index, double theta) {
     return {Vec3(y), step.time + theta * step.dt, y.w, glm::mix(step.stretch, next, theta)};
 }
 
+/// Arc length over that at the start of the step, and its derivative, at theta.
+struct ArcAt {
+    double value, slope;
+};
+
+ArcAt arc_at(const CurveStep& step, double theta) {
+    const double other = 1.0 - theta;
+    const double c1 = step.c[1].w, c2 = step.c[2].w, c3 = step.c[3].w, c4 = step.c[4].w;
+    const double inner = c3 + other * c4;
+    const double middle = c2 + theta * inner;
+    const double outer = c1 + other * middle;
+    const double middle_slope = inner - theta * c4;
+    return {theta * outer, outer + theta * (other * middle_slope - middle)};
+}
+
 /// theta at which the monotone arc length of a step reaches `arc`: Newton's iteration kept in a bracket.
 double theta_at_arc(const CurveStep& step, double arc) {
+    const double wanted = arc - step.c[0].w;
     double low = 0.0;
     double high = 1.0;
-    double theta =
-        step.c[1].w != 0.0 ? std::clamp((arc - step.c[0].w) / step.c[1].w, 0.0, 1.0) : 0.5;
+    double theta = step.c[1].w != 0.0 ? std::clamp(wanted / step.c[1].w, 0.0, 1.0) : 0.5;
     for (int i = 0; i < 60; ++i) {
-        const double miss = step.at(theta).w - arc;
+        const ArcAt at = arc_at(step, theta);
+        const double miss = at.value - wanted;
         (miss > 0.0 ? high : low) = theta;
-        if (std::abs(miss) <= 1e-14 * std::max(1.0, arc) || high - low < 1e-15)
+        if (miss == 0.0 || high - low < 1e-15)
             break;
-        const double small = 1e-6;
-        const double slope = (step.at(theta + small).w - step.at(theta - small).w) / (2.0 * small);
-        const double newton = slope > 0.0 ? theta - miss / slope : -1.0;
-        theta = newton > low && newton < high ? newton : 0.5 * (low + high);
+        const double newton = at.slope > 0.0 ? theta - miss / at.slope : -1.0;
+        const bool near = newton >= low && newton <= high;
+        theta = near ? newton : 0.5 * (low + high);
+        if (near && std::abs(miss) <= 1e-7 * step.c[1].w)
+            break; // the error squares: the next one would be below rounding
     }
     return theta;
 }
@@ -45,6 +62,15 @@ CurvePoint Curve::at_arc(double arc) const {
     const std::size_t index =
         after == steps.begin() ? 0 : static_cast<std::size_t>(after - steps.begin()) - 1;
     return point_in(*this, index, theta_at_arc(steps[index], std::max(arc, 0.0)));
+}
+
+CurvePoint CurveReader::at_arc(double arc) {
+    const std::vector<CurveStep>& steps = curve_.steps;
+    if (steps.empty() || arc >= curve_.last.arc)
+        return curve_.last;
+    while (step_ + 1 < steps.size() && steps[step_ + 1].c[0].w <= arc)
+        ++step_;
+    return point_in(curve_, step_, theta_at_arc(steps[step_], std::max(arc, 0.0)));
 }
 
 CurvePoint Curve::at_time(double time) const {

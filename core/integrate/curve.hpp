@@ -70,4 +70,17 @@ struct Curve {
     CurvePoint at_time(double time) const;
 };
 
+/// Takes points off a curve in order of arc length: no search, and the first guess of each is where the last one was.
+class CurveReader {
+  public:
+    explicit CurveReader(const Curve& curve) : curve_(curve) {}
+
+    /// As Curve::at_arc. @param arc  not less than in the last call
+    CurvePoint at_arc(double arc);
+
+  private:
+    const Curve& curve_;
+    std::size_t step_ = 0;
+};
+
 } // namespace wakesurf::core

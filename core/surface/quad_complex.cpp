@@ -1,6 +1,7 @@
 #include "core/surface/quad_complex.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <unordered_set>
 
@@ -88,12 +89,15 @@ void label_components(QuadComplex& complex) {
             v = parent[v] = parent[parent[v]];
         return v;
     };
-    for (const Cell& cell : complex.cells)
-        for_each_edge(cell, [&](VertexId a, VertexId b) {
-            const VertexId ra = root(a);
-            const VertexId rb = root(b);
-            parent[std::max(ra, rb)] = std::min(ra, rb);
-        });
+    for (const Cell& cell : complex.cells) {
+        const CellPolygon outline = polygon(cell);
+        VertexId first = root(outline.vertex[0]);
+        for (std::uint32_t i = 1; i < outline.count; ++i) {
+            const VertexId other = root(outline.vertex[i]);
+            parent[std::max(first, other)] = std::min(first, other);
+            first = std::min(first, other);
+        }
+    }
     std::vector<std::uint32_t> size(complex.vertices(), 0);
     for (const Cell& cell : complex.cells)
         ++size[root(cell.corner[0])];
@@ -115,9 +119,10 @@ double longest_edge(const QuadComplex& complex) {
     double longest = 0.0;
     for (const Cell& cell : complex.cells)
         for_each_edge(cell, [&](VertexId a, VertexId b) {
-            longest = std::max(longest, glm::length(complex.position[a] - complex.position[b]));
+            const Vec3 edge = complex.position[a] - complex.position[b];
+            longest = std::max(longest, glm::dot(edge, edge));
         });
-    return longest;
+    return std::sqrt(longest);
 }
 
 } // namespace wakesurf::core

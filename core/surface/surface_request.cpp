@@ -78,8 +78,8 @@ Result<void> check_request(const SurfaceParameters& p) {
     if (!std::isfinite(p.separation) || p.separation < 0.0)
         return fail(Error::Code::InvalidArgument, "'separation' must be positive",
                     "leave it out for the dataset's finest spacing");
-    if (!(p.merge >= 0.0 && p.merge <= 0.7))
-        return fail(Error::Code::InvalidArgument, "'merge' must lie between 0 and 0.7",
+    if (!(p.merge >= 0.0 && p.merge <= 0.5))
+        return fail(Error::Code::InvalidArgument, "'merge' must lie between 0 and 0.5",
                     "it is a part of the separation; 0 never merges");
     if (!(p.angle > 0.0 && p.angle <= 180.0))
         return fail(Error::Code::InvalidArgument, "'angle' must lie between 0 and 180 degrees",
@@ -126,6 +126,8 @@ Result<std::vector<SheetOptions>> sheet_options(const Flow& flow,
     one.trace.stretch = p.deformation;
     one.release = p.from;
     one.separation = separation;
+    one.merge = p.merge;
+    one.angle = p.angle;
     one.max_quads =
         p.direction == Direction::Both ? std::max<std::uint64_t>(p.max_quads / 2, 1) : p.max_quads;
     std::vector<SheetOptions> sheets;

@@ -152,7 +152,7 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
     command.add_option("--sweep", options.sweep, "Time: or --rake is swept along x,y,z");
     command
         .add_option("--merge", options.merge,
-                    "Cells merge below this part of the separation, 0 to 0.7")
+                    "Cells merge below this part of the separation, 0 to 0.5")
         ->capture_default_str();
     command.add_option("--angle", options.angle, "Cells that meet at more degrees are refined")
         ->capture_default_str();

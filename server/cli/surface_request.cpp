@@ -48,8 +48,8 @@ core::Result<void> check_numbers(const SurfaceOptions& options) {
         return core::fail(Code::InvalidArgument, "--separation is negative");
     if (options.release_until && !std::isfinite(*options.release_until))
         return refuse("--release-until");
-    if (!(options.merge >= 0.0 && options.merge <= 0.7))
-        return core::fail(Code::InvalidArgument, "--merge is not within 0 and 0.7",
+    if (!(options.merge >= 0.0 && options.merge <= 0.5))
+        return core::fail(Code::InvalidArgument, "--merge is not within 0 and 0.5",
                           "0 never merges cells, 0.35 is the default");
     if (!(options.angle >= 0.0 && options.angle <= 180.0))
         return core::fail(Code::InvalidArgument, "--angle is not within 0 and 180 degrees",

@@ -156,7 +156,7 @@ std::vector<Parameter> set_parameters() {
         {"rake2", text, false, "time: or it lies between the rake and this one"},
         {"separation", number, false, "longest edge; left out: the dataset's finest spacing"},
         {"accuracy", R"({"enum":["fast","balanced","exact"]})", false, "balanced"},
-        {"merge", R"({"type":"number","minimum":0,"maximum":0.7})", false,
+        {"merge", R"({"type":"number","minimum":0,"maximum":0.5})", false,
          "0.35; cells merge below this part of the separation, 0: never"},
         {"angle", R"({"type":"number","minimum":0,"maximum":180})", false,
          "20; cells that meet at more degrees are refined, 180: never"},

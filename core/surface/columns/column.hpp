@@ -9,11 +9,16 @@
 
 namespace wakesurf::core {
 
+/// One entry a vertex, at least one; consecutive ones are at most `spacing` apart.
 struct Column {
-    double s = 0.0;                 ///< seed parameter
-    std::vector<CurvePoint> points; ///< at least one; consecutive ones at most `spacing` apart
+    double s = 0.0;     ///< seed parameter
+    double start = 0.0; ///< arc length on the curve of the first vertex
+    std::vector<Vec3> position;
+    std::vector<double> arc;
+    std::vector<double> time; ///< since release; negative upstream
+    std::vector<Vec3> stretch;
 
-    std::size_t segments() const { return points.size() - 1; }
+    std::size_t segments() const { return position.size() - 1; }
 };
 
 /// @param start    arc length of the first vertex, 0..curve.last.arc

@@ -25,7 +25,7 @@ double elapsed(const Clock& clock, std::chrono::steady_clock::time_point since) 
 
 Sheet::Sheet(const Flow& flow, const Rake& rake, SheetOptions options)
     : flow_(flow), seeding_(rake), closed_(rake.closed()),
-      options_(options), limits_{{&flow, options.separation},
+      options_(options), limits_{{&flow, options.separation, flow.obstacle()},
                                  spacing_of_separation * options.separation,
                                  tear_width * options.separation,
                                  least_interval} {}
@@ -50,7 +50,8 @@ Sheet::trace(const std::set<double>& parameters, const Clock& clock, const std::
     if (!traced)
         return tl::unexpected(traced.error());
     for (std::size_t i = 0; i < batch.size(); ++i)
-        curve_at_[missing[i]] = &curves_.emplace_back(SeededCurve{missing[i], std::move(batch[i])});
+        curve_at_[missing[i]] =
+            &curves_.emplace_back(SeededCurve{missing[i], std::move(batch[i]), {}});
     seconds_.load += traced->load;
     seconds_.advect += elapsed(clock, start) - traced->load;
     return {};
@@ -70,8 +71,22 @@ Strip Sheet::strip_between(double left, double right_s) const {
                  right_s);
 }
 
+/// The columns that strips end at, each made once for the strips on either side.
+void Sheet::make_end_columns() {
+    std::vector<SeededCurve*> ends;
+    for (const double s : seeds_)
+        if (SeededCurve* end = curve_at_.at(s); end->column.position.empty())
+            ends.push_back(end);
+    tbb::this_task_arena::isolate([&] {
+        tbb::parallel_for(std::size_t{0}, ends.size(), [&](std::size_t i) {
+            ends[i]->column = make_column(ends[i]->s, ends[i]->curve, 0.0, limits_.spacing);
+        });
+    });
+}
+
 std::size_t Sheet::zip(const std::vector<std::size_t>& dirty, const Clock& clock) {
     const auto start = clock.now();
+    make_end_columns();
     tbb::this_task_arena::isolate([&] {
         tbb::parallel_for(std::size_t{0}, dirty.size(),
                           [&](std::size_t i) { strips_[dirty[i]].zip(limits_); });
@@ -79,7 +94,7 @@ std::size_t Sheet::zip(const std::vector<std::size_t>& dirty, const Clock& clock
     seconds_.refine += elapsed(clock, start);
     std::size_t quads = 0;
     for (const Strip& strip : strips_)
-        quads += strip.cells().size();
+        quads += strip.quads();
     return quads;
 }
 
@@ -144,9 +159,9 @@ Result<void> Sheet::build(const std::set<double>& seeds, const Clock& clock, std
         if (auto traced = trace(wanted, clock, stop); !traced)
             return traced;
         for (const std::size_t i : again)
-            for (const double s : wanted)
-                if (s > strips_[i].left_s() && s < strips_[i].right_s())
-                    strips_[i].supply(*curve_at_.at(s));
+            for (auto s = wanted.upper_bound(strips_[i].left_s());
+                 s != wanted.end() && *s < strips_[i].right_s(); ++s)
+                strips_[i].supply(*curve_at_.at(*s));
         if (!new_seeds.empty()) {
             seeds_.insert(new_seeds.begin(), new_seeds.end());
             std::vector<double> marks;
@@ -170,7 +185,8 @@ std::vector<const SeededCurve*> Sheet::columns() const {
     for (const double s : seeds_)
         all.push_back(curve_at_.at(s));
     for (const Strip& strip : strips_)
-        all.insert(all.end(), strip.curves().begin() + 2, strip.curves().end());
+        for (std::size_t c = 2; c < strip.columns().size(); ++c)
+            all.push_back(strip.columns()[c].curve);
     return all;
 }
 

@@ -4,8 +4,8 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
-#include "core/surface/rake.hpp"
 #include "core/surface/columns/strip.hpp"
+#include "core/surface/rake.hpp"
 
 #include <deque>
 #include <map>
@@ -21,11 +21,15 @@ struct SheetOptions {
     double duration; ///< signed
     double separation;
     std::uint64_t max_quads;
+    double merge = 0.0;   ///< SurfaceParameters::merge
+    double angle = 180.0; ///< SurfaceParameters::angle
 };
 
 class Sheet {
   public:
     Sheet(const Flow& flow, const Rake& rake, SheetOptions options);
+    Sheet(const Sheet&) = delete;
+    Sheet(Sheet&&) = default;
 
     /// Builds the strips between `seeds` (parameters, increasing; a closed rake's last one is below 1).
     /// Error: OverLimit when the quads would exceed max_quads, Cancelled, and what tracing reports.
@@ -39,6 +43,10 @@ class Sheet {
     const std::vector<Strip>& strips() const { return strips_; }
 
     bool closed() const { return closed_; }
+
+    const SheetOptions& options() const { return options_; }
+
+    const ZipRules& rules() const { return limits_.rules; }
 
     bool upstream() const { return options_.duration < 0.0; }
 
@@ -57,6 +65,7 @@ class Sheet {
     Result<void> check_budget(std::size_t quads) const;
     void cut_at(const std::vector<double>& new_seeds);
     Strip strip_between(double left, double right_s) const;
+    void make_end_columns();
     std::size_t zip(const std::vector<std::size_t>& dirty, const Clock& clock);
 
     const Flow& flow_;
@@ -65,9 +74,9 @@ class Sheet {
     SheetOptions options_;
     StripLimits limits_;
     std::set<double> seeds_;
-    std::deque<SeededCurve> curves_;                ///< stable addresses
-    std::map<double, const SeededCurve*> curve_at_; ///< by seed parameter
-    std::vector<Strip> strips_;                     ///< along the rake
+    std::deque<SeededCurve> curves_;          ///< stable addresses
+    std::map<double, SeededCurve*> curve_at_; ///< by seed parameter
+    std::vector<Strip> strips_;               ///< along the rake
     Seconds seconds_;
 };
 

@@ -1,105 +1,178 @@
 #include "core/surface/columns/sheet_mesh.hpp"
 
+#include "core/surface/columns/column_merge.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace wakesurf::core {
 
 namespace {
 
-/// Vertex ids of every column of every strip; neighbouring strips share the ids of the column between them.
-class ColumnIds {
+/// One numbering of the vertices of all columns of a sheet, column by column along the rake; neighbouring strips share
+/// the numbers of the column between them.
+class ColumnNumbers {
   public:
-    static constexpr VertexId used = no_vertex - 1;
-
-    explicit ColumnIds(const Sheet& sheet)
-        : strips_(sheet.strips()), closed_(sheet.closed()), ends_(strips_.size() + 1),
-          inner_(strips_.size()) {
+    explicit ColumnNumbers(const Sheet& sheet) : strips_(sheet.strips()), closed_(sheet.closed()) {
+        first_.resize(strips_.size());
         for (std::size_t i = 0; i < strips_.size(); ++i) {
-            const std::vector<Column>& columns = strips_[i].columns();
-            ends_[i].assign(columns[Strip::left_column].points.size(), no_vertex);
-            ends_[i + 1].assign(columns[Strip::right_column].points.size(), no_vertex);
-            for (std::size_t c = 2; c < columns.size(); ++c)
-                inner_[i].emplace_back(columns[c].points.size(), no_vertex);
+            const std::vector<StripColumn>& columns = strips_[i].columns();
+            first_[i].assign(columns.size(), no_vertex);
+            // Seeds merge after what was inserted between them, every second one first.
+            first_[i][Strip::left_column] =
+                add(columns[Strip::left_column], i == 0 ? never : std::countr_zero(i));
+            strips_[i].for_each_inner_column(
+                [&](std::uint32_t c) { first_[i][c] = add(columns[c], -columns[c].depth); });
         }
-        for (std::size_t i = 0; i < strips_.size(); ++i)
-            for (const StripCell& cell : strips_[i].cells())
-                for (std::size_t k = 0; k < 4; ++k) {
-                    at(i, cell.corner[k]) = used;
-                    if (cell.mid[k].exists())
-                        at(i, cell.mid[k]) = used;
-                }
+        if (!closed_ && !strips_.empty())
+            end_ = add(strips_.back().columns()[Strip::right_column], never);
     }
 
-    std::vector<VertexId>& column(std::size_t strip, std::uint32_t column) {
-        if (column == Strip::left_column)
-            return ends_[strip];
-        if (column == Strip::right_column)
-            return ends_[closed_ && strip + 1 == strips_.size() ? 0 : strip + 1];
-        return inner_[strip][column - 2];
+    VertexId of(std::size_t strip, StripVertex v) const {
+        if (!v.exists())
+            return no_vertex;
+        if (v.column != Strip::right_column)
+            return first_[strip][v.column] + v.index;
+        if (strip + 1 < strips_.size())
+            return first_[strip + 1][Strip::left_column] + v.index;
+        return (closed_ ? first_[0][Strip::left_column] : end_) + v.index;
     }
 
-    VertexId& at(std::size_t strip, StripVertex v) { return column(strip, v.column)[v.index]; }
+    struct Entry {
+        StripColumn column;
+        ColumnSpan span;
+        int order; ///< when it may be merged away
+    };
+
+    static constexpr int never = 1 << 30;
+
+    const std::vector<Entry>& entries() const { return entries_; }
+
+    VertexId count() const { return count_; }
 
   private:
+    VertexId add(const StripColumn& column, int order) {
+        const auto vertices = static_cast<VertexId>(column.column->position.size());
+        entries_.push_back({column, {count_, vertices}, order});
+        return std::exchange(count_, count_ + vertices);
+    }
+
     const std::vector<Strip>& strips_;
     bool closed_;
-    std::vector<std::vector<VertexId>> ends_;
-    std::vector<std::vector<std::vector<VertexId>>> inner_;
+    std::vector<Entry> entries_;
+    std::vector<std::vector<VertexId>> first_; ///< by strip and column
+    VertexId end_ = no_vertex;                 ///< of an open rake's last column
+    VertexId count_ = 0;
 };
 
-void append_column(SheetMesh& mesh,
-                   const Column& column,
-                   std::vector<VertexId>& ids,
-                   bool from_rake) {
-    for (std::size_t k = 0; k < ids.size(); ++k) {
-        if (ids[k] != ColumnIds::used)
-            continue;
-        const auto next = static_cast<VertexId>(mesh.complex.vertices());
-        ids[k] =
-            from_rake && k == 0 ? mesh.on_rake.try_emplace(column.s, next).first->second : next;
-        if (ids[k] != next)
-            continue; // the sheet of the other direction made it
-        const CurvePoint& point = column.points[k];
-        mesh.complex.position.push_back(point.position);
-        mesh.complex.s.push_back(column.s);
-        mesh.complex.t.push_back(point.time);
-        mesh.complex.approximated.push_back(0);
-        mesh.stretch.push_back(point.stretch);
-    }
+std::vector<Cell> cells_of(const Sheet& sheet, const ColumnNumbers& numbers) {
+    std::vector<Cell> cells;
+    std::size_t quads = 0;
+    for (const Strip& strip : sheet.strips())
+        quads += strip.quads();
+    cells.reserve(quads);
+    for (std::size_t i = 0; i < sheet.strips().size(); ++i)
+        sheet.strips()[i].for_each_cell([&](const StripCell& from) {
+            Cell& cell = cells.emplace_back();
+            for (std::size_t k = 0; k < 4; ++k) {
+                cell.corner[k] = numbers.of(i, from.corner[k]);
+                cell.mid[k] = numbers.of(i, from.mid[k]);
+            }
+        });
+    return cells;
 }
 
-Cell cell_of(const StripCell& cell, std::size_t strip, ColumnIds& ids, bool upstream) {
-    Cell made;
-    for (std::size_t k = 0; k < 4; ++k) {
-        made.corner[k] = ids.at(strip, cell.corner[k]);
-        if (cell.mid[k].exists())
-            made.mid[k] = ids.at(strip, cell.mid[k]);
+void merge(const Sheet& sheet, const ColumnNumbers& numbers, std::vector<Cell>& cells) {
+    const SheetOptions& options = sheet.options();
+    if (options.merge <= 0.0)
+        return;
+    std::vector<const ColumnNumbers::Entry*> order;
+    for (const auto& entry : numbers.entries())
+        if (entry.order != ColumnNumbers::never)
+            order.push_back(&entry);
+    std::stable_sort(order.begin(), order.end(),
+                     [](const auto* a, const auto* b) { return a->order < b->order; });
+    std::vector<ColumnSpan> columns;
+    for (const auto* entry : order)
+        columns.push_back(entry->span);
+    std::vector<Vec3> position;
+    position.reserve(numbers.count());
+    for (const auto& entry : numbers.entries())
+        position.insert(position.end(), entry.column.column->position.begin(),
+                        entry.column.column->position.end());
+    // Joined cells meet at up to twice the angle of those they replace.
+    const double turn = 0.5 * options.angle * std::numbers::pi / 180.0;
+    const double joined = 2.0 * options.merge * options.separation;
+    merge_columns(cells, columns, position, {sheet.rules(), 0.65 * joined, joined, std::cos(turn)});
+}
+
+/// Appends the vertices in use and gives what each is called in the mesh.
+std::vector<VertexId>
+append_vertices(SheetMesh& mesh, const ColumnNumbers& numbers, const std::vector<Cell>& cells) {
+    constexpr VertexId used = no_vertex - 1;
+    std::vector<VertexId> id(numbers.count(), no_vertex);
+    for (const Cell& cell : cells)
+        for (std::size_t k = 0; k < 4; ++k) {
+            id[cell.corner[k]] = used;
+            if (cell.mid[k] != no_vertex)
+                id[cell.mid[k]] = used;
+        }
+    QuadComplex& complex = mesh.complex;
+    const std::size_t total = complex.vertices() + numbers.count();
+    complex.position.reserve(total);
+    complex.s.reserve(total);
+    complex.t.reserve(total);
+    complex.approximated.reserve(total);
+    mesh.stretch.reserve(total);
+    for (const auto& entry : numbers.entries()) {
+        const double s = entry.column.curve->s;
+        for (VertexId k = 0; k < entry.span.count; ++k) {
+            VertexId& own = id[entry.span.first + k];
+            if (own != used)
+                continue;
+            const auto next = static_cast<VertexId>(complex.vertices());
+            own = entry.column.depth == 0 && k == 0
+                      ? mesh.on_rake.try_emplace(s, next).first->second
+                      : next;
+            if (own != next)
+                continue; // the sheet of the other direction made it
+            const Column& column = *entry.column.column;
+            complex.position.push_back(column.position[k]);
+            complex.s.push_back(s);
+            complex.t.push_back(column.time[k]);
+            complex.approximated.push_back(0);
+            mesh.stretch.push_back(column.stretch[k]);
+        }
     }
-    if (upstream) { // mirrored, so that both sheets of a rake face the same way
-        std::swap(made.corner[0], made.corner[1]);
-        std::swap(made.corner[2], made.corner[3]);
-        std::swap(made.mid[1], made.mid[3]);
-    }
-    return made;
+    return id;
 }
 
 } // namespace
 
 void append_sheet(SheetMesh& mesh, const Sheet& sheet) {
-    const std::vector<Strip>& strips = sheet.strips();
-    ColumnIds ids(sheet);
-    for (std::size_t i = 0; i < strips.size(); ++i) {
-        const std::vector<Column>& columns = strips[i].columns();
-        append_column(mesh, columns[Strip::left_column], ids.column(i, Strip::left_column), true);
-        for (std::uint32_t c = 2; c < columns.size(); ++c)
-            append_column(mesh, columns[c], ids.column(i, c), false);
-        if (i + 1 == strips.size() && !sheet.closed())
-            append_column(mesh, columns[Strip::right_column], ids.column(i, Strip::right_column),
-                          true);
+    const ColumnNumbers numbers(sheet);
+    std::vector<Cell> cells = cells_of(sheet, numbers);
+    merge(sheet, numbers, cells);
+    const std::vector<VertexId> id = append_vertices(mesh, numbers, cells);
+    for (Cell& cell : cells) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            cell.corner[k] = id[cell.corner[k]];
+            if (cell.mid[k] != no_vertex)
+                cell.mid[k] = id[cell.mid[k]];
+        }
+        if (sheet.upstream()) { // mirrored, so that both sheets of a rake face the same way
+            std::swap(cell.corner[0], cell.corner[1]);
+            std::swap(cell.corner[2], cell.corner[3]);
+            std::swap(cell.mid[1], cell.mid[3]);
+        }
     }
-    for (std::size_t i = 0; i < strips.size(); ++i)
-        for (const StripCell& cell : strips[i].cells())
-            mesh.complex.cells.push_back(cell_of(cell, i, ids, sheet.upstream()));
+    if (mesh.complex.cells.empty())
+        mesh.complex.cells = std::move(cells);
+    else
+        mesh.complex.cells.insert(mesh.complex.cells.end(), cells.begin(), cells.end());
 }
 
 } // namespace wakesurf::core

@@ -1,8 +1,8 @@
 // Turns zipped strips into one quad complex: columns shared by neighbouring strips become shared vertices.
 #pragma once
 
-#include "core/surface/quad_complex.hpp"
 #include "core/surface/columns/sheet.hpp"
+#include "core/surface/quad_complex.hpp"
 
 #include <map>
 #include <vector>
@@ -17,7 +17,7 @@ struct SheetMesh {
         on_rake; ///< by seed parameter: sheets of both directions share the rake
 };
 
-/// Appends the vertices some cell uses, column by column along the rake, so that neighbours in space are neighbours in
+/// Merges what converges (column_merge.hpp), then appends the vertices some cell uses, column by column along the rake, so that neighbours in space are neighbours in
 /// memory, and all cells. Cost: O(vertices + cells).
 void append_sheet(SheetMesh& mesh, const Sheet& sheet);
 

@@ -4,8 +4,14 @@
 
 namespace wakesurf::core {
 
+namespace {
+
+constexpr std::uint32_t unlimited = std::numeric_limits<std::uint32_t>::max();
+
+} // namespace
+
 Strip::Strip(const SeededCurve& left, const SeededCurve& right, double right_s)
-    : ends_{&left, &right} {
+    : columns_{{&left, &left.column, 0}, {&right, &right.column, 0}}, version_{1, 1} {
     Node root;
     root.left_s = left.s;
     root.right_s = right_s;
@@ -13,12 +19,8 @@ Strip::Strip(const SeededCurve& left, const SeededCurve& right, double right_s)
 }
 
 void Strip::zip(const StripLimits& limits) {
-    cells_.clear();
     failures_.clear();
-    columns_.clear();
-    column_curves_.assign({ends_[0], ends_[1]});
-    for (const SeededCurve* end : column_curves_)
-        columns_.push_back(make_column(end->s, end->curve, 0.0, limits.spacing));
+    quads_ = 0;
     zip_node(limits, 0, left_column, right_column, {});
 }
 
@@ -26,75 +28,118 @@ void Strip::zip_node(const StripLimits& limits,
                      std::int32_t node,
                      std::uint32_t left,
                      std::uint32_t right,
-                     StripFront front) {
-    const auto rest = [&](std::uint32_t column, std::size_t at) {
-        return columns_[column].segments() - at;
+                     StripFront start) {
+    Node& here = nodes_[static_cast<std::size_t>(node)];
+    const bool free = here.torn || !joinable(columns_[left].column->segments() - start.left,
+                                             columns_[right].column->segments() - start.right);
+    if (here.left != left || here.right != right || here.left_version != version_[left] ||
+        here.right_version != version_[right] || here.start != start || here.free != free) {
+        here.left = left;
+        here.right = right;
+        here.left_version = version_[left];
+        here.right_version = version_[right];
+        here.start = here.front = start;
+        here.free = free;
+        here.cells.clear();
+        here.split = false;
+    }
+    const bool splits = here.middle != nullptr;
+    if (!splits || here.cells.size() != here.rows) {
+        here.split = false;
+        if (!here.cells.empty())
+            here.cells.back().mid[2] = {};
+    }
+    const bool reached = extend(limits, here, splits ? here.rows : unlimited);
+    quads_ += here.cells.size();
+    const auto fail = [&](bool exhausted, bool too_short) {
+        failures_.push_back(
+            {node, static_cast<std::uint32_t>(here.cells.size()),
+             front_width(*columns_[left].column, *columns_[right].column, here.front), exhausted,
+             too_short});
     };
-    const bool free = nodes_[static_cast<std::size_t>(node)].torn ||
-                      !joinable(rest(left, front.left), rest(right, front.right));
-    std::int64_t below = -1;
-    for (std::uint32_t rows = 0;; ++rows) {
-        const Node& here = nodes_[static_cast<std::size_t>(node)];
-        if (here.middle && rows == here.rows) {
-            if (!split(limits, node, left, right, front, below))
-                failures_.push_back(
-                    {node, rows, front_width(columns_[left], columns_[right], front), false, true});
-            return;
-        }
-        const std::size_t left_rest = rest(left, front.left);
-        const std::size_t right_rest = rest(right, front.right);
-        if (left_rest == 0 && right_rest == 0)
-            return;
-        const auto step = next_quad(limits.rules, columns_[left], columns_[right], front,
-                                    free ? ZipMode::Free : ZipMode::ToBothEnds);
-        if (!step) {
-            if (!here.torn)
-                failures_.push_back({node, rows,
-                                     front_width(columns_[left], columns_[right], front),
-                                     left_rest == 0 || right_rest == 0, false});
-            return;
-        }
-        const auto vertex = [](std::uint32_t column, std::size_t index) {
-            return StripVertex{column, static_cast<std::uint32_t>(index)};
-        };
+    if (!reached) {
+        if (!here.torn)
+            fail(here.front.left == columns_[left].column->segments() ||
+                     here.front.right == columns_[right].column->segments(),
+                 false);
+        return;
+    }
+    if (!splits || here.cells.size() < here.rows)
+        return;
+    if (!here.split && !place_middle(limits, here)) {
+        fail(false, true);
+        return;
+    }
+    const StripFront front = here.front;
+    const std::uint32_t middle = here.column;
+    const std::int32_t child[2] = {here.child[0], here.child[1]};
+    zip_node(limits, child[0], left, middle, {front.left, 0});
+    zip_node(limits, child[1], middle, right, {0, front.right});
+}
+
+/// Zips until the node has so many quads or its columns are used up. Returns false where no quad fits.
+bool Strip::extend(const StripLimits& limits, Node& node, std::uint32_t rows) {
+    const Column& left = *columns_[node.left].column;
+    const Column& right = *columns_[node.right].column;
+    const auto vertex = [](std::uint32_t column, std::size_t index) {
+        return StripVertex{column, static_cast<std::uint32_t>(index)};
+    };
+    if (node.cells.size() > rows) {
+        const StripCell& next = node.cells[rows];
+        node.front = {next.corner[0].index, next.corner[1].index};
+        node.cells.resize(rows);
+    }
+    StripFront& front = node.front;
+    while (node.cells.size() < rows) {
+        if (front.left == left.segments() && front.right == right.segments())
+            return true;
+        const auto step = next_quad(limits.rules, left.position, right.position, front,
+                                    node.free ? ZipMode::Free : ZipMode::ToBothEnds);
+        if (!step)
+            return false;
         StripCell cell;
-        cell.corner = {vertex(left, front.left), vertex(right, front.right),
-                       vertex(right, front.right + step->right),
-                       vertex(left, front.left + step->left)};
+        cell.corner = {vertex(node.left, front.left), vertex(node.right, front.right),
+                       vertex(node.right, front.right + step->right),
+                       vertex(node.left, front.left + step->left)};
         if (step->right == 2)
-            cell.mid[1] = vertex(right, front.right + 1);
+            cell.mid[1] = vertex(node.right, front.right + 1);
         if (step->left == 2)
-            cell.mid[3] = vertex(left, front.left + 1);
-        below = static_cast<std::int64_t>(cells_.size());
-        cells_.push_back(cell);
+            cell.mid[3] = vertex(node.left, front.left + 1);
+        node.cells.push_back(cell);
         front.left += step->left;
         front.right += step->right;
     }
+    return true;
 }
 
-bool Strip::split(const StripLimits& limits,
-                  std::int32_t node,
-                  std::uint32_t left,
-                  std::uint32_t right,
-                  StripFront front,
-                  std::int64_t below) {
-    const Node here = nodes_[static_cast<std::size_t>(node)];
-    const CurvePoint& l = columns_[left].points[front.left];
-    const CurvePoint& r = columns_[right].points[front.right];
-    const double start = nearest_arc(here.middle->curve, 0.5 * (l.position + r.position),
-                                     0.5 * (l.arc + r.arc), limits.spacing);
-    if (start > here.middle->curve.last.arc - 1e-3 * limits.spacing)
+/// Starts the middle column at the middle of the node's front. Returns false where it cannot.
+bool Strip::place_middle(const StripLimits& limits, Node& node) {
+    const Column& left = *columns_[node.left].column;
+    const Column& right = *columns_[node.right].column;
+    const Vec3& l = left.position[node.front.left];
+    const Vec3& r = right.position[node.front.right];
+    const Curve& curve = node.middle->curve;
+    const double start = nearest_arc(
+        curve, 0.5 * (l + r), 0.5 * (left.arc[node.front.left] + right.arc[node.front.right]),
+        limits.spacing);
+    if (start > curve.last.arc - 1e-3 * limits.spacing)
         return false; // the new column ends before it would begin
-    const Vec3 first = here.middle->curve.at_arc(start).position;
-    if (std::max(glm::length(first - l.position), glm::length(first - r.position)) >
-        limits.rules.separation)
+    const Vec3 first = curve.at_arc(start).position;
+    if (std::max(glm::length(first - l), glm::length(first - r)) > limits.rules.separation)
         return false; // the new column has left the strip by here
-    const auto middle = static_cast<std::uint32_t>(columns_.size());
-    columns_.push_back(make_column(here.middle->s, here.middle->curve, start, limits.spacing));
-    column_curves_.push_back(here.middle);
-    cells_[static_cast<std::size_t>(below)].mid[2] = {middle, 0};
-    zip_node(limits, here.child[0], left, middle, {front.left, 0});
-    zip_node(limits, here.child[1], middle, right, {0, front.right});
+    if (node.column == no_column) {
+        node.column = static_cast<std::uint32_t>(columns_.size());
+        inner_.push_back(std::make_unique<Column>());
+        columns_.push_back({node.middle, inner_.back().get(), node.depth + 1});
+        version_.push_back(0);
+    }
+    Column& column = *inner_[node.column - 2];
+    if (column.position.empty() || column.start != start) {
+        column = make_column(node.middle->s, curve, start, limits.spacing);
+        ++version_[node.column];
+    }
+    node.cells.back().mid[2] = {node.column, 0};
+    node.split = true;
     return true;
 }
 
@@ -106,6 +151,7 @@ void Strip::branch(std::int32_t node, std::uint32_t rows, Demand& demand) {
         child.left_s = side == 0 ? nodes_[static_cast<std::size_t>(node)].left_s : middle;
         child.right_s = side == 0 ? middle : nodes_[static_cast<std::size_t>(node)].right_s;
         child.parent = node;
+        child.depth = nodes_[static_cast<std::size_t>(node)].depth + 1;
         nodes_[static_cast<std::size_t>(node)].child[side] =
             static_cast<std::int32_t>(nodes_.size());
         nodes_.push_back(child);

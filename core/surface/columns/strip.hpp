@@ -7,8 +7,8 @@
 #include "core/surface/columns/zip.hpp"
 
 #include <cstdint>
-#include <deque>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -18,6 +18,7 @@ namespace wakesurf::core {
 struct SeededCurve {
     double s = 0.0;
     Curve curve;
+    Column column; ///< from the rake on; made only where a strip ends at the curve
 };
 
 struct StripLimits {
@@ -40,6 +41,12 @@ struct StripCell {
     std::array<StripVertex, 4> mid;
 };
 
+struct StripColumn {
+    const SeededCurve* curve;
+    const Column* column;
+    int depth; ///< splits of the strip it took to get this column; 0: an end of the strip
+};
+
 class Strip {
   public:
     static constexpr std::uint32_t left_column = 0, right_column = 1;
@@ -47,8 +54,11 @@ class Strip {
     /// @param left, right  curves at both ends, owned by the caller and stable
     /// @param right_s      seed parameter of the right end: 1 where a closed rake's last strip meets its first column
     Strip(const SeededCurve& left, const SeededCurve& right, double right_s);
+    Strip(const Strip&) = delete;
+    Strip(Strip&&) = default;
+    Strip& operator=(Strip&&) = default;
 
-    /// Zips the whole strip anew from its tree. Thread safety: disjoint strips concurrently.
+    /// Zips what the tree's changes since the last call concern. Thread safety: disjoint strips concurrently.
     void zip(const StripLimits& limits);
 
     /// What the last zip() asks for. `middles`: seed parameters of curves needed; `new_seed`: the strip already
@@ -71,15 +81,28 @@ class Strip {
 
     double right_s() const { return nodes_.front().right_s; }
 
-    const std::vector<Column>& columns() const { return columns_; }
+    /// The two ends, then those inserted between, in no particular order.
+    const std::vector<StripColumn>& columns() const { return columns_; }
 
-    const std::vector<const SeededCurve*>& curves() const { return column_curves_; }
+    std::size_t quads() const { return quads_; }
 
-    const std::vector<StripCell>& cells() const { return cells_; }
+    /// Calls visit(const StripCell&) for every quad, younger ones of a column first.
+    template <class Visit>
+    void for_each_cell(const Visit& visit) const {
+        visit_cells(0, visit);
+    }
+
+    /// Calls visit(std::uint32_t column) for the inserted columns from left to right.
+    template <class Visit>
+    void for_each_inner_column(const Visit& visit) const {
+        visit_columns(0, visit);
+    }
 
     bool torn() const;
 
   private:
+    static constexpr std::uint32_t no_column = std::numeric_limits<std::uint32_t>::max();
+
     struct Node {
         double left_s, right_s;
         const SeededCurve* middle = nullptr;
@@ -88,7 +111,18 @@ class Strip {
         std::uint32_t drop = 1; ///< quads the next lowering moves the split
         std::int32_t parent = -1;
         std::int32_t child[2] = {-1, -1};
+        std::int32_t depth = 0;
         bool torn = false;
+
+        // What was zipped last, and what it was made from: quads stay while that stays the same.
+        std::uint32_t left = no_column, right = no_column;
+        StripFront start;
+        bool free = false;
+        StripFront front; ///< after all of `cells`
+        std::vector<StripCell> cells;
+        std::uint32_t column = no_column; ///< of `middle`
+        std::uint32_t left_version = 0, right_version = 0;
+        bool split = false; ///< `column` starts at `front`
     };
 
     struct Failure {
@@ -104,23 +138,40 @@ class Strip {
                   std::uint32_t left,
                   std::uint32_t right,
                   StripFront front);
-    bool split(const StripLimits& limits,
-               std::int32_t node,
-               std::uint32_t left,
-               std::uint32_t right,
-               StripFront front,
-               std::int64_t below);
+    bool extend(const StripLimits& limits, Node& node, std::uint32_t rows);
+    bool place_middle(const StripLimits& limits, Node& node);
     void lower(std::int32_t node, Demand& demand);
     void branch(std::int32_t node, std::uint32_t rows, Demand& demand);
 
     double middle_s(const Node& node) const { return 0.5 * (node.left_s + node.right_s); }
 
+    template <class Visit>
+    void visit_cells(std::int32_t node, const Visit& visit) const {
+        const Node& here = nodes_[static_cast<std::size_t>(node)];
+        for (const StripCell& cell : here.cells)
+            visit(cell);
+        if (!here.split)
+            return;
+        visit_cells(here.child[0], visit);
+        visit_cells(here.child[1], visit);
+    }
+
+    template <class Visit>
+    void visit_columns(std::int32_t node, const Visit& visit) const {
+        const Node& here = nodes_[static_cast<std::size_t>(node)];
+        if (!here.split)
+            return;
+        visit_columns(here.child[0], visit);
+        visit(here.column);
+        visit_columns(here.child[1], visit);
+    }
+
     std::vector<Node> nodes_;
-    const SeededCurve* ends_[2];
-    std::vector<Column> columns_;
-    std::vector<const SeededCurve*> column_curves_;
-    std::vector<StripCell> cells_;
+    std::vector<StripColumn> columns_;
+    std::vector<std::unique_ptr<Column>> inner_; ///< what columns_ points to, from the third on
+    std::vector<std::uint32_t> version_; ///< by column: counts how often its vertices became others
     std::vector<Failure> failures_;
+    std::size_t quads_ = 0;
 };
 
 } // namespace wakesurf::core

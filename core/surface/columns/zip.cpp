@@ -11,7 +11,7 @@ namespace {
 /// A chord between two particles close to a convex wall dips into it by at most half its length; above a quarter
 /// of the separation that is worth refining, below it stays within an eighth.
 bool crosses_obstacle(const ZipRules& rules, const Vec3& a, const Vec3& b, double length) {
-    return length > 0.25 * rules.separation &&
+    return rules.obstacle && length > 0.25 * rules.separation &&
            rules.flow->status(0.5 * (a + b)) == PointStatus::InObstacle;
 }
 
@@ -22,17 +22,17 @@ bool leaves_joinable(std::size_t a, std::size_t b) {
 } // namespace
 
 std::optional<ZipStep> next_quad(const ZipRules& rules,
-                                 const Column& left,
-                                 const Column& right,
+                                 std::span<const Vec3> left,
+                                 std::span<const Vec3> right,
                                  StripFront front,
                                  ZipMode mode) {
     constexpr ZipStep choices[] = {{1, 1}, {2, 1}, {1, 2}};
     constexpr double hanging_node_cost =
         0.15; // as skew: a T is taken when it straightens the front by 9 degrees
-    const std::size_t left_rest = left.segments() - front.left;
-    const std::size_t right_rest = right.segments() - front.right;
-    const Vec3 left_now = left.points[front.left].position;
-    const Vec3 right_now = right.points[front.right].position;
+    const std::size_t left_rest = left.size() - 1 - front.left;
+    const std::size_t right_rest = right.size() - 1 - front.right;
+    const Vec3 left_now = left[front.left];
+    const Vec3 right_now = right[front.right];
 
     std::optional<ZipStep> best;
     double best_cost = std::numeric_limits<double>::infinity();
@@ -42,8 +42,8 @@ std::optional<ZipStep> next_quad(const ZipRules& rules,
         if (mode == ZipMode::ToBothEnds &&
             !leaves_joinable(left_rest - step.left, right_rest - step.right))
             continue;
-        const Vec3 l = left.points[front.left + step.left].position;
-        const Vec3 r = right.points[front.right + step.right].position;
+        const Vec3 l = left[front.left + step.left];
+        const Vec3 r = right[front.right + step.right];
         const Vec3 edge = r - l;
         const double length = glm::length(edge);
         if (length > rules.separation * (1.0 + 1e-9) || crosses_obstacle(rules, l, r, length))
@@ -56,6 +56,8 @@ std::optional<ZipStep> next_quad(const ZipRules& rules,
             best = step;
             best_cost = cost;
         }
+        if (best_cost <= hanging_node_cost)
+            break; // the other choices cost that much at least
     }
     return best;
 }
@@ -65,9 +67,9 @@ double front_width(const Column& left, const Column& right, StripFront front) {
         if (column.segments() == 0)
             return Vec3(0.0);
         const std::size_t from = std::min(i, column.segments() - 1);
-        return column.points[from + 1].position - column.points[from].position;
+        return column.position[from + 1] - column.position[from];
     };
-    const Vec3 edge = right.points[front.right].position - left.points[front.left].position;
+    const Vec3 edge = right.position[front.right] - left.position[front.left];
     const Vec3 along = direction(left, front.left) + direction(right, front.right);
     const double length = glm::length(along);
     if (length == 0.0)

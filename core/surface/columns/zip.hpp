@@ -8,18 +8,22 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 namespace wakesurf::core {
 
 struct ZipRules {
     const Flow* flow;
-    double separation; ///< longest front edge
+    double separation;    ///< longest front edge
+    bool obstacle = true; ///< false: the flow has none, so no front can cross one
 };
 
 /// Where a strip's front stands: vertex `left` of its left column, `right` of its right one.
 struct StripFront {
     std::size_t left = 0;
     std::size_t right = 0;
+
+    bool operator==(const StripFront&) const = default;
 };
 
 enum class ZipMode {
@@ -34,8 +38,12 @@ struct ZipStep {
     std::size_t right = 1;
 };
 
-std::optional<ZipStep> next_quad(
-    const ZipRules& rules, const Column& left, const Column& right, StripFront front, ZipMode mode);
+/// @param left, right  vertices of the columns
+std::optional<ZipStep> next_quad(const ZipRules& rules,
+                                 std::span<const Vec3> left,
+                                 std::span<const Vec3> right,
+                                 StripFront front,
+                                 ZipMode mode);
 
 /// True when `a` and `b` segments can be joined by quads of one or two segments a side.
 constexpr bool joinable(std::size_t a, std::size_t b) {

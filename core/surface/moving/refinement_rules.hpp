@@ -9,7 +9,7 @@ namespace wakesurf::core {
 
 struct RefinementRules {
     double separation = 1.0; ///< longest sub-edge allowed
-    double merge = 0.35; ///< of the separation: cells with both sides shorter are joined; 0: never
+    double merge = 0.35; ///< of the separation, at most 0.5: cells with both sides shorter are joined; 0: never
     double joined =
         0.7; ///< of the separation: longest side of what they become; less than 1, so that nothing is cut again
     double cosine = -1.0;  ///< of the largest angle between neighbouring normals; -1: any

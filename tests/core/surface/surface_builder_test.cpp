@@ -279,9 +279,6 @@ TEST(SurfaceBuilder, ParticlesThatCircleForEverEndAtTheStepBudget) {
 TEST(SurfaceBuilder, ImpossibleRequestsAreRefused) {
     const auto flow = make_analytic_flow("uniform");
     SurfaceParameters p;
-    p.kind = SurfaceKind::Streak;
-    EXPECT_EQ(build_surface(**flow, line({0, 0, 0}, {1, 0, 0}), p).error().code,
-              Error::Code::Unsupported);
     p.kind = SurfaceKind::Stream;
     p.to = p.from - 1.0;
     EXPECT_EQ(build_surface(**flow, line({0, 0, 0}, {1, 0, 0}), p).error().code,

@@ -9,10 +9,10 @@ using wakesurf::test::straight_curve;
 TEST(Column, VerticesAreEvenlySpacedAndReachBothEnds) {
     const Column column = make_column(0.5, straight_curve({0, 0, 0}, {10, 0, 0}), 2.0, 3.0);
     ASSERT_EQ(column.segments(), 3u);
-    EXPECT_NEAR(column.points.front().position.x, 2.0, 1e-12);
-    EXPECT_EQ(column.points.back().position.x, 10.0);
+    EXPECT_NEAR(column.position.front().x, 2.0, 1e-12);
+    EXPECT_EQ(column.position.back().x, 10.0);
     for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_NEAR(column.points[i + 1].arc - column.points[i].arc, 8.0 / 3.0, 1e-12);
+        EXPECT_NEAR(column.arc[i + 1] - column.arc[i], 8.0 / 3.0, 1e-12);
 }
 
 TEST(Column, ACurveThatGoesNowhereIsOneVertex) {
@@ -21,7 +21,7 @@ TEST(Column, ACurveThatGoesNowhereIsOneVertex) {
     curve.last.position = curve.seed;
     const Column column = make_column(0.0, curve, 0.0, 1.0);
     EXPECT_EQ(column.segments(), 0u);
-    EXPECT_EQ(column.points[0].position, curve.seed);
+    EXPECT_EQ(column.position[0], curve.seed);
 }
 
 TEST(Column, NoSegmentIsShorterThanHalfTheSpacingUnlessTheCurveIs) {

@@ -34,7 +34,7 @@ Zipped zip_all(const Column& left,
                const Flow& flow = *free_flow()) {
     const ZipRules rules{&flow, separation};
     Zipped result;
-    while (const auto step = next_quad(rules, left, right, result.end, mode)) {
+    while (const auto step = next_quad(rules, left.position, right.position, result.end, mode)) {
         result.end.left += step->left;
         result.end.right += step->right;
         ++result.quads;
@@ -80,8 +80,8 @@ TEST(Zip, StopsBeforeAFrontLongerThanTheSeparation) {
     const Column left = column({0, 0, 0}, {5, -1, 0}, 0.1);
     const Column right = column({0, 0.2, 0}, {5, 1.2, 0}, 0.1);
     const Zipped zipped = zip_all(left, right, 1.0, ZipMode::ToBothEnds);
-    const double width = glm::length(left.points[zipped.end.left].position -
-                                     right.points[zipped.end.right].position);
+    const double width =
+        glm::length(left.position[zipped.end.left] - right.position[zipped.end.right]);
     EXPECT_LE(width, 1.0);
     EXPECT_GT(width, 0.9);
 }
@@ -91,8 +91,8 @@ TEST(Zip, NoFrontCrossesAnObstacle) {
     const Column left = column({-2, -0.4, 0}, {2, -0.4, 0}, 0.1);
     const Column right = column({-2, 0.4, 0}, {2, 0.4, 0}, 0.1);
     const Zipped zipped = zip_all(left, right, 1.0, ZipMode::Free, *sphere);
-    EXPECT_LT(left.points[zipped.end.left].position.x, -0.49);
-    EXPECT_GT(left.points[zipped.end.left].position.x, -0.7);
+    EXPECT_LT(left.position[zipped.end.left].x, -0.49);
+    EXPECT_GT(left.position[zipped.end.left].x, -0.7);
 }
 
 TEST(Zip, FrontWidthIsMeasuredSquareToTheColumns) {

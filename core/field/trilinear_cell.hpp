@@ -1,0 +1,179 @@
+// Stored data the way a particle meets it: cell by cell. Within a cell the trilinear field is a polynomial, so the
+// particle's path has a Taylor series whose terms follow from one another. Across a face the field only is continuous, so a series
+// serves up to the face. Source of the recurrences: Hairer, Norsett, Wanner, Solving ODEs I, I.8.
+#pragma once
+
+#include "core/field/grid_sampler.hpp"
+#include "core/integrate/advance_through_cells.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace wakesurf::core {
+
+/// Three components in two registers of two doubles, which every x86-64 has: by itself the compiler leaves them scalar.
+struct Components {
+    using Pair = double __attribute__((vector_size(16)));
+    Pair xy{}, z{};
+
+    friend Components operator+(const Components& a, const Components& b) {
+        return {a.xy + b.xy, a.z + b.z};
+    }
+
+    friend Components operator-(const Components& a, const Components& b) {
+        return {a.xy - b.xy, a.z - b.z};
+    }
+
+    friend Components operator*(const Components& a, double k) { return {a.xy * k, a.z * k}; }
+};
+
+/// Coefficients of 1, x, y, xy, z, xz, yz, xyz; x, y, z run from 0 to 1 through the cell.
+struct TrilinearPolynomial {
+    std::array<Components, 8> c;
+
+    TrilinearPolynomial() = default;
+
+    TrilinearPolynomial(const float* velocity,
+                        const std::array<std::size_t, 8>& node,
+                        const Vec3& scale) {
+        for (std::size_t i = 0; i < 8; ++i) {
+            const float* v = velocity + 3 * node[i];
+            c[i].xy = Components::Pair{v[0], v[1]} * Components::Pair{scale.x, scale.y};
+            c[i].z = Components::Pair{v[2] * scale.z, 0.0};
+        }
+        for (const std::size_t bit : {1u, 2u, 4u})
+            for (std::size_t i = 0; i < 8; ++i)
+                if (i & bit)
+                    c[i] = c[i] - c[i ^ bit];
+    }
+
+    /// Without the constant: m are the values of x, y, xy, z, xz, yz, xyz.
+    Components rest(const double (&m)[7]) const {
+        return ((c[1] * m[0] + c[2] * m[1]) + (c[3] * m[2] + c[4] * m[3])) +
+               ((c[5] * m[4] + c[6] * m[5]) + c[7] * m[6]);
+    }
+};
+
+/// A cursor over the cells of a sampler's grid. Positions within a cell are in units of the cell; time runs in units of the
+/// field's, downstream or upstream.
+class TrilinearCell {
+  public:
+    using Index = std::array<std::ptrdiff_t, 3>;
+
+    /// @param sign  +1 downstream, -1 upstream
+    TrilinearCell(const GridSampler& field, double sign)
+        : field_(field), scale_(sign / field.grid->spacing) {
+        const auto& n = field.grid->dimensions;
+        cells_ = {std::ptrdiff_t{n[0]} - 1, std::ptrdiff_t{n[1]} - 1, std::ptrdiff_t{n[2]} - 1};
+        rate_ = field.velocity1 ? sign / field.interval : 0.0;
+    }
+
+    Index index_of(const Vec3& p) const {
+        Index index;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double x = (p[axis] - field_.grid->origin[axis]) / field_.grid->spacing[axis];
+            const auto i = static_cast<std::size_t>(axis);
+            index[i] = std::clamp(static_cast<std::ptrdiff_t>(x), std::ptrdiff_t{0}, cells_[i] - 1);
+        }
+        return index;
+    }
+
+    bool inside(const Index& index) const {
+        for (std::size_t i = 0; i < 3; ++i)
+            if (index[i] < 0 || index[i] >= cells_[i])
+                return false;
+        return true;
+    }
+
+    void enter(const Index& index) {
+        const auto dy = static_cast<std::ptrdiff_t>(field_.grid->dimensions[0]);
+        const auto dz = dy * static_cast<std::ptrdiff_t>(field_.grid->dimensions[1]);
+        const auto node = static_cast<std::size_t>(index[0] + dy * index[1] + dz * index[2]);
+        if (node == node_)
+            return;
+        node_ = node;
+        const auto y = static_cast<std::size_t>(dy);
+        const auto z = static_cast<std::size_t>(dz);
+        const std::array<std::size_t, 8> corner{node,         node + 1,        node + y,
+                                                node + y + 1, node + z,        node + z + 1,
+                                                node + z + y, node + z + y + 1};
+        now_ = TrilinearPolynomial(field_.velocity0, corner, scale_);
+        if (field_.velocity1) {
+            change_ = TrilinearPolynomial(field_.velocity1, corner, scale_);
+            for (std::size_t i = 0; i < 8; ++i)
+                change_.c[i] = change_.c[i] - now_.c[i];
+        }
+        lo_ = field_.grid->origin + field_.grid->spacing * Vec3(index[0], index[1], index[2]);
+    }
+
+    const Vec3& lo() const { return lo_; }
+
+    const Vec3& size() const { return field_.grid->spacing; }
+
+    /// False: all of the cell is fluid.
+    bool obstacle() const { return field_.cells->state(node_) != CellMask::Fluid; }
+
+    /// The path of a particle at `u` in the cell at field time `t`.
+    PathSeries series(const Vec3& u, double t) const {
+        return rate_ == 0.0 ? expand<false>(u, 0.0)
+                            : expand<true>(u, (t - field_.time0) / field_.interval);
+    }
+
+  private:
+    template <bool Unsteady>
+    PathSeries expand(const Vec3& u, double part) const {
+        PathSeries path;
+        double x[5], y[5], z[5], xy[5], xz[5], yz[5], xyz[5];
+        x[0] = u.x;
+        y[0] = u.y;
+        z[0] = u.z;
+        path.term[0] = {u.x, u.y, u.z};
+        Components changed;
+#pragma GCC unroll 5
+        for (std::size_t order = 0; order < 5; ++order) {
+            xy[order] = xz[order] = yz[order] = xyz[order] = 0.0;
+            for (std::size_t j = 0; j <= order; ++j) {
+                xy[order] += x[j] * y[order - j];
+                xz[order] += x[j] * z[order - j];
+                yz[order] += y[j] * z[order - j];
+            }
+            for (std::size_t j = 0; j <= order; ++j)
+                xyz[order] += xy[j] * z[order - j];
+            const double m[7] = {x[order],  y[order],  xy[order], z[order],
+                                 xz[order], yz[order], xyz[order]};
+            Components v = now_.rest(m);
+            if (order == 0)
+                v = v + now_.c[0];
+            if constexpr (Unsteady) {
+                Components change = change_.rest(m);
+                if (order == 0)
+                    change = change + change_.c[0];
+                v = v + change * part + changed * rate_;
+                changed = change;
+            }
+            const Components next = v * (1.0 / static_cast<double>(order + 1));
+            path.term[order + 1] = {next.xy[0], next.xy[1], next.z[0]};
+            if (order < 4) {
+                x[order + 1] = next.xy[0];
+                y[order + 1] = next.xy[1];
+                z[order + 1] = next.z[0];
+            }
+        }
+        return path;
+    }
+
+    const GridSampler& field_;
+    Vec3 scale_;
+    Index cells_;
+    double rate_;
+    std::size_t node_ = ~std::size_t{0};
+    Vec3 lo_{0.0};
+    TrilinearPolynomial now_, change_;
+};
+
+/// A sampler whose curves are traced cell by cell.
+struct CellwiseSampler : GridSampler {
+    TrilinearCell cells(double sign) const { return TrilinearCell(*this, sign); }
+};
+
+} // namespace wakesurf::core
