@@ -84,7 +84,7 @@ TEST(MessagesSurface, NamesTheParameterThatIsWrong) {
         {asked("time", {{"sweep", {1, 2}}}), "`sweep`"},
         {asked("time", {{"sweep", {1, 2, 1e300}}}), "`sweep`"},
         {asked("time", {{"rake2", 7}}), "`rake2`"},
-        {asked("time", {{"merge", 0.71}}), "`merge`"},
+        {asked("time", {{"merge", 0.51}}), "`merge`"},
         {asked("time", {{"angle", -1}}), "`angle`"},
         {asked("time", {{"sweeps", {1, 2, 3}}}), "`sweeps`"},
     };
