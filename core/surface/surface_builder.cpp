@@ -6,6 +6,7 @@
 #include "core/surface/vertex_attributes.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <set>
@@ -162,6 +163,7 @@ Result<Surface> build_surface(const Flow& flow,
     if (auto done = add_attributes(mesh, flow, rake, parameters, stop); !done)
         return tl::unexpected(done.error());
     label_components(mesh.complex);
+    assert(mesh.complex.validate().empty());
     statistics.kind = parameters.kind;
     statistics.quads = mesh.complex.cells.size();
     statistics.vertices = mesh.complex.vertices();

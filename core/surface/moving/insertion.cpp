@@ -37,6 +37,61 @@ MaterialPoint average(const MovingMesh& mesh, VertexId a, VertexId b) {
     return mid;
 }
 
+/// Change of the tangents along a column edge, over its extent in t.
+struct ColumnChange {
+    Vec3 along_s, along_t;
+};
+
+ColumnChange column_change(const MovingMesh& mesh, VertexId from, VertexId to) {
+    const MaterialVertices& v = mesh.vertices;
+    const double t = v.t[to] - v.t[from];
+    return {(v.along_s[to] - v.along_s[from]) / t, (v.along_t[to] - v.along_t[from]) / t};
+}
+
+/// Takes a correction that is small beside what it corrects; a large one says that the cell is too coarse for it.
+void correct(Vec3& tangent, const Vec3& by) {
+    if (glm::dot(by, by) <= 0.0625 * glm::dot(tangent, tangent))
+        tangent += by;
+}
+
+/// Middle of a cross side, cubic in the tangent along t: its derivative along the side follows from how both tangents change
+/// along the columns at either end.
+void refine_cross(const MovingMesh& mesh,
+                  Carried& mid,
+                  VertexId a,
+                  VertexId b,
+                  VertexId beyond_a,
+                  VertexId beyond_b,
+                  const Vec3& slope) {
+    const ParameterStep step = parameter_step(mesh, a, b);
+    const ColumnChange at_a = column_change(mesh, a, beyond_a);
+    const ColumnChange at_b = column_change(mesh, b, beyond_b);
+    mid.along_t = 0.5 * (mesh.vertices.along_t[a] + mesh.vertices.along_t[b]);
+    correct(mid.along_t, 0.125 * (step.s * (at_a.along_s - at_b.along_s) +
+                                  step.t * (at_a.along_t - at_b.along_t)));
+    mid.along_s = (slope - step.t * mid.along_t) / step.s;
+}
+
+/// Middle of a column side: the mixed derivative at its ends follows from how the tangent along t changes across.
+void refine_column(const MovingMesh& mesh,
+                   Carried& mid,
+                   VertexId a,
+                   VertexId b,
+                   VertexId beyond_a,
+                   VertexId beyond_b,
+                   const Vec3& slope) {
+    const MaterialVertices& v = mesh.vertices;
+    const double t = v.t[b] - v.t[a];
+    const Vec3 second = column_change(mesh, a, b).along_t;
+    const auto mixed = [&](VertexId here, VertexId beyond) {
+        const ParameterStep across = parameter_step(mesh, here, beyond);
+        return (v.along_t[beyond] - v.along_t[here] - second * across.t) / across.s;
+    };
+    mid.along_s = 0.5 * (v.along_s[a] + v.along_s[b]);
+    correct(mid.along_s, 0.125 * t * (mixed(a, beyond_a) - mixed(b, beyond_b)));
+    mid.along_t = slope / t;
+}
+
 } // namespace
 
 Vec3 edge_tangent(const MovingMesh& mesh, VertexId at, VertexId a, VertexId b) {
@@ -75,6 +130,25 @@ Midpoint midpoint(const MovingMesh& mesh, VertexId a, VertexId b, InsertionPolic
             mid.carried.along_t += missing * (t2 / (s2 + t2) / step.t);
     }
     return {mid, sagitta};
+}
+
+Midpoint
+midpoint(const MovingMesh& mesh, const Cell& cell, std::size_t side, InsertionPolicy policy) {
+    const VertexId a = cell.corner[side];
+    const VertexId b = cell.corner[(side + 1) % 4];
+    Midpoint mid = midpoint(mesh, a, b, policy);
+    if (policy == InsertionPolicy::Linear || mid.bulge > largest_sagitta)
+        return mid;
+    const VertexId beyond_a = cell.corner[(side + 3) % 4];
+    const VertexId beyond_b = cell.corner[(side + 2) % 4];
+    const Vec3 chord = mesh.vertices.position[b] - mesh.vertices.position[a];
+    const Vec3 slope =
+        1.5 * chord - 0.25 * (edge_tangent(mesh, a, a, b) + edge_tangent(mesh, b, a, b));
+    if (side % 2 == 0)
+        refine_cross(mesh, mid.point.carried, a, b, beyond_a, beyond_b, slope);
+    else
+        refine_column(mesh, mid.point.carried, a, b, beyond_a, beyond_b, slope);
+    return mid;
 }
 
 } // namespace wakesurf::core

@@ -25,9 +25,9 @@ enum class Reconnection : std::uint8_t {
 
 class LocalOperations {
   public:
-    using Insert = std::function<VertexId(VertexId a, VertexId b)>;
+    using Insert = std::function<VertexId(const Cell& cell, std::size_t side)>;
 
-    /// @param insert  makes the vertex in the middle of an edge
+    /// @param insert  makes the vertex in the middle of a whole side
     LocalOperations(MovingMesh& mesh, Insert insert) : mesh_(mesh), insert_(std::move(insert)) {}
 
     /// Cuts a cell in two across `axis`, and neighbours first where that keeps the balance. False when a ring of hanging

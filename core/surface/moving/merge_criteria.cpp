@@ -72,7 +72,7 @@ bool droppable(const MovingMesh& mesh,
     const auto& p = mesh.vertices.position;
     const Vec3 chord = p[after] - p[before];
     const double length = glm::length(chord);
-    if (length == 0.0 || length > rules.joined * rules.separation)
+    if (length == 0.0 || length > rules.joined())
         return false;
     const Vec3 off = p[mid] - p[before];
     return glm::length(off - chord * (glm::dot(off, chord) / (length * length))) < 0.02 * length;
@@ -121,7 +121,7 @@ bool should_merge(const MovingMesh& mesh,
         odd_places =
             odd_places && odd(place(joint.before), place(joint.between), place(joint.after));
         const double length = mesh.edge_length(joint.before, joint.after);
-        if (length > rules.joined * rules.separation ||
+        if (length > rules.joined() ||
             crosses_obstacle(mesh, joint.before, joint.after, length, rules, flow))
             return false;
         if (mesh.vertices.dead(joint.between))

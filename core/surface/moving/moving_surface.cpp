@@ -10,6 +10,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -132,6 +133,8 @@ Result<void> MovingSurface::begin(const std::stop_token& stop) {
                 attach_row(mesh, plan_->origin, *flow_, plan_->columns, plan_->places, 0.0, stop);
             !row)
             return tl::unexpected(row.error());
+        for (VertexId v = 0; v < mesh.vertices.slots(); ++v)
+            state_.terminated.obstacle += mesh.vertices.end[v] == CurveEnd::Obstacle;
         state_.releasing = true;
     }
     return sample_velocity(stop);
@@ -274,6 +277,7 @@ Result<void> MovingSurface::step(double to, std::stop_token stop) {
     ++state_.steps;
     sort_memory(mesh, sorting_share);
     seconds_.refine += elapsed(*clock_, refining);
+    assert(validate().empty());
     return sample_velocity(stop);
 }
 

@@ -88,11 +88,13 @@ void Refinement::find_normals(const MovingMesh& mesh) {
     });
 }
 
-VertexId Refinement::insert(MovingMesh& mesh, VertexId a, VertexId b) {
+VertexId Refinement::insert(MovingMesh& mesh, const Cell& cell, std::size_t side) {
+    const VertexId a = cell.corner[side];
+    const VertexId b = cell.corner[(side + 1) % 4];
     MaterialVertices& vertices = mesh.vertices;
     const bool attached =
         vertices.role[a] == VertexRole::Attached && vertices.role[b] == VertexRole::Attached;
-    Midpoint mid = midpoint(mesh, a, b, rules_.policy);
+    Midpoint mid = midpoint(mesh, cell, side, rules_.policy);
     if (attached) { // on the rake itself: nothing is approximate there
         mid.point.carried.position = origin_.position(mid.point.s, mid.point.t);
         mid.point.approximated = false;
@@ -219,7 +221,8 @@ void Refinement::keep_budget(MovingMesh& mesh, LocalOperations& operations) {
 }
 
 Result<void> Refinement::run(MovingMesh& mesh, std::stop_token stop) {
-    LocalOperations operations(mesh, [&](VertexId a, VertexId b) { return insert(mesh, a, b); });
+    LocalOperations operations(
+        mesh, [&](const Cell& cell, std::size_t side) { return insert(mesh, cell, side); });
     keep_budget(mesh, operations);
     if (rules_.reconnect)
         reconnect_pass(mesh, operations);

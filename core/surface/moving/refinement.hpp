@@ -46,7 +46,7 @@ class Refinement {
     bool merge_pass(MovingMesh& mesh, LocalOperations& operations);
     void reconnect_pass(MovingMesh& mesh, LocalOperations& operations);
     void keep_budget(MovingMesh& mesh, LocalOperations& operations);
-    VertexId insert(MovingMesh& mesh, VertexId a, VertexId b);
+    VertexId insert(MovingMesh& mesh, const Cell& cell, std::size_t side);
     void find_normals(const MovingMesh& mesh);
 
     const Flow& flow_;

@@ -3,33 +3,37 @@
 
 #include "core/surface/moving/insertion.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace wakesurf::core {
 
+/// Sizes are parts of the separation.
 struct RefinementRules {
     double separation = 1.0; ///< longest sub-edge allowed
-    double merge = 0.35; ///< of the separation, at most 0.5: cells with both sides shorter are joined; 0: never
-    double joined =
-        0.7; ///< of the separation: longest side of what they become; less than 1, so that nothing is cut again
-    double cosine = -1.0;  ///< of the largest angle between neighbouring normals; -1: any
-    double finest = 0.125; ///< of the separation: cells are not cut below this for curvature
-    double tear_size =
-        0.25; ///< of the separation: cells at a tear are cut down to this before they are deleted
+    double cosine = -1.0;    ///< of the largest angle between neighbouring normals; -1: any
+    double finest = 0.125;   ///< cells are not cut below this for curvature
+    double tear_size = 0.25; ///< cells at a tear are cut down to this before they are deleted
+    /// Two cells are joined when what comes of them is shorter than twice this; 0: never, at most 0.5.
+    double merge = 0.35;
+
     double least_s = 1e-6; ///< parameter distances below which the surface is discontinuous
     double least_t = 1e-6; ///< in the unit of t
-    double least_s_at_wall =
-        0.0; ///< the same beside an obstacle, where a surface that still diverges is taken to split
+    /// The same beside an obstacle, where a surface that still diverges is taken to split.
+    double least_s_at_wall = 0.0;
     double least_t_at_wall = 0.0;
+
     InsertionPolicy policy = InsertionPolicy::Hermite;
-    double trusted_sagitta =
-        0.05; ///< Hermite: bulge of an edge, over its length, beyond which its middle is traced again
-    bool retrace =
-        true; ///< tracing again is possible; else such edges are not made by reconnecting
+    /// Hermite: bulge of an edge, over its length, beyond which its middle is traced again.
+    double trusted_sagitta = 0.05;
+    bool retrace = true;   ///< tracing again is possible; else reconnecting makes no such edges
     bool tangents = true;  ///< transported tangents are there to look at
     bool obstacle = false; ///< edges may cross solid parts
-    bool reconnect = true; ///< glide; false only to measure what it gains
+    bool reconnect = true; ///< false only to measure what it gains
     std::uint64_t max_quads = 1'000'000;
+
+    /// Longest side of joined cells: below the separation, or they would be cut again.
+    double joined() const { return std::min(2.0 * merge, 0.95) * separation; }
 };
 
 } // namespace wakesurf::core
