@@ -68,17 +68,23 @@ inline std::string slit(const core::MovingMesh& mesh) {
     return {};
 }
 
-/// Of a flat patch, cells that are turned over counting as negative.
-inline double signed_area(const core::MovingMesh& mesh) {
+/// Of a cell of a flat patch; negative when it is turned over.
+inline double signed_area(const core::MovingMesh& mesh, const core::Cell& cell) {
     double twice = 0.0;
+    for (const core::SubEdge& edge : core::outline(cell)) {
+        const core::Vec3 a = mesh.vertices.position[edge.from];
+        const core::Vec3 b = mesh.vertices.position[edge.to];
+        twice += a.x * b.y - b.x * a.y;
+    }
+    return 0.5 * twice;
+}
+
+inline double signed_area(const core::MovingMesh& mesh) {
+    double sum = 0.0;
     for (const core::LinkedCell& slot : mesh.quads.slots())
         if (slot.live)
-            for (const core::SubEdge& edge : core::outline(slot.cell)) {
-                const core::Vec3 a = mesh.vertices.position[edge.from];
-                const core::Vec3 b = mesh.vertices.position[edge.to];
-                twice += a.x * b.y - b.x * a.y;
-            }
-    return 0.5 * twice;
+            sum += signed_area(mesh, slot.cell);
+    return sum;
 }
 
 /// Row of the old less the row of the young side, where they are closest: at the columns of the cell's vertices, since all
