@@ -4,10 +4,13 @@
 #include "core/surface/moving/insertion.hpp"
 #include "core/surface/moving/snapshot.hpp"
 
+#include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace wakesurf::test {
 
@@ -20,7 +23,7 @@ inline core::MovingMesh flat_patch(int columns, int rows, bool closed = false) {
     for (int row = 0; row <= rows; ++row)
         for (int column = 0; column < across; ++column) {
             core::MaterialPoint point;
-            const double angle = 2.0 * M_PI * column / columns;
+            const double angle = 2.0 * std::numbers::pi * column / columns;
             point.carried.position = closed ? core::Vec3(std::cos(angle), std::sin(angle), row)
                                             : core::Vec3(column, row, 0.0);
             point.carried.along_s = core::Vec3(columns, 0.0, 0.0);

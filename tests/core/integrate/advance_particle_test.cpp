@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
+#include <memory>
+#include <vector>
 
 using namespace wakesurf::core;
 

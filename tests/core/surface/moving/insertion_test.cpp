@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 using namespace wakesurf::core;
 
@@ -134,7 +136,7 @@ TEST(Insertion, TheBulgeIsTheCubicsSagittaOverTheChord) {
 }
 
 TEST(Insertion, AClosedRakesLastEdgeRunsTheShortWayRound) {
-    constexpr double turn = 6.283185307179586;
+    constexpr double turn = 2.0 * std::numbers::pi;
     const auto on_ring = [](double s, double column) {
         MaterialPoint point;
         point.carried.position = {std::cos(turn * s), std::sin(turn * s), 0.0};
