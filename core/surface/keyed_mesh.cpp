@@ -70,6 +70,8 @@ void merge(std::vector<Entry> old,
     const auto by_id = [&](const Entry& entry) {
         for (; a < added.size() && added[a].id < entry.id; ++a)
             take(added[a]);
+        if (a < added.size() && added[a].id == entry.id)
+            throw std::logic_error("a delta adds something the mesh has already");
         if (r < removed.size() && removed[r] == entry.id) {
             ++r;
             return;

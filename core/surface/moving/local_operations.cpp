@@ -130,11 +130,17 @@ CellIndex LocalOperations::partner(CellIndex cell, Axis axis) const {
     for (const std::size_t k : {side, side + 2})
         if (a.mid[k] != none || b.mid[k] != none)
             return no_cell;
-    // A closed rake of two cells would become one that is its own neighbour.
-    for (std::size_t k = 0; k < 4; ++k)
-        if (mesh_.quads[other].across[k][0] == cell && k != (axis == Axis::S ? 3u : 0u))
-            return no_cell;
-    return other;
+    if (axis == Axis::T || !mesh_.lattice.closed)
+        return other;
+    // From half the ring on the short way between two corners would no longer be the cell's own side.
+    const auto& place = mesh_.vertices.place;
+    const auto width = [&](const Cell& c, std::size_t left, std::size_t right) {
+        return mesh_.lattice.columns_between(place[c.corner[left]].column,
+                                             place[c.corner[right]].column);
+    };
+    const double widest =
+        std::max(width(a, 0, 1) + width(b, 0, 1), width(a, 3, 2) + width(b, 3, 2));
+    return 2.0 * widest < mesh_.lattice.columns ? other : no_cell;
 }
 
 void LocalOperations::drop_mid(CellIndex cell,
