@@ -67,10 +67,10 @@ class AnalyticFlow final : public Flow {
                               double to,
                               const AdvanceOptions& options,
                               std::stop_token stop) const override {
-        const int sign = std::any_of(particles.time.begin(), particles.time.end(),
-                                     [&](double time) { return time > to; })
-                             ? -1
-                             : +1;
+        int sign = 0;
+        for (std::size_t i = 0; i < particles.count() && sign == 0; ++i)
+            if (particles.end[i] == CurveEnd::Running && particles.time[i] != to)
+                sign = particles.time[i] < to ? +1 : -1;
         if (!advance_particles(field_, particles, to, sign, options, stop))
             return fail(Error::Code::Cancelled, "the integration was cancelled");
         return TraceCost{};

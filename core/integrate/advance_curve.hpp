@@ -127,8 +127,7 @@ bool advance_curve(const Field& field,
         if (options.method == TraceOptions::Method::Dopri5) {
             // Error per unit length; the floor keeps slow particles from crawling.
             const double allowed = options.tolerance * std::max(arc, 0.05 * options.longest_step);
-            const double scale = step.error > 0.0 ? 0.9 * std::pow(allowed / step.error, 0.2) : 5.0;
-            curve.next_dt = dt * std::clamp(scale, 0.2, 5.0);
+            curve.next_dt = dt * step_scale(allowed, step.error);
             if (!(step.error <= allowed) && dt * speed > 1e-9 * options.longest_step)
                 continue;
             if (cut)

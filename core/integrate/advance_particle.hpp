@@ -148,8 +148,7 @@ void advance_particle(const Field& field,
         const double error = dt * glm::length(dopri5_error(k).position);
         const double allowed =
             options.tolerance * std::max(dt * speed, 0.05 * options.longest_step);
-        const double scale = error > 0.0 ? 0.9 * std::pow(allowed / error, 0.2) : 5.0;
-        next = dt * std::clamp(scale, 0.2, 5.0);
+        next = dt * step_scale(allowed, error);
         if (!(error <= allowed) && dt * speed > 1e-9 * options.longest_step)
             continue;
         take_step(field, at, sign * dt * k.rate, k1, k.k7, sign * dt);

@@ -4,6 +4,9 @@
 
 #include "core/integrate/curve.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace wakesurf::core {
 
 struct RungeKuttaStep {
@@ -62,6 +65,14 @@ template <class State>
 State dopri5_error(const Dopri5Stages<State>& k) {
     return 71.0 / 57600 * k.k1 - 71.0 / 16695 * k.k3 + 71.0 / 1920 * k.k4 -
            17253.0 / 339200 * k.k5 + 22.0 / 525 * k.k6 - 1.0 / 40 * k.k7;
+}
+
+/// By how much the next step may be longer than one with this error; what is not a number makes it shorter.
+inline double step_scale(double allowed, double error) {
+    if (error == 0.0)
+        return 5.0;
+    const double scale = 0.9 * std::pow(allowed / error, 0.2);
+    return scale > 0.2 ? std::min(scale, 5.0) : 0.2;
 }
 
 /// @param time absolute time at which y holds; @param v0 velocity there

@@ -22,8 +22,7 @@ struct MovingSurface::Plan {
     Columns columns;
     std::vector<double> places; ///< of a row on the rake
     RefinementRules rules;
-    AdvanceOptions carry;   ///< every vertex, every step
-    AdvanceOptions retrace; ///< inserted ones, from where they were released
+    AdvanceOptions carry; ///< its step is chosen anew in every step
     double end = 0.0;
     double release_until = 0.0;
     bool fast = false;
@@ -83,26 +82,27 @@ Result<MovingSurface> MovingSurface::start(const Flow& flow,
     rules.least_s_at_wall = seed_distance / origin.length();
     rules.least_t_at_wall = origin.patch() ? seed_distance / origin.longest_across() : 0.0;
     rules.policy = policy(p.accuracy);
-    rules.tangents = p.accuracy != Accuracy::Fast || p.deformation;
+    rules.tangents = p.accuracy == Accuracy::Balanced || p.deformation;
     rules.retrace = p.accuracy == Accuracy::Exact || flow.resident();
     rules.reconnect = p.reconnect;
     rules.obstacle = flow.obstacle();
     rules.max_quads = p.max_quads;
+    // Stored data are only as smooth as their interpolation, which error control of high order would search for kinks:
+    // there steps of a fixed part of a cell are as good, and several times faster.
+    const bool closed_form = !flow.time_range();
     AdvanceOptions carry;
-    carry.method = p.accuracy == Accuracy::Exact ? AdvanceOptions::Method::Dopri5
-                                                 : AdvanceOptions::Method::Rk4;
+    carry.method = p.accuracy == Accuracy::Exact && closed_form ? AdvanceOptions::Method::Dopri5
+                                                                : AdvanceOptions::Method::Rk4;
     carry.tolerance = trace_tolerance(p.accuracy);
     carry.longest_step = flow.finest_spacing();
     carry.stagnation_speed = 1e-4 * *speed;
     carry.smooth = p.accuracy == Accuracy::Exact;
-    AdvanceOptions retraced = carry;
-    retraced.method = AdvanceOptions::Method::Dopri5;
     std::vector<double> places = seed_places(origin, flow, columns, rules.tear_size * p.separation);
     const double until = p.release_until ? std::abs(*p.release_until - p.from) : span;
-    auto plan = std::make_shared<const Plan>(
-        Plan{std::move(origin), std::move(columns), std::move(places), rules, carry, retraced,
-             p.from + sign * span, p.from + sign * until, p.accuracy == Accuracy::Fast,
-             flow.finest_spacing()});
+    auto plan =
+        std::make_shared<const Plan>(Plan{std::move(origin), std::move(columns), std::move(places),
+                                          rules, carry, p.from + sign * span, p.from + sign * until,
+                                          p.accuracy == Accuracy::Fast, flow.finest_spacing()});
     MovingSurface surface(flow, std::move(plan), clock);
     surface.state_.mesh.time = p.from;
     surface.state_.separation = p.separation;
@@ -123,7 +123,7 @@ Result<void> MovingSurface::begin(const std::stop_token& stop) {
                                   plan_->rules.max_quads, stop);
             !laid)
             return laid;
-        Refinement refinement(*flow_, plan_->origin, plan_->rules, plan_->retrace,
+        Refinement refinement(*flow_, plan_->origin, plan_->rules, plan_->carry,
                               refinement_memory_);
         if (auto refined = refinement.run(mesh, stop); !refined)
             return refined;
@@ -270,7 +270,7 @@ Result<void> MovingSurface::step(double to, std::stop_token stop) {
     state_.releasing = state_.releasing && !last_release;
     RefinementRules rules = plan_->rules;
     rules.separation = state_.separation;
-    Refinement refinement(*flow_, plan_->origin, rules, plan_->retrace, refinement_memory_);
+    Refinement refinement(*flow_, plan_->origin, rules, carry, refinement_memory_);
     if (auto refined = refinement.run(mesh, stop); !refined)
         return refined;
     state_.separation = refinement.rules().separation;

@@ -78,6 +78,7 @@ Result<void> retrace(MovingMesh& mesh,
                      const Flow& flow,
                      std::span<const VertexId> vertices,
                      const AdvanceOptions& options,
+                     bool tangents,
                      std::stop_token stop) {
     std::vector<double> s, t, time;
     for (const VertexId v : vertices) {
@@ -97,7 +98,11 @@ Result<void> retrace(MovingMesh& mesh,
         if (flow.status(point.carried.position) != PointStatus::Inside)
             end[position.size() - 1] = CurveEnd::Obstacle;
     }
-    const Particles particles{position, along_s, along_t, time, end};
+    Particles particles{position, {}, {}, time, end};
+    if (tangents) {
+        particles.along_s = along_s;
+        particles.along_t = along_t;
+    }
     if (auto advanced = flow.advance(particles, mesh.time, options, stop); !advanced)
         return tl::unexpected(advanced.error());
     for (std::size_t i = 0; i < vertices.size(); ++i) {

@@ -62,6 +62,7 @@ Result<void> retrace(MovingMesh& mesh,
                      const Flow& flow,
                      std::span<const VertexId> vertices,
                      const AdvanceOptions& options,
+                     bool tangents,
                      std::stop_token stop);
 
 } // namespace wakesurf::core

@@ -153,7 +153,8 @@ Result<bool> Refinement::cut_pass(MovingMesh& mesh,
                 normal(mesh, mesh.quads[operations.touched()[i]].cell);
     }
     if (!to_retrace_.empty())
-        if (auto traced = retrace(mesh, origin_, flow_, to_retrace_, trace_, stop); !traced)
+        if (auto traced = retrace(mesh, origin_, flow_, to_retrace_, trace_, rules_.tangents, stop);
+            !traced)
             return tl::unexpected(traced.error());
     dirty = with_neighbours(mesh, operations.touched());
     return !dirty.empty();
@@ -201,19 +202,23 @@ bool Refinement::merge_pass(MovingMesh& mesh, LocalOperations& operations) {
     return merged;
 }
 
+/// Larger cells are joined until there are few enough, and as soon as joining does not help, the oldest go instead: the
+/// separation rises no further than the mesh can follow.
 void Refinement::keep_budget(MovingMesh& mesh, LocalOperations& operations) {
-    for (int round = 0; round < 60 && mesh.quads.live() > rules_.max_quads; ++round) {
+    if (mesh.quads.live() <= rules_.max_quads)
+        return;
+    RefinementRules kept = rules_;
+    rules_.merge = std::max(rules_.merge, 0.35);
+    rules_.cosine = -1.0; // a small budget is kept at the cost of the shape
+    for (int idle = 0; idle < 4 && mesh.quads.live() > rules_.max_quads; ++idle) {
         rules_.separation *= coarsening;
-        const double merge = rules_.merge;
-        const double cosine = rules_.cosine;
-        rules_.merge = std::max(merge, 0.35);
-        rules_.cosine = -1.0; // a small budget is kept at the cost of the shape
         find_normals(mesh);
         while (mesh.quads.live() > rules_.max_quads && merge_pass(mesh, operations)) {
+            idle = 0;
+            kept.separation = rules_.separation;
         }
-        rules_.merge = merge;
-        rules_.cosine = cosine;
     }
+    rules_ = kept;
     if (mesh.quads.live() > rules_.max_quads) {
         drop_oldest(mesh, mesh.quads.live() - rules_.max_quads, operations);
         remove_unused_vertices(mesh);

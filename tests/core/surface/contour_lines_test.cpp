@@ -22,8 +22,9 @@ double length(const ContourLine& line) {
 /// 6 x 5 cells, some of them cut so that nodes hang on their neighbours; s = x / 6, t = y / 5.
 QuadComplex hanging() {
     MovingMesh mesh = flat_patch(6, 5);
-    LocalOperations operations(mesh,
-                               [&](VertexId a, VertexId b) { return insert_middle(mesh, a, b); });
+    LocalOperations operations(mesh, [&](const Cell& cell, std::size_t side) {
+        return insert_middle(mesh, cell.corner[side], cell.corner[(side + 1) % 4]);
+    });
     for (const CellIndex cell : {0u, 8u, 14u, 21u, 29u})
         for (const Axis axis : {Axis::S, Axis::T})
             EXPECT_TRUE(operations.split(cell, axis));

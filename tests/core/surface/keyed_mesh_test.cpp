@@ -35,8 +35,9 @@ class Edited {
     explicit Edited(unsigned seed) : random_(seed) {}
 
     void edit() {
-        LocalOperations operations(
-            mesh_, [&](VertexId a, VertexId b) { return insert_middle(mesh_, a, b); });
+        LocalOperations operations(mesh_, [&](const Cell& cell, std::size_t side) {
+            return insert_middle(mesh_, cell.corner[side], cell.corner[(side + 1) % 4]);
+        });
         for (int i = 0; i < 6; ++i) {
             const auto cell = static_cast<CellIndex>(random_() % mesh_.quads.slots().size());
             const Axis axis = random_() % 2 == 0 ? Axis::S : Axis::T;

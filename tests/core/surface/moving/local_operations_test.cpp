@@ -21,7 +21,9 @@ constexpr std::array every_way{Reconnection::LeftYoung, Reconnection::RightYoung
                                Reconnection::PairRight, Reconnection::PairLeft};
 
 LocalOperations operations_on(MovingMesh& mesh) {
-    return {mesh, [&](VertexId a, VertexId b) { return insert_middle(mesh, a, b); }};
+    return {mesh, [&](const Cell& cell, std::size_t side) {
+                return insert_middle(mesh, cell.corner[side], cell.corner[(side + 1) % 4]);
+            }};
 }
 
 bool always(VertexId, VertexId, VertexId) {
