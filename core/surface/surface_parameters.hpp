@@ -23,7 +23,9 @@ struct SurfaceParameters {
     Accuracy accuracy = Accuracy::Balanced;
     double merge =
         0.35; ///< cells merge where both of their sides are shorter than this part of the separation; 0: never
-    double angle = 20.0; ///< degrees: neighbouring cells that meet at more are refined; 180: never
+    /// degrees: neighbouring cells that meet at more are refined, along the flow and across, those of stream and path
+    /// surfaces down to an eighth of the separation; 180: never
+    double angle = 20.0;
     bool reconnect =
         true; ///< false: shear is met by cutting cells alone, to measure what reconnecting them gains
     std::uint64_t max_quads = 1'000'000;

@@ -5,28 +5,21 @@
 
 namespace wakesurf::core {
 
-Column make_column(double s, const Curve& curve, double start, double spacing) {
+Column make_column(double s, const Curve& curve, double start, const ColumnSpacing& spacing) {
     Column column;
     column.s = s;
     column.start = start;
-    const double length = std::max(curve.last.arc - start, 0.0);
-    // A last segment shorter than 1e-6 of the spacing would be a degenerate cell.
-    const auto segments = static_cast<std::size_t>(std::ceil(length / spacing - 1e-6));
-    column.position.reserve(segments + 1);
-    column.arc.reserve(segments + 1);
-    column.time.reserve(segments + 1);
-    column.stretch.reserve(segments + 1);
-    const auto append = [&](const CurvePoint& point) {
+    column.arc = vertex_arcs(curve, start, spacing);
+    column.position.reserve(column.arc.size());
+    column.time.reserve(column.arc.size());
+    column.stretch.reserve(column.arc.size());
+    CurveReader reader(curve);
+    for (const double arc : column.arc) {
+        const CurvePoint point = reader.at_arc(arc);
         column.position.push_back(point.position);
-        column.arc.push_back(point.arc);
         column.time.push_back(point.time);
         column.stretch.push_back(point.stretch);
-    };
-    CurveReader reader(curve);
-    for (std::size_t i = 0; i < segments; ++i)
-        append(
-            reader.at_arc(start + length * static_cast<double>(i) / static_cast<double>(segments)));
-    append(segments == 0 ? curve.at_arc(start) : curve.last);
+    }
     return column;
 }
 

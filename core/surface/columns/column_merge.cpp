@@ -129,7 +129,39 @@ class ColumnMerger {
                                narrow(cell(row.left_old).corner[3], row.to,
                                       cell(row.right_old).corner[2], along, old_begins);
         row.begins = row.begins && old_begins;
-        return narrow_on;
+        return narrow_on &&
+               stays_flat({cell(row.left_young).corner[0], cell(row.right_young).corner[1],
+                           cell(row.right_old).corner[2], cell(row.left_old).corner[3]});
+    }
+
+    /// Would a cell with these corners, across the column, meet the cells beside it at no more than it may?
+    bool stays_flat(const std::array<VertexId, 4>& corner) {
+        if (limits_.neighbour_cosine <= -1.0)
+            return true;
+        const Vec3 joined = diagonals_cross(corner);
+        for (VertexId v = corner[0]; v < corner[3];) {
+            const std::uint32_t beside = on_left_[v];
+            if (beside != no_cell && bends(joined, diagonals_cross(cell(beside).corner)))
+                return false;
+            v = beside == no_cell ? v + 1 : cell(beside).corner[2];
+        }
+        for (VertexId v = corner[1]; v < corner[2];) {
+            const std::uint32_t beside = on_right_[v];
+            if (beside != no_cell && bends(joined, diagonals_cross(cell(beside).corner)))
+                return false;
+            v = beside == no_cell ? v + 1 : cell(beside).corner[3];
+        }
+        return true;
+    }
+
+    Vec3 diagonals_cross(const std::array<VertexId, 4>& corner) const {
+        return glm::cross(position_[corner[2]] - position_[corner[0]],
+                          position_[corner[3]] - position_[corner[1]]);
+    }
+
+    bool bends(const Vec3& a, const Vec3& b) const {
+        return glm::dot(a, b) <
+               limits_.neighbour_cosine * std::sqrt(glm::dot(a, a) * glm::dot(b, b));
     }
 
     /// Widths count square to the column, whose direction is the unit vector `along`: skew fronts are long but not wide, and
@@ -228,7 +260,7 @@ class ColumnMerger {
     }
 
     /// Appends to made_ the cells that take the place of rows `young` to `old`, between which the columns on either
-    /// side stay the same. Returns false where a front would be too long or cross an obstacle.
+    /// side stay the same. Returns false where a front would be too long, cross an obstacle or bend.
     bool zip(const Row& young, const Row& old) {
         const auto either = [](VertexId a, VertexId b) { return a != no_vertex ? a : b; };
         const VertexId left = cell(young.left_young).corner[0];
@@ -251,6 +283,8 @@ class ColumnMerger {
             Cell& quad = made_.emplace_back();
             quad.corner = {l, r, r + static_cast<VertexId>(step->right),
                            l + static_cast<VertexId>(step->left)};
+            if (!stays_flat(quad.corner))
+                return false;
             if (step->right == 2)
                 quad.mid[1] = r + 1;
             if (step->left == 2)

@@ -23,6 +23,8 @@ struct MergeLimits {
     double each;         ///< both cells must be narrower
     double joined;       ///< and so must the one that takes their place
     double least_cosine; ///< of the angle at which the two meet
+    double neighbour_cosine =
+        -1.0; ///< of that at which the one then meets those beside it; -1: any
 };
 
 /// Merges cells across `columns`, in their order. Which vertices remain in use, the cells tell.

@@ -1,10 +1,14 @@
 #include "core/surface/columns/sheet.hpp"
 
+#include "core/surface/columns/sheet_bends.hpp"
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace wakesurf::core {
@@ -16,6 +20,14 @@ constexpr double spacing_of_separation =
 constexpr double tear_width = 1.0 / 16.0; // of the separation
 constexpr double least_interval = 1e-6;   // of the rake
 constexpr int most_rounds = 128;
+constexpr double bend_width =
+    1.0 / 8.0; // of the separation: no strip becomes narrower because the sheet bends
+constexpr int most_bend_rounds = 32;
+
+/// Of a column from one vertex to the next. A quad's side may take two segments, and cells meet at the turn of a whole side.
+double most_turn(double angle) {
+    return angle < 180.0 ? 0.5 * angle * std::numbers::pi / 180.0 : std::numbers::pi;
+}
 
 double elapsed(const Clock& clock, std::chrono::steady_clock::time_point since) {
     return std::chrono::duration<double>(clock.now() - since).count();
@@ -25,10 +37,11 @@ double elapsed(const Clock& clock, std::chrono::steady_clock::time_point since) 
 
 Sheet::Sheet(const Flow& flow, const Rake& rake, SheetOptions options)
     : flow_(flow), seeding_(rake), closed_(rake.closed()),
-      options_(options), limits_{{&flow, options.separation, flow.obstacle()},
-                                 spacing_of_separation * options.separation,
-                                 tear_width * options.separation,
-                                 least_interval} {}
+      options_(options), limits_{
+                             {&flow, options.separation, flow.obstacle()},
+                             {spacing_of_separation * options.separation, most_turn(options.angle)},
+                             tear_width * options.separation,
+                             least_interval} {}
 
 Result<void>
 Sheet::trace(const std::set<double>& parameters, const Clock& clock, const std::stop_token& stop) {
@@ -122,7 +135,7 @@ Result<void> Sheet::build(const std::set<double>& seeds, const Clock& clock, std
     double arc = 0.0;
     for (const SeededCurve& curve : curves_)
         arc += curve.curve.last.arc;
-    if (auto fits = check_budget(static_cast<std::size_t>(arc / limits_.spacing)); !fits)
+    if (auto fits = check_budget(static_cast<std::size_t>(arc / limits_.spacing.longest)); !fits)
         return fits;
 
     strips_.clear();
@@ -133,51 +146,88 @@ Result<void> Sheet::build(const std::set<double>& seeds, const Clock& clock, std
             strips_.push_back(strip_between(*left, 1.0));
     std::vector<std::size_t> dirty(strips_.size());
     std::iota(dirty.begin(), dirty.end(), std::size_t{0});
-    for (int round = 0; !dirty.empty(); ++round) {
+    int round = 0;
+    for (int bend_round = 0;;) {
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "the surface was cancelled");
-        if (auto fits = check_budget(zip(dirty, clock)); !fits)
-            return fits;
-        std::set<double> wanted;
-        std::vector<double> new_seeds;
-        std::vector<std::size_t> again;
-        for (const std::size_t i : dirty) {
-            if (round >= most_rounds) {
-                strips_[i].tear_rest();
-                continue;
-            }
-            const Strip::Demand demand = strips_[i].refine(limits_);
-            if (demand.new_seed) {
-                wanted.insert(*demand.new_seed);
-                new_seeds.push_back(*demand.new_seed);
-            } else {
-                wanted.insert(demand.middles.begin(), demand.middles.end());
-            }
-            if (demand.changed)
-                again.push_back(i);
+        std::vector<StripDemand> demands;
+        if (dirty.empty()) {
+            if (bend_round++ < most_bend_rounds)
+                demands = bend_demands(clock);
+            if (demands.empty())
+                break;
+            round = 0;
+        } else {
+            if (auto fits = check_budget(zip(dirty, clock)); !fits)
+                return fits;
+            for (const std::size_t i : dirty)
+                if (round >= most_rounds)
+                    strips_[i].tear_rest();
+                else
+                    demands.push_back({i, strips_[i].refine(limits_)});
+            ++round;
         }
-        if (auto traced = trace(wanted, clock, stop); !traced)
-            return traced;
-        for (const std::size_t i : again)
-            for (auto s = wanted.upper_bound(strips_[i].left_s());
-                 s != wanted.end() && *s < strips_[i].right_s(); ++s)
-                strips_[i].supply(*curve_at_.at(*s));
-        if (!new_seeds.empty()) {
-            seeds_.insert(new_seeds.begin(), new_seeds.end());
-            std::vector<double> marks;
-            for (const std::size_t i : again)
-                marks.push_back(strips_[i].left_s());
-            marks.insert(marks.end(), new_seeds.begin(), new_seeds.end());
-            std::sort(marks.begin(), marks.end());
-            cut_at(new_seeds);
-            again.clear();
-            for (std::size_t i = 0; i < strips_.size(); ++i)
-                if (std::binary_search(marks.begin(), marks.end(), strips_[i].left_s()))
-                    again.push_back(i);
-        }
-        dirty = std::move(again);
+        auto again = meet(demands, clock, stop);
+        if (!again)
+            return tl::unexpected(again.error());
+        dirty = std::move(*again);
     }
     return {};
+}
+
+/// What the strips want where the sheet bends. Only strips that want something.
+std::vector<Sheet::StripDemand> Sheet::bend_demands(const Clock& clock) {
+    std::vector<StripDemand> demands;
+    if (options_.angle >= 180.0)
+        return demands;
+    const auto start = clock.now();
+    const double cosine = std::cos(options_.angle * std::numbers::pi / 180.0);
+    const auto rows = find_bends(strips_, closed_, cosine, 2.0 * bend_width * options_.separation);
+    for (std::size_t i = 0; i < strips_.size(); ++i)
+        if (!rows[i].empty())
+            if (auto demand = strips_[i].split_bends(limits_, rows[i]); demand.changed)
+                demands.push_back({i, std::move(demand)});
+    seconds_.refine += elapsed(clock, start);
+    return demands;
+}
+
+/// Gives strips the curves and seeds they want. Returns the strips to zip again.
+Result<std::vector<std::size_t>> Sheet::meet(const std::vector<StripDemand>& demands,
+                                             const Clock& clock,
+                                             const std::stop_token& stop) {
+    std::set<double> wanted;
+    std::vector<double> new_seeds;
+    std::vector<std::size_t> again;
+    for (const auto& [i, demand] : demands) {
+        if (demand.new_seed) {
+            wanted.insert(*demand.new_seed);
+            new_seeds.push_back(*demand.new_seed);
+        } else {
+            wanted.insert(demand.middles.begin(), demand.middles.end());
+        }
+        if (demand.changed)
+            again.push_back(i);
+    }
+    if (auto traced = trace(wanted, clock, stop); !traced)
+        return tl::unexpected(traced.error());
+    for (const std::size_t i : again)
+        for (auto s = wanted.upper_bound(strips_[i].left_s());
+             s != wanted.end() && *s < strips_[i].right_s(); ++s)
+            strips_[i].supply(*curve_at_.at(*s));
+    if (!new_seeds.empty()) {
+        seeds_.insert(new_seeds.begin(), new_seeds.end());
+        std::vector<double> marks;
+        for (const std::size_t i : again)
+            marks.push_back(strips_[i].left_s());
+        marks.insert(marks.end(), new_seeds.begin(), new_seeds.end());
+        std::sort(marks.begin(), marks.end());
+        cut_at(new_seeds);
+        again.clear();
+        for (std::size_t i = 0; i < strips_.size(); ++i)
+            if (std::binary_search(marks.begin(), marks.end(), strips_[i].left_s()))
+                again.push_back(i);
+    }
+    return again;
 }
 
 std::vector<const SeededCurve*> Sheet::columns() const {

@@ -62,6 +62,15 @@ class Sheet {
   private:
     Result<void>
     trace(const std::set<double>& parameters, const Clock& clock, const std::stop_token& stop);
+
+    struct StripDemand {
+        std::size_t strip;
+        Strip::Demand demand;
+    };
+
+    std::vector<StripDemand> bend_demands(const Clock& clock);
+    Result<std::vector<std::size_t>>
+    meet(const std::vector<StripDemand>& demands, const Clock& clock, const std::stop_token& stop);
     Result<void> check_budget(std::size_t quads) const;
     void cut_at(const std::vector<double>& new_seeds);
     Strip strip_between(double left, double right_s) const;

@@ -103,10 +103,11 @@ void merge(const Sheet& sheet, const ColumnNumbers& numbers, std::vector<Cell>& 
     for (const auto& entry : numbers.entries())
         position.insert(position.end(), entry.column.column->position.begin(),
                         entry.column.column->position.end());
-    // Joined cells meet at up to twice the angle of those they replace.
-    const double turn = 0.5 * options.angle * std::numbers::pi / 180.0;
+    // Two cells that meet at half the angle: one across both is off either by a quarter of it.
+    const double angle = options.angle * std::numbers::pi / 180.0;
     const double joined = 2.0 * options.merge * options.separation;
-    merge_columns(cells, columns, position, {sheet.rules(), 0.65 * joined, joined, std::cos(turn)});
+    merge_columns(cells, columns, position,
+                  {sheet.rules(), 0.65 * joined, joined, std::cos(0.5 * angle), std::cos(angle)});
 }
 
 /// Appends the vertices in use and gives what each is called in the mesh.

@@ -121,8 +121,8 @@ bool Strip::place_middle(const StripLimits& limits, Node& node) {
     const Curve& curve = node.middle->curve;
     const double start = nearest_arc(
         curve, 0.5 * (l + r), 0.5 * (left.arc[node.front.left] + right.arc[node.front.right]),
-        limits.spacing);
-    if (start > curve.last.arc - 1e-3 * limits.spacing)
+        limits.spacing.longest);
+    if (start > curve.last.arc - 1e-3 * limits.spacing.longest)
         return false; // the new column ends before it would begin
     const Vec3 first = curve.at_arc(start).position;
     if (std::max(glm::length(first - l), glm::length(first - r)) > limits.rules.separation)
@@ -191,7 +191,12 @@ Strip::Demand Strip::refine(const StripLimits& limits) {
         Node& node = nodes_[static_cast<std::size_t>(failure.node)];
         const bool can_split = failure.width > limits.least_width &&
                                node.right_s - node.left_s > 2.0 * limits.least_interval;
-        if (node.middle && failure.rows >= 1 && !failure.middle_too_short) {
+        if (failure.middle_too_short && node.bent) {
+            node.middle = nullptr;
+            node.bent = false;
+            node.flat = true;
+            demand.changed = true;
+        } else if (node.middle && failure.rows >= 1 && !failure.middle_too_short) {
             node.rows = failure.rows; // the tree below shifted: split where it fails now
             demand.changed = true;
         } else if (failure.middle_too_short || (can_split && failure.rows == 0)) {
@@ -208,6 +213,51 @@ Strip::Demand Strip::refine(const StripLimits& limits) {
             node.torn = true;
             demand.changed = true;
         }
+    }
+    return demand;
+}
+
+/// Splits a node at a row, or moves its split there.
+void Strip::split_bend(std::int32_t node, std::uint32_t row, Demand& demand) {
+    Node& here = nodes_[static_cast<std::size_t>(node)];
+    if (row == 0 && here.parent < 0) {
+        demand.new_seed = middle_s(here);
+        demand.changed = true;
+        return;
+    }
+    if (row == 0 && nodes_[static_cast<std::size_t>(here.parent)].rows > 1) {
+        lower(here.parent, demand);
+        return;
+    }
+    row = std::max(row, 1u); // it hangs on the row before
+    if (here.middle == nullptr) {
+        if (row >= here.cells.size())
+            return;
+        branch(node, row, demand);
+        nodes_[static_cast<std::size_t>(node)].bent = true;
+        return;
+    }
+    if (row >= here.rows)
+        return;
+    const std::uint32_t moved = here.rows - row;
+    here.rows = row;
+    for (const std::int32_t child : here.child)
+        if (nodes_[static_cast<std::size_t>(child)].middle)
+            nodes_[static_cast<std::size_t>(child)].rows += moved;
+    demand.changed = true;
+}
+
+Strip::Demand Strip::split_bends(const StripLimits& limits, std::span<const std::uint32_t> rows) {
+    Demand demand;
+    std::vector<bool> done(rows.size()); // or below one that is: its rows will be others
+    for (std::size_t i = 0; i < rows.size() && !demand.new_seed; ++i) {
+        const Node& node = nodes_[i];
+        done[i] = node.parent >= 0 && done[static_cast<std::size_t>(node.parent)];
+        if (done[i] || rows[i] == no_row || node.torn || node.flat ||
+            node.right_s - node.left_s <= 2.0 * limits.least_interval)
+            continue;
+        split_bend(static_cast<std::int32_t>(i), rows[i], demand);
+        done[i] = true;
     }
     return demand;
 }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace wakesurf::core {
@@ -23,7 +24,7 @@ struct SeededCurve {
 
 struct StripLimits {
     ZipRules rules;
-    double spacing;        ///< arc length between vertices of a column
+    ColumnSpacing spacing;
     double least_width;    ///< a narrower strip that still diverges is a tear, not a divergence
     double least_interval; ///< seed parameter distance below which the surface is discontinuous
 };
@@ -71,6 +72,26 @@ class Strip {
 
     Demand refine(const StripLimits& limits);
 
+    static constexpr std::uint32_t no_row = std::numeric_limits<std::uint32_t>::max();
+
+    /// Of the tree; node 0 is its root. Some may be out of use.
+    std::size_t nodes() const { return nodes_.size(); }
+
+    /// A node's own, younger ones first; older ones are its children's.
+    std::span<const StripCell> cells(std::int32_t node) const {
+        return nodes_[static_cast<std::size_t>(node)].cells;
+    }
+
+    /// The left (0) or the right (1) child of a node, -1 where it does not split.
+    std::int32_t child(std::int32_t node, std::size_t side) const {
+        const Node& here = nodes_[static_cast<std::size_t>(node)];
+        return here.split ? here.child[side] : -1;
+    }
+
+    /// Splits nodes at rows that bend, where the middle column can begin there; else leaves them as they are.
+    /// @param rows  by node: the row, or no_row
+    Demand split_bends(const StripLimits& limits, std::span<const std::uint32_t> rows);
+
     /// Gives the curve for a seed parameter refine() asked for. Must outlive the strip.
     void supply(const SeededCurve& curve);
 
@@ -113,6 +134,8 @@ class Strip {
         std::int32_t child[2] = {-1, -1};
         std::int32_t depth = 0;
         bool torn = false;
+        bool bent = false; ///< split because the sheet bends: not needed
+        bool flat = false; ///< is not split for bending, since the middle column cannot begin there
 
         // What was zipped last, and what it was made from: quads stay while that stays the same.
         std::uint32_t left = no_column, right = no_column;
@@ -142,6 +165,7 @@ class Strip {
     bool place_middle(const StripLimits& limits, Node& node);
     void lower(std::int32_t node, Demand& demand);
     void branch(std::int32_t node, std::uint32_t rows, Demand& demand);
+    void split_bend(std::int32_t node, std::uint32_t row, Demand& demand);
 
     double middle_s(const Node& node) const { return 0.5 * (node.left_s + node.right_s); }
 

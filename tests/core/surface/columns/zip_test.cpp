@@ -17,7 +17,7 @@ const std::unique_ptr<Flow>& free_flow() {
 }
 
 Column column(Vec3 a, Vec3 b, double spacing) {
-    return make_column(0.0, straight_curve(a, b), 0.0, spacing);
+    return make_column(0.0, straight_curve(a, b), 0.0, {spacing});
 }
 
 /// Zips as far as it goes; returns where the front ends and how many quads had a hanging node.

@@ -1,0 +1,25 @@
+// Where along a curve a column has its vertices: evenly by arc length where the curve is straight, closer together where it
+// turns. A pure function of one curve: neighbouring columns need not agree, zipping joins columns of any spacing.
+#pragma once
+
+#include "core/integrate/curve.hpp"
+
+#include <numbers>
+#include <vector>
+
+namespace wakesurf::core {
+
+struct ColumnSpacing {
+    double longest; ///< arc length between vertices
+    double turn =
+        std::numbers::pi; ///< radians the curve may turn from one vertex to the next; pi: any
+
+    /// Part of `longest` below which a turn brings vertices no closer: a kink does not refine for ever.
+    static constexpr double shortest = 1.0 / 8.0;
+};
+
+/// Arc lengths of the vertices from `start` to the curve's end, both included; at least one.
+/// Cost: O(steps + vertices).
+std::vector<double> vertex_arcs(const Curve& curve, double start, const ColumnSpacing& spacing);
+
+} // namespace wakesurf::core
