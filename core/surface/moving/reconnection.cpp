@@ -34,7 +34,11 @@ std::optional<Reconnection> worthwhile_reconnection(const MovingMesh& mesh,
     const Vec3 along = (p[b.corner[3]] - p[a.corner[0]]) + (p[b.corner[2]] - p[a.corner[1]]);
     const Vec3 edge = p[a.corner[2]] - p[a.corner[3]];
     const double lean = glm::dot(edge, along);
-    if (!(lean * lean > glide_gain * glide_gain * glm::dot(edge, edge) * glm::dot(along, along)))
+    // Without a hanging node beside the edge there are only pairs, which want more skew.
+    const bool hanging = a.mid[1] != no_vertex || a.mid[3] != no_vertex || b.mid[1] != no_vertex ||
+                         b.mid[3] != no_vertex;
+    const double least = hanging ? glide_gain : pair_skew * (1.0 - 1e-9);
+    if (!(lean * lean > least * least * glm::dot(edge, edge) * glm::dot(along, along)))
         return std::nullopt; // square enough: most cells end here
     const double now = skew(mesh, a.corner[3], a.corner[2], along);
     const double length = mesh.edge_length(a.corner[3], a.corner[2]);
