@@ -87,12 +87,22 @@ struct GridSampler {
     double interval = 1.0;
 
     Vec3 velocity(const Vec3& p, double t) const {
+        // Two components at a time, z of both time-steps together: by itself the compiler leaves them scalar.
+        using Pair = double __attribute__((vector_size(16)));
         const Corners at = corners(*grid, locate(*grid, p));
-        const Vec3 v0 = blend(velocity0, at);
+        const float* other = velocity1 ? velocity1 : velocity0;
+        Pair xy0{}, xy1{}, z{};
+        for (std::size_t i = 0; i < 8; ++i) {
+            const float* now = velocity0 + 3 * at.node[i];
+            const float* then = other + 3 * at.node[i];
+            xy0 += at.weight[i] * Pair{now[0], now[1]};
+            xy1 += at.weight[i] * Pair{then[0], then[1]};
+            z += at.weight[i] * Pair{now[2], then[2]};
+        }
+        const Vec3 v0(xy0[0], xy0[1], z[0]);
         if (!velocity1)
             return v0;
-        const double a = (t - time0) / interval;
-        return v0 + a * (blend(velocity1, at) - v0);
+        return v0 + (t - time0) / interval * (Vec3(xy1[0], xy1[1], z[1]) - v0);
     }
 
     /// (grad v) w: the exact derivative of the trilinear field within its cell.
@@ -163,15 +173,6 @@ struct GridSampler {
 
     static Vec3 along(const Slopes& slopes, const Vec3& step) {
         return step.x * slopes[0] + step.y * slopes[1] + step.z * slopes[2];
-    }
-
-    static Vec3 blend(const float* velocity, const Corners& at) {
-        Vec3 sum(0.0);
-        for (int i = 0; i < 8; ++i) {
-            const float* v = velocity + 3 * at.node[i];
-            sum += at.weight[i] * Vec3(v[0], v[1], v[2]);
-        }
-        return sum;
     }
 };
 
