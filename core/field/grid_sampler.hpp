@@ -7,7 +7,9 @@
 #include "core/dataset/uniform_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace wakesurf::core {
@@ -85,22 +87,42 @@ struct GridSampler {
     double interval = 1.0;
 
     Vec3 velocity(const Vec3& p, double t) const {
+        // Two components at a time, z of both time-steps together: by itself the compiler leaves them scalar.
+        using Pair = double __attribute__((vector_size(16)));
         const Corners at = corners(*grid, locate(*grid, p));
-        const Vec3 v0 = blend(velocity0, at);
+        const float* other = velocity1 ? velocity1 : velocity0;
+        Pair xy0{}, xy1{}, z{};
+        for (std::size_t i = 0; i < 8; ++i) {
+            const float* now = velocity0 + 3 * at.node[i];
+            const float* then = other + 3 * at.node[i];
+            xy0 += at.weight[i] * Pair{now[0], now[1]};
+            xy1 += at.weight[i] * Pair{then[0], then[1]};
+            z += at.weight[i] * Pair{now[2], then[2]};
+        }
+        const Vec3 v0(xy0[0], xy0[1], z[0]);
         if (!velocity1)
             return v0;
-        const double a = (t - time0) / interval;
-        return v0 + a * (blend(velocity1, at) - v0);
+        return v0 + (t - time0) / interval * (Vec3(xy1[0], xy1[1], z[1]) - v0);
     }
 
     /// (grad v) w: the exact derivative of the trilinear field within its cell.
     Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
+        return derivatives(p, t, {&w, 1})[0];
+    }
+
+    /// Of one or two vectors `w`: they share the slopes.
+    std::array<Vec3, 2> derivatives(const Vec3& p, double t, std::span<const Vec3> w) const {
         const CellPoint at = locate(*grid, p);
-        const Vec3 step = w / grid->spacing;
-        const Vec3 d0 = slope(velocity0, at, step);
-        if (!velocity1)
-            return d0;
-        return d0 + (t - time0) / interval * (slope(velocity1, at, step) - d0);
+        const Slopes now = slopes(velocity0, at);
+        const Slopes then = velocity1 ? slopes(velocity1, at) : now;
+        std::array<Vec3, 2> result{};
+        for (std::size_t i = 0; i < w.size(); ++i) {
+            const Vec3 step = w[i] / grid->spacing;
+            result[i] = along(now, step);
+            if (velocity1)
+                result[i] += (t - time0) / interval * (along(then, step) - result[i]);
+        }
+        return result;
     }
 
     PointStatus status(const Vec3& p) const {
@@ -123,26 +145,34 @@ struct GridSampler {
     }
 
   private:
-    Vec3 slope(const float* velocity, const CellPoint& at, const Vec3& step) const {
-        Vec3 sum(0.0);
+    /// Change of the velocity across the cell along each axis.
+    using Slopes = std::array<Vec3, 3>;
+
+    Slopes slopes(const float* velocity, const CellPoint& at) const {
+        const Corners corner = corners(*grid, at);
+        const Vec3 part[2] = {1.0 - at.fraction, at.fraction};
+        Slopes result;
         for (int axis = 0; axis < 3; ++axis) {
-            CellPoint low = at;
-            CellPoint high = at;
-            low.fraction[axis] = 0.0;
-            high.fraction[axis] = 1.0;
-            sum += step[axis] *
-                   (blend(velocity, corners(*grid, high)) - blend(velocity, corners(*grid, low)));
+            const int first = axis == 0 ? 1 : 0;
+            const int second = axis == 2 ? 1 : 2;
+            Vec3 low(0.0), high(0.0);
+            for (std::size_t i = 0; i < 8; ++i) {
+                const std::size_t bit = std::size_t{1} << axis;
+                if (i & bit)
+                    continue;
+                const double weight = part[i >> first & 1][first] * part[i >> second & 1][second];
+                const float* v = velocity + 3 * corner.node[i];
+                const float* beyond = velocity + 3 * corner.node[i | bit];
+                low += weight * Vec3(v[0], v[1], v[2]);
+                high += weight * Vec3(beyond[0], beyond[1], beyond[2]);
+            }
+            result[static_cast<std::size_t>(axis)] = high - low;
         }
-        return sum;
+        return result;
     }
 
-    static Vec3 blend(const float* velocity, const Corners& at) {
-        Vec3 sum(0.0);
-        for (int i = 0; i < 8; ++i) {
-            const float* v = velocity + 3 * at.node[i];
-            sum += at.weight[i] * Vec3(v[0], v[1], v[2]);
-        }
-        return sum;
+    static Vec3 along(const Slopes& slopes, const Vec3& step) {
+        return step.x * slopes[0] + step.y * slopes[1] + step.z * slopes[2];
     }
 };
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <span>
 
 namespace wakesurf::core {
 
@@ -75,8 +76,14 @@ Carried carried_slope(const Field& field, const Carried& y, double t, bool tange
     const Vec3 v = field.velocity(y.position, t);
     if (!tangents)
         return {v, Vec3(0.0), Vec3(0.0)};
-    return {v, field.derivative(y.position, t, y.along_s),
-            field.derivative(y.position, t, y.along_t)};
+    if constexpr (requires { field.derivatives(y.position, t, std::span<const Vec3>()); }) {
+        const Vec3 tangent[2] = {y.along_s, y.along_t};
+        const auto change = field.derivatives(y.position, t, tangent);
+        return {v, change[0], change[1]};
+    } else {
+        return {v, field.derivative(y.position, t, y.along_s),
+                field.derivative(y.position, t, y.along_t)};
+    }
 }
 
 /// Number of equal steps Rk4 divides a length of time into.

@@ -24,4 +24,7 @@ void register_advection_benchmarks();
 /// Adaptive stream surfaces against vtkStreamSurface at equal longest edge and equal area: time, growth, deviation.
 void register_stream_surface_benchmarks();
 
+/// Single steps of a streak surface of 100,000 vertices: whole frames with refinement, on one thread and on two.
+void register_streak_frame_benchmarks();
+
 } // namespace wakesurf::bench

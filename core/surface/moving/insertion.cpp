@@ -94,13 +94,13 @@ void refine_column(const MovingMesh& mesh,
 
 } // namespace
 
-Vec3 edge_tangent(const MovingMesh& mesh, VertexId at, VertexId a, VertexId b) {
-    return tangent(mesh, at, parameter_step(mesh, a, b));
+Vec3 edge_turn(const MovingMesh& mesh, VertexId a, VertexId b) {
+    const ParameterStep step = parameter_step(mesh, a, b);
+    return tangent(mesh, a, step) - tangent(mesh, b, step);
 }
 
 double relative_sagitta(const MovingMesh& mesh, VertexId a, VertexId b) {
-    const ParameterStep step = parameter_step(mesh, a, b);
-    const double bulge = glm::length(tangent(mesh, a, step) - tangent(mesh, b, step)) / 8.0;
+    const double bulge = glm::length(edge_turn(mesh, a, b)) / 8.0;
     const double chord = mesh.edge_length(a, b);
     return bulge > 0.0 ? bulge / chord : 0.0;
 }

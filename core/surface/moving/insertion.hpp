@@ -9,8 +9,8 @@ namespace wakesurf::core {
 
 enum class InsertionPolicy { Linear, Hermite, Exact };
 
-/// Tangent of the edge from a to b at a: dx/ds ds + dx/dt dt.
-Vec3 edge_tangent(const MovingMesh& mesh, VertexId at, VertexId a, VertexId b);
+/// By how much the tangent dx/ds ds + dx/dt dt of the edge from a to b changes along it: that at a less that at b.
+Vec3 edge_turn(const MovingMesh& mesh, VertexId a, VertexId b);
 
 /// How far the cubic through an edge bulges from its chord, over the chord's length: |T_a - T_b| / 8 |b - a|.
 double relative_sagitta(const MovingMesh& mesh, VertexId a, VertexId b);

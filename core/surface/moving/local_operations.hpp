@@ -51,6 +51,9 @@ class LocalOperations {
 
     CrossEdge reconnected(CellIndex cell, Reconnection how) const;
 
+    /// The same without looking at what lies beside it: reconnected() may still be nothing. Cheaper.
+    CrossEdge shifted(CellIndex cell, Reconnection how) const;
+
     /// REQUIRES: reconnected(cell, how) gives an edge.
     void reconnect(CellIndex cell, Reconnection how);
 
@@ -60,7 +63,6 @@ class LocalOperations {
     std::vector<CellIndex>& touched() { return touched_; }
 
   private:
-    CrossEdge shifted(CellIndex cell, Reconnection how) const;
     bool clear_of_young(const Cell& cell, VertexId left, VertexId right) const;
     bool clear_of_old(const Cell& cell, VertexId left, VertexId right) const;
     bool ensure_mid(CellIndex cell, std::size_t side);

@@ -90,7 +90,15 @@ bool should_merge(const MovingMesh& mesh,
     const double small = rules.merge * rules.separation;
     const auto side = static_cast<std::size_t>(axis);
     const auto end = [](std::size_t k) { return (k + 1) % 4; };
-    for (const std::size_t k : {side, side + 2}) // first what is cheap: most cells are not small
+    // First what is cheap: most cells are not small. A root is taken only where rounding could matter.
+    const double clearly_not = small * small * (1.0 + 1e-9);
+    for (const std::size_t k : {side, side + 2}) {
+        const Vec3 edge =
+            mesh.vertices.position[a.corner[end(k)]] - mesh.vertices.position[a.corner[k]];
+        if (glm::dot(edge, edge) > clearly_not)
+            return false;
+    }
+    for (const std::size_t k : {side, side + 2})
         if (a.mid[k] != no_vertex || mesh.edge_length(a.corner[k], a.corner[end(k)]) >= small)
             return false;
     const CellIndex partner = operations.partner(index, axis);

@@ -10,6 +10,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <chrono>
 #include <cmath>
@@ -48,6 +49,28 @@ Origin origin_of(const Rake& rake, const SurfaceParameters& p) {
     if (p.kind == SurfaceKind::Streak)
         return Origin(rake);
     return p.rake2 ? Origin(rake, *p.rake2, p.from) : Origin(rake, *p.sweep, p.from);
+}
+
+/// The larger of `most` and the fastest relative growth of a cell's sides, of those longer than `shortest`. Roots are taken only
+/// of what may exceed `most`.
+double fastest_growth(const MovingMesh& mesh, const Cell& cell, double shortest, double most) {
+    std::array<Vec3, 4> p;
+    std::array<Vec3f, 4> v;
+    for (std::size_t k = 0; k < 4; ++k) {
+        p[k] = mesh.vertices.position[cell.corner[k]];
+        v[k] = mesh.vertices.velocity[cell.corner[k]];
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Vec3 edge = p[k] - p[(k + 1) % 4];
+        const Vec3 apart(v[k] - v[(k + 1) % 4]);
+        const double length2 = glm::dot(edge, edge);
+        const double apart2 = glm::dot(apart, apart);
+        if (apart2 < most * most * length2 * (1.0 - 1e-9))
+            continue;
+        if (const double length = std::sqrt(length2); length > shortest)
+            most = std::max(most, std::sqrt(apart2) / length);
+    }
+    return most;
 }
 
 double elapsed(const Clock& clock, std::chrono::steady_clock::time_point since) {
@@ -182,19 +205,9 @@ double MovingSurface::step_length(double to) const {
     const double growth = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, slots.size(), 4096), 0.0,
         [&](const auto& range, double most) {
-            for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                if (!slots[i].live)
-                    continue;
-                const Cell& cell = slots[i].cell;
-                for (std::size_t k = 0; k < 4; ++k) {
-                    const VertexId a = cell.corner[k];
-                    const VertexId b = cell.corner[(k + 1) % 4];
-                    const double length = state_.mesh.edge_length(a, b);
-                    if (length > shortest)
-                        most = std::max(most,
-                                        glm::length(Vec3(v.velocity[a] - v.velocity[b])) / length);
-                }
-            }
+            for (std::size_t i = range.begin(); i != range.end(); ++i)
+                if (slots[i].live)
+                    most = fastest_growth(state_.mesh, slots[i].cell, shortest, most);
             return most;
         },
         [](double a, double b) { return std::max(a, b); });

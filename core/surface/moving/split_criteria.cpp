@@ -92,7 +92,7 @@ bool bulges(const MovingMesh& mesh,
         return false;
     const VertexId a = cell.corner[side];
     const VertexId b = cell.corner[(side + 1) % 4];
-    const Vec3 turn = edge_tangent(mesh, a, a, b) - edge_tangent(mesh, b, a, b);
+    const Vec3 turn = edge_turn(mesh, a, b);
     const double allowed = 8.0 * part_of_separation * rules.separation;
     return glm::dot(turn, turn) > allowed * allowed;
 }

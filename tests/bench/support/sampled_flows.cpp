@@ -35,19 +35,26 @@ double phase(double time, double interval) {
     return 2.0 * std::numbers::pi * time / (static_cast<double>(SampledFlow::period) * interval);
 }
 
+SampledFlow sample_abc(double interval) {
+    return sample(2.0 * std::numbers::pi, interval, [interval](const Vec3& p, double t) {
+        const double phi = phase(t, interval);
+        const core::AbcFlow flow{{},
+                                 1.0 + 0.3 * std::sin(phi),
+                                 0.8 + 0.3 * std::cos(phi),
+                                 0.6 + 0.2 * std::sin(phi + 1.0)};
+        return flow.velocity(p, t);
+    });
+}
+
 } // namespace
 
 const SampledFlow& sampled_abc() {
-    constexpr double interval = 0.1;
-    static const SampledFlow sampled =
-        sample(2.0 * std::numbers::pi, interval, [](const Vec3& p, double t) {
-            const double phi = phase(t, interval);
-            const core::AbcFlow flow{{},
-                                     1.0 + 0.3 * std::sin(phi),
-                                     0.8 + 0.3 * std::cos(phi),
-                                     0.6 + 0.2 * std::sin(phi + 1.0)};
-            return flow.velocity(p, t);
-        });
+    static const SampledFlow sampled = sample_abc(0.1);
+    return sampled;
+}
+
+const SampledFlow& sampled_slow_abc() {
+    static const SampledFlow sampled = sample_abc(0.6);
     return sampled;
 }
 

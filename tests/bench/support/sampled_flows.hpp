@@ -1,4 +1,4 @@
-// The two flows peers are compared on, sampled on 128^3 float32 and held in memory: unsteady ABC flow and a drifting
+// The flows that are measured on, sampled on 128^3 float32 and held in memory: unsteady ABC flow and a drifting
 // tornado. Both repeat after `period` time-steps, so that a long series costs the memory of a short one.
 #pragma once
 
@@ -16,7 +16,8 @@ struct SampledFlow {
     static constexpr std::size_t period = 8;
 
     core::UniformGrid grid;
-    double interval = 0.0; ///< time between two time-steps: particles move about 3 cells in it
+    double interval =
+        0.0; ///< time between two time-steps: particles move about 3 cells in it, 18 in the slow one
     std::vector<std::shared_ptr<const core::TimeStep>> steps; ///< 0..period
     std::unique_ptr<core::Flow> flow;                         ///< over all of them
 
@@ -28,6 +29,9 @@ struct SampledFlow {
 
 /// A cube of side 2 pi. Sampled when first asked for (a second or two), then kept.
 const SampledFlow& sampled_abc();
+
+/// The same six times slower: long enough for a streak surface to cross the cube.
+const SampledFlow& sampled_slow_abc();
 
 /// The unit cube, likewise.
 const SampledFlow& sampled_tornado();

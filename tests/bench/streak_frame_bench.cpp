@@ -1,0 +1,153 @@
+// Frames of an animated streak surface: every step carries 100,000 vertices, refines the mesh and releases what is due.
+#include "core/surface/moving/moving_surface.hpp"
+#include "tests/bench/benchmarks.hpp"
+#include "tests/bench/support/interleaved.hpp"
+#include "tests/bench/support/one_core.hpp"
+#include "tests/bench/support/sampled_flows.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+namespace wakesurf::bench {
+
+namespace {
+
+constexpr std::size_t wanted_vertices = 100'000;
+constexpr int frames = 40; ///< the first touch of a time-step may fall into one of them: medians
+constexpr double separation_in_cells = 0.4;
+constexpr double target_steps_per_second = 30.0;
+constexpr double target_million_vertex_steps = 5.0;
+constexpr double target_two_threads = 1.7;
+
+/// What a mesh should take: 200 bytes a vertex and 100 a cell.
+double planned_bytes(const core::MovingMesh& mesh) {
+    return 200.0 * static_cast<double>(mesh.vertices.used()) +
+           100.0 * static_cast<double>(mesh.quads.live());
+}
+
+double wall_seconds_of(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void step(core::MovingSurface& surface) {
+    if (surface.time() == surface.end_time())
+        throw std::runtime_error("the series ended before the last frame");
+    if (const auto stepped = surface.step(surface.end_time(), {}); !stepped)
+        throw std::runtime_error(stepped.error().message);
+}
+
+const core::Clock& steady_clock() {
+    static const core::SteadyClock clock;
+    return clock;
+}
+
+/// Nearly across the cube, moved on until it has as many vertices as wanted.
+core::MovingSurface grown_surface(core::Accuracy accuracy) {
+    const SampledFlow& sampled = sampled_slow_abc();
+    core::SurfaceParameters p;
+    p.kind = core::SurfaceKind::Streak;
+    p.from = 0.0;
+    p.to = static_cast<double>(SampledFlow::period) * sampled.interval;
+    p.separation = separation_in_cells * sampled.spacing();
+    p.accuracy = accuracy;
+    const core::Rake rake{core::Rake::Kind::Line, {{0.7, 2.0, 3.0}, {5.5, 4.0, 3.5}}, 16};
+    auto surface = core::MovingSurface::start(*sampled.flow, rake, p, {}, steady_clock());
+    if (!surface)
+        throw std::runtime_error(surface.error().message);
+    while (surface->state().mesh.vertices.used() < wanted_vertices)
+        step(*surface);
+    return std::move(*surface);
+}
+
+void describe(benchmark::State& state, const core::MovingSurface& surface) {
+    const core::MovingMesh& mesh = surface.state().mesh;
+    state.counters["vertices"] = static_cast<double>(mesh.vertices.used());
+    state.counters["cells"] = static_cast<double>(mesh.quads.live());
+}
+
+void measure(benchmark::State& state, core::Accuracy accuracy) {
+    on_one_core([&] {
+        core::MovingSurface surface = grown_surface(accuracy);
+        for (auto _ : state) {
+            const core::SurfaceStatistics before = surface.statistics();
+            std::vector<double> seconds, snapshots;
+            double sum = 0.0;
+            for (int i = 0; i < frames; ++i) {
+                seconds.push_back(seconds_of([&] { step(surface); }));
+                sum += seconds.back();
+                if (i % 8 == 0)
+                    snapshots.push_back(
+                        seconds_of([&] { benchmark::DoNotOptimize(surface.mesh()); }));
+            }
+            const core::SurfaceStatistics after = surface.statistics();
+            const Timed taken = summarize(std::move(seconds));
+            state.SetIterationTime(taken.median);
+            state.counters["steps_per_second"] = 1.0 / taken.median;
+            state.counters["target_steps_per_second"] = target_steps_per_second;
+            const auto vertex_steps =
+                static_cast<double>(after.vertex_steps - before.vertex_steps) / frames;
+            state.counters["million_vertex_steps_per_second"] = 1e-6 * vertex_steps / taken.median;
+            state.counters["target_million_vertex_steps_per_second"] = target_million_vertex_steps;
+            state.counters["spread"] = taken.spread;
+            // By the clock on the wall, for which other programs count, and means, not medians.
+            const double advect = 1e3 * (after.seconds.advect - before.seconds.advect) / frames;
+            const double refine = 1e3 * (after.seconds.refine - before.seconds.refine) / frames;
+            state.counters["advect_ms"] = advect;
+            state.counters["refine_ms"] = refine;
+            state.counters["other_ms"] = 1e3 * sum / frames - advect - refine;
+            state.counters["snapshot_ms"] = 1e3 * summarize(std::move(snapshots)).median;
+            state.counters["bytes_of_planned"] =
+                static_cast<double>(surface.state().bytes()) / planned_bytes(surface.state().mesh);
+            describe(state, surface);
+        }
+    });
+}
+
+void measure_two_threads(benchmark::State& state, core::Accuracy accuracy) {
+    core::MovingSurface by_one = on_one_core([&] { return grown_surface(accuracy); });
+    core::MovingSurface by_two = by_one;
+    tbb::task_arena one(1);
+    tbb::task_arena two(2);
+    const auto turn = [](tbb::task_arena& arena, core::MovingSurface& surface) {
+        return [&] { return wall_seconds_of([&] { arena.execute([&] { step(surface); }); }); };
+    };
+    for (auto _ : state) {
+        const std::vector<Timed> taken = interleave({turn(one, by_one), turn(two, by_two)}, frames);
+        state.SetIterationTime(taken[1].median);
+        state.counters["one_thread_ms"] = 1e3 * taken[0].median;
+        state.counters["ratio_to_one_thread"] = taken[0].median / taken[1].median;
+        state.counters["target_ratio"] = target_two_threads;
+        state.counters["spread"] = taken[1].spread;
+        describe(state, by_two);
+    }
+    if (by_one.mesh().mesh.position != by_two.mesh().mesh.position)
+        state.SkipWithError("two threads made another surface than one");
+    else if (std::thread::hardware_concurrency() < 2)
+        state.SetLabel("fewer than two cores here: the ratio says nothing");
+}
+
+void add(const std::string& name,
+         core::Accuracy accuracy,
+         void (*measured)(benchmark::State&, core::Accuracy)) {
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [=](benchmark::State& state) { measured(state, accuracy); })
+        ->Unit(benchmark::kMillisecond)
+        ->UseManualTime()
+        ->Iterations(1);
+}
+
+} // namespace
+
+void register_streak_frame_benchmarks() {
+    add("streak_frame/fast", core::Accuracy::Fast, measure);
+    add("streak_frame/balanced", core::Accuracy::Balanced, measure);
+    add("streak_frame/two_threads/fast", core::Accuracy::Fast, measure_two_threads);
+    add("streak_frame/two_threads/balanced", core::Accuracy::Balanced, measure_two_threads);
+}
+
+} // namespace wakesurf::bench
