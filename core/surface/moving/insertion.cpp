@@ -142,8 +142,8 @@ midpoint(const MovingMesh& mesh, const Cell& cell, std::size_t side, InsertionPo
     const VertexId beyond_a = cell.corner[(side + 3) % 4];
     const VertexId beyond_b = cell.corner[(side + 2) % 4];
     const Vec3 chord = mesh.vertices.position[b] - mesh.vertices.position[a];
-    const Vec3 slope =
-        1.5 * chord - 0.25 * (edge_tangent(mesh, a, a, b) + edge_tangent(mesh, b, a, b));
+    const ParameterStep step = parameter_step(mesh, a, b);
+    const Vec3 slope = 1.5 * chord - 0.25 * (tangent(mesh, a, step) + tangent(mesh, b, step));
     if (side % 2 == 0)
         refine_cross(mesh, mid.point.carried, a, b, beyond_a, beyond_b, slope);
     else
