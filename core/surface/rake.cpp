@@ -164,4 +164,20 @@ Vec3 SeedingCurve::tangent(double s) const {
     return (points_[i + 1] - points_[i]) * (length() / (arc_[i + 1] - arc_[i]));
 }
 
+std::vector<double> seed_parameters(const std::vector<double>& corners, double intervals) {
+    std::vector<double> ends{0.0};
+    for (const double corner : corners)
+        if (corner - ends.back() > 1e-9 && 1.0 - corner > 1e-9)
+            ends.push_back(corner);
+    ends.push_back(1.0);
+    std::vector<double> seeds;
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        const double width = ends[i] - ends[i - 1];
+        const double pieces = std::max(1.0, std::ceil(intervals * width - 1e-9));
+        for (double k = 0; k < pieces; ++k)
+            seeds.push_back(ends[i - 1] + width * (k / pieces));
+    }
+    return seeds;
+}
+
 } // namespace wakesurf::core

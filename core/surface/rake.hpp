@@ -53,4 +53,8 @@ class SeedingCurve {
     bool round_; ///< a circle: its pieces stand for a smooth curve
 };
 
+/// Seed parameters from 0 to below 1: about `intervals` even steps, and every corner (ascending) a seed, so that the surface
+/// starts at the rake's own shape.
+std::vector<double> seed_parameters(const std::vector<double>& corners, double intervals);
+
 } // namespace wakesurf::core

@@ -17,11 +17,10 @@ namespace wakesurf::core {
 namespace {
 
 std::set<double> first_seeds(const Rake& rake, double separation) {
-    const double length = SeedingCurve(rake).length();
-    const auto intervals = std::max(rake.seeds - 1.0, std::ceil(length / separation - 1e-9));
-    std::set<double> seeds;
-    for (double i = 0; i < intervals; ++i)
-        seeds.insert(i / intervals);
+    const SeedingCurve curve(rake);
+    const auto even = seed_parameters(
+        curve.corners(), std::max(rake.seeds - 1.0, std::ceil(curve.length() / separation - 1e-9)));
+    std::set<double> seeds(even.begin(), even.end());
     if (!rake.closed())
         seeds.insert(1.0);
     return seeds;

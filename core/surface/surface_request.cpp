@@ -120,6 +120,7 @@ Result<std::vector<SheetOptions>> sheet_options(const Flow& flow,
     SheetOptions one;
     one.trace.frozen = p.kind == SurfaceKind::Stream;
     one.trace.tolerance = trace_tolerance(p.accuracy);
+    one.trace.smooth = p.accuracy == Accuracy::Exact;
     one.trace.longest_step = flow.finest_spacing();
     one.trace.stagnation_speed = 1e-6 * largest_speed;
     one.trace.most_steps = steps_per_curve(rake, separation, p.max_quads);

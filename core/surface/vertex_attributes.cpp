@@ -29,12 +29,13 @@ Result<void> add_attributes(SheetMesh& mesh,
                             const SurfaceParameters& p,
                             std::stop_token stop) {
     QuadComplex& complex = mesh.complex;
+    const bool smooth = p.accuracy == Accuracy::Exact;
     std::vector<double> times(complex.vertices(), p.from);
     if (p.kind == SurfaceKind::Path)
         for (std::size_t i = 0; i < times.size(); ++i)
             times[i] += complex.t[i];
     std::vector<Vec3> velocity(complex.vertices());
-    if (auto sampled = flow.sample(complex.position, times, velocity, stop); !sampled)
+    if (auto sampled = flow.sample(complex.position, times, velocity, stop, smooth); !sampled)
         return sampled;
     complex.velocity.assign(velocity.begin(), velocity.end());
     if (!p.deformation)
@@ -46,7 +47,7 @@ Result<void> add_attributes(SheetMesh& mesh,
         seeds[i] = seeding.at(complex.s[i]);
     times.assign(complex.vertices(), p.from);
     std::vector<Vec3> at_birth(complex.vertices());
-    if (auto sampled = flow.sample(seeds, times, at_birth, stop); !sampled)
+    if (auto sampled = flow.sample(seeds, times, at_birth, stop, smooth); !sampled)
         return sampled;
     complex.deformation = deformation_of(mesh, velocity, seeding, at_birth);
     return {};

@@ -53,22 +53,12 @@ double Columns::at(double column) const {
 }
 
 Columns make_columns(const Origin& origin, double seeds, double spacing) {
-    std::vector<double> ends{0.0};
-    for (const double corner : origin.corners())
-        if (corner - ends.back() > 1e-9 && 1.0 - corner > 1e-9)
-            ends.push_back(corner);
-    ends.push_back(1.0);
     Columns columns;
     columns.closed = origin.closed();
     const double intervals = std::max(columns.closed ? std::max(seeds, 3.0) : seeds - 1.0,
                                       std::ceil(origin.length() / spacing - 1e-9));
-    for (std::size_t i = 1; i < ends.size(); ++i) {
-        const double width = ends[i] - ends[i - 1];
-        const double pieces = std::max(1.0, std::ceil(intervals * width - 1e-9));
-        for (double k = 0; k < pieces; ++k)
-            columns.s.push_back(ends[i - 1] + width * (k / pieces));
-        columns.count += pieces;
-    }
+    columns.s = seed_parameters(origin.corners(), intervals);
+    columns.count = static_cast<double>(columns.s.size());
     if (!columns.closed)
         columns.s.push_back(1.0);
     return columns;

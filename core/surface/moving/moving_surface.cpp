@@ -73,6 +73,20 @@ double fastest_growth(const MovingMesh& mesh, const Cell& cell, double shortest,
     return most;
 }
 
+/// The separation at which a surface that nothing stretches has about the wanted number of quads: keeps a request for millions
+/// of columns, or of steps, from being begun. The rest of the budget is kept while the surface moves.
+double
+coarsest_needed(const Origin& origin, const Box& domain, double travel, std::uint64_t max_quads) {
+    constexpr double most_rows = 20'000;
+    const double quads = static_cast<double>(max_quads);
+    const double way = std::min(travel, 4.0 * glm::length(domain.extent()));
+    const double steps = travel / (row_spacing * most_rows);
+    if (origin.patch())
+        return std::max(steps, 1.01 * std::sqrt(origin.length() * origin.longest_across() / quads));
+    return std::max(
+        {steps, origin.length() / quads, 0.5 * std::sqrt(origin.length() * way / quads)});
+}
+
 double elapsed(const Clock& clock, std::chrono::steady_clock::time_point since) {
     return std::chrono::duration<double>(clock.now() - since).count();
 }
@@ -88,20 +102,26 @@ Result<MovingSurface> MovingSurface::start(const Flow& flow,
                                            std::stop_token stop,
                                            const Clock& clock) {
     const auto began = clock.now();
+    if (rake.seeds > p.max_quads)
+        return fail(Error::Code::OverLimit,
+                    "the rake has more seeds than the surface may have quads",
+                    "use fewer seeds or a larger maxQuads");
     const auto speed = largest_speed(flow, rake, p.from, stop);
     if (!speed)
         return tl::unexpected(speed.error());
     Origin origin = origin_of(rake, p);
     const double span = std::abs(p.to - p.from);
     const double sign = p.direction == Direction::Backward ? -1.0 : 1.0;
-    Columns columns = make_columns(origin, rake.seeds, p.separation);
+    const double separation =
+        std::max(p.separation, coarsest_needed(origin, flow.domain(), *speed * span, p.max_quads));
+    Columns columns = make_columns(origin, rake.seeds, separation);
     RefinementRules rules;
-    rules.separation = p.separation;
+    rules.separation = separation;
     rules.merge = p.merge;
     rules.cosine = p.angle >= 180.0 ? -1.0 : std::cos(p.angle * std::numbers::pi / 180.0);
     rules.least_t = origin.patch() ? 1e-6 : 1e-6 * span;
     // Seeds this close that still part beside an obstacle go round it on either side.
-    const double seed_distance = p.separation / 32.0;
+    const double seed_distance = separation / 32.0;
     rules.least_s_at_wall = seed_distance / origin.length();
     rules.least_t_at_wall = origin.patch() ? seed_distance / origin.longest_across() : 0.0;
     rules.policy = policy(p.accuracy);
@@ -120,7 +140,7 @@ Result<MovingSurface> MovingSurface::start(const Flow& flow,
     carry.longest_step = flow.finest_spacing();
     carry.stagnation_speed = 1e-4 * *speed;
     carry.smooth = p.accuracy == Accuracy::Exact;
-    std::vector<double> places = seed_places(origin, flow, columns, rules.tear_size * p.separation);
+    std::vector<double> places = seed_places(origin, flow, columns, rules.tear_size * separation);
     const double until = p.release_until ? std::abs(*p.release_until - p.from) : span;
     auto plan =
         std::make_shared<const Plan>(Plan{std::move(origin), std::move(columns), std::move(places),
@@ -128,7 +148,7 @@ Result<MovingSurface> MovingSurface::start(const Flow& flow,
                                           p.accuracy == Accuracy::Fast, flow.finest_spacing()});
     MovingSurface surface(flow, std::move(plan), clock);
     surface.state_.mesh.time = p.from;
-    surface.state_.separation = p.separation;
+    surface.state_.separation = separation;
     if (auto begun = surface.begin(stop); !begun)
         return tl::unexpected(begun.error());
     surface.seconds_.load = elapsed(clock, began);

@@ -151,7 +151,7 @@ TEST(TrilinearCell, TheErrorFollowsTheTolerance) {
     }
 }
 
-TEST(TrilinearCell, EveryVertexOfASurfaceOfStoredDataEqualsItsOwnRetrace) {
+TEST(TrilinearCell, EveryVertexOfASurfaceOfStoredDataEqualsItsOwnRetraceWithinTenTolerances) {
     std::mt19937 random(5);
     for (const Sampled& c : flows()) {
         const auto flow = sampled(c.name, c.box, c.ball);
@@ -160,8 +160,9 @@ TEST(TrilinearCell, EveryVertexOfASurfaceOfStoredDataEqualsItsOwnRetrace) {
         p.kind = c.kind;
         p.to = 3.0;
         p.separation = 0.1;
-        p.accuracy = Accuracy::Exact;
-        const auto surface = build_surface(*flow, rake, p);
+        const auto surface =
+            build_surface(*flow, rake, p); // balanced: what linear interpolation is for
+        const double tolerance = 1e-5;
         ASSERT_TRUE(surface);
         EXPECT_EQ(surface->mesh.validate(), "");
         const SeedingCurve seeding(rake);
@@ -175,7 +176,7 @@ TEST(TrilinearCell, EveryVertexOfASurfaceOfStoredDataEqualsItsOwnRetrace) {
             const Vec3 seed = seeding.at(surface->mesh.s[v]);
             EXPECT_LT(
                 glm::length(end_of(*flow, c.kind, seed, 0.0, time) - surface->mesh.position[v]),
-                1e-8 * (1.0 + time * surface->mesh.speed(v)) *
+                10.0 * tolerance * time * surface->mesh.speed(v) *
                     magnification(*flow, c.kind, seed, 0.0, time))
                 << c.name << " vertex " << v;
         }

@@ -444,6 +444,40 @@ TEST(MovingSurface, ImpossibleRequestsAreRefused) {
     EXPECT_NE(refused([](auto& p) { p.angle = 0.0; }), "made");
 }
 
+TEST(MovingSurface, AbsurdSeparationsAndSeedsEndInACoarseSurfaceOrAnError) {
+    const auto flow = make_analytic_flow("uniform");
+    for (const auto kind : {SurfaceKind::Streak, SurfaceKind::Time}) {
+        SurfaceParameters p;
+        p.kind = kind;
+        p.to = 2.0;
+        p.separation = 1e-9;
+        p.max_quads = 5'000;
+        if (kind == SurfaceKind::Time)
+            p.sweep = Vec3(0, 0, 2);
+        const auto surface = build_surface(**flow, line({-9, -2, 0}, {-9, 2, 0}), p);
+        ASSERT_TRUE(surface) << surface.error().message;
+        EXPECT_LE(surface->statistics.quads, 5'000u);
+        EXPECT_GT(surface->statistics.quads, 500u);
+        Rake crowded = line({-9, -2, 0}, {-9, 2, 0});
+        crowded.seeds = 1'000'000'000;
+        EXPECT_EQ(build_surface(**flow, crowded, p).error().code, Error::Code::OverLimit);
+    }
+}
+
+TEST(MovingSurface, ThePolylinesCornersAreVertices) {
+    const auto flow = make_analytic_flow("uniform");
+    const Rake bent{Rake::Kind::Polyline, {{-9, 0, 0}, {-9, 0.333, 0}, {-9, 0.333, 0.777}}, 4};
+    for (const auto kind : {SurfaceKind::Streak, SurfaceKind::Stream}) {
+        SurfaceParameters p;
+        p.kind = kind;
+        p.to = 2.0;
+        p.separation = 0.1;
+        const auto surface = build_surface(**flow, bent, p);
+        ASSERT_TRUE(surface);
+        EXPECT_NEAR(area(surface->mesh), 2.0 * (0.333 + 0.777), 1e-9);
+    }
+}
+
 TEST(MovingSurface, AStopRequestCancels) {
     std::stop_source stop;
     stop.request_stop();
