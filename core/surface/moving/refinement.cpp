@@ -8,6 +8,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace wakesurf::core {
 
@@ -63,6 +64,13 @@ std::vector<CellIndex> with_neighbours(const MovingMesh& mesh, std::span<const C
     return all;
 }
 
+/// Longest sub-edge of the sides that a cut across `axis` halves.
+double width(const MovingMesh& mesh, CellIndex cell, Axis axis) {
+    const SquaredLengths lengths = squared_lengths(mesh, mesh.quads[cell].cell);
+    const auto side = static_cast<std::size_t>(axis);
+    return std::sqrt(std::max(lengths.longest[side], lengths.longest[side + 2]));
+}
+
 /// The last resort of the budget: cells that cannot be joined any further go, those of the oldest rows first.
 void drop_oldest(const MovingMesh& mesh, std::size_t count, LocalOperations& operations) {
     std::vector<std::pair<double, CellIndex>> by_row;
@@ -102,10 +110,18 @@ VertexId Refinement::insert(MovingMesh& mesh, const Cell& cell, std::size_t side
     }
     const VertexId v =
         vertices.add(mid.point, attached ? VertexRole::Attached : VertexRole::Free, mesh.time);
-    if (rules_.policy == InsertionPolicy::Exact ||
-        (rules_.retrace && mid.bulge > rules_.trusted_sagitta)) {
+    const bool doubtful = rules_.retrace && mid.bulge > rules_.trusted_sagitta;
+    if (rules_.policy == InsertionPolicy::Exact || doubtful) {
         if (!attached)
             to_retrace_.push_back(v);
+        // A traced vertex between interpolated ones would show their error as a fold, which is cut, and so on: they
+        // are traced as well.
+        for (const VertexId end : {a, b})
+            if (doubtful && vertices.approximated[end] != 0) {
+                vertices.approximated[end] = 0;
+                to_retrace_.push_back(end);
+                moved_ = true;
+            }
     } else if (const PointStatus status = flow_.status(mid.point.carried.position);
                status != PointStatus::Inside) {
         vertices.end[v] = status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
@@ -134,6 +150,7 @@ Result<bool> Refinement::cut_pass(MovingMesh& mesh,
     }
     operations.touched().clear();
     to_retrace_.clear();
+    moved_ = false;
     for (const CellIndex cell : wanted) {
         if (!mesh.quads[cell].live)
             continue;
@@ -144,8 +161,11 @@ Result<bool> Refinement::cut_pass(MovingMesh& mesh,
             torn_ = true;
         } else if (cut != Cut::None) {
             const Axis axis = cut == Cut::AcrossS ? Axis::S : Axis::T;
-            if (!operations.split(cell, axis))
-                operations.split(cell, axis == Axis::S ? Axis::T : Axis::S);
+            const Axis other = axis == Axis::S ? Axis::T : Axis::S;
+            // Hanging nodes may forbid a cut until the cell is cut the other way; small cells wait for the next step instead.
+            if (!operations.split(cell, axis) &&
+                width(mesh, cell, other) > 0.25 * rules_.separation)
+                operations.split(cell, other);
         }
         normals_.resize(mesh.quads.slots().size());
         for (std::size_t i = before; i < operations.touched().size(); ++i)
@@ -157,6 +177,8 @@ Result<bool> Refinement::cut_pass(MovingMesh& mesh,
             !traced)
             return tl::unexpected(traced.error());
     dirty = with_neighbours(mesh, operations.touched());
+    if (moved_) // all round the vertices that have been traced again
+        dirty = with_neighbours(mesh, dirty);
     return !dirty.empty();
 }
 

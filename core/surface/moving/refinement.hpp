@@ -56,7 +56,8 @@ class Refinement {
     std::vector<Vec3f>& normals_;
     std::vector<std::uint8_t>& decisions_;
     std::vector<VertexId>& to_retrace_;
-    bool torn_ = false; ///< cells have been deleted: vertices may be left alone
+    bool moved_ = false; ///< vertices the mesh had have been traced again
+    bool torn_ = false;  ///< cells have been deleted: vertices may be left alone
 };
 
 /// Gives back the slots of vertices no cell uses, except attached ones.

@@ -157,16 +157,20 @@ Cut needed_cut(const MovingMesh& mesh,
                 return cut_or_tear(mesh, cell, side % 2 == 0 ? Axis::S : Axis::T, rules, flow);
     if (rules.cosine <= -1.0)
         return Cut::None;
+    // A cut halves two sides, the shorter of which must be worth it too: cutting a fan at its narrow end would cut everything
+    // small beside it (a time surface of the bundled flow went from 8,000 to 257,000 quads that way).
+    const double floor = squared(2.0 * rules.finest);
+    const std::array<double, 2> narrow{std::min(lengths.longest[0], lengths.longest[2]),
+                                       std::min(lengths.longest[1], lengths.longest[3])};
     if (rules.tangents)
         for (std::size_t side = 0; side < 4; ++side)
             // Each inner edge belongs to two cells: one of them looks.
-            if ((side < 2 || here.across[side][0] == no_cell) &&
+            if ((side < 2 || here.across[side][0] == no_cell) && narrow[side % 2] > floor &&
                 bulges(mesh, cell, side, lengths.longest[side], rules))
                 return cut_or_tear(mesh, cell, side % 2 == 0 ? Axis::S : Axis::T, rules, flow);
-    const double floor = squared(2.0 * rules.finest);
     for (std::size_t side = 0; side < 4; ++side) {
         const bool s_neighbour = side % 2 == 1;
-        if ((s_neighbour ? across_s : across_t) <= floor)
+        if (narrow[s_neighbour ? 0 : 1] <= floor)
             continue;
         for (std::size_t half = 0; half < (cell.mid[side] == no_vertex ? 1u : 2u); ++half) {
             const CellIndex neighbour = here.across[side][half];
