@@ -163,14 +163,19 @@ Result<bool> Refinement::cut_pass(MovingMesh& mesh,
             const Axis axis = cut == Cut::AcrossS ? Axis::S : Axis::T;
             const Axis other = axis == Axis::S ? Axis::T : Axis::S;
             // Hanging nodes may forbid a cut until the cell is cut the other way; small cells wait for the next step instead.
-            if (!operations.split(cell, axis) &&
-                width(mesh, cell, other) > 0.25 * rules_.separation)
-                operations.split(cell, other);
+            bool done = operations.split(cell, axis);
+            const bool too_long = width(mesh, cell, axis) > rules_.separation;
+            if (!done && (too_long || width(mesh, cell, other) > 0.25 * rules_.separation))
+                done = operations.split(cell, other);
+            if (!done && has_dead_vertex(mesh, mesh.quads[cell].cell)) {
+                operations.tear(cell); // what is dead must not stay
+                torn_ = true;
+            }
         }
         normals_.resize(mesh.quads.slots().size());
         for (std::size_t i = before; i < operations.touched().size(); ++i)
-            normals_[operations.touched()[i]] =
-                normal(mesh, mesh.quads[operations.touched()[i]].cell);
+            if (const CellIndex made = operations.touched()[i]; mesh.quads[made].live)
+                normals_[made] = normal(mesh, mesh.quads[made].cell);
     }
     if (!to_retrace_.empty())
         if (auto traced = retrace(mesh, origin_, flow_, to_retrace_, trace_, rules_.tangents, stop);

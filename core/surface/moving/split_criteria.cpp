@@ -18,12 +18,6 @@ constexpr Vec3 directions[] = {{1, 0, 0},
                                {diagonal, -diagonal, diagonal},
                                {-diagonal, diagonal, diagonal}};
 
-bool has_dead_vertex(const MovingMesh& mesh, const Cell& cell) {
-    bool dead = false;
-    for_each_vertex(cell, [&](VertexId v) { dead = dead || mesh.vertices.dead(v); });
-    return dead;
-}
-
 bool side_crosses_obstacle(const MovingMesh& mesh,
                            const Cell& cell,
                            std::size_t side,
@@ -112,6 +106,12 @@ bool barely_inside(const Flow& flow, const Vec3& point, double depth) {
 }
 
 } // namespace
+
+bool has_dead_vertex(const MovingMesh& mesh, const Cell& cell) {
+    bool dead = false;
+    for_each_vertex(cell, [&](VertexId v) { dead = dead || mesh.vertices.dead(v); });
+    return dead;
+}
 
 bool crosses_obstacle(const MovingMesh& mesh,
                       VertexId a,

@@ -19,6 +19,8 @@ Cut needed_cut(const MovingMesh& mesh,
                const Flow& flow,
                std::span<const Vec3f> normals);
 
+bool has_dead_vertex(const MovingMesh& mesh, const Cell& cell);
+
 /// True when the chord between two vertices, longer than a quarter of the separation, passes through an obstacle deeper than
 /// a convex wall makes it dip.
 bool crosses_obstacle(const MovingMesh& mesh,
