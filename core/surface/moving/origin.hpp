@@ -32,15 +32,16 @@ class Origin {
 
     double release(double t) const { return patch() ? release_ : t; }
 
-    /// Lengths of the patch along its two opposite seeding curves' longest, and from one to the other at its widest of 17 places.
+    /// Longest way across a patch at constant s, of 17.
     double longest_across() const;
 
+    /// Length of the seeding curve; of a patch the longer of its two.
     double length() const;
 
     /// Seed parameters that must be vertices: where the curve has corners.
     std::vector<double> corners() const;
 
-    /// Position, tangents and area at release of every (s, t). `along_t` of a streak is minus the velocity there then:
+    /// Position, tangents and area at release of every (s, t). `along_t` of a streak is minus the velocity there then.
     /// Error: what sampling reports.
     Result<std::vector<MaterialPoint>> points(const Flow& flow,
                                               std::span<const double> s,

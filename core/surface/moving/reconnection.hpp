@@ -1,5 +1,5 @@
-// Shear: cross edges that have become oblique to the columns are moved along them, instead of cells being cut. Linear shear
-// to age 6: 2,090 cells and a median smallest angle of 68 degrees, against 4,203 and 13 without. Source: McLoughlin,
+// Shear: cross edges that have become oblique to the columns are moved along them, instead of cells being cut. Plane shear
+// and Lamb-Oseen take at most 0.6 of the quads then, with a median smallest angle of at least 55 degrees (tests). Source: McLoughlin,
 // Laramee, Zhang, SCCG 2010 (shear resolved by reconnecting a particle to a shifted neighbour).
 #pragma once
 
