@@ -70,14 +70,22 @@ std::vector<Curve> curves(const Sampled& c, double duration) {
     return made;
 }
 
-Vec3 end_of(const Flow& flow, SurfaceKind kind, const Vec3& seed, double release, double time) {
+Vec3 end_of(const Flow& flow,
+            SurfaceKind kind,
+            const Vec3& seed,
+            double release,
+            double time,
+            bool smooth = false) {
     std::vector<Curve> curve(1);
     curve[0].seed = seed;
     curve[0].release = release;
     curve[0].duration = time;
-    EXPECT_TRUE(flow.trace(
-        curve, {.frozen = kind == SurfaceKind::Stream, .tolerance = 1e-13, .longest_step = 0.01},
-        {}));
+    EXPECT_TRUE(flow.trace(curve,
+                           {.frozen = kind == SurfaceKind::Stream,
+                            .tolerance = 1e-13,
+                            .longest_step = 0.01,
+                            .smooth = smooth},
+                           {}));
     return curve[0].last.position;
 }
 
@@ -178,6 +186,35 @@ TEST(TrilinearCell, EveryVertexOfASurfaceOfStoredDataEqualsItsOwnRetraceWithinTe
                 glm::length(end_of(*flow, c.kind, seed, 0.0, time) - surface->mesh.position[v]),
                 10.0 * tolerance * time * surface->mesh.speed(v) *
                     magnification(*flow, c.kind, seed, 0.0, time))
+                << c.name << " vertex " << v;
+        }
+    }
+}
+
+TEST(SmoothSampling, EveryVertexOfAnExactSurfaceEqualsItsOwnSmoothRetraceWithinTenTolerances) {
+    for (const Sampled& c : flows()) {
+        if (c.ball)
+            continue;
+        const auto flow = sampled(c.name, c.box);
+        const Rake rake{Rake::Kind::Line, {c.from, c.to}, 16};
+        SurfaceParameters p;
+        p.kind = c.kind;
+        p.to = 2.0;
+        p.separation = 0.2;
+        p.accuracy = Accuracy::Exact;
+        const auto surface = build_surface(*flow, rake, p);
+        ASSERT_TRUE(surface);
+        const SeedingCurve seeding(rake);
+        const double tolerance = 1e-9;
+        for (VertexId v = 0; v < surface->mesh.vertices(); v += 97) {
+            const double time = surface->mesh.t[v];
+            if (time == 0.0)
+                continue;
+            const Vec3 seed = seeding.at(surface->mesh.s[v]);
+            EXPECT_LT(glm::length(end_of(*flow, c.kind, seed, 0.0, time, true) -
+                                  surface->mesh.position[v]),
+                      10.0 * tolerance * (1.0 + time * surface->mesh.speed(v)) *
+                          magnification(*flow, c.kind, seed, 0.0, time))
                 << c.name << " vertex " << v;
         }
     }
