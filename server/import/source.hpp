@@ -1,0 +1,63 @@
+// What a reader of a format offers the conversion: the time-steps of a source, each as VTK holds it. One
+// implementation a family of formats, in sources/.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/dataset_info.hpp"
+#include "protocol/store_manifest.hpp"
+
+#include <vtkDataSet.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct SourceDescription {
+    std::string name;                    ///< of the dataset, for people
+    std::string reader;                  ///< VTK's class and what it reads, as `info` shows it
+    std::vector<double> times;           ///< strictly increasing
+    std::string note;                    ///< what a user should know, for example where the times come from; may be empty
+    std::vector<core::FieldInfo> fields; ///< of the fluid, units where the format has them, ranges of the first time-step
+};
+
+/// Faces on which the fluid ends.
+struct WallFaces {
+    vtkSmartPointer<vtkPolyData> faces; ///< points have exactly the coordinates they have in the blocks
+    bool no_slip = false;               ///< the velocity is zero on them, whatever averaging gives
+};
+
+struct SourceStep {
+    /// Of the fluid, in the same order at every time-step. Three-dimensional cells only; point data are values at the nodes, cell data
+    /// those the file has, never averaged by the reader. Blanked points and cells carry vtkGhostType.
+    std::vector<vtkSmartPointer<vtkDataSet>> blocks;
+    std::vector<WallFaces> walls;
+    std::vector<vtkSmartPointer<vtkPolyData>> solids; ///< surfaces of solid regions, for display only
+};
+
+/// Not thread-safe. Every error names the file (without its folder) and the time-step it is about.
+class Source {
+  public:
+    virtual ~Source() = default;
+
+    virtual const SourceDescription& description() const = 0;
+
+    /// What all time-steps share (case files, mesh), then those of one time-step: an import is repeated when they change.
+    virtual core::Result<std::vector<protocol::SourceFile>> shared_files() const = 0;
+    virtual core::Result<std::vector<protocol::SourceFile>> files(std::size_t step) const = 0;
+
+    /// Reads one time-step with the named fields only, and no others where the format allows that.
+    /// Error: Corrupt, Io, NotFound (a field is missing at this time-step), Unsupported, OverLimit (memory).
+    virtual core::Result<SourceStep> read(std::size_t step,
+                                          const std::vector<core::FieldInfo>& fields) = 0;
+};
+
+/// The reader of the format that `path` (a file, or the first of a numbered series, or a pattern of one) is in.
+/// Error: NotFound, Io, Unsupported (the formats there are), Corrupt.
+core::Result<std::unique_ptr<Source>> open_source(const std::filesystem::path& path);
+
+} // namespace wakesurf::server
