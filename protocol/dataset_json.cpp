@@ -45,13 +45,10 @@ core::Result<core::FieldInfo> parse_field(const json& value) {
 }
 
 core::GridKind parse_grid(JsonMembers& members) {
-    const std::string name = members.text("grid");
-    const auto found = std::find_if(grid_names.begin(), grid_names.end(),
-                                    [&](const auto& entry) { return entry.second == name; });
-    if (found != grid_names.end())
-        return found->first;
-    members.fault("grid", "is not a kind of grid this version knows");
-    return core::GridKind::Uniform;
+    const auto kind = grid_kind(members.text("grid"));
+    if (!kind)
+        members.fault("grid", "is not a kind of grid this version knows");
+    return kind.value_or(core::GridKind::Uniform);
 }
 
 void parse_uniform_grid(JsonMembers& members, core::DatasetInfo& info) {
@@ -75,6 +72,12 @@ std::string_view grid_name(core::GridKind kind) {
     return std::find_if(grid_names.begin(), grid_names.end(),
                         [&](const auto& entry) { return entry.first == kind; })
         ->second;
+}
+
+std::optional<core::GridKind> grid_kind(std::string_view name) {
+    const auto found = std::find_if(grid_names.begin(), grid_names.end(),
+                                    [&](const auto& entry) { return entry.second == name; });
+    return found == grid_names.end() ? std::nullopt : std::optional(found->first);
 }
 
 json dataset_json(const core::DatasetInfo& info) {

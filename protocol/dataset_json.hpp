@@ -6,12 +6,16 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
 #include <string_view>
 
 namespace wakesurf::protocol {
 
 /// `uniform`, `rectilinear`, ...
 std::string_view grid_name(core::GridKind kind);
+
+/// Nothing for a name this version does not know.
+std::optional<core::GridKind> grid_kind(std::string_view name);
 
 nlohmann::json dataset_json(const core::DatasetInfo& info);
 

@@ -1,6 +1,6 @@
 #include "protocol/state_crc.hpp"
 
-#include "protocol/crc32c.hpp"
+#include "core/base/crc32c.hpp"
 
 #include <array>
 
@@ -10,18 +10,18 @@ static_assert(sizeof(LatticePoint) == 12 && sizeof(core::Cell) == 32,
               "summed as they lie in memory");
 
 void StateCrc::add(std::span<const LatticePoint> positions) {
-    positions_ = crc32c(std::as_bytes(positions), positions_);
+    positions_ = core::crc32c(std::as_bytes(positions), positions_);
     position_count_ += static_cast<std::uint32_t>(positions.size());
 }
 
 void StateCrc::add(std::span<const core::Cell> cells) {
-    cells_ = crc32c(std::as_bytes(cells), cells_);
+    cells_ = core::crc32c(std::as_bytes(cells), cells_);
     cell_count_ += static_cast<std::uint32_t>(cells.size());
 }
 
 std::uint32_t StateCrc::value() const {
     const std::array<std::uint32_t, 4> parts{position_count_, positions_, cell_count_, cells_};
-    return crc32c(std::as_bytes(std::span(parts)));
+    return core::crc32c(std::as_bytes(std::span(parts)));
 }
 
 } // namespace wakesurf::protocol

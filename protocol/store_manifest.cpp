@@ -3,10 +3,10 @@
 #include "protocol/dataset_json.hpp"
 #include "protocol/json_members.hpp"
 #include "protocol/json_text.hpp"
+#include "protocol/store_layout_json.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <limits>
 
 namespace wakesurf::protocol {
 
@@ -16,68 +16,72 @@ using nlohmann::json;
 namespace {
 
 constexpr std::string_view format_name = "wakesurf-store";
-constexpr std::uint64_t format_version = 1;
+constexpr std::uint64_t format_version = 2;
 constexpr JsonLimits limits{std::size_t{64} << 20, 16};
 
+json files_json(const std::vector<SourceFile>& files) {
+    json out = json::array();
+    for (const auto& file : files)
+        out.push_back({{"name", file.name}, {"size", file.size}, {"mtime", file.mtime}});
+    return out;
+}
+
 json source_json(const StoreSource& source) {
-    json files = json::array();
-    for (const auto& file : source.files)
-        files.push_back({{"name", file.name}, {"size", file.size}, {"mtime", file.mtime}});
-    return {{"files", std::move(files)}, {"selection", source.selection}};
+    json steps = json::array();
+    for (const auto& files : source.steps)
+        steps.push_back(files_json(files));
+    return {{"files", files_json(source.files)},
+            {"steps", std::move(steps)},
+            {"selection", source.selection}};
+}
+
+std::vector<SourceFile> parse_files(const json& list, JsonMembers& manifest) {
+    std::vector<SourceFile> files;
+    for (const json& entry : list) {
+        JsonMembers file(entry);
+        files.push_back({file.text("name"), file.count("size"), file.integer("mtime")});
+        if (!file.verdict())
+            manifest.fault("source.files", file.verdict().error().message);
+    }
+    return files;
 }
 
 StoreSource parse_source(JsonMembers& manifest) {
     StoreSource source;
     JsonMembers members(manifest.object("source"));
     source.selection = members.text("selection");
-    for (const json& entry : members.list("files")) {
-        JsonMembers file(entry);
-        source.files.push_back({file.text("name"), file.count("size"), file.integer("mtime")});
-        if (!file.verdict())
-            manifest.fault("source.files", file.verdict().error().message);
+    source.files = parse_files(members.list("files"), manifest);
+    for (const json& step : members.list("steps")) {
+        if (!step.is_array())
+            manifest.fault("source.steps", "must hold lists");
+        source.steps.push_back(parse_files(step.is_array() ? step : json::array(), manifest));
     }
     if (!members.verdict())
         manifest.fault("source", members.verdict().error().message);
     return source;
 }
 
-core::UniformGrid parse_grid(JsonMembers& manifest) {
-    core::UniformGrid grid;
-    JsonMembers members(manifest.object("grid"));
-    const auto origin = members.numbers_of<3>("origin");
-    const auto spacing = members.numbers_of<3>("spacing");
-    grid.origin = {origin[0], origin[1], origin[2]};
-    grid.spacing = {spacing[0], spacing[1], spacing[2]};
-    std::size_t axis = 0;
-    for (const double nodes : members.numbers_of<3>("dimensions")) {
-        if (nodes < 2 || nodes > std::numeric_limits<std::uint32_t>::max())
-            members.fault("dimensions", "must be at least 2 nodes per axis");
-        else
-            grid.dimensions[axis] = static_cast<std::uint32_t>(nodes);
-        ++axis;
-    }
-    if (!members.verdict())
-        manifest.fault("grid", members.verdict().error().message);
-    return grid;
-}
-
 core::Result<void> check_agreement(const StoreManifest& manifest) {
-    const auto bytes = core::velocity_file_size(manifest.grid);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
+    const core::StoreLayout& layout = manifest.layout;
+    if (auto sound = core::check_layout(layout); !sound)
+        return core::fail(Error::Code::Corrupt, sound.error().message);
     const auto disagree = [](std::string_view what) {
         return core::fail(Error::Code::Corrupt, "its " + std::string(what) + " disagree");
     };
-    if (manifest.times.empty() || manifest.info.times != manifest.times)
+    const core::DatasetInfo& info = manifest.info;
+    if (info.times != layout.times)
         return disagree("times");
-    if (manifest.info.points != manifest.grid.nodes() || manifest.info.bytes_per_step != *bytes ||
-        manifest.info.dimensions != manifest.grid.dimensions)
+    if (!manifest.source.steps.empty() && manifest.source.steps.size() != layout.times.size())
+        return disagree("times and files");
+    const auto& uniform = layout.grid.uniform;
+    const bool is_uniform = layout.grid.kind == core::GridKind::Uniform;
+    if (info.grid != layout.grid.kind || info.points != layout.grid.nodes() ||
+        info.bytes_per_step !=
+            core::step_file_size(layout.grid.nodes(), 3, core::Precision::Single) ||
+        (is_uniform && info.dimensions != uniform.dimensions))
         return disagree("numbers of points");
-    if (manifest.info.bounds.lo != manifest.grid.bounds().lo ||
-        manifest.info.bounds.hi != manifest.grid.bounds().hi)
+    if (is_uniform && (info.bounds.lo != uniform.bounds().lo || info.bounds.hi != uniform.bounds().hi))
         return disagree("bounds");
-    if (!manifest.mask.empty() && manifest.mask != mask_file_name)
-        return core::fail(Error::Code::Corrupt, "its mask is not " + std::string(mask_file_name));
     return {};
 }
 
@@ -95,9 +99,7 @@ core::Result<StoreManifest> parse(const json& value) {
     if (!info)
         return tl::unexpected(info.error());
     manifest.info = std::move(*info);
-    manifest.grid = parse_grid(members);
-    manifest.times = members.numbers("times");
-    manifest.mask = members.has("mask") ? members.text("mask") : std::string();
+    manifest.layout = parse_store_layout(members);
     manifest.velocity_range = members.numbers_of<2>("velocityRange");
     if (auto sound = members.verdict(); !sound)
         return tl::unexpected(sound.error());
@@ -107,20 +109,14 @@ core::Result<StoreManifest> parse(const json& value) {
 } // namespace
 
 std::string store_manifest_text(const StoreManifest& manifest) {
-    const auto& grid = manifest.grid;
-    return json_text({{"format", format_name},
-                      {"version", format_version},
-                      {"complete", manifest.complete},
-                      {"source", source_json(manifest.source)},
-                      {"info", dataset_json(manifest.info)},
-                      {"grid",
-                       {{"origin", {grid.origin.x, grid.origin.y, grid.origin.z}},
-                        {"spacing", {grid.spacing.x, grid.spacing.y, grid.spacing.z}},
-                        {"dimensions", grid.dimensions}}},
-                      {"times", manifest.times},
-                      {"mask", manifest.mask.empty() ? json(nullptr) : json(manifest.mask)},
-                      {"velocityRange", manifest.velocity_range}},
-                     1);
+    json out = store_layout_json(manifest.layout);
+    out["format"] = format_name;
+    out["version"] = format_version;
+    out["complete"] = manifest.complete;
+    out["source"] = source_json(manifest.source);
+    out["info"] = dataset_json(manifest.info);
+    out["velocityRange"] = manifest.velocity_range;
+    return json_text(out, 1);
 }
 
 core::Result<StoreManifest> parse_store_manifest(std::string_view text) {
@@ -147,7 +143,9 @@ core::Result<StoreManifest> read_store_manifest(const std::filesystem::path& fol
 }
 
 core::StoreLayout store_layout(const StoreManifest& manifest, std::filesystem::path folder) {
-    return {std::move(folder), manifest.grid, manifest.times, manifest.mask};
+    core::StoreLayout layout = manifest.layout;
+    layout.folder = std::move(folder);
+    return layout;
 }
 
 } // namespace wakesurf::protocol

@@ -2,9 +2,10 @@
 // the server opens a store by.
 #pragma once
 
+#include "core/base/disk.hpp"
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
-#include "core/dataset/store_reader.hpp"
+#include "core/dataset/store_layout.hpp"
 
 #include <array>
 #include <cstdint>
@@ -16,7 +17,6 @@
 namespace wakesurf::protocol {
 
 inline constexpr std::string_view manifest_file_name = "store.json";
-inline constexpr std::string_view mask_file_name = "mask.u8";
 
 struct SourceFile {
     std::string name; ///< as the series names it, without the folder of the series
@@ -28,7 +28,8 @@ struct SourceFile {
 
 /// What a store was made from: equal sources give equal stores, so an import of one need not be repeated.
 struct StoreSource {
-    std::vector<SourceFile> files;
+    std::vector<SourceFile> files;              ///< what all time-steps share
+    std::vector<std::vector<SourceFile>> steps; ///< of each time-step
     /// --fields and --times of an import, empty: everything. Flow, grid and times of what was generated.
     std::string selection;
 
@@ -36,12 +37,10 @@ struct StoreSource {
 };
 
 struct StoreManifest {
-    bool complete = false;
+    bool complete = false; ///< false while it is written, and while the source may still grow
     StoreSource source;
     core::DatasetInfo info;
-    core::UniformGrid grid;
-    std::vector<double> times;
-    std::string mask; ///< file name, or empty
+    core::StoreLayout layout; ///< its folder is empty: a store may be moved
     std::array<double, 2> velocity_range{0.0,
                                          0.0}; ///< of the speed, over the time-steps written so far
 };
@@ -56,6 +55,7 @@ core::Result<StoreManifest> parse_store_manifest(std::string_view text);
 core::Result<StoreManifest> read_store_manifest(const std::filesystem::path& folder,
                                                 const core::Disk& disk);
 
+/// The layout in a folder.
 core::StoreLayout store_layout(const StoreManifest& manifest, std::filesystem::path folder);
 
 } // namespace wakesurf::protocol

@@ -1,182 +1,221 @@
 #include "core/dataset/store_reader.hpp"
 
+#include "core/base/crc32c.hpp"
+#include "core/base/half.hpp"
+#include "core/dataset/store_grid.hpp"
+
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
-#include <limits>
 
 namespace wakesurf::core {
 
-static_assert(std::endian::native == std::endian::little, "stores are little-endian float32");
+static_assert(std::endian::native == std::endian::little, "stores are little-endian");
 
 namespace {
 
-// Lengths beyond this, or below its inverse, overflow when squared further down the path.
-constexpr double largest = 1e100;
+// Read in pieces so that a cancelled load ends within a few milliseconds, and what is checked is still in the processor's
+// cache.
+constexpr std::size_t piece_bytes = std::size_t{1} << 20;
 
-// Read in pieces so that a cancelled load ends within a few milliseconds.
-constexpr std::size_t piece_bytes = std::size_t{8} << 20;
-
-std::string step_name(std::size_t index) {
-    return "time-step " + std::to_string(index) + " (" + velocity_file_name(index) + ")";
-}
+constexpr const char* again = "import the dataset again";
 
 // An exponent of all ones is infinity or NaN; or-ing keeps the loop free of branches.
-bool all_finite(std::span<const std::byte> bytes) {
+bool all_finite(std::span<const std::byte> floats) {
     constexpr std::uint32_t exponent = 0x7f800000u;
     std::uint32_t bad = 0;
-    for (std::size_t at = 0; at + sizeof(std::uint32_t) <= bytes.size(); at += sizeof(bad)) {
+    for (std::size_t at = 0; at + sizeof(std::uint32_t) <= floats.size(); at += sizeof(bad)) {
         std::uint32_t bits = 0;
-        std::memcpy(&bits, bytes.data() + at, sizeof(bits));
+        std::memcpy(&bits, floats.data() + at, sizeof(bits));
         bad |= static_cast<std::uint32_t>((bits & exponent) == exponent);
     }
     return bad == 0;
 }
 
-Result<void> check_times(const std::vector<double>& times) {
-    if (times.empty())
-        return fail(Error::Code::InvalidArgument, "the store has no time-steps");
-    const bool finite_times =
-        std::all_of(times.begin(), times.end(), [](double t) { return std::isfinite(t); });
-    const bool rising = std::adjacent_find(times.begin(), times.end(), [](double a, double b) {
-                            return !(a < b);
-                        }) == times.end();
-    if (!finite_times || !rising)
-        return fail(Error::Code::InvalidArgument, "the store's times are not strictly increasing");
-    return {};
+std::string step_name(std::size_t index, const std::string& file) {
+    return "time-step " + std::to_string(index) + " (" + file + ")";
 }
 
 } // namespace
 
-std::string velocity_file_name(std::size_t index) {
-    std::string digits = std::to_string(index);
-    digits.insert(0, digits.size() < 6 ? 6 - digits.size() : 0, '0');
-    return "velocity_" + digits + ".f32";
-}
-
-Result<std::size_t> velocity_file_size(const UniformGrid& grid) {
-    std::size_t nodes = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::size_t count = grid.dimensions[static_cast<std::size_t>(axis)];
-        if (count < 2)
-            return fail(Error::Code::InvalidArgument, "the grid is thinner than two nodes");
-        const double far =
-            std::max(std::abs(grid.bounds().lo[axis]), std::abs(grid.bounds().hi[axis]));
-        if (!(grid.spacing[axis] >= 1.0 / largest) || !(far <= largest))
-            return fail(Error::Code::InvalidArgument, "the grid's origin or spacing is not usable");
-        constexpr std::size_t most = std::numeric_limits<std::int64_t>::max() / (3 * sizeof(float));
-        if (nodes > most / count)
-            return fail(Error::Code::InvalidArgument,
-                        "the grid has more nodes than memory can hold");
-        nodes *= count;
-    }
-    return nodes * 3 * sizeof(float);
-}
-
 Result<std::shared_ptr<const StoreReader>> StoreReader::open(StoreLayout layout,
                                                              std::shared_ptr<const Disk> disk) {
-    if (auto sound = check_times(layout.times); !sound)
+    if (auto sound = check_layout(layout); !sound)
         return tl::unexpected(sound.error());
-    const auto file_size = velocity_file_size(layout.grid);
-    if (!file_size)
-        return tl::unexpected(file_size.error());
-    std::shared_ptr<StoreReader> reader(
-        new StoreReader(std::move(layout), std::move(disk), *file_size));
+    std::shared_ptr<StoreReader> reader(new StoreReader(std::move(layout), std::move(disk)));
+    auto grid = read_grid(reader->layout_, *reader->disk_);
+    if (!grid)
+        return tl::unexpected(grid.error());
+    reader->grid_ = std::move(*grid);
     if (auto loaded = reader->load_mask(); !loaded)
         return tl::unexpected(loaded.error());
     return reader;
 }
 
-StoreReader::StoreReader(StoreLayout layout,
-                         std::shared_ptr<const Disk> disk,
-                         std::size_t file_size)
-    : layout_(std::move(layout)), disk_(std::move(disk)), file_size_(file_size),
-      seen_(layout_.times.size()) {}
+StoreReader::StoreReader(StoreLayout layout, std::shared_ptr<const Disk> disk)
+    : layout_(std::move(layout)), disk_(std::move(disk)),
+      nodes_(static_cast<std::size_t>(layout_.grid.nodes())),
+      seen_(layout_.times.size() * (1 + layout_.scalars.size())) {}
 
 Result<void> StoreReader::load_mask() {
-    if (layout_.mask.empty())
+    if (!layout_.mask)
         return {};
-    const auto file = layout_.folder / layout_.mask;
-    const auto size = disk_->size(file);
-    if (!size)
-        return tl::unexpected(size.error());
-    if (*size != layout_.grid.nodes())
-        return fail(Error::Code::Corrupt, layout_.mask + " does not have one byte a node",
-                    "import the dataset again");
-    mask_.fluid.resize(layout_.grid.nodes());
-    if (auto read = disk_->read(file, 0, std::as_writable_bytes(std::span(mask_.fluid))); !read)
-        return read;
+    const std::string name(mask_file_name);
+    const auto bytes = read_fixed_file(layout_, name, nodes_, *disk_);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    mask_.fluid.resize(nodes_);
+    std::memcpy(mask_.fluid.data(), bytes->data(), nodes_);
     if (std::any_of(mask_.fluid.begin(), mask_.fluid.end(), [](std::uint8_t v) { return v > 1; }))
-        return fail(Error::Code::Corrupt, layout_.mask + " holds values other than 0 and 1",
-                    "import the dataset again");
+        return fail(Error::Code::Corrupt, name + " holds values other than 0 and 1", again);
     return {};
 }
 
 bool StoreReader::ready(std::size_t index) const {
     if (index >= layout_.times.size())
         return false;
-    const auto size = disk_->size(layout_.folder / velocity_file_name(index));
-    return size && *size == file_size_;
+    const auto size = disk_->size(layout_.folder / checksums_file_name);
+    return size && *size / (columns() * sizeof(std::uint32_t)) > index;
 }
 
 std::size_t StoreReader::bytes_per_step() const {
-    return Slab::reservation(file_size_);
+    return Slab::reservation(step_file_size(nodes_, 3, Precision::Single));
 }
 
-Result<FileIdentity> StoreReader::whole_file(std::size_t index) const {
-    auto identity = disk_->identity(layout_.folder / velocity_file_name(index));
+std::string StoreReader::file_name(std::size_t column, std::size_t index) const {
+    return step_file_name(column == 0 ? velocity_stem
+                                      : std::string_view(layout_.scalars[column - 1].stem),
+                          index, layout_.precision);
+}
+
+Result<FileIdentity> StoreReader::whole_file(std::size_t column, std::size_t index) const {
+    const std::string name = file_name(column, index);
+    const std::size_t size = step_file_size(nodes_, components(column), layout_.precision);
+    auto identity = disk_->identity(layout_.folder / name);
     if (!identity && identity.error().code == Error::Code::NotFound)
-        return fail(Error::Code::NotFound, step_name(index) + " is not in the store",
-                    "wait for the import to reach it, or import the dataset again");
-    if (identity && identity->size != file_size_)
+        return fail(Error::Code::NotFound, step_name(index, name) + " is not in the store",
+                    std::string("wait for the import to reach it, or ") + again);
+    if (identity && identity->size != size)
         return fail(Error::Code::Corrupt,
-                    step_name(index) + " has " + std::to_string(identity->size) +
-                        " bytes instead of " + std::to_string(file_size_),
-                    "import the dataset again");
+                    step_name(index, name) + " has " + std::to_string(identity->size) +
+                        " bytes instead of " + std::to_string(size),
+                    again);
     return identity;
 }
 
-// Steps of two different imports must never meet in one interpolation.
-Result<void> StoreReader::same_as_before(std::size_t index, const FileIdentity& identity) const {
+Result<std::uint32_t> StoreReader::checksum(std::size_t column, std::size_t index) const {
+    std::uint32_t sum = 0;
+    return disk_
+        ->read(layout_.folder / checksums_file_name,
+               (index * columns() + column) * sizeof(std::uint32_t),
+               std::as_writable_bytes(std::span(&sum, 1)))
+        .map([&] { return sum; });
+}
+
+std::optional<StoreReader::Seen> StoreReader::seen(std::size_t column, std::size_t index) const {
     const std::scoped_lock lock(mutex_);
-    if (!seen_[index])
-        seen_[index] = identity;
-    if (*seen_[index] != identity)
-        return fail(Error::Code::Corrupt, step_name(index) + " was replaced while in use",
+    return seen_[index * columns() + column];
+}
+
+Result<StoreReader::Values>
+StoreReader::read(std::size_t column, std::size_t index, const std::stop_token& stop) const {
+    if (index >= layout_.times.size())
+        return fail(Error::Code::InvalidArgument, "there is no time-step " + std::to_string(index));
+    const std::string name = file_name(column, index);
+    if (!ready(index))
+        return fail(Error::Code::NotFound, step_name(index, name) + " is not in the store",
+                    std::string("wait for the import to reach it, or ") + again);
+    const auto before = whole_file(column, index);
+    if (!before)
+        return tl::unexpected(before.error());
+    const auto known = seen(column, index);
+    // Steps of two different imports must never meet in one interpolation.
+    if (known && known->identity != *before)
+        return fail(Error::Code::Corrupt, step_name(index, name) + " was replaced while in use",
                     "open the dataset again");
-    return {};
+    Values values{Slab(step_file_size(nodes_, components(column), Precision::Single)),
+                  known && known->gaps};
+    const auto out = values.slab.bytes();
+    const auto file = layout_.folder / name;
+    const bool half = layout_.precision == Precision::Half;
+    std::vector<std::uint16_t> halves(half ? piece_bytes / sizeof(float) : 0);
+    std::uint32_t sum = 0;
+    for (std::size_t at = 0; at < out.size(); at += piece_bytes) {
+        if (stop.stop_requested())
+            return fail(Error::Code::Cancelled,
+                        "loading " + step_name(index, name) + " was cancelled");
+        const auto piece = out.subspan(at, std::min(piece_bytes, out.size() - at));
+        const auto stored =
+            half ? std::as_writable_bytes(std::span(halves).first(piece.size() / sizeof(float)))
+                 : piece;
+        if (auto got = disk_->read(file, half ? at / 2 : at, stored); !got)
+            return tl::unexpected(got.error());
+        if (!known)
+            sum = crc32c(stored, sum);
+        if (half)
+            from_half(std::span(halves).first(piece.size() / sizeof(float)),
+                      {reinterpret_cast<float*>(piece.data()), piece.size() / sizeof(float)});
+        if (!known && !all_finite(piece))
+            values.gaps = true;
+    }
+    const auto after = whole_file(column, index);
+    if (!after)
+        return tl::unexpected(after.error());
+    if (*after != *before)
+        return fail(Error::Code::Corrupt, step_name(index, name) + " changed while it was read",
+                    "try again");
+    if (known)
+        return values;
+    const auto expected = checksum(column, index);
+    if (!expected)
+        return tl::unexpected(expected.error());
+    if (*expected != sum)
+        return fail(Error::Code::Corrupt,
+                    step_name(index, name) + " is not as it was written: its checksum differs",
+                    again);
+    const std::scoped_lock lock(mutex_);
+    seen_[index * columns() + column] = Seen{*after, values.gaps};
+    return values;
 }
 
 Result<std::shared_ptr<const TimeStep>> StoreReader::load(std::size_t index,
                                                           std::stop_token stop) const {
-    if (index >= layout_.times.size())
-        return fail(Error::Code::InvalidArgument, "there is no time-step " + std::to_string(index));
-    const auto before = whole_file(index);
-    if (!before)
-        return tl::unexpected(before.error());
-    auto step = std::make_shared<TimeStep>(TimeStep{index, layout_.times[index], Slab(file_size_)});
-    const auto file = layout_.folder / velocity_file_name(index);
-    const auto bytes = step->slab.bytes();
-    for (std::size_t at = 0; at < bytes.size(); at += piece_bytes) {
-        if (stop.stop_requested())
-            return fail(Error::Code::Cancelled, "loading " + step_name(index) + " was cancelled");
-        const auto piece = bytes.subspan(at, std::min(piece_bytes, bytes.size() - at));
-        if (auto read = disk_->read(file, at, piece); !read)
-            return tl::unexpected(read.error());
-        if (!all_finite(piece))
-            return fail(Error::Code::Corrupt, step_name(index) + " holds non-finite velocities",
-                        "import the dataset again");
-    }
-    const auto after = whole_file(index);
-    if (!after)
-        return tl::unexpected(after.error());
-    if (*after != *before)
-        return fail(Error::Code::Corrupt, step_name(index) + " changed while it was read",
-                    "try again");
-    if (auto same = same_as_before(index, *after); !same)
-        return tl::unexpected(same.error());
-    return step;
+    return read(0, index, stop).map([&](Values values) {
+        return std::make_shared<const TimeStep>(
+            TimeStep{index, layout_.times[index], std::move(values.slab), values.gaps});
+    });
+}
+
+Result<Slab> StoreReader::load_scalar(std::size_t scalar,
+                                      std::size_t index,
+                                      const std::stop_token& stop) const {
+    return read(1 + scalar, index, stop).map([](Values values) { return std::move(values.slab); });
+}
+
+Result<WallGeometry> StoreReader::load_walls() const {
+    WallGeometry walls;
+    if (!layout_.walls)
+        return walls;
+    const auto load = [&](const char* name, auto& values) -> Result<void> {
+        using Value = std::remove_reference_t<decltype(values.front())>;
+        const auto size = disk_->size(layout_.folder / name);
+        if (!size)
+            return tl::unexpected(size.error());
+        const auto whole = *size / sizeof(Value) * sizeof(Value);
+        return read_fixed_file(layout_, name, whole, *disk_).map([&](const auto& bytes) {
+            values.resize(bytes.size() / sizeof(Value));
+            std::memcpy(values.data(), bytes.data(), bytes.size());
+        });
+    };
+    if (auto points = load("walls.f32", walls.points); !points)
+        return tl::unexpected(points.error());
+    if (auto triangles = load("walls.u32", walls.triangles); !triangles)
+        return tl::unexpected(triangles.error());
+    for (const auto& triangle : walls.triangles)
+        for (const std::uint32_t point : triangle)
+            if (point >= walls.points.size())
+                return fail(Error::Code::Corrupt, "walls.u32 names points there are none of", again);
+    return walls;
 }
 
 } // namespace wakesurf::core

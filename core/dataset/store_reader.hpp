@@ -1,65 +1,84 @@
-// Reads a store: the folder of raw float32 files that wakesurf-import and `wakesurf generate` write. First stage of the path;
+// Reads a store: the folder of raw files that wakesurf-import and `wakesurf generate` write. First stage of the path;
 // the manifest's text is read by protocol/store_manifest.hpp, which fills the layout.
 #pragma once
 
 #include "core/base/disk.hpp"
+#include "core/dataset/store_layout.hpp"
 #include "core/dataset/time_step_source.hpp"
 
+#include <array>
 #include <cstdint>
-#include <filesystem>
 #include <mutex>
 #include <optional>
-#include <string>
+#include <vector>
 
 namespace wakesurf::core {
 
-struct StoreLayout {
-    std::filesystem::path folder;
-    UniformGrid grid;
-    std::vector<double> times;
-    std::string mask; ///< file name inside the folder; empty: no obstacle
+/// Obstacle geometry for display.
+struct WallGeometry {
+    std::vector<Vec3f> points;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// File of one time-step inside the folder: velocity_000000.f32 and so on.
-std::string velocity_file_name(std::size_t index);
-
-/// Bytes of such a file. Error: InvalidArgument for a grid thinner than 2 nodes, with non-finite or
-/// non-positive spacing, or beyond the address space.
-Result<std::size_t> velocity_file_size(const UniformGrid& grid);
-
-/// A time-step counts as ready when its file exists with the right size, so a store can be read while it
-/// is still being written. Thread safety: concurrent calls are fine.
+/// A time-step counts as ready when its checksums are there, which are written last: a store can be read while it is
+/// still being written. A file is checked against its checksum when it is read for the first time, and again when it is
+/// another file than it was then. Thread safety: concurrent calls are fine.
 class StoreReader final : public TimeStepSource {
   public:
-    /// Error: InvalidArgument (grid or times make no sense), NotFound, Io, Corrupt (mask).
+    /// Reads the grid and the mask. Error: InvalidArgument (grid or times make no sense), NotFound, Io, Corrupt.
     static Result<std::shared_ptr<const StoreReader>> open(StoreLayout layout,
                                                            std::shared_ptr<const Disk> disk);
 
-    const UniformGrid& grid() const override { return layout_.grid; }
+    const Grid& grid() const override { return grid_; }
 
     const SolidMask& mask() const override { return mask_; }
 
     const std::vector<double>& times() const override { return layout_.times; }
 
+    const StoreLayout& layout() const { return layout_; }
+
     bool ready(std::size_t index) const override;
     std::size_t bytes_per_step() const override;
 
-    /// Corrupt: truncated, not finite, or another file than the one read under this name before.
+    /// Corrupt: truncated, another checksum, or another file than the one read under this name before.
     Result<std::shared_ptr<const TimeStep>> load(std::size_t index,
                                                  std::stop_token stop) const override;
 
+    /// One float a node. @param scalar  index into layout().scalars. Error: as load.
+    Result<Slab> load_scalar(std::size_t scalar, std::size_t index, const std::stop_token& stop) const;
+
+    /// Empty where the store has none. Error: NotFound, Io, Corrupt.
+    Result<WallGeometry> load_walls() const;
+
   private:
-    StoreReader(StoreLayout layout, std::shared_ptr<const Disk> disk, std::size_t file_size);
+    /// What is known of a file of a time-step since it was checked.
+    struct Seen {
+        FileIdentity identity;
+        bool gaps = false;
+    };
+
+    struct Values {
+        Slab slab;
+        bool gaps = false;
+    };
+
+    StoreReader(StoreLayout layout, std::shared_ptr<const Disk> disk);
     Result<void> load_mask();
-    Result<FileIdentity> whole_file(std::size_t index) const;
-    Result<void> same_as_before(std::size_t index, const FileIdentity& identity) const;
+    std::size_t columns() const { return 1 + layout_.scalars.size(); }
+    Result<FileIdentity> whole_file(std::size_t column, std::size_t index) const;
+    Result<Values> read(std::size_t column, std::size_t index, const std::stop_token& stop) const;
+    Result<std::uint32_t> checksum(std::size_t column, std::size_t index) const;
+    std::optional<Seen> seen(std::size_t column, std::size_t index) const;
+    std::string file_name(std::size_t column, std::size_t index) const;
+    std::size_t components(std::size_t column) const { return column == 0 ? 3 : 1; }
 
     StoreLayout layout_;
     std::shared_ptr<const Disk> disk_;
-    std::size_t file_size_;
+    std::size_t nodes_;
+    Grid grid_;
     SolidMask mask_;
     mutable std::mutex mutex_; ///< guards seen_
-    mutable std::vector<std::optional<FileIdentity>> seen_;
+    mutable std::vector<std::optional<Seen>> seen_; ///< by time-step, then column
 };
 
 } // namespace wakesurf::core

@@ -14,6 +14,7 @@ struct TimeStep {
     std::size_t index = 0;
     double time = 0.0;
     Slab slab;
+    bool gaps = false; ///< some velocities are not finite: there the domain ends at this time
 
     std::span<const float> velocity() const {
         return {reinterpret_cast<const float*>(slab.bytes().data()),

@@ -2,10 +2,9 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "core/dataset/dataset_info.hpp"
+#include "core/dataset/grid.hpp"
 #include "core/dataset/solid_mask.hpp"
 #include "core/dataset/time_step.hpp"
-#include "core/dataset/uniform_grid.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -19,7 +18,9 @@ class TimeStepSource {
   public:
     virtual ~TimeStepSource() = default;
 
-    virtual const UniformGrid& grid() const = 0;
+    virtual const Grid& grid() const = 0;
+
+    /// Empty for cell meshes, whose walls are faces.
     virtual const SolidMask& mask() const = 0;
 
     /// Times of all time-steps of the series, strictly increasing, whether written yet or not.

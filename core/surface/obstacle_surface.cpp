@@ -83,4 +83,13 @@ QuadComplex obstacle_surface(const UniformGrid& grid, const SolidMask& mask) {
     return std::move(wall.mesh);
 }
 
+QuadComplex wall_surface(const WallGeometry& walls) {
+    QuadComplex surface;
+    for (const Vec3f& point : walls.points)
+        surface.position.emplace_back(point);
+    for (const auto& [a, b, c] : walls.triangles)
+        surface.cells.push_back({{a, b, c, c}, Cell{}.mid});
+    return surface;
+}
+
 } // namespace wakesurf::core

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dataset/solid_mask.hpp"
+#include "core/dataset/store_reader.hpp"
 #include "core/dataset/uniform_grid.hpp"
 #include "core/surface/quad_complex.hpp"
 
@@ -13,5 +14,8 @@ namespace wakesurf::core {
 /// between the quads: the wall is closed. Only positions and cells are filled in. Cost: O(nodes).
 /// REQUIRES: mask.fluid has grid.nodes() entries, or none.
 QuadComplex obstacle_surface(const UniformGrid& grid, const SolidMask& mask);
+
+/// Stored walls as cells, each a triangle whose third corner comes twice. Only positions and cells are filled in.
+QuadComplex wall_surface(const WallGeometry& walls);
 
 } // namespace wakesurf::core

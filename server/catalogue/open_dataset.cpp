@@ -1,7 +1,7 @@
 #include "server/catalogue/open_dataset.hpp"
 
 #include "core/field/analytic_flow.hpp"
-#include "core/field/grid_flow.hpp"
+#include "core/field/stored_flow.hpp"
 #include "protocol/store_manifest.hpp"
 #include "server/catalogue/import_process.hpp"
 
@@ -21,16 +21,12 @@ core::Simd simd_wanted() {
 
 } // namespace
 
-const core::SolidMask* LoadedDataset::mask() const {
-    return cache == nullptr || cache->source().mask().empty() ? nullptr : &cache->source().mask();
-}
-
 core::Result<LoadedDataset> open_flow(const DatasetArgument& argument) {
     auto info = core::describe_analytic_flow(argument.flow);
     if (!info)
         return tl::unexpected(info.error());
     return core::make_analytic_flow(argument.flow).map([&](std::unique_ptr<core::Flow> flow) {
-        return LoadedDataset{std::move(*info), std::move(flow), nullptr};
+        return LoadedDataset{std::move(*info), std::move(flow), nullptr, nullptr};
     });
 }
 
@@ -44,8 +40,8 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
     if (!reader)
         return tl::unexpected(reader.error());
     auto cache = std::make_shared<core::TimeStepCache>(*reader, options);
-    auto flow = core::make_grid_flow(cache, std::make_shared<core::SteadyClock>(), simd_wanted());
-    return LoadedDataset{std::move(manifest->info), std::move(flow), cache};
+    auto flow = core::make_stored_flow(cache, std::make_shared<core::SteadyClock>(), simd_wanted());
+    return LoadedDataset{std::move(manifest->info), std::move(flow), cache, *reader};
 }
 
 core::Result<LoadedDataset> open_dataset(const DatasetArgument& argument,

@@ -3,6 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
+#include "core/dataset/store_reader.hpp"
 #include "core/dataset/time_step_cache.hpp"
 #include "core/field/flow.hpp"
 #include "server/catalogue/dataset_argument.hpp"
@@ -18,10 +19,8 @@ namespace wakesurf::server {
 struct LoadedDataset {
     core::DatasetInfo info;
     std::shared_ptr<const core::Flow> flow;
-    std::shared_ptr<core::TimeStepCache> cache; ///< null for a built-in flow
-
-    /// Solid mask of the stored data, or null.
-    const core::SolidMask* mask() const;
+    std::shared_ptr<core::TimeStepCache> cache;      ///< null for a built-in flow
+    std::shared_ptr<const core::StoreReader> store;  ///< behind the cache; null for a built-in flow
 };
 
 struct OpenOptions {

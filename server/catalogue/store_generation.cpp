@@ -1,5 +1,6 @@
 #include "server/catalogue/store_generation.hpp"
 
+#include "core/dataset/store_grid.hpp"
 #include "core/field/analytic_flow.hpp"
 #include "core/field/sample_grid.hpp"
 #include "server/catalogue/store_writer.hpp"
@@ -25,7 +26,7 @@ constexpr std::uint64_t spare_bytes = std::uint64_t{64} << 20;
 
 protocol::StoreSource source_of(const GenerateRequest& request) {
     const auto& d = request.grid.dimensions;
-    return {{},
+    return {{}, {},
             fmt::format("flow:{} grid {},{},{} times {}:{}:{}", request.flow, d[0], d[1], d[2],
                         request.times.front(), request.times.back(), request.times.size())};
 }
@@ -56,6 +57,10 @@ bool has_size(const fs::path& file, std::uint64_t bytes) {
     return size && *size == bytes;
 }
 
+std::string velocity_file(std::size_t step) {
+    return core::step_file_name(core::velocity_stem, step, core::Precision::Single);
+}
+
 class Generation {
   public:
     Generation(const GenerateRequest& request,
@@ -68,8 +73,8 @@ class Generation {
           stop_(std::move(stop)) {
         manifest_.source = source_of(request);
         manifest_.info = info_of(request, description);
-        manifest_.grid = request.grid;
-        manifest_.times = request.times;
+        manifest_.layout.grid = core::stored_grid(request.grid);
+        manifest_.layout.times = request.times;
         manifest_.velocity_range = {std::numeric_limits<double>::infinity(), 0.0};
     }
 
@@ -111,14 +116,17 @@ class Generation {
     }
 
     bool kept(std::size_t step) const {
-        return has_size(folder_ / core::velocity_file_name(step), manifest_.info.bytes_per_step);
+        return has_size(folder_ / velocity_file(step), manifest_.info.bytes_per_step) &&
+               core::PosixDisk().size(folder_ / core::checksums_file_name).value_or(0) >=
+                   (step + 1) * sizeof(std::uint32_t);
     }
 
     bool whole(const protocol::StoreManifest& before) const {
         bool all = before.complete;
         for (std::size_t step = 0; all && step < request_.times.size(); ++step)
             all = kept(step);
-        return all && (before.mask.empty() || has_size(folder_ / before.mask, before.grid.nodes()));
+        return all && (!before.layout.mask ||
+                       has_size(folder_ / core::mask_file_name, request_.grid.nodes()));
     }
 
     core::Result<void> check_room() const {
@@ -150,7 +158,7 @@ class Generation {
         for (std::size_t step = 0; step < steps; ++step) {
             if (auto written = write_step(writer, step); !written)
                 return written;
-            show_({"generate", step + 1, steps, core::velocity_file_name(step), {}});
+            show_({"generate", step + 1, steps, velocity_file(step), {}});
             // From its first time-step on the store can be opened.
             if (step == 0 || step + 1 == steps)
                 if (auto told = write_manifest(writer, step + 1 == steps); !told)
@@ -163,7 +171,7 @@ class Generation {
     core::Result<void> write_mask(StoreWriter& writer) {
         if (!flow_->obstacle())
             return {};
-        const std::string name(protocol::mask_file_name);
+        const std::string name(core::mask_file_name);
         bool solid = false;
         std::vector<std::uint8_t> fluid(std::min(piece_nodes, request_.grid.nodes()));
         auto written =
@@ -177,12 +185,15 @@ class Generation {
                 solid = solid || std::find(piece.begin(), piece.end(), 0) != piece.end();
                 return std::as_bytes(piece);
             });
-        manifest_.info.obstacle = solid;
-        manifest_.mask = solid ? name : "";
+        if (!written)
+            return tl::unexpected(written.error());
+        manifest_.info.obstacle = manifest_.layout.mask = solid;
         std::error_code ignored;
-        if (written && !solid) // no node of this grid lies in the obstacle
+        if (solid)
+            manifest_.layout.checksums[name] = *written;
+        else // no node of this grid lies in the obstacle
             fs::remove(folder_ / name, ignored);
-        return written;
+        return {};
     }
 
     /// A step that is already there is sampled again as well: what it adds to the range of the speed is nowhere else.
@@ -205,7 +216,10 @@ class Generation {
             return std::as_bytes(piece);
         };
         if (!kept(step))
-            return writer.write(core::velocity_file_name(step), next);
+            return writer.write(velocity_file(step), next)
+                .and_then([&](std::uint32_t checksum) {
+                    return writer.finish_step(step, {&checksum, 1});
+                });
         for (;;) {
             const auto piece = next();
             if (!piece)
@@ -221,13 +235,14 @@ class Generation {
         manifest_.complete = complete;
         manifest_.info.fields.front().range = range;
         const std::string text = protocol::store_manifest_text(manifest_);
-        return writer.write(std::string(protocol::manifest_file_name),
-                            std::as_bytes(std::span(text)));
+        return writer
+            .write(std::string(protocol::manifest_file_name), std::as_bytes(std::span(text)))
+            .map([](std::uint32_t) {});
     }
 
     void show_part(std::size_t step, double nodes) const {
         const double part = nodes / static_cast<double>(request_.grid.nodes());
-        show_({"part", step, request_.times.size(), core::velocity_file_name(step), {}, part});
+        show_({"part", step, request_.times.size(), velocity_file(step), {}, part});
     }
 
     static tl::unexpected<Error> interrupted() {
@@ -249,15 +264,15 @@ class Generation {
 } // namespace
 
 core::Result<std::uint64_t> generated_bytes(const GenerateRequest& request) {
-    const auto step = core::velocity_file_size(request.grid);
-    if (!step)
-        return tl::unexpected(step.error());
+    if (auto sound = core::check_grid(core::stored_grid(request.grid)); !sound)
+        return tl::unexpected(sound.error());
+    const std::uint64_t step = core::step_file_size(request.grid.nodes(), 3, core::Precision::Single);
     constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
     const std::uint64_t mask = request.grid.nodes();
-    if (*step > (most - mask) / request.times.size())
+    if (step > (most - mask) / request.times.size())
         return core::fail(Error::Code::OverLimit, "no disk holds that many nodes and time-steps",
                           "choose a coarser --grid or fewer --times");
-    return *step * request.times.size() + mask;
+    return step * request.times.size() + mask;
 }
 
 core::Result<void> generate_store(const GenerateRequest& request,

@@ -1,10 +1,13 @@
 #include "server/catalogue/store_writer.hpp"
 
+#include "core/base/crc32c.hpp"
+
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -43,9 +46,24 @@ tl::unexpected<Error> failure(const std::string& what) {
     return core::fail(Error::Code::Io, what + ": " + std::generic_category().message(error));
 }
 
+bool of_a_time_step(const std::string& name) {
+    const auto digits = name.rfind('_') + 1; // 0 where there is none
+    const auto dot = name.find('.', digits);
+    return digits > 1 && dot != std::string::npos && dot - digits >= 6 &&
+           std::all_of(name.begin() + static_cast<std::ptrdiff_t>(digits),
+                       name.begin() + static_cast<std::ptrdiff_t>(dot),
+                       [](char c) { return c >= '0' && c <= '9'; }) &&
+           (name.substr(dot) == ".f32" || name.substr(dot) == ".f16");
+}
+
 bool of_a_store(const std::string& name) {
-    return name == protocol::manifest_file_name || name == protocol::mask_file_name ||
-           (name.starts_with("velocity_") && name.ends_with(".f32")) || name.ends_with(".part");
+    constexpr std::array<std::string_view, 12> fixed{
+        protocol::manifest_file_name, core::mask_file_name, core::checksums_file_name,
+        "x.f64",      "y.f64",      "z.f64",     "points.f64",
+        "cells.u32",  "beyond.u32", "shapes.u8", "walls.f32",
+        "walls.u32"};
+    return std::find(fixed.begin(), fixed.end(), name) != fixed.end() || of_a_time_step(name) ||
+           name.ends_with(".part");
 }
 
 core::Result<void> check_contents(const fs::path& folder) {
@@ -82,16 +100,19 @@ core::Result<void> cannot_write(const std::string& name) {
     return error;
 }
 
-core::Result<void> fill(int file, const std::string& name, const NextPiece& next) {
+core::Result<std::uint32_t> fill(int file, const std::string& name, const NextPiece& next) {
+    std::uint32_t sum = 0;
     for (off_t at = 0, portion = 0;;) {
         const auto piece = next();
         if (!piece)
             return tl::unexpected(piece.error());
         if (!write_all(file, *piece))
-            return cannot_write(name);
+            return tl::unexpected(cannot_write(name).error());
+        sum = core::crc32c(*piece, sum);
         at += static_cast<off_t>(piece->size());
         if (piece->empty())
-            return ::fdatasync(file) == 0 ? core::Result<void>() : cannot_write(name);
+            return ::fdatasync(file) == 0 ? core::Result<void>().map([&] { return sum; })
+                                          : cannot_write(name).map([] { return 0u; });
         if (at - portion < portion_bytes)
             continue;
         // Starts this portion on its way to the disk and waits for the one before, as the disk works at its own pace.
@@ -149,13 +170,13 @@ core::Result<void> StoreWriter::clear() {
     return {};
 }
 
-core::Result<void> StoreWriter::write(const std::string& name, std::span<const std::byte> bytes) {
+core::Result<std::uint32_t> StoreWriter::write(const std::string& name, std::span<const std::byte> bytes) {
     return write(name, [rest = bytes]() mutable {
         return core::Result<std::span<const std::byte>>(std::exchange(rest, {}));
     });
 }
 
-core::Result<void> StoreWriter::write(const std::string& name, const NextPiece& next) {
+core::Result<std::uint32_t> StoreWriter::write(const std::string& name, const NextPiece& next) {
     const fs::path whole = folder_ / name;
     const std::string part = whole.string() + ".part";
     if (part.size() >= part_name.size())
@@ -163,15 +184,43 @@ core::Result<void> StoreWriter::write(const std::string& name, const NextPiece& 
     std::memcpy(part_name.data(), part.c_str(), part.size() + 1);
     unfinished = true;
     const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    core::Result<void> written = file < 0 ? cannot_write(name) : fill(file, name, next);
+    const auto failed = [&] { return tl::unexpected(cannot_write(name).error()); };
+    core::Result<std::uint32_t> written = failed();
+    if (file >= 0)
+        written = fill(file, name, next);
     if (file >= 0 && ::close(file) != 0 && written)
-        written = cannot_write(name);
+        written = failed();
     if (written && ::rename(part.c_str(), whole.c_str()) != 0)
-        written = cannot_write(name);
+        written = failed();
     if (!written)
         ::unlink(part.c_str());
     unfinished = false;
     return written;
+}
+
+core::Result<void> StoreWriter::finish_step(std::size_t index,
+                                            std::span<const std::uint32_t> checksums) {
+    const std::string name(core::checksums_file_name);
+    const auto bytes = std::as_bytes(checksums);
+    const int file = ::open((folder_ / name).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+    if (file < 0)
+        return cannot_write(name);
+    const auto at = static_cast<off_t>(index * bytes.size());
+    const bool written = ::lseek(file, at, SEEK_SET) == at && write_all(file, bytes) &&
+                         ::fdatasync(file) == 0;
+    const auto outcome = written ? core::Result<void>() : cannot_write(name);
+    ::close(file); // what is left of a record cut off counts as none
+    return outcome;
+}
+
+std::optional<std::vector<std::uint32_t>> StoreWriter::finished_step(std::size_t index,
+                                                                     std::size_t columns) const {
+    std::vector<std::uint32_t> checksums(columns);
+    const auto bytes = std::as_writable_bytes(std::span(checksums));
+    const core::PosixDisk disk;
+    if (!disk.read(folder_ / core::checksums_file_name, index * bytes.size(), bytes))
+        return std::nullopt;
+    return checksums;
 }
 
 void end_on_signals(std::string_view words) {

@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace wakesurf::server {
 
@@ -29,11 +31,19 @@ class StoreWriter {
     /// Removes everything a writer wrote, the manifest first.
     core::Result<void> clear();
 
-    /// Error: Io, a full disk for example; nothing is left of the file then.
-    core::Result<void> write(const std::string& name, std::span<const std::byte> bytes);
+    /// Gives the file's CRC-32C. Error: Io, a full disk for example; nothing is left of the file then.
+    core::Result<std::uint32_t> write(const std::string& name, std::span<const std::byte> bytes);
 
     /// The same for a file that need not be in memory as a whole. Error: Io, or what `next` reports.
-    core::Result<void> write(const std::string& name, const NextPiece& next);
+    core::Result<std::uint32_t> write(const std::string& name, const NextPiece& next);
+
+    /// Makes time-step `index` ready, all files of which are written: its checksums, one a stored field, are what tells readers so.
+    /// REQUIRES: the time-steps before it are ready. Error: Io.
+    core::Result<void> finish_step(std::size_t index, std::span<const std::uint32_t> checksums);
+
+    /// The checksums of time-step `index`, if it is ready. @param columns  stored fields
+    std::optional<std::vector<std::uint32_t>> finished_step(std::size_t index,
+                                                            std::size_t columns) const;
 
     const std::filesystem::path& folder() const { return folder_; }
 

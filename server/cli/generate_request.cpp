@@ -1,6 +1,6 @@
 #include "server/cli/generate_request.hpp"
 
-#include "core/dataset/store_reader.hpp"
+#include "core/dataset/store_grid.hpp"
 #include "core/field/analytic_flow.hpp"
 
 #include <charconv>
@@ -53,7 +53,7 @@ core::Result<core::UniformGrid> grid_over(const core::Box& box, const std::strin
     const auto& d = grid.dimensions;
     grid.origin = box.lo;
     grid.spacing = box.extent() / core::Vec3(d[0] - 1.0, d[1] - 1.0, d[2] - 1.0);
-    if (auto size = core::velocity_file_size(grid); !size)
+    if (auto size = core::check_grid(core::stored_grid(grid)); !size)
         return core::fail(Code::InvalidArgument, "--grid: " + size.error().message);
     return grid;
 }

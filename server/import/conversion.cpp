@@ -1,5 +1,7 @@
 #include "server/import/conversion.hpp"
 
+#include "core/dataset/store_grid.hpp"
+#include "core/dataset/store_reader.hpp"
 #include "server/catalogue/store_writer.hpp"
 #include "server/import/image_file.hpp"
 
@@ -138,13 +140,17 @@ core::Result<ImageStep> read_step(const Plan& plan, std::size_t index, const Ima
     return step;
 }
 
+std::string velocity_file(std::size_t index) {
+    return core::step_file_name(core::velocity_stem, index, core::Precision::Single);
+}
+
 // A step an earlier, interrupted import of the same source has left.
 std::optional<std::vector<float>>
 kept_step(const StoreWriter& writer, std::size_t index, std::size_t bytes) {
     const core::PosixDisk disk;
-    const auto file = writer.folder() / core::velocity_file_name(index);
+    const auto file = writer.folder() / velocity_file(index);
     const auto size = disk.size(file);
-    if (!size || *size != bytes)
+    if (!size || *size != bytes || !writer.finished_step(index, 1))
         return std::nullopt;
     std::vector<float> velocity(bytes / sizeof(float));
     if (!disk.read(file, 0, std::as_writable_bytes(std::span(velocity))))
@@ -164,14 +170,17 @@ class Conversion {
         first_ = std::move(*first);
         manifest_.source = std::move(source);
         manifest_.info = describe(plan_, first_);
-        manifest_.grid = plan_.first.grid;
-        manifest_.times = plan_.times;
-        manifest_.mask = manifest_.info.obstacle ? std::string(protocol::mask_file_name) : "";
+        manifest_.layout.grid = core::stored_grid(plan_.first.grid);
+        manifest_.layout.times = plan_.times;
+        manifest_.layout.mask = manifest_.info.obstacle;
         set_speed_range(manifest_, speed_range(first_.velocity, first_.fluid));
-        if (!manifest_.mask.empty())
-            if (auto mask = writer_.write(manifest_.mask, std::as_bytes(std::span(first_.fluid)));
-                !mask)
-                return mask;
+        if (manifest_.layout.mask) {
+            const std::string name(core::mask_file_name);
+            const auto mask = writer_.write(name, std::as_bytes(std::span(first_.fluid)));
+            if (!mask)
+                return tl::unexpected(mask.error());
+            manifest_.layout.checksums[name] = *mask;
+        }
         if (auto begun = write_manifest(); !begun)
             return begun;
         for (std::size_t i = 0; i < plan_.times.size(); ++i)
@@ -185,7 +194,8 @@ class Conversion {
     core::Result<void> write_manifest() {
         const std::string text = protocol::store_manifest_text(manifest_);
         return writer_.write(std::string(protocol::manifest_file_name),
-                             std::as_bytes(std::span(text)));
+                             std::as_bytes(std::span(text)))
+            .map([](std::uint32_t) {});
     }
 
     core::Result<void> convert_step(std::size_t index) {
@@ -208,8 +218,11 @@ class Conversion {
 
     core::Result<void> write_step(std::size_t index, const ImageStep& step) {
         include(step.velocity);
-        return writer_.write(core::velocity_file_name(index),
-                             std::as_bytes(std::span(step.velocity)));
+        return writer_.write(velocity_file(index),
+                             std::as_bytes(std::span(step.velocity)))
+            .and_then([&](std::uint32_t checksum) {
+                return writer_.finish_step(index, {&checksum, 1});
+            });
     }
 
     void include(const std::vector<float>& velocity) {
@@ -230,7 +243,7 @@ bool whole(const protocol::StoreManifest& manifest, const std::filesystem::path&
                                                 std::make_shared<core::PosixDisk>());
     if (!reader || !manifest.complete)
         return false;
-    for (std::size_t i = 0; i < manifest.times.size(); ++i)
+    for (std::size_t i = 0; i < manifest.layout.times.size(); ++i)
         if (!(*reader)->ready(i))
             return false;
     return true;
@@ -262,7 +275,7 @@ core::Result<void> convert(const ImportRequest& request,
     auto files = fingerprint(*series);
     if (!files)
         return tl::unexpected(files.error());
-    protocol::StoreSource source{std::move(*files), request.selection};
+    protocol::StoreSource source{std::move(*files), {}, request.selection};
     auto writer = StoreWriter::open(store, [&] {
         show({"waiting", 0, 0, {}, "another import is writing this store"});
         return core::Result<void>();
@@ -271,7 +284,7 @@ core::Result<void> convert(const ImportRequest& request,
         return tl::unexpected(writer.error());
     const auto before = protocol::read_store_manifest(store, core::PosixDisk());
     if (before && before->source == source && whole(*before, store)) {
-        const std::size_t total = before->times.size();
+        const std::size_t total = before->layout.times.size();
         show({"done", total, total, {}, "the store is up to date"});
         return {};
     }

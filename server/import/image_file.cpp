@@ -1,5 +1,6 @@
 #include "server/import/image_file.hpp"
 
+#include "core/dataset/store_grid.hpp"
 #include "server/import/image_header.hpp"
 #include "server/import/vtk_messages.hpp"
 
@@ -57,7 +58,7 @@ core::Result<core::UniformGrid> grid_of(vtkXMLImageDataReader& reader, const std
                 return core::fail(Error::Code::Unsupported,
                                   name + " is rotated: its Direction is not the identity",
                                   "resample it to an axis-aligned grid first");
-    if (auto size = core::velocity_file_size(grid); !size)
+    if (auto size = core::check_grid(core::stored_grid(grid)); !size)
         return core::fail(size.error().code, name + ": " + size.error().message);
     return grid;
 }

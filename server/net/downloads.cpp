@@ -34,18 +34,33 @@ std::vector<std::string> split(std::string_view path) {
     return parts;
 }
 
+/// What of a dataset particles stop at, to look at: the surface of the solid nodes, or the stored walls.
+core::Result<core::QuadComplex> obstacle_of(const LoadedDataset& dataset) {
+    const auto none =
+        fail(Error::Code::NotFound, "the dataset has no obstacle", "dataset.describe says so");
+    if (dataset.store == nullptr)
+        return none;
+    const auto* grid = std::get_if<core::UniformGrid>(&dataset.store->grid());
+    if (grid != nullptr && !dataset.store->mask().empty())
+        return core::obstacle_surface(*grid, dataset.store->mask());
+    const auto walls = dataset.store->load_walls();
+    if (!walls)
+        return tl::unexpected(walls.error());
+    if (walls->triangles.empty())
+        return none;
+    return core::wall_surface(*walls);
+}
+
 /// Frames, each preceded by its length.
 Body obstacle_frames(const LoadedDataset& dataset) {
-    const core::SolidMask* mask = dataset.mask();
-    if (mask == nullptr || mask->empty())
-        return fail(Error::Code::NotFound, "the dataset has no obstacle",
-                    "dataset.describe says so");
-    const auto mesh = core::obstacle_surface(dataset.cache->source().grid(), *mask);
+    const auto mesh = obstacle_of(dataset);
+    if (!mesh)
+        return tl::unexpected(mesh.error());
     protocol::EncodeOptions options;
     options.final = true;
     options.attributes = false;
     const auto state =
-        protocol::encode_state(mesh, protocol::lattice_over(dataset.info.bounds), options);
+        protocol::encode_state(*mesh, protocol::lattice_over(dataset.info.bounds), options);
     if (!state)
         return tl::unexpected(state.error());
     auto out = std::make_shared<std::string>();

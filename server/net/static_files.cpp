@@ -1,6 +1,6 @@
 #include "server/net/static_files.hpp"
 
-#include "protocol/crc32c.hpp"
+#include "core/base/crc32c.hpp"
 #include "server/catalogue/shipped_files.hpp"
 
 #include <fmt/format.h>
@@ -67,7 +67,7 @@ StaticFiles StaticFiles::load(const fs::path& folder) {
         file.bytes = std::make_shared<const std::string>(read(each->path()));
         file.type = mime_type(path);
         file.etag =
-            fmt::format("\"{:08x}-{:x}\"", protocol::crc32c(std::as_bytes(std::span(*file.bytes))),
+            fmt::format("\"{:08x}-{:x}\"", core::crc32c(std::as_bytes(std::span(*file.bytes))),
                         file.bytes->size());
         file.hashed = path.starts_with("/assets/");
         out.files_.emplace(path, std::move(file));

@@ -1,6 +1,6 @@
 // Golden frames, read by this test and by web-client/src/protocol/meshDecoder.spec.ts. To write them anew after a
 // change of the wire: WAKESURF_UPDATE_FIXTURES=1 bin/protocol_test --gtest_filter='GoldenFrames.*'
-#include "protocol/crc32c.hpp"
+#include "core/base/crc32c.hpp"
 #include "protocol/mesh_decoder.hpp"
 #include "tests/protocol/sample_meshes.hpp"
 
@@ -109,7 +109,7 @@ std::uint32_t attribute_crc(const WireMesh& mesh) {
     for (const WireAttribute& attribute : mesh.attributes)
         for (const std::uint16_t code : attribute.code) {
             const auto value = static_cast<float>(attribute.range.value(code));
-            crc = crc32c(std::as_bytes(std::span(&value, 1)), crc);
+            crc = core::crc32c(std::as_bytes(std::span(&value, 1)), crc);
         }
     return crc;
 }
@@ -118,7 +118,7 @@ std::uint32_t position_crc(const WireMesh& mesh) {
     std::uint32_t crc = 0;
     for (const LatticePoint& node : mesh.position) {
         const core::Vec3f p(dequantise(lattice_over(samples::domain), node));
-        crc = crc32c(std::as_bytes(std::span(&p, 1)), crc);
+        crc = core::crc32c(std::as_bytes(std::span(&p, 1)), crc);
     }
     return crc;
 }

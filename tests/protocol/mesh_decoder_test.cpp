@@ -1,4 +1,4 @@
-#include "protocol/crc32c.hpp"
+#include "core/base/crc32c.hpp"
 #include "protocol/mesh_decoder.hpp"
 #include "tests/protocol/sample_meshes.hpp"
 
@@ -78,8 +78,8 @@ TEST(MeshDecoder, RefusesAFrameThatContinuesAnotherState) {
 /// Overwrites the frame's own checksum with the right one.
 Bytes sealed(Bytes frame) {
     if (frame.size() >= frame_header_bytes) {
-        const std::uint32_t crc = crc32c(std::span(frame).subspan(frame_header_bytes),
-                                         crc32c(std::span(frame).first(48)));
+        const std::uint32_t crc = core::crc32c(std::span(frame).subspan(frame_header_bytes),
+                                         core::crc32c(std::span(frame).first(48)));
         std::memcpy(frame.data() + 48, &crc, 4);
     }
     return frame;

@@ -1,4 +1,4 @@
-#include "protocol/crc32c.hpp"
+#include "core/base/crc32c.hpp"
 #include "protocol/mesh_frame.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ MeshFrame sample() {
 Bytes with(Bytes bytes, std::size_t offset, std::uint32_t value, std::size_t size = 4) {
     std::memcpy(bytes.data() + offset, &value, size);
     const std::uint32_t crc =
-        crc32c(std::span(bytes).subspan(frame_header_bytes), crc32c(std::span(bytes).first(48)));
+        core::crc32c(std::span(bytes).subspan(frame_header_bytes), core::crc32c(std::span(bytes).first(48)));
     std::memcpy(bytes.data() + 48, &crc, 4);
     return bytes;
 }

@@ -21,7 +21,7 @@ class SampledSource final : public core::TimeStepSource {
         : grid_(grid), times_(std::move(times)), velocity_(std::move(velocity)),
           mask_(std::move(mask)) {}
 
-    const core::UniformGrid& grid() const override { return grid_; }
+    const core::Grid& grid() const override { return grid_; }
 
     const core::SolidMask& mask() const override { return mask_; }
 
@@ -29,7 +29,7 @@ class SampledSource final : public core::TimeStepSource {
 
     bool ready(std::size_t) const override { return true; }
 
-    std::size_t bytes_per_step() const override { return grid_.nodes() * 12; }
+    std::size_t bytes_per_step() const override { return core::node_count(grid_) * 12; }
 
     core::Result<std::shared_ptr<const core::TimeStep>> load(std::size_t index,
                                                              std::stop_token) const override {
@@ -39,7 +39,7 @@ class SampledSource final : public core::TimeStepSource {
         step->time = times_[index];
         step->slab = core::Slab(bytes_per_step());
         auto* out = reinterpret_cast<float*>(step->slab.bytes().data());
-        for (std::size_t node = 0; node < grid_.nodes(); ++node) {
+        for (std::size_t node = 0; node < core::node_count(grid_); ++node) {
             const bool solid = !mask_.empty() && mask_.fluid[node] == 0;
             const core::Vec3 v = solid ? core::Vec3(0.0) : velocity_(position(node), times_[index]);
             for (int axis = 0; axis < 3; ++axis)
@@ -49,16 +49,17 @@ class SampledSource final : public core::TimeStepSource {
     }
 
     core::Vec3 position(std::size_t node) const {
-        const std::size_t nx = grid_.dimensions[0];
-        const std::size_t ny = grid_.dimensions[1];
-        return grid_.origin +
-               grid_.spacing * core::Vec3(node % nx, node / nx % ny, node / (nx * ny));
+        const auto& uniform = std::get<core::UniformGrid>(grid_);
+        const std::size_t nx = uniform.dimensions[0];
+        const std::size_t ny = uniform.dimensions[1];
+        return uniform.origin +
+               uniform.spacing * core::Vec3(node % nx, node / nx % ny, node / (nx * ny));
     }
 
     mutable std::atomic<int> loads{0};
 
   private:
-    core::UniformGrid grid_;
+    core::Grid grid_;
     std::vector<double> times_;
     Velocity velocity_;
     core::SolidMask mask_;

@@ -1,7 +1,7 @@
 #include "tests/bench/support/sampled_flows.hpp"
 
 #include "core/field/closed_forms.hpp"
-#include "core/field/grid_flow.hpp"
+#include "core/field/stored_flow.hpp"
 #include "tests/support/sampled_source.hpp"
 
 #include <numbers>
@@ -26,7 +26,7 @@ SampledFlow sample(double side, double interval, test::SampledSource::Velocity v
         std::make_shared<core::TimeStepCache>(source, core::TimeStepCache::Options{});
     for (std::size_t i = 0; i < times.size(); ++i)
         sampled.steps.push_back(cache->acquire(i).value());
-    sampled.flow = core::make_grid_flow(cache);
+    sampled.flow = core::make_stored_flow(cache);
     return sampled;
 }
 

@@ -1,6 +1,6 @@
 #include "core/field/advance_particles.hpp"
 #include "core/field/advance_stored.hpp"
-#include "core/field/grid_flow.hpp"
+#include "core/field/stored_flow.hpp"
 #include "tests/support/sampled_source.hpp"
 
 #include <gtest/gtest.h>
@@ -91,7 +91,7 @@ AdvanceOptions in_steps_of(double step) {
 std::unique_ptr<Flow>
 stored(std::vector<double> times, Simd simd, SampledSource::Velocity velocity = swirling) {
     auto source = std::make_shared<SampledSource>(grid, std::move(times), velocity, ball());
-    return make_grid_flow(
+    return make_stored_flow(
         std::make_shared<TimeStepCache>(std::move(source), TimeStepCache::Options{}),
         std::make_shared<SteadyClock>(), simd);
 }

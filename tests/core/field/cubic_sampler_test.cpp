@@ -1,6 +1,6 @@
 #include "core/field/closed_forms.hpp"
 #include "core/field/cubic_sampler.hpp"
-#include "core/field/grid_flow.hpp"
+#include "core/field/stored_flow.hpp"
 #include "core/integrate/runge_kutta.hpp"
 #include "tests/support/sampled_source.hpp"
 
@@ -64,7 +64,7 @@ Vec3 random_point(const Box& box, std::mt19937& random) {
 }
 
 std::unique_ptr<Flow> flow_of(std::shared_ptr<SampledSource> source, std::size_t budget) {
-    return make_grid_flow(
+    return make_stored_flow(
         std::make_shared<TimeStepCache>(std::move(source), TimeStepCache::Options{budget}));
 }
 

@@ -1,5 +1,5 @@
 #include "core/field/analytic_flow.hpp"
-#include "core/field/grid_flow.hpp"
+#include "core/field/stored_flow.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "tests/support/sampled_source.hpp"
 
@@ -34,7 +34,7 @@ std::unique_ptr<Flow> sampled(const char* name, Box box, bool ball = false) {
             return v;
         },
         std::move(mask));
-    return make_grid_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
+    return make_stored_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
 }
 
 struct Sampled {

@@ -2,7 +2,7 @@
 // what obstacles do to it.
 #include "core/dataset/time_step_cache.hpp"
 #include "core/field/analytic_flow.hpp"
-#include "core/field/grid_flow.hpp"
+#include "core/field/stored_flow.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "tests/support/mesh_measures.hpp"
 #include "tests/support/sampled_source.hpp"
@@ -123,7 +123,7 @@ std::unique_ptr<Flow> stored_cylinder() {
             return v;
         },
         std::move(mask));
-    return make_grid_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
+    return make_stored_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
 }
 
 } // namespace

@@ -1,12 +1,12 @@
 // Slicing-by-8: eight tables turn eight bytes into eight independent look-ups. Source: Kounavis, Berry, Novel
 // Table Lookup-Based Algorithms for High-Performance CRC Generation, IEEE Trans. Comput. 57(11), 2008.
-#include "protocol/crc32c.hpp"
+#include "core/base/crc32c.hpp"
 
 #include <array>
 #include <bit>
 #include <cstring>
 
-namespace wakesurf::protocol {
+namespace wakesurf::core {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::uint32_t crc32c(std::span<const std::byte> bytes, std::uint32_t so_far) {
     return ~crc;
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::core

@@ -1,14 +1,14 @@
-// CRC-32C (Castagnoli), the checksum of frames and of mesh states. Twin: web-client/src/protocol/crc32c.ts.
+// CRC-32C (Castagnoli), the checksum of stores, frames and mesh states. Twin: web-client/src/protocol/crc32c.ts.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
-namespace wakesurf::protocol {
+namespace wakesurf::core {
 
 /// The checksum of everything summed so far followed by `bytes`: crc32c(b, crc32c(a)) == crc32c(a + b).
 /// Cost: 8 bytes a table round, above 1 GB/s.
 std::uint32_t crc32c(std::span<const std::byte> bytes, std::uint32_t so_far = 0);
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::core

@@ -1,4 +1,4 @@
-#include "core/field/grid_flow.hpp"
+#include "core/field/stored_flow.hpp"
 #include "core/field/grid_sampler.hpp"
 #include "tests/support/sampled_source.hpp"
 
@@ -20,7 +20,7 @@ Vec3 trilinear(const Vec3& p, double t) {
 }
 
 std::unique_ptr<Flow> stored(std::shared_ptr<SampledSource> source) {
-    return make_grid_flow(
+    return make_stored_flow(
         std::make_shared<TimeStepCache>(std::move(source), TimeStepCache::Options{}));
 }
 
@@ -32,7 +32,7 @@ Vec3 velocity_at(const Flow& flow, Vec3 p, double t) {
 
 } // namespace
 
-TEST(GridFlow, ReproducesFieldsTrilinearInSpaceAndLinearInTime) {
+TEST(StoredFlow, ReproducesFieldsTrilinearInSpaceAndLinearInTime) {
     const auto flow =
         stored(std::make_shared<SampledSource>(grid, std::vector{0.0, 0.5, 2.0}, trilinear));
     std::mt19937 random(3);
@@ -46,7 +46,7 @@ TEST(GridFlow, ReproducesFieldsTrilinearInSpaceAndLinearInTime) {
     EXPECT_LT(glm::length(velocity_at(*flow, box.hi, 2.0) - trilinear(box.hi, 2.0)), 2e-6);
 }
 
-TEST(GridFlow, HalvingTheSpacingDividesTheInterpolationErrorByFour) {
+TEST(StoredFlow, HalvingTheSpacingDividesTheInterpolationErrorByFour) {
     const auto bent = [](const Vec3& p, double) {
         return Vec3(std::sin(2 * p.x), std::cos(p.y + p.z), p.x * p.x);
     };
@@ -65,7 +65,7 @@ TEST(GridFlow, HalvingTheSpacingDividesTheInterpolationErrorByFour) {
     EXPECT_GT(std::log2(errors[1] / errors[2]), 1.7);
 }
 
-TEST(GridFlow, AWallLiesMidwayBetweenAFluidAndASolidNode) {
+TEST(StoredFlow, AWallLiesMidwayBetweenAFluidAndASolidNode) {
     SolidMask mask;
     mask.fluid.assign(grid.nodes(), 1);
     mask.fluid[(4 * 5 + 2) * 9 + 4] = 0; // node (4, 2, 4) at (0, 1, 2.5)
@@ -79,7 +79,7 @@ TEST(GridFlow, AWallLiesMidwayBetweenAFluidAndASolidNode) {
     EXPECT_EQ(flow->status({-1.01, 1.0, 2.5}), PointStatus::OutsideDomain);
 }
 
-TEST(GridFlow, PathlinesThroughStoredTimeStepsMatchTheField) {
+TEST(StoredFlow, PathlinesThroughStoredTimeStepsMatchTheField) {
     // dx/dt = t on stored times: linear interpolation is exact, so the pathline is t^2 / 2 to rounding.
     const UniformGrid box{Vec3(-10.0), Vec3(2.0), {11, 11, 11}};
     const auto source =
@@ -110,7 +110,7 @@ TEST(GridFlow, PathlinesThroughStoredTimeStepsMatchTheField) {
     EXPECT_LT(glm::length(back[0].last.position - curves[0].seed), 1e-6);
 }
 
-TEST(GridFlow, AFrozenFieldLoadsOnlyTheTimeStepItNeeds) {
+TEST(StoredFlow, AFrozenFieldLoadsOnlyTheTimeStepItNeeds) {
     const auto source =
         std::make_shared<SampledSource>(grid, std::vector{0.0, 1.0, 2.0, 3.0}, trilinear);
     const auto flow = stored(source);

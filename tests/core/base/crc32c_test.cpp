@@ -1,11 +1,11 @@
-#include "protocol/crc32c.hpp"
+#include "core/base/crc32c.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string_view>
 #include <vector>
 
-namespace wakesurf::protocol {
+namespace wakesurf::core {
 namespace {
 
 std::uint32_t crc_of(std::string_view text) {
@@ -54,4 +54,4 @@ TEST(Crc32c, OfAWholeIsThatOfItsPartsInTurn) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::core

@@ -1,58 +1,45 @@
-#include "core/field/grid_flow.hpp"
+// A stored field as a flow: time-steps come through the cache, interval by interval. What happens within one is the business
+// of the grid's Sampling.
+#pragma once
 
-#include "core/field/advance_particles.hpp"
-#include "core/field/advance_stored.hpp"
-#include "core/field/cubic_sampler.hpp"
-#include "core/field/grid_sampler.hpp"
+#include "core/base/clock.hpp"
+#include "core/dataset/time_step_cache.hpp"
+#include "core/field/flow.hpp"
 #include "core/field/interval.hpp"
-#include "core/field/trace_curves.hpp"
-#include "core/field/trilinear_cell.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
-#include <functional>
 #include <limits>
+#include <memory>
 #include <numeric>
+#include <vector>
 
 namespace wakesurf::core {
 
-CellMask::CellMask(const UniformGrid& grid, const SolidMask& mask) {
-    if (mask.empty())
-        return;
-    state_.assign(grid.nodes(), Fluid);
-    for (std::uint32_t z = 0; z + 1 < grid.dimensions[2]; ++z)
-        for (std::uint32_t y = 0; y + 1 < grid.dimensions[1]; ++y)
-            for (std::uint32_t x = 0; x + 1 < grid.dimensions[0]; ++x) {
-                const std::size_t node =
-                    (std::size_t{z} * grid.dimensions[1] + y) * grid.dimensions[0] + x;
-                int fluid = 0;
-                for (const std::size_t corner : corners(grid, {node, Vec3(0.0)}).node)
-                    fluid += mask.fluid[corner] != 0;
-                state_[node] = fluid == 8 ? Fluid : fluid == 0 ? Solid : Mixed;
-            }
-}
-
-namespace {
-
-class GridFlow final : public Flow {
+/// @tparam Sampling  what samples the grid of the cache's source; uniform_sampling.hpp shows what is asked of it
+template <class Sampling>
+class IntervalFlow final : public Flow {
   public:
-    GridFlow(std::shared_ptr<TimeStepCache> cache, std::shared_ptr<const Clock> clock, Simd simd)
+    IntervalFlow(std::shared_ptr<TimeStepCache> cache,
+                 std::shared_ptr<const Clock> clock,
+                 std::unique_ptr<const Sampling> sampling)
         : cache_(std::move(cache)), intervals_(cache_), clock_(std::move(clock)),
-          source_(cache_->source()), cells_(source_.grid(), source_.mask()),
-          kernel_(choose_rk4_kernel(simd)) {}
+          source_(cache_->source()), sampling_(std::move(sampling)), domain_(bounds(source_.grid())),
+          finest_(core::finest_spacing(source_.grid())) {}
 
-    Box domain() const override { return source_.grid().bounds(); }
+    Box domain() const override { return domain_; }
 
     std::optional<std::array<double, 2>> time_range() const override {
         return std::array{source_.times().front(), source_.times().back()};
     }
 
-    double finest_spacing() const override {
-        const Vec3 h = source_.grid().spacing;
-        return std::min({h.x, h.y, h.z});
-    }
+    double finest_spacing() const override { return finest_; }
 
-    PointStatus status(const Vec3& position) const override { return linear({}).status(position); }
+    PointStatus status(const Vec3& position) const override { return sampling_->status(position); }
 
     Result<TraceCost> trace(std::span<Curve> curves,
                             const TraceOptions& options,
@@ -106,13 +93,8 @@ class GridFlow final : public Flow {
                 direction > 0 ? border >= to || k + 2 >= static_cast<std::ptrdiff_t>(times.size())
                               : border <= to || k == 0;
             reached = last ? to : border;
-            const GridSampler field = linear(*interval);
             const bool whole =
-                options.smooth ? advance_particles(smooth(*interval), particles, reached, direction,
-                                                   options, stop)
-                : options.method == AdvanceOptions::Method::Rk4
-                    ? advance_stored(field, kernel_, particles, reached, direction, options, stop)
-                    : advance_particles(field, particles, reached, direction, options, stop);
+                sampling_->advance(*interval, particles, reached, direction, options, stop);
             if (!whole)
                 return fail(Error::Code::Cancelled, "the integration was cancelled");
         }
@@ -123,7 +105,7 @@ class GridFlow final : public Flow {
         return cache_->status().budget >= source_.bytes_per_step() * source_.times().size();
     }
 
-    bool obstacle() const override { return !source_.mask().empty(); }
+    bool obstacle() const override { return sampling_->obstacle(); }
 
     Result<void> sample(std::span<const Vec3> positions,
                         std::span<const double> times,
@@ -174,15 +156,16 @@ class GridFlow final : public Flow {
         const auto held = intervals_.acquire(k, needs(later, smoothly), stop);
         if (!held)
             return tl::unexpected(held.error());
-        const auto sample_all = [&](const auto& field) {
-            tbb::parallel_for(
-                tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
-                    for (std::size_t i = range.begin(); i != range.end(); ++i)
-                        velocities[index(i)] = field.velocity(positions[index(i)], times[index(i)]);
-                });
-        };
-        tbb::this_task_arena::isolate(
-            [&] { smoothly ? sample_all(smooth(*held)) : sample_all(linear(*held)); });
+        sampling_->with_field(*held, smoothly, [&](const auto& field) {
+            tbb::this_task_arena::isolate([&] {
+                tbb::parallel_for(
+                    tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
+                        for (std::size_t i = range.begin(); i != range.end(); ++i)
+                            velocities[index(i)] =
+                                field.velocity(positions[index(i)], times[index(i)]);
+                    });
+            });
+        });
         return {};
     }
 
@@ -224,40 +207,12 @@ class GridFlow final : public Flow {
                          direction);
     }
 
-    GridSampler linear(const Interval& interval) const {
-        GridSampler field{&source_.grid(), &cells_, &source_.mask(), nullptr, nullptr, 0.0, 1.0};
-        if (interval.first) {
-            field.velocity0 = interval.first->velocity().data();
-            field.time0 = interval.first->time;
-        }
-        if (interval.second) {
-            field.velocity1 = interval.second->velocity().data();
-            field.interval = interval.second->time - interval.first->time;
-        }
-        return field;
-    }
-
-    CubicSampler smooth(const Interval& interval) const {
-        CubicSampler field{linear(interval)};
-        if (interval.before) {
-            field.before = interval.before->velocity().data();
-            field.time_before = interval.before->time;
-        }
-        if (interval.after) {
-            field.after = interval.after->velocity().data();
-            field.time_after = interval.after->time;
-        }
-        return field;
-    }
-
     Result<void> advance(const Interval& interval,
                          std::span<Curve> curves,
                          const TraceOptions& options,
                          double limit,
                          const std::stop_token& stop) const {
-        if (!(options.smooth
-                  ? trace_curves(smooth(interval), curves, options, limit, stop)
-                  : trace_curves(CellwiseSampler{linear(interval)}, curves, options, limit, stop)))
+        if (!sampling_->trace(interval, curves, options, limit, stop))
             return fail(Error::Code::Cancelled, "the integration was cancelled");
         return {};
     }
@@ -302,16 +257,9 @@ class GridFlow final : public Flow {
     Intervals intervals_;
     std::shared_ptr<const Clock> clock_;
     const TimeStepSource& source_;
-    CellMask cells_;
-    Rk4Kernel kernel_;
+    std::unique_ptr<const Sampling> sampling_;
+    Box domain_;
+    double finest_;
 };
-
-} // namespace
-
-std::unique_ptr<Flow> make_grid_flow(std::shared_ptr<TimeStepCache> cache,
-                                     std::shared_ptr<const Clock> clock,
-                                     Simd simd) {
-    return std::make_unique<GridFlow>(std::move(cache), std::move(clock), simd);
-}
 
 } // namespace wakesurf::core

@@ -1,0 +1,103 @@
+#include "core/dataset/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wakesurf::core {
+
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+    using F::operator()...;
+};
+
+Box box_of(const CellMesh& mesh) {
+    if (mesh.points.empty())
+        return {};
+    Box box{mesh.points.front(), mesh.points.front()};
+    for (const Vec3& p : mesh.points) {
+        box.lo = glm::min(box.lo, p);
+        box.hi = glm::max(box.hi, p);
+    }
+    return box;
+}
+
+double closest_nodes(const RectilinearGrid& grid) {
+    double closest = std::numeric_limits<double>::infinity();
+    for (const auto& along : grid.coordinates)
+        for (std::size_t i = 0; i + 1 < along.size(); ++i)
+            closest = std::min(closest, along[i + 1] - along[i]);
+    return closest;
+}
+
+// Cube root of the volume of the box round a cell.
+double cell_size(const CellMesh& mesh, const MeshCell& cell) {
+    Vec3 lo = mesh.points[cell.node[0]];
+    Vec3 hi = lo;
+    for (std::size_t i = 1; i < node_count(cell.shape); ++i) {
+        lo = glm::min(lo, mesh.points[cell.node[i]]);
+        hi = glm::max(hi, mesh.points[cell.node[i]]);
+    }
+    const Vec3 side = hi - lo;
+    return std::cbrt(side.x * side.y * side.z);
+}
+
+double small_cell(const CellMesh& mesh) {
+    constexpr std::size_t looked_at = 100'000;
+    const std::size_t stride = std::max<std::size_t>(1, mesh.cells.size() / looked_at);
+    std::vector<double> sizes;
+    for (std::size_t i = 0; i < mesh.cells.size(); i += stride)
+        if (const double size = cell_size(mesh, mesh.cells[i]); size > 0.0)
+            sizes.push_back(size);
+    if (sizes.empty())
+        return glm::length(box_of(mesh).extent()) / 100.0;
+    const auto tenth = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 10);
+    std::nth_element(sizes.begin(), tenth, sizes.end());
+    return *tenth;
+}
+
+} // namespace
+
+std::size_t node_count(const Grid& grid) {
+    return std::visit(Overloaded{[](const UniformGrid& g) { return g.nodes(); },
+                                 [](const RectilinearGrid& g) { return g.nodes(); },
+                                 [](const CellMesh& g) { return g.points.size(); }},
+                      grid);
+}
+
+std::size_t cell_count(const Grid& grid) {
+    const auto product = [](std::size_t x, std::size_t y, std::size_t z) {
+        return (x - 1) * (y - 1) * (z - 1);
+    };
+    return std::visit(Overloaded{[&](const UniformGrid& g) {
+                                     return product(g.dimensions[0], g.dimensions[1],
+                                                    g.dimensions[2]);
+                                 },
+                                 [&](const RectilinearGrid& g) {
+                                     return product(g.coordinates[0].size(),
+                                                    g.coordinates[1].size(),
+                                                    g.coordinates[2].size());
+                                 },
+                                 [](const CellMesh& g) { return g.cells.size(); }},
+                      grid);
+}
+
+Box bounds(const Grid& grid) {
+    return std::visit(Overloaded{[](const UniformGrid& g) { return g.bounds(); },
+                                 [](const RectilinearGrid& g) { return g.bounds(); },
+                                 [](const CellMesh& g) { return box_of(g); }},
+                      grid);
+}
+
+double finest_spacing(const Grid& grid) {
+    return std::visit(Overloaded{[](const UniformGrid& g) {
+                                     return std::min({g.spacing.x, g.spacing.y, g.spacing.z});
+                                 },
+                                 [](const RectilinearGrid& g) { return closest_nodes(g); },
+                                 [](const CellMesh& g) { return small_cell(g); }},
+                      grid);
+}
+
+} // namespace wakesurf::core

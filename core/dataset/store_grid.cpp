@@ -1,0 +1,184 @@
+#include "core/dataset/store_grid.hpp"
+
+#include "core/base/crc32c.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <span>
+
+namespace wakesurf::core {
+
+namespace {
+
+constexpr std::array<const char*, 3> axis_files{"x.f64", "y.f64", "z.f64"};
+constexpr const char* points_file = "points.f64";
+constexpr const char* cells_file = "cells.u32";
+constexpr const char* beyond_file = "beyond.u32";
+constexpr const char* shapes_file = "shapes.u8";
+constexpr std::uint32_t no_node = 0xffffffffu;
+
+template <class T>
+std::vector<std::byte> bytes_of(std::span<const T> values) {
+    const auto bytes = std::as_bytes(values);
+    return {bytes.begin(), bytes.end()};
+}
+
+template <class T>
+Result<std::vector<T>>
+read_values(const StoreLayout& layout, const std::string& name, std::uint64_t count, const Disk& disk) {
+    return read_fixed_file(layout, name, count * sizeof(T), disk).map([&](const auto& bytes) {
+        std::vector<T> values(static_cast<std::size_t>(count));
+        std::memcpy(values.data(), bytes.data(), bytes.size());
+        return values;
+    });
+}
+
+tl::unexpected<Error> damaged(const std::string& what) {
+    return fail(Error::Code::Corrupt, what, "import the dataset again");
+}
+
+Result<Grid> read_rectilinear(const StoreLayout& layout, const Disk& disk) {
+    RectilinearGrid grid;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        auto along = read_values<double>(layout, axis_files[axis], layout.grid.dimensions[axis], disk);
+        if (!along)
+            return tl::unexpected(along.error());
+        const bool sound =
+            std::all_of(along->begin(), along->end(), [](double x) { return std::isfinite(x); }) &&
+            std::adjacent_find(along->begin(), along->end(),
+                               [](double a, double b) { return !(a < b); }) == along->end();
+        if (!sound)
+            return damaged(std::string(axis_files[axis]) + " does not hold rising coordinates");
+        grid.coordinates[axis] = std::move(*along);
+    }
+    return grid;
+}
+
+bool sound(const MeshCell& cell, std::size_t points, std::size_t cells) {
+    for (std::size_t i = 0; i < node_count(cell.shape); ++i)
+        if (cell.node[i] >= points)
+            return false;
+    return std::all_of(cell.beyond.begin(), cell.beyond.end(),
+                       [&](std::uint32_t b) { return b < cells || b >= beyond_wall; });
+}
+
+Result<Grid> read_cells(const StoreLayout& layout, const Disk& disk) {
+    const auto points = static_cast<std::size_t>(layout.grid.points);
+    const auto cells = static_cast<std::size_t>(layout.grid.cells);
+    const auto coordinates = read_values<double>(layout, points_file, 3 * points, disk);
+    const auto nodes = read_values<std::uint32_t>(layout, cells_file, 8 * cells, disk);
+    const auto beyond = read_values<std::uint32_t>(layout, beyond_file, 6 * cells, disk);
+    const auto shapes = read_values<std::uint8_t>(layout, shapes_file, cells, disk);
+    if (!coordinates || !nodes || !beyond || !shapes)
+        return tl::unexpected(!coordinates ? coordinates.error()
+                              : !nodes     ? nodes.error()
+                              : !beyond    ? beyond.error()
+                                           : shapes.error());
+    CellMesh mesh;
+    mesh.points.resize(points);
+    for (std::size_t i = 0; i < points; ++i) {
+        mesh.points[i] = {(*coordinates)[3 * i], (*coordinates)[3 * i + 1], (*coordinates)[3 * i + 2]};
+        if (!finite(mesh.points[i]))
+            return damaged(std::string(points_file) + " holds coordinates that are no numbers");
+    }
+    mesh.cells.resize(cells);
+    for (std::size_t i = 0; i < cells; ++i) {
+        MeshCell& cell = mesh.cells[i];
+        if ((*shapes)[i] > static_cast<std::uint8_t>(CellShape::Hexahedron))
+            return damaged(std::string(shapes_file) + " holds shapes there are none of");
+        cell.shape = static_cast<CellShape>((*shapes)[i]);
+        std::copy_n(nodes->begin() + static_cast<std::ptrdiff_t>(8 * i), 8, cell.node.begin());
+        std::copy_n(beyond->begin() + static_cast<std::ptrdiff_t>(6 * i), 6, cell.beyond.begin());
+        if (!sound(cell, points, cells))
+            return damaged("cell " + std::to_string(i) + " has nodes or neighbours there are none of");
+    }
+    return mesh;
+}
+
+std::vector<GridFile> files_of(const RectilinearGrid& grid) {
+    std::vector<GridFile> files;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        files.push_back({axis_files[axis], bytes_of(std::span<const double>(grid.coordinates[axis]))});
+    return files;
+}
+
+std::vector<GridFile> files_of(const CellMesh& mesh) {
+    std::vector<double> points;
+    points.reserve(3 * mesh.points.size());
+    for (const Vec3& p : mesh.points)
+        points.insert(points.end(), {p.x, p.y, p.z});
+    std::vector<std::uint32_t> nodes;
+    std::vector<std::uint32_t> beyond;
+    std::vector<std::uint8_t> shapes;
+    nodes.reserve(8 * mesh.cells.size());
+    beyond.reserve(6 * mesh.cells.size());
+    for (const MeshCell& cell : mesh.cells) {
+        for (std::size_t i = 0; i < cell.node.size(); ++i)
+            nodes.push_back(i < node_count(cell.shape) ? cell.node[i] : no_node);
+        for (std::size_t i = 0; i < cell.beyond.size(); ++i)
+            beyond.push_back(i < face_count(cell.shape) ? cell.beyond[i] : beyond_domain);
+        shapes.push_back(static_cast<std::uint8_t>(cell.shape));
+    }
+    return {{points_file, bytes_of(std::span<const double>(points))},
+            {cells_file, bytes_of(std::span<const std::uint32_t>(nodes))},
+            {beyond_file, bytes_of(std::span<const std::uint32_t>(beyond))},
+            {shapes_file, bytes_of(std::span<const std::uint8_t>(shapes))}};
+}
+
+} // namespace
+
+StoredGrid stored_grid(const Grid& grid, bool curvilinear) {
+    StoredGrid stored;
+    if (const auto* uniform = std::get_if<UniformGrid>(&grid)) {
+        stored.uniform = *uniform;
+    } else if (const auto* rectilinear = std::get_if<RectilinearGrid>(&grid)) {
+        stored.kind = GridKind::Rectilinear;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            stored.dimensions[axis] = static_cast<std::uint32_t>(rectilinear->coordinates[axis].size());
+    } else {
+        stored.kind = curvilinear ? GridKind::Curvilinear : GridKind::Unstructured;
+        stored.points = node_count(grid);
+        stored.cells = cell_count(grid);
+    }
+    return stored;
+}
+
+std::vector<GridFile> grid_files(const Grid& grid) {
+    if (const auto* rectilinear = std::get_if<RectilinearGrid>(&grid))
+        return files_of(*rectilinear);
+    if (const auto* mesh = std::get_if<CellMesh>(&grid))
+        return files_of(*mesh);
+    return {};
+}
+
+Result<std::vector<std::byte>>
+read_fixed_file(const StoreLayout& layout, const std::string& name, std::uint64_t size, const Disk& disk) {
+    const auto file = layout.folder / name;
+    const auto found = disk.size(file);
+    if (!found)
+        return tl::unexpected(found.error());
+    if (*found != size)
+        return damaged(name + " has " + std::to_string(*found) + " bytes instead of " +
+                       std::to_string(size));
+    std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+    if (auto read = disk.read(file, 0, bytes); !read)
+        return tl::unexpected(read.error());
+    const auto checksum = layout.checksums.find(name);
+    if (checksum != layout.checksums.end() && checksum->second != crc32c(bytes))
+        return damaged(name + " is not as it was written: its checksum differs");
+    return bytes;
+}
+
+Result<Grid> read_grid(const StoreLayout& layout, const Disk& disk) {
+    switch (layout.grid.kind) {
+    case GridKind::Uniform:
+        return layout.grid.uniform;
+    case GridKind::Rectilinear:
+        return read_rectilinear(layout, disk);
+    default:
+        return read_cells(layout, disk);
+    }
+}
+
+} // namespace wakesurf::core

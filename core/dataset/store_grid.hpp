@@ -1,0 +1,33 @@
+// The files of a store that describe its grid, and back: node coordinates, cells, what lies beyond their faces.
+#pragma once
+
+#include "core/base/disk.hpp"
+#include "core/dataset/grid.hpp"
+#include "core/dataset/store_layout.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace wakesurf::core {
+
+struct GridFile {
+    std::string name;
+    std::vector<std::byte> bytes;
+};
+
+/// What store.json tells of a grid. @param curvilinear  of a cell mesh made of structured blocks
+StoredGrid stored_grid(const Grid& grid, bool curvilinear = false);
+
+/// The files of the grid but store.json; none for a uniform one.
+std::vector<GridFile> grid_files(const Grid& grid);
+
+/// Reads a file that all time-steps share. Error: NotFound, Io, Corrupt for another size or checksum than the layout says.
+Result<std::vector<std::byte>>
+read_fixed_file(const StoreLayout& layout, const std::string& name, std::uint64_t size, const Disk& disk);
+
+/// Error: as read_fixed_file; Corrupt for coordinates that are not finite or do not rise, and cells with nodes, shapes or
+/// neighbours that do not exist. Memory: the files and the grid at the same time.
+Result<Grid> read_grid(const StoreLayout& layout, const Disk& disk);
+
+} // namespace wakesurf::core

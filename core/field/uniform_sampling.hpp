@@ -1,0 +1,63 @@
+// How a stored field on a uniform grid is sampled between two time-steps: linear, smooth, in batches of the vector kernel,
+// or cell by cell, whichever serves.
+#pragma once
+
+#include "core/field/advance_stored.hpp"
+#include "core/field/advance_particles.hpp"
+#include "core/field/cubic_sampler.hpp"
+#include "core/field/grid_sampler.hpp"
+#include "core/field/interval.hpp"
+#include "core/integrate/curve.hpp"
+
+#include <span>
+#include <stop_token>
+
+namespace wakesurf::core {
+
+/// Thread safety: concurrent calls are fine. Keeps a reference to the source.
+class UniformSampling {
+  public:
+    /// REQUIRES: the source's grid is uniform.
+    UniformSampling(const TimeStepSource& source, Simd simd);
+
+    /// At no particular time.
+    PointStatus status(const Vec3& position) const { return linear({}).status(position); }
+
+    bool obstacle() const { return !mask_.empty(); }
+
+    /// Carries what has not reached `to` there. Returns false if `stop` fired.
+    /// @param sign  direction of time, +1 or -1
+    bool advance(const Interval& interval,
+                 const Particles& particles,
+                 double to,
+                 int sign,
+                 const AdvanceOptions& options,
+                 const std::stop_token& stop) const;
+
+    /// Traces running curves up to the simulation time `limit`. Returns false if `stop` fired.
+    bool trace(const Interval& interval,
+               std::span<Curve> curves,
+               const TraceOptions& options,
+               double limit,
+               const std::stop_token& stop) const;
+
+    /// Calls `use` with a sampler that has `velocity(position, time)`.
+    template <class Use>
+    void with_field(const Interval& interval, bool smoothly, const Use& use) const {
+        if (smoothly)
+            use(smooth(interval));
+        else
+            use(linear(interval));
+    }
+
+  private:
+    GridSampler linear(const Interval& interval) const;
+    CubicSampler smooth(const Interval& interval) const;
+
+    const UniformGrid& grid_;
+    const SolidMask& mask_;
+    CellMask cells_;
+    Rk4Kernel kernel_;
+};
+
+} // namespace wakesurf::core
