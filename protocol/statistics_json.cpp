@@ -9,7 +9,7 @@ namespace wakesurf::protocol {
 nlohmann::json statistics_json(const core::SurfaceStatistics& statistics) {
     const auto& ended = statistics.terminated;
     const auto& seconds = statistics.seconds;
-    return {{"kind", name(statistics.kind)},
+    nlohmann::json out{{"kind", name(statistics.kind)},
             {"quads", statistics.quads},
             {"vertices", statistics.vertices},
             {"steps", statistics.steps},
@@ -30,6 +30,9 @@ nlohmann::json statistics_json(const core::SurfaceStatistics& statistics) {
               {"other", seconds.other},
               {"total", seconds.total}}},
             {"peakBytes", statistics.peak_bytes}};
+    if (!statistics.stopped.empty())
+        out["stopped"] = statistics.stopped;
+    return out;
 }
 
 } // namespace wakesurf::protocol

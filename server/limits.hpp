@@ -40,4 +40,9 @@ inline constexpr std::uint64_t quads_default = 1'000'000;
 inline constexpr std::uint64_t quads_most = 4'000'000;
 inline constexpr std::uint64_t wait_ms = 600'000;
 
+// Probes.
+inline constexpr std::size_t probes = 32; ///< at a time
+inline constexpr std::size_t probe_points = 4096;
+inline constexpr std::size_t probe_fields = 64;
+
 } // namespace wakesurf::server::limits

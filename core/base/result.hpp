@@ -3,6 +3,7 @@
 
 #include <tl/expected.hpp>
 
+#include <optional>
 #include <string>
 
 namespace wakesurf::core {
@@ -22,6 +23,8 @@ struct Error {
     Code code = Code::Io;
     std::string message; ///< one sentence for a person, without a server path
     std::string hint;    ///< what to do about it; may be empty
+    /// Of a time-step that cannot be read: the time up to which the series can, on the way things were going.
+    std::optional<double> readable_until{};
 };
 
 template <class T>

@@ -5,6 +5,7 @@
 #include "core/base/box.hpp"
 #include "core/base/point_status.hpp"
 #include "core/base/result.hpp"
+#include "core/field/node_shares.hpp"
 #include "core/integrate/curve.hpp"
 #include "core/integrate/particles.hpp"
 
@@ -34,6 +35,9 @@ class Flow {
     virtual double finest_spacing() const = 0;
 
     virtual PointStatus status(const Vec3& position) const = 0;
+
+    /// The nodes the stored field's value at a point comes from.
+    virtual NodeShares shares(const Vec3& position) const { return {status(position), 0, {}, {}}; }
 
     /// Integrates every curve from its seed to its end. Runs in parallel over curves in the caller's arena;
     /// the result does not depend on the number of threads.

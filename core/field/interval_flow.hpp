@@ -41,6 +41,8 @@ class IntervalFlow final : public Flow {
 
     PointStatus status(const Vec3& position) const override { return sampling_->status(position); }
 
+    NodeShares shares(const Vec3& position) const override { return sampling_->shares(position); }
+
     Result<TraceCost> trace(std::span<Curve> curves,
                             const TraceOptions& options,
                             std::stop_token stop) const override {
@@ -84,7 +86,7 @@ class IntervalFlow final : public Flow {
             const auto interval = intervals_.acquire(index, needs(true, options.smooth), stop);
             cost.load += seconds_since(start);
             if (!interval)
-                return tl::unexpected(interval.error());
+                return unreadable(interval.error(), index, direction, stop);
             prefetch(index, direction, options.smooth);
             // Time-steps end the interval, but not before `to` and not after the last of them.
             const double border =
@@ -217,6 +219,20 @@ class IntervalFlow final : public Flow {
         return {};
     }
 
+    /// Says up to where the series can be read: to the end of the interval that was met first, unless that is what is broken.
+    tl::unexpected<Error> unreadable(Error error,
+                                     std::size_t interval,
+                                     int direction,
+                                     const std::stop_token& stop) const {
+        const std::size_t near = std::min(direction > 0 ? interval : interval + 1,
+                                          source_.times().size() - 1);
+        const bool broken = error.code == Error::Code::Corrupt || error.code == Error::Code::Io ||
+                            error.code == Error::Code::NotFound;
+        if (broken && intervals_.acquire(near, Intervals::Needs::First, stop))
+            error.readable_until = source_.times()[near];
+        return tl::unexpected(std::move(error));
+    }
+
     /// Steps never straddle a stored time, where the field is only continuous.
     Result<TraceCost> trace_intervals(std::span<Curve> curves,
                                       const TraceOptions& options,
@@ -235,7 +251,7 @@ class IntervalFlow final : public Flow {
             const auto interval = intervals_.acquire(index, needs(true, options.smooth), stop);
             cost.load += seconds_since(start);
             if (!interval)
-                return tl::unexpected(interval.error());
+                return unreadable(interval.error(), index, direction, stop);
             prefetch(index, direction, options.smooth);
             const double limit = times[direction > 0 ? index + 1 : index];
             if (auto done = advance(*interval, curves, options, limit, stop); !done)

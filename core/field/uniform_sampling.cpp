@@ -33,6 +33,19 @@ bool UniformSampling::trace(const Interval& interval,
                : trace_curves(CellwiseSampler{linear(interval)}, curves, options, limit, stop);
 }
 
+NodeShares UniformSampling::shares(const Vec3& position) const {
+    NodeShares shares{status(position), 0, {}, {}};
+    if (shares.status != PointStatus::Inside)
+        return shares;
+    const Corners at = corners(grid_, locate(grid_, position));
+    shares.count = 8;
+    for (std::size_t i = 0; i < 8; ++i) {
+        shares.node[i] = at.node[i];
+        shares.share[i] = at.weight[i];
+    }
+    return shares;
+}
+
 GridSampler UniformSampling::linear(const Interval& interval) const {
     GridSampler field{&grid_, &cells_, &mask_, nullptr, nullptr, 0.0, 1.0};
     if (interval.first) {

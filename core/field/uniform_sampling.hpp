@@ -7,6 +7,7 @@
 #include "core/field/cubic_sampler.hpp"
 #include "core/field/grid_sampler.hpp"
 #include "core/field/interval.hpp"
+#include "core/field/node_shares.hpp"
 #include "core/integrate/curve.hpp"
 
 #include <span>
@@ -22,6 +23,8 @@ class UniformSampling {
 
     /// At no particular time.
     PointStatus status(const Vec3& position) const { return linear({}).status(position); }
+
+    NodeShares shares(const Vec3& position) const;
 
     bool obstacle() const { return !mask_.empty(); }
 

@@ -9,6 +9,8 @@ namespace wakesurf::core {
 struct Surface {
     QuadComplex mesh;
     SurfaceStatistics statistics;
+    /// Streak and time surfaces: vertices from here on belong to the part that goes back in time.
+    VertexId first_backward = no_vertex;
 };
 
 } // namespace wakesurf::core

@@ -136,16 +136,12 @@ void count_columns(const Sheet& sheet, SurfaceStatistics& statistics) {
     }
 }
 
-} // namespace
-
-Result<Surface> build_surface(const Flow& flow,
-                              const Rake& rake,
-                              const SurfaceParameters& parameters,
-                              std::stop_token stop,
-                              const Clock& clock) {
+Result<Surface> build_whole(const Flow& flow,
+                            const Rake& rake,
+                            const SurfaceParameters& parameters,
+                            const std::stop_token& stop,
+                            const Clock& clock) {
     const auto start = clock.now();
-    if (auto sound = check_request(parameters); !sound)
-        return tl::unexpected(sound.error());
     if (parameters.kind == SurfaceKind::Streak || parameters.kind == SurfaceKind::Time)
         return build_moving_surface(flow, rake, parameters, stop, clock);
     auto built = build_within_budget(flow, rake, parameters, clock, stop);
@@ -172,6 +168,43 @@ Result<Surface> build_surface(const Flow& flow,
     statistics.seconds.other = statistics.seconds.total - statistics.seconds.load -
                                statistics.seconds.advect - statistics.seconds.refine;
     return Surface{std::move(mesh.complex), statistics};
+}
+
+// The part of a surface that comes before a time-step that cannot be read, if there is one.
+std::optional<SurfaceParameters> readable_part(const SurfaceParameters& p, const Error& error) {
+    if (!error.readable_until)
+        return std::nullopt;
+    const double reach = std::abs(*error.readable_until - p.from);
+    if (p.kind == SurfaceKind::Stream || reach == 0.0 || reach >= std::abs(p.to - p.from))
+        return std::nullopt;
+    SurfaceParameters part = p;
+    part.to = p.from + std::copysign(reach, p.to - p.from);
+    if (part.release_until)
+        part.release_until = std::min(*part.release_until, std::max(part.from, part.to));
+    return part;
+}
+
+} // namespace
+
+Result<Surface> build_surface(const Flow& flow,
+                              const Rake& rake,
+                              const SurfaceParameters& parameters,
+                              std::stop_token stop,
+                              const Clock& clock) {
+    if (auto sound = check_request(parameters); !sound)
+        return tl::unexpected(sound.error());
+    auto surface = build_whole(flow, rake, parameters, stop, clock);
+    std::string stopped;
+    for (auto p = parameters; !surface;) {
+        const auto part = readable_part(p, surface.error());
+        if (!part)
+            return surface;
+        p = *part;
+        stopped = surface.error().message;
+        surface = build_whole(flow, rake, p, stop, clock);
+    }
+    surface->statistics.stopped = std::move(stopped);
+    return surface;
 }
 
 } // namespace wakesurf::core

@@ -16,7 +16,8 @@ namespace wakesurf::core {
 /// Builds a surface of any kind. Runs in the calling thread's oneTBB arena.
 ///
 /// @param rake  inside the flow's domain (see clip_rake)
-/// @return      the surface; the same bytes for any number of threads.
+/// @return      the surface; the same bytes for any number of threads. Where a time-step in its way cannot be read it ends at the
+///              last one before that can, and its statistics say why; that costs building it twice.
 /// Error: InvalidArgument, OutOfTime, OverLimit, Cancelled within 50 ms of `stop`,
 /// and what loading a time-step reports.
 /// Thread safety: concurrent calls are fine.

@@ -4,6 +4,7 @@
 #include "core/surface/surface_parameters.hpp"
 
 #include <cstdint>
+#include <string>
 
 namespace wakesurf::core {
 
@@ -27,6 +28,7 @@ struct SurfaceStatistics {
     double separation = 0;
     Seconds seconds;
     std::uint64_t peak_bytes = 0;
+    std::string stopped; ///< why the surface ends before the time asked for; usually empty
 };
 
 } // namespace wakesurf::core

@@ -2,12 +2,8 @@
 
 #include "protocol/store_manifest.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cctype>
 #include <cstdint>
 #include <cstdlib>
-#include <set>
 
 namespace wakesurf::server {
 
@@ -18,65 +14,12 @@ namespace {
 
 constexpr std::string_view flow_prefix = "flow:";
 
-bool has_extension(const fs::path& path, std::string_view extension) {
-    std::string own = path.extension().string();
-    std::transform(own.begin(), own.end(), own.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return own == extension;
+// flow_*.vtu or flow_%04d.vtu: the importer finds the files.
+bool is_pattern(const std::string& name) {
+    return name.find_first_of("*%") != std::string::npos;
 }
 
-// Files that differ only in the digits before the extension are one series.
-std::string series_key(const fs::path& path) {
-    std::string stem = path.stem().string();
-    const auto last = stem.find_last_not_of("0123456789");
-    stem.erase(last == std::string::npos ? 0 : last + 1);
-    return stem;
-}
-
-std::uint64_t series_number(const fs::path& path) {
-    const std::string digits = path.stem().string().substr(series_key(path).size());
-    return digits.empty() ? 0 : std::strtoull(digits.c_str(), nullptr, 10);
-}
-
-core::Result<fs::path> only_thing_in(const fs::path& folder) {
-    std::error_code error;
-    std::vector<fs::path> pvd;
-    std::vector<fs::path> vti;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-        if (has_extension(entry.path(), ".pvd"))
-            pvd.push_back(entry.path());
-        if (has_extension(entry.path(), ".vti"))
-            vti.push_back(entry.path());
-    }
-    const std::string name = folder.filename().string();
-    if (error)
-        return core::fail(Error::Code::Io,
-                          "cannot list the folder " + name + ": " + error.message());
-    std::set<std::string> series;
-    std::transform(vti.begin(), vti.end(), std::inserter(series, series.end()), series_key);
-    if (pvd.empty() && series.size() == 1)
-        return *std::min_element(vti.begin(), vti.end(), [](const fs::path& a, const fs::path& b) {
-            return series_number(a) < series_number(b);
-        });
-    if (pvd.size() == 1)
-        return pvd.front();
-    if (pvd.empty() && vti.empty())
-        return core::fail(Error::Code::InvalidArgument,
-                          "the folder " + name + " holds nothing that can be imported",
-                          "formats: .pvd of .vti files, .vti");
-    std::set<std::string> names;
-    for (const auto& path : pvd.empty() ? vti : pvd)
-        names.insert(path.filename().string());
-    std::string all;
-    for (const auto& one : names)
-        all += (all.empty() ? "" : ", ") + one;
-    constexpr std::size_t longest = 300;
-    return core::fail(Error::Code::InvalidArgument,
-                      "the folder " + name + " holds several datasets: " + all.substr(0, longest),
-                      "name one of them");
-}
-
-core::Result<DatasetArgument> resolve_path(const fs::path& path) {
+DatasetArgument resolve_path(const fs::path& path) {
     DatasetArgument out;
     out.path = path;
     if (fs::is_directory(path) && fs::exists(path / protocol::manifest_file_name)) {
@@ -85,10 +28,7 @@ core::Result<DatasetArgument> resolve_path(const fs::path& path) {
     } else if (path.filename() == protocol::manifest_file_name) {
         return resolve_path(path.parent_path());
     } else if (fs::is_directory(path)) {
-        auto only = only_thing_in(path);
-        if (!only)
-            return tl::unexpected(only.error());
-        return resolve_path(*only);
+        out.name = path.filename().string();
     } else {
         out.name = path.stem().string();
     }
@@ -106,7 +46,11 @@ core::Result<DatasetArgument> resolve_dataset(const std::string& argument) {
         return out;
     }
     try {
-        return resolve_path(fs::canonical(argument));
+        const fs::path path(argument);
+        if (!fs::exists(path) && is_pattern(path.filename().string()))
+            return resolve_path(fs::canonical(path.has_parent_path() ? path.parent_path() : ".") /
+                                path.filename());
+        return resolve_path(fs::canonical(path));
     } catch (const fs::filesystem_error& error) {
         const auto code = error.code() == std::errc::no_such_file_or_directory
                               ? Error::Code::NotFound

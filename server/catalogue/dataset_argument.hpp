@@ -14,11 +14,11 @@ struct DatasetArgument {
     Kind kind = Kind::Source;
     std::string name;           ///< for people, without a path
     std::string flow;           ///< what follows `flow:`
-    std::filesystem::path path; ///< canonical: the store's folder, or the file to import
+    std::filesystem::path path; ///< canonical: the store's folder, or the file, folder or pattern to import
 };
 
-/// A folder stands for the one thing in it that can be imported: its .pvd, or its .vti or series of them.
-/// Error: NotFound, Io, InvalidArgument (a folder with none or several, listing them).
+/// A folder that is no store stands for the one dataset in it, which the importer finds; a last part with * or % for the
+/// files of a series. Error: NotFound, Io.
 core::Result<DatasetArgument> resolve_dataset(const std::string& argument);
 
 /// $XDG_CACHE_HOME/wakesurf, else ~/.cache/wakesurf, else wakesurf-cache beside the current directory.

@@ -2,8 +2,10 @@
 
 #include "protocol/store_manifest.hpp"
 #include "server/catalogue/import_process.hpp"
+#include "server/catalogue/source_stamp.hpp"
 
 #include <algorithm>
+#include <condition_variable>
 
 namespace wakesurf::server {
 
@@ -71,6 +73,36 @@ void DatasetCatalogue::import_all(const std::stop_token& stop) {
         import_one(*entry, stop);
         listener_(entry->status.dataset);
     }
+    watch(stop);
+}
+
+void DatasetCatalogue::watch(const std::stop_token& stop) {
+    std::mutex mutex;
+    std::condition_variable_any never;
+    std::unique_lock lock(mutex);
+    while (!stop.stop_requested()) {
+        never.wait_for(lock, stop, options_.watch_period, [] { return false; });
+        for (const auto& entry : entries_) {
+            if (stop.stop_requested())
+                return;
+            if (entry->argument.kind != DatasetArgument::Kind::Source || !due(*entry))
+                continue;
+            import_one(*entry, stop);
+            listener_(entry->status.dataset);
+        }
+    }
+}
+
+// Changed since the last import began; or that one failed, perhaps at a file that was being written: then again, less and less often.
+bool DatasetCatalogue::due(Entry& entry) const {
+    if (source_stamp(entry.argument.path) != entry.stamp) {
+        entry.failures = 0;
+        return true;
+    }
+    if (!entry.failed)
+        return false;
+    constexpr unsigned rarest = 16;
+    return ++entry.looks % std::min(1u << std::min(entry.failures, 8u), rarest) == 0;
 }
 
 void DatasetCatalogue::import_one(Entry& entry, const std::stop_token& stop) {
@@ -78,25 +110,52 @@ void DatasetCatalogue::import_one(Entry& entry, const std::stop_token& stop) {
         return finish(entry, open_store(entry.argument.path, options_.cache));
     const auto folder = store_folder(options_.store_root, entry.argument);
     const auto listener = [&](const ImportProgress& progress) {
-        show(entry, progress, folder);
-        listener_(entry.status.dataset);
+        if (show(entry, progress, folder))
+            listener_(entry.status.dataset);
     };
+    entry.stamp = source_stamp(entry.argument.path); // before reading: later changes are noticed
     const auto imported = run_import_process(
         {entry.argument.path, folder, {}, {}, options_.importer}, listener, stop);
-    if (!imported)
-        return finish(entry, tl::unexpected(imported.error()));
-    if (!entry.open)
-        return finish(entry, open_store(folder, options_.cache));
-    // The ranges are known now; flow and cache stay the ones in use.
-    auto whole = *entry.open;
-    if (auto manifest = protocol::read_store_manifest(folder, core::PosixDisk()))
-        whole.info = std::move(manifest->info);
-    finish(entry, std::move(whole));
+    entry.failed = !imported;
+    if (!imported) {
+        ++entry.failures;
+        return give_up(entry, folder, imported.error());
+    }
+    entry.failures = 0;
+    finish(entry, reopened(entry, folder));
 }
 
-void DatasetCatalogue::show(Entry& entry,
+// What is open stays open as long as it is the same series: with its cache, and with ranges known now.
+core::Result<LoadedDataset> DatasetCatalogue::reopened(const Entry& entry,
+                                                       const std::filesystem::path& folder) const {
+    if (entry.open) {
+        const auto manifest = protocol::read_store_manifest(folder, core::PosixDisk());
+        if (manifest && manifest->layout.times == entry.open->store->times() &&
+            manifest->layout.checksums == entry.open->store->layout().checksums) {
+            auto whole = *entry.open;
+            whole.info = manifest->info;
+            return whole;
+        }
+    }
+    return open_store(folder, options_.cache);
+}
+
+// Time-steps before the one that could not be imported stay usable.
+void DatasetCatalogue::give_up(Entry& entry,
+                               const std::filesystem::path& folder,
+                               const core::Error& error) {
+    if (!entry.open)
+        return finish(entry, tl::unexpected(error));
+    finish(entry, reopened(entry, folder));
+    const std::scoped_lock lock(mutex_);
+    entry.status.error = error;
+}
+
+bool DatasetCatalogue::show(Entry& entry,
                             const ImportProgress& progress,
                             const std::filesystem::path& folder) {
+    if (entry.status.state == DatasetState::Ready)
+        return false; // grows: told when it has
     std::shared_ptr<const LoadedDataset> first;
     if (progress.phase == "import" && !entry.open)
         if (auto opened = open_store(folder, options_.cache)) {
@@ -112,6 +171,7 @@ void DatasetCatalogue::show(Entry& entry,
     entry.status.progress = progress.total == 0 ? 0.0
                                                 : static_cast<double>(progress.done) /
                                                       static_cast<double>(progress.total);
+    return true;
 }
 
 void DatasetCatalogue::finish(Entry& entry, core::Result<LoadedDataset> opened) {
@@ -133,6 +193,7 @@ void DatasetCatalogue::finish(Entry& entry, core::Result<LoadedDataset> opened) 
         return;
     }
     entry.status.state = DatasetState::Ready;
+    entry.status.error.reset();
     entry.status.steps_ready = ready;
     entry.status.steps_total = opened->info.times.size();
     entry.status.progress = 1.0;
@@ -162,7 +223,7 @@ DatasetCatalogue::find(std::string_view dataset) const {
     if (entry == nullptr)
         return core::fail(Error::Code::NotFound, "there is no dataset of this name",
                           "list them with dataset.list");
-    if (entry->status.error)
+    if (!entry->open && entry->status.error)
         return tl::unexpected(*entry->status.error);
     if (!entry->open)
         return core::fail(Error::Code::NotFound,

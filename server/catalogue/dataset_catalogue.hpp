@@ -25,7 +25,7 @@ struct DatasetStatus {
     std::size_t steps_ready = 0;
     std::size_t steps_total = 0;      ///< 0 while unknown
     double progress = 0.0;            ///< of the import, 0..1
-    std::optional<core::Error> error; ///< why it failed
+    std::optional<core::Error> error; ///< why it failed, or which time-step ended a dataset that is ready
 };
 
 /// Thread safety: every call may come from any thread.
@@ -34,7 +34,8 @@ class DatasetCatalogue {
     /// Told from the import thread that a dataset's status changed, without the catalogue's lock.
     using Listener = std::function<void(const std::string& dataset)>;
 
-    /// Resolves the arguments and starts to import what needs it, one source after the other. `options.cache`'s
+    /// Resolves the arguments and starts to import what needs it, one source after the other; after that sources are looked at
+    /// every `options.watch_period`, and time-steps a running simulation has written since are imported. `options.cache`'s
     /// budget is for all datasets together. Error: what resolve_dataset and open_flow report.
     static core::Result<std::unique_ptr<DatasetCatalogue>>
     open(const std::vector<std::string>& arguments, OpenOptions options, Listener listener);
@@ -57,6 +58,11 @@ class DatasetCatalogue {
         DatasetArgument argument;
         DatasetStatus status;
         std::shared_ptr<const LoadedDataset> open;
+        // Of the import thread only.
+        std::uint64_t stamp = 0; ///< of the source when its last import began
+        bool failed = false;     ///< that import
+        unsigned failures = 0;   ///< in a row, of the same source
+        unsigned looks = 0;      ///< since
     };
 
     DatasetCatalogue(OpenOptions options, Listener listener)
@@ -67,7 +73,12 @@ class DatasetCatalogue {
     const Entry* find_entry(std::string_view dataset) const;
     void import_all(const std::stop_token& stop);
     void import_one(Entry& entry, const std::stop_token& stop);
-    void show(Entry& entry, const ImportProgress& progress, const std::filesystem::path& folder);
+    void watch(const std::stop_token& stop);
+    bool due(Entry& entry) const;
+    core::Result<LoadedDataset> reopened(const Entry& entry,
+                                         const std::filesystem::path& folder) const;
+    void give_up(Entry& entry, const std::filesystem::path& folder, const core::Error& error);
+    bool show(Entry& entry, const ImportProgress& progress, const std::filesystem::path& folder);
     void finish(Entry& entry, core::Result<LoadedDataset> opened);
 
     OpenOptions options_;

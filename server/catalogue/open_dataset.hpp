@@ -9,6 +9,7 @@
 #include "server/catalogue/dataset_argument.hpp"
 #include "server/catalogue/import_progress.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -27,6 +28,7 @@ struct OpenOptions {
     std::filesystem::path store_root; ///< where sources are imported to
     core::TimeStepCache::Options cache;
     std::filesystem::path importer{}; ///< empty: wakesurf-import beside our own executable
+    std::chrono::milliseconds watch_period{2000}; ///< how often a server looks for new time-steps
 };
 
 /// Error: InvalidArgument, NotFound (the list of names).

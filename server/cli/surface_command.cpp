@@ -6,6 +6,7 @@
 #include "protocol/statistics_json.hpp"
 #include "protocol/surface_names.hpp"
 #include "server/catalogue/open_dataset.hpp"
+#include "server/catalogue/surface_scalars.hpp"
 #include "server/cli/elapsed_line.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/stop_on_signal.hpp"
@@ -55,7 +56,8 @@ core::Result<core::Surface> build(const LoadedDataset& dataset,
 core::Result<void> write(const SurfaceOptions& options,
                          const SurfaceRequest& request,
                          const core::DatasetInfo& info,
-                         const core::Surface& surface) {
+                         const core::Surface& surface,
+                         const protocol::VtpScalars& scalars) {
     const protocol::VtpMetadata metadata{.kind = request.parameters.kind,
                                          .rake = request.rake.points,
                                          .from = request.parameters.from,
@@ -68,7 +70,7 @@ core::Result<void> write(const SurfaceOptions& options,
                                                       ? request.parameters.rake2->points
                                                       : std::vector<core::Vec3>{},
                                          .sweep = request.parameters.sweep};
-    auto written = write_whole_file(options.output, protocol::mesh_vtp(surface.mesh, metadata));
+    auto written = write_whole_file(options.output, protocol::mesh_vtp(surface.mesh, metadata, scalars));
     if (!written || options.stats.empty())
         return written;
     const auto statistics = protocol::statistics_json(surface.statistics);
@@ -111,14 +113,22 @@ make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop
         request.parameters.separation = dataset->info.finest_spacing;
     if (auto inside = clip_rakes(request, dataset->flow->domain()); !inside)
         return inside;
+    if (auto known = check_fields(*dataset, options.fields); !known)
+        return known;
     const auto surface = build(*dataset, request, options.threads, stop);
     if (!surface)
         return tl::unexpected(surface.error());
     if (stop.stop_requested())
         return core::fail(core::Error::Code::Cancelled, "stopped, nothing was written");
-    if (auto written = write(options, request, dataset->info, *surface); !written)
+    const auto scalars =
+        surface_scalars(*dataset, *surface, request.parameters, options.fields, stop);
+    if (!scalars)
+        return tl::unexpected(scalars.error());
+    if (auto written = write(options, request, dataset->info, *surface, *scalars); !written)
         return written;
     const auto& statistics = surface->statistics;
+    if (!statistics.stopped.empty())
+        fmt::print(stderr, "wakesurf: the surface ends early: {}\n", statistics.stopped);
     fmt::print("{}: {} quads, {} vertices, {:.2f} s\n", options.output, statistics.quads,
                statistics.vertices, statistics.seconds.total);
     return {};
@@ -129,7 +139,7 @@ make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop
 void add_surface_options(CLI::App& command, SurfaceOptions& options) {
     command
         .add_option("DATASET", options.dataset,
-                    "A .pvd or .vti file, a store, or flow:NAME[?k=v,...]")
+                    "A file or folder of simulation results, a store, or flow:NAME[?k=v,...]")
         ->required();
     command.add_option("--kind", options.kind, "stream, path, streak or time")->required();
     command.add_option("--rake", options.rake, "\"x,y,z x,y,z ...\": a line, or a polyline")
@@ -156,7 +166,8 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         ->capture_default_str();
     command.add_option("--angle", options.angle, "Cells that meet at more degrees are refined")
         ->capture_default_str();
-    command.add_option("--fields", options.fields, "Scalar fields to write at the vertices, a,b");
+    command.add_option("--fields", options.fields, "Scalar fields to write at the vertices, a,b")
+        ->delimiter(',');
     command.add_option("--max-quads", options.max_quads, "Most quads to build")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}))
         ->capture_default_str();

@@ -29,7 +29,7 @@ struct SurfaceOptions {
     std::string sweep;
     double merge = core::SurfaceParameters{}.merge;
     double angle = core::SurfaceParameters{}.angle;
-    std::string fields;
+    std::vector<std::string> fields; ///< scalars written at the vertices
     std::uint64_t max_quads = 1'000'000;
     std::uint64_t memory = std::uint64_t{4} << 30;
     int threads = 0; ///< 0: one a core

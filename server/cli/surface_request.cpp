@@ -94,9 +94,6 @@ core::Result<void> check_kind(const SurfaceOptions& options, core::SurfaceKind k
     if (time && options.rake2.empty() == options.sweep.empty())
         return usage("--kind time takes one of --rake2 and --sweep",
                      "as in --rake2 \"0,0,0 0,0,1\" or --sweep 0,1,0");
-    if (!options.fields.empty())
-        return core::fail(Code::Unsupported, "this version of wakesurf does not have --fields",
-                          "speed, velocity and deformation are written at every vertex");
     return {};
 }
 

@@ -5,8 +5,10 @@
 #include "protocol/bytes.hpp"
 #include "protocol/mesh_encoder.hpp"
 #include "protocol/mesh_vtp.hpp"
+#include "server/catalogue/surface_scalars.hpp"
 #include "server/limits.hpp"
 #include "server/net/http_error.hpp"
+#include "server/session/background.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +24,8 @@ using core::fail;
 
 namespace {
 
-using Body = core::Result<std::shared_ptr<const std::string>>;
+using File = std::shared_ptr<const std::string>;
+using Body = core::Result<File>;
 
 std::vector<std::string> split(std::string_view path) {
     std::vector<std::string> parts;
@@ -74,24 +77,31 @@ Body obstacle_frames(const LoadedDataset& dataset) {
 }
 
 /// Builds the surface again, which gives the same bytes: keeping every finished mesh would cost 100 MB a million quads.
-Body surface_file(const SurfaceJob& job, const std::string& dataset, const std::stop_token& stop) {
+Body surface_file(const SurfaceJob& job,
+                  const LoadedDataset& dataset,
+                  const std::vector<std::string>& fields,
+                  const std::stop_token& stop) {
     core::SurfaceParameters parameters = job.parameters;
     parameters.deformation = true;
     const auto surface = core::build_surface(*job.flow, job.rake, parameters, stop);
     if (!surface)
         return tl::unexpected(surface.error());
+    const auto scalars = surface_scalars(dataset, *surface, parameters, fields, stop);
+    if (!scalars)
+        return tl::unexpected(scalars.error());
     protocol::VtpMetadata metadata{.kind = parameters.kind,
                                    .rake = job.rake.points,
                                    .from = parameters.from,
                                    .to = parameters.to,
                                    .separation = parameters.separation,
-                                   .dataset = dataset,
+                                   .dataset = dataset.info.dataset,
                                    .version = WAKESURF_VERSION,
                                    .release_until = parameters.release_until,
                                    .sweep = parameters.sweep};
     if (parameters.rake2)
         metadata.rake2 = parameters.rake2->points;
-    return std::make_shared<const std::string>(protocol::mesh_vtp(surface->mesh, metadata));
+    return std::make_shared<const std::string>(
+        protocol::mesh_vtp(surface->mesh, metadata, *scalars));
 }
 
 std::optional<Error> refused_format(std::string_view file) {
@@ -113,22 +123,6 @@ struct Downloads::State {
     const DatasetCatalogue& catalogue;
     std::stop_source stop;
     std::map<std::string, std::shared_ptr<const std::string>> obstacles;
-
-    /// Runs `work` in the pool and hands its result to `done` on the loop.
-    void compute(const std::shared_ptr<State>& self,
-                 std::function<Body()> work,
-                 std::function<void(Body)> done) {
-        pool.run([self, work = std::move(work), done = std::move(done)] {
-            auto body = std::make_shared<Body>(fail(Error::Code::OverLimit,
-                                                    "there is not enough memory for this mesh",
-                                                    "use a larger separation"));
-            try {
-                *body = work();
-            } catch (const std::bad_alloc&) { // said above
-            }
-            self->loop.post([body, done] { done(std::move(*body)); });
-        });
-    }
 };
 
 Downloads::Downloads(Loop& loop,
@@ -165,8 +159,8 @@ void Downloads::obstacle(const std::string& id, const Respond& respond) {
     const auto dataset = state_->catalogue.find(id);
     if (!dataset)
         return respond(http_error(dataset.error()));
-    state_->compute(
-        state_, [loaded = *dataset] { return obstacle_frames(*loaded); },
+    compute<File>(
+        state_->loop, state_->pool, [loaded = *dataset] { return obstacle_frames(*loaded); },
         [state = state_, id, respond, send](const Body& body) {
             if (!body)
                 return respond(http_error(body.error()));
@@ -189,10 +183,13 @@ void Downloads::surface(const HttpRequest& request,
     const auto record = (*session)->surface(surface_id);
     if (!live || !record)
         return respond(http_error(record.error()));
+    const auto dataset = state_->catalogue.find(record->dataset);
+    if (!dataset)
+        return respond(http_error(dataset.error()));
     const std::string known(request.header("if-none-match"));
     (*live)->wait((*live)->epoch(), std::chrono::milliseconds(limits::wait_ms),
                   [=, live = *live, state = state_,
-                   dataset = record->dataset](const core::Result<SurfaceOutcome>& outcome) {
+                   fields = record->fields, dataset = *dataset](const core::Result<SurfaceOutcome>& outcome) {
                       if (!outcome)
                           return respond(http_error(outcome.error()));
                       if (!outcome->complete)
@@ -202,10 +199,11 @@ void Downloads::surface(const HttpRequest& request,
                                                            outcome->epoch, outcome->crc);
                       if (known == etag)
                           return respond({304, {{"ETag", etag}}});
-                      state->compute(
-                          state,
-                          [job = live->wanted(), dataset, stop = state->stop.get_token()] {
-                              return surface_file(job, dataset, stop);
+                      compute<File>(
+                          state->loop, state->pool,
+                          [job = live->wanted(), dataset, fields,
+                           stop = state->stop.get_token()] {
+                              return surface_file(job, *dataset, fields, stop);
                           },
                           [respond, etag](const Body& body) {
                               if (!body)

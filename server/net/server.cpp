@@ -5,6 +5,7 @@
 #include "server/net/http_connection.hpp"
 #include "server/net/io_loop.hpp"
 #include "server/net/listener.hpp"
+#include "server/rpc/cache_news.hpp"
 #include "server/rpc/dataset_entry.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/session/catalogue_datasets.hpp"
@@ -47,13 +48,18 @@ struct Server::Parts {
         sessions.emplace(SessionServices{loop, pool, *datasets, entropy});
         dispatcher.emplace(
             method_table(),
-            MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); }},
+            MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); },
+                          prober},
             protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
         downloads.emplace(loop, pool, *sessions, *catalogue);
         routes.emplace(*gate, files, *dispatcher, *downloads);
     }
 
     void tell_all(const std::string& dataset) {
+        if (const auto open = catalogue->find(dataset)) {
+            news.watch(dataset, (*open)->cache);
+            sessions->dataset_changed(dataset);
+        }
         if (const auto status = catalogue->status(dataset))
             connections.announce(
                 protocol::rpc_notification("dataset.patched", dataset_entry(*status)));
@@ -74,6 +80,8 @@ struct Server::Parts {
     asio::io_context context{1};
     IoLoop loop{context};
     ComputePool pool;
+    Prober prober{loop, pool};
+    CacheNews news{loop, [this](const std::string& message) { connections.announce(message); }};
     StaticFiles files;
     std::uint16_t port = 0;
     std::unique_ptr<DatasetCatalogue> catalogue;

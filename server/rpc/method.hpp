@@ -5,6 +5,7 @@
 #include "protocol/json_rpc.hpp"
 #include "server/rpc/client.hpp"
 #include "server/session/datasets.hpp"
+#include "server/session/probe.hpp"
 #include "server/session/session_directory.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -42,6 +43,7 @@ struct MethodContext {
     SessionDirectory& sessions;
     const Datasets& datasets;
     std::function<nlohmann::json()> list_datasets; ///< entries of dataset.list
+    Prober& prober;
 };
 
 struct Call {

@@ -3,6 +3,8 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
+#include "core/dataset/store_reader.hpp"
+#include "core/dataset/time_step_cache.hpp"
 #include "core/field/flow.hpp"
 #include "protocol/lattice.hpp"
 
@@ -16,6 +18,8 @@ struct OpenDataset {
     core::DatasetInfo info;
     protocol::Lattice lattice;
     std::shared_ptr<const core::Flow> flow;
+    std::shared_ptr<core::TimeStepCache> cache;     ///< null for a built-in flow
+    std::shared_ptr<const core::StoreReader> store; ///< null for a built-in flow
 };
 
 /// Loop thread only; nothing here waits for a disk.

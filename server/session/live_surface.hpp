@@ -35,6 +35,12 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     /// Makes `wanted` (whose number, epoch and coarse budget are filled in here) the surface to build; returns its epoch.
     std::uint32_t rebuild(SurfaceJob wanted);
 
+    /// True while the wanted surface is not built yet.
+    bool busy() const { return running_ || !started_; }
+
+    /// The same data, opened again: lets go of the old one's time-steps.
+    void renew_flow(std::shared_ptr<const core::Flow> flow) { wanted_.flow = std::move(flow); }
+
     /// Stops computing and answers everybody who waits with NotFound.
     void retire();
 

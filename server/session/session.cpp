@@ -5,6 +5,7 @@
 #include "server/session/surface_rules.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -36,6 +37,7 @@ Session::Session(std::string id,
       participants_(services.entropy) {}
 
 Session::~Session() {
+    *alive_ = false;
     for (const auto& [id, entry] : surfaces_)
         entry.live->retire();
 }
@@ -230,6 +232,7 @@ std::shared_ptr<LiveSurface> Session::make_live(const std::string& id) {
     events.done = [this](const SurfaceOutcome& outcome) {
         for (const Participant& each : participants_.present())
             each.observer->done(outcome);
+        built(outcome);
     };
     return std::make_shared<LiveSurface>(id, next_number_++, services_.loop, services_.pool,
                                          std::move(events));
@@ -243,6 +246,47 @@ core::Result<void> Session::delete_surface(const std::string& id) {
     surfaces_.erase(found);
     announce({DeletedRecord{"surface", id}});
     return {};
+}
+
+void Session::built(const SurfaceOutcome& outcome) {
+    const auto found = surfaces_.find(outcome.surface);
+    if (found == surfaces_.end() || !std::exchange(found->second.data_came, false))
+        return;
+    // Not from within the event: the surface is still telling others of it.
+    services_.loop.post([weak = std::weak_ptr(found->second.live), this, alive = alive_,
+                         id = outcome.surface] {
+        if (!*alive)
+            return;
+        const auto entry = surfaces_.find(id);
+        if (entry != surfaces_.end() && entry->second.live == weak.lock())
+            try_again(entry->second);
+    });
+}
+
+void Session::dataset_changed(const std::string& dataset) {
+    for (auto& [id, entry] : surfaces_) {
+        if (entry.record.dataset != dataset)
+            continue;
+        if (entry.live->busy())
+            entry.data_came = true;
+        else
+            try_again(entry);
+    }
+}
+
+// Where nothing was missing the surface stays what it is.
+void Session::try_again(SurfaceEntry& entry) {
+    const SurfaceOutcome outcome = entry.live->outcome();
+    const auto open = services_.datasets.open(entry.record.dataset);
+    if (!open)
+        return;
+    if (outcome.statistics.stopped.empty() && !outcome.error)
+        return entry.live->renew_flow(open->flow);
+    auto job = job_for(entry.record);
+    if (!job)
+        return;
+    entry.record.epoch = entry.live->rebuild(std::move(*job));
+    announce({entry.record});
 }
 
 void Session::announce(const std::vector<Patch>& patches) {

@@ -68,10 +68,15 @@ class Session {
     core::Result<protocol::SurfaceRecord> set_surface(const protocol::SurfaceSetting& setting);
     core::Result<void> delete_surface(const std::string& id);
 
+    /// Builds what ended early for want of time-steps again, as soon as it is not being built already; lets go of a dataset that was
+    /// replaced by a longer one.
+    void dataset_changed(const std::string& dataset);
+
   private:
     struct SurfaceEntry {
         protocol::SurfaceRecord record;
         std::shared_ptr<LiveSurface> live;
+        bool data_came = false; ///< since the present build began
     };
 
     core::Result<core::ClippedRake> clip(const protocol::RakeSetting& setting) const;
@@ -79,6 +84,8 @@ class Session {
                                             const std::string& dataset) const;
     core::Result<SurfaceJob> job_for(const protocol::SurfaceRecord& record) const;
     std::shared_ptr<LiveSurface> make_live(const std::string& id);
+    void built(const SurfaceOutcome& outcome);
+    void try_again(SurfaceEntry& entry);
     void announce(const std::vector<Patch>& patches);
 
     std::string id_;
@@ -91,6 +98,7 @@ class Session {
     std::map<std::string, protocol::RakeRecord> rakes_;
     std::map<std::string, SurfaceEntry> surfaces_;
     Participants participants_;
+    std::shared_ptr<bool> alive_ = std::make_shared<bool>(true); ///< for what is posted to the loop
 };
 
 } // namespace wakesurf::server

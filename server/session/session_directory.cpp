@@ -51,4 +51,9 @@ bool SessionDirectory::make_room() {
     return true;
 }
 
+void SessionDirectory::dataset_changed(const std::string& dataset) {
+    for (const auto& [id, session] : sessions_)
+        session->dataset_changed(dataset);
+}
+
 } // namespace wakesurf::server

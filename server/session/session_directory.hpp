@@ -23,6 +23,9 @@ class SessionDirectory {
     /// Error: NotFound.
     core::Result<std::shared_ptr<Session>> find(const std::string& id) const;
 
+    /// Tells every session that more time-steps of a dataset can be read, or that it was opened again.
+    void dataset_changed(const std::string& dataset);
+
     const std::map<std::string, std::shared_ptr<Session>>& all() const { return sessions_; }
 
   private:

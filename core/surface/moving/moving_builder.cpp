@@ -80,6 +80,8 @@ Result<Surface> build_moving_surface(const Flow& flow,
             return tl::unexpected(moving.error());
         if (auto moved = moving->advance_to(moving->end_time(), stop); !moved)
             return tl::unexpected(moved.error());
+        if (direction == Direction::Backward)
+            surface.first_backward = static_cast<VertexId>(surface.mesh.vertices());
         append(surface.mesh, moving->mesh().mesh, direction == Direction::Backward);
         add(surface.statistics, moving->statistics());
     }

@@ -27,18 +27,18 @@ TEST(DatasetArgument, TellsFlowsStoresAndSourcesApart) {
     EXPECT_EQ(source.path, std::filesystem::canonical(folder / "a.vti"));
 }
 
-TEST(DatasetArgument, AFolderStandsForTheOneThingInIt) {
+TEST(DatasetArgument, FoldersAndPatternsAreLeftToTheImporter) {
     const TemporaryFolder folder;
-    EXPECT_EQ(resolve_dataset(folder.path()).error().code, core::Error::Code::InvalidArgument);
-    for (const char* name : {"u_10.vti", "u_9.vti", "notes.txt"})
-        write_file(folder / name, "x");
-    EXPECT_EQ(resolve_dataset(folder.path()).value().path.filename(), "u_9.vti");
-    write_file(folder / "all.pvd", "x");
-    EXPECT_EQ(resolve_dataset(folder.path()).value().path.filename(), "all.pvd");
-    write_file(folder / "more.pvd", "x");
-    const auto error = resolve_dataset(folder.path()).error();
-    EXPECT_NE(error.message.find("all.pvd, more.pvd"), std::string::npos) << error.message;
-    EXPECT_EQ(error.message.find(folder.path().parent_path()), std::string::npos) << error.message;
+    const auto whole = resolve_dataset(folder.path()).value();
+    EXPECT_EQ(whole.kind, Kind::Source);
+    EXPECT_EQ(whole.path, std::filesystem::canonical(folder.path()));
+    EXPECT_EQ(whole.name, folder.path().filename());
+    for (const char* pattern : {"u_*.vtu", "u_%04d.vtu"}) {
+        const auto series = resolve_dataset(folder / pattern).value();
+        EXPECT_EQ(series.kind, Kind::Source);
+        EXPECT_EQ(series.path, std::filesystem::canonical(folder.path()) / pattern);
+    }
+    EXPECT_EQ(resolve_dataset(folder / "none/u_*.vtu").error().code, core::Error::Code::NotFound);
 }
 
 TEST(DatasetArgument, NamesNoFolderWhenNothingIsThere) {

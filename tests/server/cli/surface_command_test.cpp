@@ -123,7 +123,7 @@ TEST_F(SurfaceCommand, CutsARakeThatIsPartlyOutsideAndSaysSo) {
 TEST_F(SurfaceCommand, FailsWithStatusOneWhereTheRequestIsWellFormedButCannotBeDone) {
     refuses({"--rake", "30,0,0 40,0,0"}, 1, "outside");
     refuses({"--kind", "time", "--rake2", "30,0,0 40,0,0"}, 1, "--rake2");
-    refuses({"--fields", "p"}, 1, "--fields");
+    refuses({"--fields", "p"}, 1, "scalar field p");
     refuses({"-o", file("out.glb")}, 1, ".glb");
     refuses({"-o", file("missing/out.vtp")}, 1, "no folder");
 }

@@ -229,9 +229,9 @@ export function readNotification(
             return { method, surface, epoch, phase: phase === 'final' ? 'final' : 'coarse' };
         }
         case 'surface.done': {
-            const { surface, epoch, error } = params;
+            const { surface, epoch, error, stats } = params;
             if (typeof surface !== 'string' || typeof epoch !== 'number') return null;
-            return { method, surface, epoch, error: readError(error) };
+            return { method, surface, epoch, error: readError(error) ?? readStopped(stats) };
         }
         case 'dataset.patched':
             return readDatasetPatched(params);
@@ -307,6 +307,12 @@ function isSurfaceRecord(value: unknown): value is SurfaceRecord & Record<string
         ['undefined', 'string'].includes(typeof value['rake2']) &&
         (value['sweep'] === undefined || isVec3(value['sweep']))
     );
+}
+
+/** A surface that ends before a time-step which cannot be read is there, but not all that was asked for. */
+function readStopped(stats: unknown): ReportedError | null {
+    if (!isObject(stats) || typeof stats['stopped'] !== 'string') return null;
+    return { message: `The surface ends early: ${stats['stopped']}` };
 }
 
 function readError(error: unknown): ReportedError | null {

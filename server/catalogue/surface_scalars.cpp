@@ -1,0 +1,45 @@
+#include "server/catalogue/surface_scalars.hpp"
+
+#include "core/field/sample_scalar.hpp"
+#include "core/surface/vertex_times.hpp"
+
+namespace wakesurf::server {
+
+core::Result<void> check_fields(const LoadedDataset& dataset,
+                                const std::vector<std::string>& fields) {
+    for (const std::string& name : fields) {
+        if (name == dataset.info.velocity)
+            continue;
+        if (dataset.store == nullptr)
+            return core::fail(core::Error::Code::Unsupported,
+                              "a built-in flow has no scalar field " + name,
+                              "speed, velocity and deformation are written at every vertex");
+        if (const auto found = core::find_scalar(dataset.store->layout(), name); !found)
+            return tl::unexpected(found.error());
+    }
+    return {};
+}
+
+core::Result<protocol::VtpScalars> surface_scalars(const LoadedDataset& dataset,
+                                                   const core::Surface& surface,
+                                                   const core::SurfaceParameters& parameters,
+                                                   const std::vector<std::string>& fields,
+                                                   const std::stop_token& stop) {
+    if (auto known = check_fields(dataset, fields); !known)
+        return tl::unexpected(known.error());
+    protocol::VtpScalars scalars;
+    const auto times = core::vertex_times(surface, parameters);
+    for (const std::string& name : fields) {
+        if (name == dataset.info.velocity)
+            continue;
+        const auto scalar = core::find_scalar(dataset.store->layout(), name);
+        auto values = core::sample_scalar(*dataset.flow, *dataset.store, *scalar,
+                                          surface.mesh.position, times, stop);
+        if (!values)
+            return tl::unexpected(values.error());
+        scalars[name] = std::move(*values);
+    }
+    return scalars;
+}
+
+} // namespace wakesurf::server

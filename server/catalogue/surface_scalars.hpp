@@ -1,0 +1,27 @@
+// Scalar fields of a dataset at the vertices of a surface, for exports.
+#pragma once
+
+#include "core/surface/surface.hpp"
+#include "core/surface/surface_parameters.hpp"
+#include "protocol/mesh_vtp.hpp"
+#include "server/catalogue/open_dataset.hpp"
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// Error: NotFound for fields that are not stored, Unsupported for a built-in flow, which has none but its velocity.
+core::Result<void> check_fields(const LoadedDataset& dataset,
+                                const std::vector<std::string>& fields);
+
+/// Each named field, with a value a vertex. The velocity may be named too: every export has it.
+/// Error: as check_fields, and what reading reports.
+core::Result<protocol::VtpScalars> surface_scalars(const LoadedDataset& dataset,
+                                                   const core::Surface& surface,
+                                                   const core::SurfaceParameters& parameters,
+                                                   const std::vector<std::string>& fields,
+                                                   const std::stop_token& stop);
+
+} // namespace wakesurf::server

@@ -1,0 +1,34 @@
+// Work for the compute threads whose result is wanted on the loop's thread.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "server/session/compute_pool.hpp"
+#include "server/session/loop.hpp"
+
+#include <functional>
+#include <memory>
+#include <new>
+#include <utility>
+
+namespace wakesurf::server {
+
+/// Runs `work` in the pool and hands its result to `done` on the loop; work that runs out of memory gives OverLimit.
+/// REQUIRES: loop and pool outlive the work.
+template <class T>
+void compute(Loop& loop,
+             ComputePool& pool,
+             std::function<core::Result<T>()> work,
+             std::function<void(core::Result<T>)> done) {
+    pool.run([&loop, work = std::move(work), done = std::move(done)] {
+        auto result = std::make_shared<core::Result<T>>(
+            core::fail(core::Error::Code::OverLimit, "there is not enough memory for this",
+                       "ask for less at a time"));
+        try {
+            *result = work();
+        } catch (const std::bad_alloc&) { // said above
+        }
+        loop.post([result, done] { done(std::move(*result)); });
+    });
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,87 @@
+#include "server/session/probe.hpp"
+
+#include "core/field/sample_scalar.hpp"
+#include "server/limits.hpp"
+
+#include <fmt/format.h>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::fail;
+
+namespace {
+
+core::Result<ProbeField> sample_velocity(const OpenDataset& dataset,
+                                         const ProbeRequest& request,
+                                         const std::vector<double>& times,
+                                         const std::stop_token& stop) {
+    ProbeField field{dataset.info.velocity, std::vector<core::Vec3>(request.points.size()), {}};
+    return dataset.flow->sample(request.points, times, field.vectors, stop).map([&] {
+        return std::move(field);
+    });
+}
+
+core::Result<ProbeField> sample_field(const OpenDataset& dataset,
+                                      const ProbeRequest& request,
+                                      const std::string& name,
+                                      const std::vector<double>& times,
+                                      const std::stop_token& stop) {
+    if (name == dataset.info.velocity)
+        return sample_velocity(dataset, request, times, stop);
+    if (dataset.store == nullptr)
+        return fail(Error::Code::NotFound, "there is no field " + name,
+                    "a built-in flow has its velocity only");
+    const auto scalar = core::find_scalar(dataset.store->layout(), name);
+    if (!scalar)
+        return tl::unexpected(scalar.error());
+    return core::sample_scalar(*dataset.flow, *dataset.store, *scalar, request.points, times, stop)
+        .map([&](std::vector<float> values) {
+            return ProbeField{name, {}, std::move(values)};
+        });
+}
+
+} // namespace
+
+core::Result<ProbeResult>
+probe(const OpenDataset& dataset, const ProbeRequest& request, const std::stop_token& stop) {
+    if (const auto range = dataset.flow->time_range();
+        range && !(request.time >= (*range)[0] && request.time <= (*range)[1]))
+        return fail(Error::Code::OutOfTime,
+                    fmt::format("time {} is outside the data's {} to {}", request.time, (*range)[0],
+                                (*range)[1]),
+                    "choose `time` inside it");
+    ProbeResult result;
+    const std::vector<double> times(request.points.size(), request.time);
+    const auto wanted = request.fields.empty() ? std::vector{dataset.info.velocity} : request.fields;
+    for (const std::string& name : wanted) {
+        auto field = sample_field(dataset, request, name, times, stop);
+        if (!field)
+            return tl::unexpected(field.error());
+        result.fields.push_back(std::move(*field));
+    }
+    for (const core::Vec3& point : request.points)
+        result.inside.push_back(dataset.flow->status(point) == core::PointStatus::Inside);
+    return result;
+}
+
+void Prober::ask(OpenDataset dataset,
+                 ProbeRequest request,
+                 std::function<void(core::Result<ProbeResult>)> answer) {
+    if (*running_ >= limits::probes)
+        return answer(fail(Error::Code::OverLimit,
+                           fmt::format("{} probes are running already", limits::probes),
+                           "wait for their answers, and put many points into one"));
+    ++*running_;
+    compute<ProbeResult>(
+        loop_, pool_,
+        [dataset = std::move(dataset), request = std::move(request), stop = stop_.get_token()] {
+            return probe(dataset, request, stop);
+        },
+        [running = running_, answer = std::move(answer)](core::Result<ProbeResult> result) {
+            --*running;
+            answer(std::move(result));
+        });
+}
+
+} // namespace wakesurf::server
