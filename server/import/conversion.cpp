@@ -1,5 +1,6 @@
 #include "server/import/conversion.hpp"
 
+#include "core/base/crc32c.hpp"
 #include "core/dataset/store_grid.hpp"
 #include "core/dataset/store_reader.hpp"
 #include "server/catalogue/store_writer.hpp"
@@ -150,10 +151,12 @@ kept_step(const StoreWriter& writer, std::size_t index, std::size_t bytes) {
     const core::PosixDisk disk;
     const auto file = writer.folder() / velocity_file(index);
     const auto size = disk.size(file);
-    if (!size || *size != bytes || !writer.finished_step(index, 1))
+    const auto checksums = writer.finished_step(index, 1);
+    if (!size || *size != bytes || !checksums)
         return std::nullopt;
     std::vector<float> velocity(bytes / sizeof(float));
-    if (!disk.read(file, 0, std::as_writable_bytes(std::span(velocity))))
+    const auto stored = std::as_writable_bytes(std::span(velocity));
+    if (!disk.read(file, 0, stored) || core::crc32c(stored) != checksums->front())
         return std::nullopt;
     return velocity;
 }
@@ -244,7 +247,7 @@ bool whole(const protocol::StoreManifest& manifest, const std::filesystem::path&
     if (!reader || !manifest.complete)
         return false;
     for (std::size_t i = 0; i < manifest.layout.times.size(); ++i)
-        if (!(*reader)->ready(i))
+        if (!(*reader)->whole(i))
             return false;
     return true;
 }
