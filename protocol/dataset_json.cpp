@@ -100,8 +100,9 @@ json dataset_json(const core::DatasetInfo& info) {
              {"obstacle", info.obstacle},
              {"bytesPerStep", info.bytes_per_step},
              {"finestSpacing", info.finest_spacing}};
-    if (info.grid == core::GridKind::Uniform) {
+    if (info.grid == core::GridKind::Uniform || info.grid == core::GridKind::Rectilinear)
         out["dimensions"] = info.dimensions;
+    if (info.grid == core::GridKind::Uniform) {
         out["spacing"] = {info.spacing.x, info.spacing.y, info.spacing.z};
     }
     return out;

@@ -30,7 +30,7 @@ struct DatasetInfo {
     std::string reader;  ///< what read it: vtkXMLImageDataReader, store, analytic ...
     GridKind grid = GridKind::Uniform;
     Box bounds;
-    std::array<std::uint32_t, 3> dimensions{0, 0, 0}; ///< nodes per axis of a uniform grid
+    std::array<std::uint32_t, 3> dimensions{0, 0, 0}; ///< nodes per axis of a uniform or rectilinear grid
     Vec3 spacing{0.0};                                ///< of a uniform grid
     std::uint64_t points = 0;
     std::uint64_t cells = 0;

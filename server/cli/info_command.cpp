@@ -33,10 +33,17 @@ core::Result<core::DatasetInfo> describe(const DatasetArgument& argument) {
 std::string grid_text(const core::DatasetInfo& info) {
     const auto& d = info.dimensions;
     const auto name = protocol::grid_name(info.grid);
-    if (info.grid != core::GridKind::Uniform)
+    switch (info.grid) {
+    case core::GridKind::Analytic:
         return std::string(name);
-    return fmt::format("{}, {} x {} x {} nodes, spacing {:g} x {:g} x {:g}", name, d[0], d[1], d[2],
-                       info.spacing.x, info.spacing.y, info.spacing.z);
+    case core::GridKind::Uniform:
+        return fmt::format("{}, {} x {} x {} nodes, spacing {:g} x {:g} x {:g}", name, d[0], d[1],
+                           d[2], info.spacing.x, info.spacing.y, info.spacing.z);
+    case core::GridKind::Rectilinear:
+        return fmt::format("{}, {} x {} x {} nodes", name, d[0], d[1], d[2]);
+    default:
+        return fmt::format("{}, {} points, {} cells", name, info.points, info.cells);
+    }
 }
 
 void print_text(const core::DatasetInfo& info) {
@@ -53,7 +60,7 @@ void print_text(const core::DatasetInfo& info) {
                    field.components, field.components == 1 ? "" : "s",
                    field.source == core::FieldInfo::Source::Cell ? "cell" : "point", field.range[0],
                    field.range[1], field.unit.empty() ? "" : " ", field.unit);
-    fmt::print("  obstacle  {}\n", info.obstacle ? "yes, from the solid mask" : "no");
+    fmt::print("  obstacle  {}\n", info.obstacle ? "yes" : "no");
     if (info.bytes_per_step > 0)
         fmt::print("  memory    {:.1f} MiB a time-step\n",
                    static_cast<double>(info.bytes_per_step) / (1 << 20));

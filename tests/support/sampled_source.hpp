@@ -34,6 +34,9 @@ class SampledSource final : public core::TimeStepSource {
     core::Result<std::shared_ptr<const core::TimeStep>> load(std::size_t index,
                                                              std::stop_token) const override {
         ++loads;
+        if (index == broken)
+            return core::fail(core::Error::Code::Corrupt,
+                              "time-step " + std::to_string(index) + " is damaged");
         auto step = std::make_shared<core::TimeStep>();
         step->index = index;
         step->time = times_[index];
@@ -57,6 +60,7 @@ class SampledSource final : public core::TimeStepSource {
     }
 
     mutable std::atomic<int> loads{0};
+    std::atomic<std::size_t> broken{~std::size_t{0}}; ///< the time-step that cannot be read
 
   private:
     core::Grid grid_;

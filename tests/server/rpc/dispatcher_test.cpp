@@ -112,11 +112,12 @@ class DispatcherTest : public testing::Test {
 
     IdleLoop loop;
     ComputePool pool{1};
+    Prober prober{loop, pool};
     NoDatasets datasets;
     SystemEntropy entropy;
     SessionDirectory sessions{{loop, pool, datasets, entropy}};
     Dispatcher dispatcher{
-        example_methods(), {sessions, datasets, [] { return json::array(); }}, {}};
+        example_methods(), {sessions, datasets, [] { return json::array(); }, prober}, {}};
 };
 
 } // namespace
@@ -202,11 +203,12 @@ TEST(LogText, KeepsPathsOut) {
 TEST(MethodTable, NamesEveryMethodOfTheContractOnceAndDocumentsIt) {
     IdleLoop loop;
     ComputePool pool{1};
+    Prober prober{loop, pool};
     NoDatasets datasets;
     SystemEntropy entropy;
     SessionDirectory sessions{{loop, pool, datasets, entropy}};
     const Dispatcher dispatcher{
-        method_table(), {sessions, datasets, [] { return json::array(); }}, {}};
+        method_table(), {sessions, datasets, [] { return json::array(); }, prober}, {}};
     const json document = json::parse(dispatcher.document());
     std::map<std::string, json> methods;
     for (const json& each : document["methods"]) {
