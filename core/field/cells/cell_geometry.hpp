@@ -100,7 +100,7 @@ class CellGeometry {
     const Vec3& origin() const { return origin_; }
 
   private:
-    static constexpr double precise = 1e-12; ///< of local coordinates
+    static constexpr double precise = 1e-13; ///< of local coordinates
 
     /// Rows of the Jacobian's inverse.
     struct Inverse {

@@ -1,5 +1,7 @@
 #include "core/field/cells/cell_walls.hpp"
 
+#include "core/field/cells/local_coordinates.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,15 +22,18 @@ WallPatch patch_of(const CellMesh& mesh, const MeshCell& cell, const CellFace& f
     patch.b = p[1] - p[0];
     patch.c = p[patch.triangle ? 2 : 3] - p[0];
     patch.d = patch.triangle ? Vec3(0.0) : (p[2] - p[1]) - patch.c;
-    for (std::size_t i = 0; i < face.count; ++i)
-        patch.size = std::max(patch.size, glm::length(p[(i + 1) % face.count] - p[i]));
-    Vec3 centre(0.0);
-    for (std::size_t i = 0; i < node_count(cell.shape); ++i)
-        centre += mesh.points[cell.node[i]] / static_cast<double>(node_count(cell.shape));
     const double part = patch.triangle ? 1.0 / 3.0 : 0.5;
     const Vec3 middle = patch.a + part * (patch.b + patch.c) + part * part * patch.d;
     const Vec3 normal = glm::cross(patch.b + part * patch.d, patch.c + part * patch.d);
-    patch.outward = glm::dot(normal, centre - middle) < 0.0 ? 1.0 : -1.0;
+    Vec3 opposite(0.0); // from the face to the mean of the cell's other nodes
+    for (std::size_t i = 0; i < node_count(cell.shape); ++i)
+        if (std::find(face.node.begin(), face.node.begin() + face.count, i) ==
+            face.node.begin() + face.count)
+            opposite += mesh.points[cell.node[i]] - middle;
+    opposite /= static_cast<double>(node_count(cell.shape) - face.count);
+    patch.outward = glm::dot(normal, opposite) < 0.0 ? 1.0 : -1.0;
+    if (const double area = glm::length(normal); area > 0.0)
+        patch.rounding = 0.25 * face_tolerance * std::abs(glm::dot(normal, opposite)) / area;
     return patch;
 }
 
@@ -42,7 +47,7 @@ Box box_of(const WallPatch& patch) {
     add(patch.a + patch.c);
     if (!patch.triangle)
         add(patch.a + patch.b + patch.c + patch.d);
-    return {box.lo - seam * patch.size, box.hi + seam * patch.size};
+    return box;
 }
 
 /// Real roots of a x^2 + b x + c, NaN where there are none.
@@ -71,15 +76,14 @@ bool WallPatch::left_by(const Vec3& from, const Vec3& to) const {
 
     const auto leaves_at = [&](double s, double t) {
         const Vec3 hit = start + s * b + t * c + s * t * d;
-        const double along = glm::dot(direction, hit);
-        if (!(along >= -seam * size && along <= length))
-            return false;
         const Vec3 normal = outward * glm::cross(b + t * d, c + s * d);
         const double area = glm::length(normal);
         if (!(area > 0.0))
             return false;
-        // One that slides along the wall, on it to rounding, stays inside.
-        return glm::dot(normal, way - hit) > seam * size * area;
+        // One that slides along the wall, on it to rounding, stays inside. It may have come as far beyond as cells reach
+        // beyond their faces; but it gets no farther.
+        return glm::dot(normal, way - hit) > rounding * area &&
+               glm::dot(normal, hit) > -8.0 * rounding * area;
     };
     if (triangle) {
         const double area = b1 * c2 - b2 * c1;

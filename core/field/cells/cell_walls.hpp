@@ -14,7 +14,8 @@ namespace wakesurf::core {
 struct WallPatch {
     Vec3 a, b, c, d;
     bool triangle;
-    double size;    ///< longest side
+    double
+        rounding; ///< lengths along the normal that are less are none: a part of what cells reach beyond their faces
     double outward; ///< +1 where b x c points out of the cell, -1 where into it
 
     /// True where the segment leaves the patch's cell through the patch, and ends beyond it by more than rounding.
