@@ -59,9 +59,9 @@ inline CellMesh block(std::array<std::uint32_t, 3> n, const Bend& bend, bool rou
     return mesh;
 }
 
-/// Round a cylinder of radius 1/2: rings that grow outward to radius 6, turned along z so that no face is along an axis.
+/// Round a cylinder of radius 1/2: rings that grow outward to radius 12, turned along z so that no face is along an axis.
 inline Vec3 round_cylinder(const Vec3& u) {
-    const double radius = 0.5 * std::pow(12.0, u.x);
+    const double radius = 0.5 * std::pow(24.0, u.x);
     const double angle = 2.0 * 3.14159265358979323846 * (u.y + 0.05 * u.z);
     return {radius * std::cos(angle), radius * std::sin(angle), 6.0 * u.z + 0.1 * std::sin(angle)};
 }
