@@ -30,17 +30,24 @@ struct ParticleState {
     CurveEnd end = CurveEnd::Running;
 };
 
-/// Where on the way from `before` to `after` the particle leaves, on the cubic through both; 1: it does not.
+/// How far a particle comes in a step.
+struct Way {
+    double part = 1.0; ///< of the step's time; 1: it does not leave
+    Vec3 position;
+};
+
+/// Where on the way from `before` to `after` the particle leaves, on the cubic through both.
 template <CarryingField Field>
-double leaves_at(const Field& field,
-                 const Carried& before,
-                 const Carried& change,
-                 const Carried& slope0,
-                 const Carried& slope1,
-                 CurveEnd& end) {
-    PointStatus status = field.status(before.position + change.position);
+Way leaves_at(const Field& field,
+              const Carried& before,
+              const Carried& change,
+              const Carried& slope0,
+              const Carried& slope1,
+              CurveEnd& end) {
+    const Vec3 after = before.position + change.position;
+    PointStatus status = field.status(after);
     if (status == PointStatus::Inside)
-        return 1.0;
+        return {1.0, after};
     CurveStep cubic;
     cubic.dt = 1.0;
     hermite_output(cubic, glm::dvec4(before.position, 0.0), glm::dvec4(change.position, 0.0),
@@ -53,8 +60,10 @@ double leaves_at(const Field& field,
         (there == PointStatus::Inside ? inside : outside) = middle;
         status = there == PointStatus::Inside ? status : there;
     }
+    if (outside == 1.0 && field.status(after) == PointStatus::Inside)
+        return {1.0, after}; // only the straight way is barred: the cubic goes round something
     end = status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
-    return inside;
+    return {inside, Vec3(cubic.at(inside))};
 }
 
 /// Accepts a step: moves the particle by `change`, or as far as it stays inside.
@@ -65,9 +74,10 @@ void take_step(const Field& field,
                const Carried& slope0,
                const Carried& slope1,
                double dt) {
-    const double part = leaves_at(field, at.carried, change, dt * slope0, dt * slope1, at.end);
-    at.carried = at.carried + part * change;
-    at.time += part * dt;
+    const Way way = leaves_at(field, at.carried, change, dt * slope0, dt * slope1, at.end);
+    at.carried = at.carried + way.part * change;
+    at.carried.position = way.position; // not beyond a wall, where the way is not straight
+    at.time += way.part * dt;
 }
 
 /// A particle's velocity and the change of its tangents.

@@ -21,6 +21,9 @@ void register_drag_benchmark(const std::string& dataset);
 /// Flow::advance on 30,000 particles, against a bare kernel (the machine's limit) and vtkStreaklineFilter.
 void register_advection_benchmarks();
 
+/// Velocity along paths through meshes of cells, and lookups at random, against vtkStaticCellLocator with its cell cache.
+void register_cells_benchmarks();
+
 /// Adaptive stream surfaces against vtkStreamSurface at equal longest edge and equal area: time, growth, deviation.
 void register_stream_surface_benchmarks();
 

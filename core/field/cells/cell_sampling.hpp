@@ -1,0 +1,52 @@
+// How a stored field on a mesh of cells is sampled between two time-steps: natively, each particle and each curve with a
+// cursor of its own.
+#pragma once
+
+#include "core/dataset/time_step_source.hpp"
+#include "core/field/cells/cell_sampler.hpp"
+#include "core/field/interval.hpp"
+#include "core/integrate/curve.hpp"
+#include "core/integrate/particles.hpp"
+
+#include <span>
+#include <stop_token>
+
+namespace wakesurf::core {
+
+/// What is asked of a Sampling (uniform_sampling.hpp). `smooth` changes nothing: exact on a mesh of cells is what its shape
+/// functions give. Thread safety: concurrent calls are fine. Keeps a reference to the source.
+class CellSampling {
+  public:
+    /// REQUIRES: the source's grid is a mesh of cells. Cost: that of CellDomain.
+    explicit CellSampling(const TimeStepSource& source)
+        : domain_(std::get<CellMesh>(source.grid())) {}
+
+    PointStatus status(const Vec3& position) const { return field({}).status(position); }
+
+    bool obstacle() const { return !domain_.walls.empty(); }
+
+    bool advance(const Interval& interval,
+                 const Particles& particles,
+                 double to,
+                 int sign,
+                 const AdvanceOptions& options,
+                 const std::stop_token& stop) const;
+
+    bool trace(const Interval& interval,
+               std::span<Curve> curves,
+               const TraceOptions& options,
+               double limit,
+               const std::stop_token& stop) const;
+
+    template <class Use>
+    void with_field(const Interval& interval, bool, const Use& use) const {
+        use(field(interval));
+    }
+
+  private:
+    CellSampler field(const Interval& interval) const;
+
+    CellDomain domain_;
+};
+
+} // namespace wakesurf::core

@@ -1,0 +1,185 @@
+#include "core/dataset/cell_neighbours.hpp"
+#include "core/field/cells/cell_sampler.hpp"
+#include "tests/bench/benchmarks.hpp"
+#include "tests/bench/support/interleaved.hpp"
+#include "tests/bench/support/one_core.hpp"
+#include "tests/bench/vtk/cell_field.hpp"
+#include "tests/support/cell_meshes.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <memory>
+#include <random>
+
+namespace wakesurf::bench {
+
+namespace {
+
+using core::Vec3;
+
+constexpr int repetitions = 7;
+constexpr int particles = 400;
+constexpr int steps = 500;
+
+/// Potential flow round a cylinder of radius 1/2, with a swing along it.
+Vec3 round_it(const Vec3& p) {
+    const double r2 = std::max(0.25, p.x * p.x + p.y * p.y);
+    const double part = 0.25 / (r2 * r2);
+    return {1.0 - part * (p.x * p.x - p.y * p.y), -2.0 * part * p.x * p.y, 0.1 * std::sin(p.x)};
+}
+
+struct Case {
+    const char* name;
+    core::CellMesh (*mesh)();
+    Vec3 lo, hi; ///< seeds
+    double step; ///< s
+    double target_ns;
+};
+
+/// 168,960 bent hexahedra, graded outward.
+core::CellMesh hexahedra() {
+    return test::block({44, 80, 48}, test::round_cylinder, true);
+}
+
+/// As a mesher refines round a body: 2:1 from outside to inside, in two thirds of the cells by hexahedra.
+core::CellMesh polyhedra() {
+    using Kind = test::TwoToOne::Kind;
+    const auto kind = [](const Vec3& c) {
+        const double away = glm::length((c - 0.5) * Vec3(1.0, 1.0, 0.3));
+        return away < 0.03 ? Kind::Hole : away < 0.3 ? Kind::Fine : Kind::Coarse;
+    };
+    return test::TwoToOne(36, kind, [](const Vec3& u) { return 16.0 * (test::wavy(u) - 0.5); })
+        .take();
+}
+
+constexpr Case cases[] = {
+    {"hexahedra", hexahedra, {-5, -2, 1}, {-3, 2, 5}, 0.02, 100.0},
+    {"polyhedra", polyhedra, {-6, -2, -2}, {-4, 2, 2}, 0.02, 200.0},
+};
+
+std::vector<Vec3> random_points(int count, const Vec3& lo, const Vec3& hi) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    std::vector<Vec3> points;
+    for (int i = 0; i < count; ++i) {
+        const double x = part(random), y = part(random), z = part(random);
+        points.push_back(lo + (hi - lo) * Vec3(x, y, z));
+    }
+    return points;
+}
+
+/// `velocity(p, v)` is false outside, where the particle ends. Returns how often it was asked.
+template <class Velocity>
+std::size_t advect(Vec3& p, double h, const Velocity& velocity) {
+    std::size_t asked = 0;
+    for (int i = 0; i < steps; ++i) {
+        Vec3 k1, k2, k3, k4;
+        asked += 4;
+        if (!velocity(p, k1) || !velocity(p + 0.5 * h * k1, k2) ||
+            !velocity(p + 0.5 * h * k2, k3) || !velocity(p + h * k3, k4))
+            break;
+        p += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+    }
+    return asked;
+}
+
+struct Ended {
+    std::vector<Vec3> position;
+    std::size_t asked = 0;
+};
+
+Ended advect_ours(const core::CellSampler& field, const std::vector<Vec3>& seeds, double h) {
+    Ended ended;
+    for (Vec3 p : seeds) {
+        const auto cursor = field.cursor();
+        ended.asked += advect(p, h, [&](const Vec3& at, Vec3& v) {
+            v = cursor.velocity(at, 0.0);
+            return cursor.status(at) == core::PointStatus::Inside;
+        });
+        ended.position.push_back(p);
+    }
+    return ended;
+}
+
+Ended advect_vtk(VtkCellField& field, const std::vector<Vec3>& seeds, double h) {
+    Ended ended;
+    for (Vec3 p : seeds) {
+        ended.asked += advect(p, h, [&](const Vec3& at, Vec3& v) { return field.velocity(at, v); });
+        ended.position.push_back(p);
+    }
+    return ended;
+}
+
+void measure(benchmark::State& state, const Case& which) {
+    const core::CellMesh mesh = which.mesh();
+    const std::vector<float> velocity = test::at_nodes(mesh, round_it);
+    std::unique_ptr<core::CellDomain> domain;
+    const double build = on_one_core(
+        [&] { return seconds_of([&] { domain = std::make_unique<core::CellDomain>(mesh); }); });
+    const core::CellSampler field{domain.get(), velocity.data(), nullptr};
+    VtkCellField peer(mesh, velocity);
+
+    const std::vector<Vec3> seeds = random_points(particles, which.lo, which.hi);
+    const core::Box& box = domain->locator.bounds();
+    const std::vector<Vec3> anywhere = random_points(50'000, box.lo, box.hi);
+    Ended ours, theirs;
+    std::size_t found = 0, found_by_peer = 0;
+    const std::vector<Turn> contenders{
+        [&] { return seconds_of([&] { ours = advect_ours(field, seeds, which.step); }); },
+        [&] { return seconds_of([&] { theirs = advect_vtk(peer, seeds, which.step); }); },
+        [&] {
+            found = 0;
+            core::CellGeometry geometry;
+            return seconds_of([&] {
+                for (const Vec3& p : anywhere)
+                    found += domain->locator.find(p, geometry).has_value();
+            });
+        },
+        [&] {
+            found_by_peer = 0;
+            return seconds_of([&] {
+                for (const Vec3& p : anywhere)
+                    found_by_peer += peer.find(p);
+            });
+        },
+    };
+    for (auto _ : state) {
+        const std::vector<Timed> taken = interleave(contenders, repetitions);
+        state.SetIterationTime(taken[0].median);
+        const double ns = 1e9 * taken[0].median / static_cast<double>(ours.asked);
+        const double vtk_ns = 1e9 * taken[1].median / static_cast<double>(theirs.asked);
+        double farthest = 0.0;
+        for (std::size_t i = 0; i < seeds.size(); ++i)
+            farthest = std::max(farthest, glm::length(ours.position[i] - theirs.position[i]));
+        state.counters["cells"] = static_cast<double>(mesh.cells.size());
+        state.counters["ns_per_evaluation"] = ns;
+        state.counters["target_ns"] = which.target_ns;
+        state.counters["vtk_ns_per_evaluation"] = vtk_ns;
+        state.counters["times_faster_than_vtk"] = vtk_ns / ns;
+        state.counters["vtk_in_last_cell"] =
+            static_cast<double>(peer.in_last_cell) / static_cast<double>(peer.asked);
+        state.counters["farthest_from_vtk"] = farthest;
+        const auto lookups = static_cast<double>(anywhere.size());
+        state.counters["random_ns"] = 1e9 * taken[2].median / lookups;
+        state.counters["vtk_random_ns"] = 1e9 * taken[3].median / lookups;
+        state.counters["found_more_than_vtk"] =
+            static_cast<double>(found) - static_cast<double>(found_by_peer);
+        state.counters["build_ms"] = 1e3 * build;
+        state.counters["vtk_build_ms"] = 1e3 * peer.build_seconds();
+        state.counters["bytes_per_cell"] =
+            static_cast<double>(domain->locator.bytes()) / static_cast<double>(mesh.cells.size());
+    }
+}
+
+} // namespace
+
+void register_cells_benchmarks() {
+    for (const Case& each : cases)
+        benchmark::RegisterBenchmark((std::string("cells/") + each.name).c_str(),
+                                     [each](benchmark::State& state) { measure(state, each); })
+            ->Unit(benchmark::kMillisecond)
+            ->UseManualTime()
+            ->Iterations(1);
+}
+
+} // namespace wakesurf::bench

@@ -1,0 +1,192 @@
+// Particles and curves through meshes of cells, beside closed forms.
+#include "core/field/stored_flow.hpp"
+#include "tests/support/meshed_field.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cstring>
+
+using namespace wakesurf::core;
+using namespace wakesurf::test;
+
+namespace {
+
+/// A formula on the nodes of a cell mesh at given times.
+class MeshedSource final : public TimeStepSource {
+  public:
+    using Velocity = std::function<Vec3(const Vec3&, double)>;
+
+    MeshedSource(CellMesh mesh, std::vector<double> times, Velocity velocity)
+        : grid_(std::move(mesh)), times_(std::move(times)), velocity_(std::move(velocity)) {}
+
+    const Grid& grid() const override { return grid_; }
+
+    const SolidMask& mask() const override { return mask_; }
+
+    const std::vector<double>& times() const override { return times_; }
+
+    bool ready(std::size_t) const override { return true; }
+
+    std::size_t bytes_per_step() const override { return node_count(grid_) * 12; }
+
+    Result<std::shared_ptr<const TimeStep>> load(std::size_t index,
+                                                 std::stop_token) const override {
+        auto step = std::make_shared<TimeStep>();
+        step->index = index;
+        step->time = times_[index];
+        step->slab = Slab(bytes_per_step());
+        const std::vector<float> values = at_nodes(
+            std::get<CellMesh>(grid_), [&](const Vec3& p) { return velocity_(p, times_[index]); });
+        std::memcpy(step->slab.bytes().data(), values.data(), bytes_per_step());
+        for (const float value : values)
+            step->gaps = step->gaps || !std::isfinite(value);
+        return std::shared_ptr<const TimeStep>(std::move(step));
+    }
+
+  private:
+    Grid grid_;
+    SolidMask mask_;
+    std::vector<double> times_;
+    Velocity velocity_;
+};
+
+std::unique_ptr<Flow>
+meshed_flow(CellMesh mesh, std::vector<double> times, MeshedSource::Velocity velocity) {
+    auto source =
+        std::make_shared<MeshedSource>(std::move(mesh), std::move(times), std::move(velocity));
+    return make_stored_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
+}
+
+/// Half of a ball is fine, the surface between goes through all kinds of cells.
+CellMesh refined(std::uint32_t n, const Bend& bend) {
+    return TwoToOne(
+               n,
+               [](const Vec3& c) {
+                   return glm::length(c - 0.45) < 0.31 ? TwoToOne::Kind::Fine
+                                                       : TwoToOne::Kind::Coarse;
+               },
+               bend)
+        .take();
+}
+
+std::vector<Curve> curves_from(int count, const Vec3& lo, const Vec3& hi, double duration) {
+    std::mt19937 random(29);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    std::vector<Curve> curves(static_cast<std::size_t>(count));
+    for (Curve& curve : curves) {
+        const double x = part(random), y = part(random), z = part(random);
+        curve.seed = lo + (hi - lo) * Vec3(x, y, z);
+        curve.duration = duration;
+    }
+    return curves;
+}
+
+} // namespace
+
+TEST(CellFlow, NoStreamlineEndsInsideTheFluidOfARefinedMesh) {
+    // Round the sphere of radius 1/4 in the middle, which the mesh does not know of: nothing may end a line but the sides.
+    const auto flow = meshed_flow(refined(12, wavy), {0.0}, [](const Vec3& p, double) {
+        return Vec3(1.0, 0.4 * std::sin(7.0 * p.x + 2.0 * p.z), 0.4 * std::cos(6.0 * p.x + p.y));
+    });
+    std::vector<Curve> curves = curves_from(400, Vec3(0.01), Vec3(0.3, 0.99, 0.99), 100.0);
+    TraceOptions options;
+    options.frozen = true;
+    options.longest_step = 0.1;
+    ASSERT_TRUE(flow->trace(curves, options, {}));
+    int at_side = 0;
+    for (const Curve& curve : curves) {
+        const Vec3 p = curve.last.position;
+        const Vec3 from_middle = glm::abs(p - 0.5);
+        const double side = std::max({from_middle.x, from_middle.y, from_middle.z});
+        EXPECT_EQ(curve.end, CurveEnd::Domain);
+        EXPECT_NEAR(side, 0.5, 1e-8) << p.x << " " << p.y << " " << p.z;
+        at_side += std::abs(side - 0.5) < 1e-8;
+    }
+    EXPECT_EQ(at_side, 400);
+}
+
+TEST(CellFlow, ALinearVelocityGivesTheClosedFormsPathThroughAllShapes) {
+    // A rotation: linear, so that the mesh changes nothing but by the rounding of its nodes to float.
+    const auto flow = meshed_flow(refined(8, wavy), {0.0}, [](const Vec3& p, double) {
+        return Vec3(0.5 - p.y, p.x - 0.5, 0.0);
+    });
+    std::vector<Curve> curves =
+        curves_from(50, Vec3(0.3, 0.3, 0.1), Vec3(0.7, 0.7, 0.9), 2.0 * 3.14159265358979323846);
+    TraceOptions options;
+    options.frozen = true;
+    options.longest_step = 0.1;
+    options.tolerance = 1e-8;
+    ASSERT_TRUE(flow->trace(curves, options, {}));
+    for (const Curve& curve : curves) {
+        EXPECT_EQ(curve.end, CurveEnd::Time);
+        EXPECT_LT(glm::length(curve.last.position - curve.seed), 1e-6);
+    }
+}
+
+TEST(CellFlow, IsTheSameToTheBitOnAnyNumberOfThreads) {
+    const auto flow =
+        meshed_flow(refined(10, wavy), {0.0, 0.4, 1.0, 2.0}, [](const Vec3& p, double t) {
+            return Vec3(0.2 + 0.3 * std::sin(5.0 * p.y + t), 0.3 * std::cos(7.0 * p.x - t),
+                        0.1 * std::sin(t));
+        });
+    std::vector<Vec3> expected;
+    std::vector<Vec3> expected_ends;
+    for (const std::size_t threads : {1u, 2u, 3u}) {
+        tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        std::vector<Curve> curves = curves_from(200, Vec3(0.05), Vec3(0.95), 1.7);
+        std::vector<Vec3> position, s, t;
+        for (const Curve& curve : curves) {
+            position.push_back(curve.seed);
+            s.push_back({1, 0, 0});
+            t.push_back({0, 1, 0});
+        }
+        std::vector<double> time(position.size(), 0.0);
+        std::vector<CurveEnd> end(position.size(), CurveEnd::Running);
+        AdvanceOptions advance;
+        advance.step = 0.02;
+        ASSERT_TRUE(flow->advance({position, s, t, time, end}, 1.7, advance, {}));
+        position.insert(position.end(), s.begin(), s.end());
+        TraceOptions options;
+        options.longest_step = 0.1;
+        ASSERT_TRUE(flow->trace(curves, options, {}));
+        std::vector<Vec3> ends;
+        for (const Curve& curve : curves)
+            ends.push_back(curve.last.position);
+        if (threads == 1) {
+            expected = position;
+            expected_ends = ends;
+        }
+        EXPECT_EQ(position, expected);
+        EXPECT_EQ(ends, expected_ends);
+    }
+}
+
+TEST(CellFlow, AParticleThatMeetsAGapEndsThereLikeAtTheDomainsEnd) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto flow =
+        meshed_flow(block({20, 4, 4}, [](const Vec3& u) { return u; }), {0.0, 1.0, 2.0},
+                    [&](const Vec3& p, double) { return p.x > 0.62 ? Vec3(nan) : Vec3(1, 0, 0); });
+    std::vector<Vec3> position{{0.11, 0.4, 0.4}}, none;
+    std::vector<double> time{0.0};
+    std::vector<CurveEnd> end{CurveEnd::Running};
+    AdvanceOptions advance;
+    advance.step = 0.3;
+    ASSERT_TRUE(flow->advance({position, none, none, time, end}, 2.0, advance, {}));
+    EXPECT_EQ(end[0], CurveEnd::Domain);
+    EXPECT_NEAR(position[0].x, 0.6, 1e-7);
+}
+
+TEST(CellFlow, SamplesTheContinuationOutsideAndTheFieldInside) {
+    const auto flow = meshed_flow(block({6, 6, 6}, wavy), {0.0, 2.0},
+                                  [](const Vec3& p, double t) { return (1.0 + t) * p; });
+    const std::vector<Vec3> positions{{0.25, 0.5, 0.75}, {1.1, 0.5, 0.5}};
+    const std::vector<double> times{0.5, 0.5};
+    std::vector<Vec3> velocities(2);
+    ASSERT_TRUE(flow->sample(positions, times, velocities, {}));
+    EXPECT_LT(glm::length(velocities[0] - 1.5 * positions[0]), 1e-6);
+    EXPECT_LT(glm::length(velocities[1] - 1.5 * Vec3(1.0, 0.5, 0.5)), 0.1);
+    EXPECT_FALSE(flow->obstacle());
+    EXPECT_EQ(flow->status({0.5, 0.5, 0.5}), PointStatus::Inside);
+    EXPECT_EQ(flow->status({0.5, 1.5, 0.5}), PointStatus::OutsideDomain);
+}
