@@ -5,6 +5,28 @@
 
 namespace wakesurf::core {
 
+NodeShares CellSampling::shares(const Vec3& position) const {
+    CellCursor place(domain_);
+    NodeShares shares;
+    shares.status = place.locate(position, false, [](std::uint32_t) { return true; });
+    if (shares.status != PointStatus::Inside)
+        return shares;
+    const MeshCell& cell = domain_.mesh.cells[place.cell()];
+    shares.count = node_count(cell.shape);
+    for (std::size_t i = 0; i < shares.count; ++i) {
+        // What the node's value is multiplied by is what a field gives that is one there and zero at the others.
+        CellPolynomial one_here;
+        one_here.fit(cell.shape, [&](std::size_t node) {
+            Components value;
+            value.z[0] = node == i ? 1.0 : 0.0;
+            return value;
+        });
+        shares.node[i] = cell.node[i];
+        shares.share[i] = one_here.at(place.geometry().pyramid(), place.local()).z[0];
+    }
+    return shares;
+}
+
 bool CellSampling::advance(const Interval& interval,
                            const Particles& particles,
                            double to,

@@ -5,6 +5,7 @@
 #include "core/dataset/time_step_source.hpp"
 #include "core/field/cells/cell_sampler.hpp"
 #include "core/field/interval.hpp"
+#include "core/field/node_shares.hpp"
 #include "core/integrate/curve.hpp"
 #include "core/integrate/particles.hpp"
 
@@ -22,6 +23,8 @@ class CellSampling {
         : domain_(std::get<CellMesh>(source.grid())) {}
 
     PointStatus status(const Vec3& position) const { return field({}).status(position); }
+
+    NodeShares shares(const Vec3& position) const;
 
     bool obstacle() const { return !domain_.walls.empty(); }
 
