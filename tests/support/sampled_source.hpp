@@ -14,7 +14,7 @@ class SampledSource final : public core::TimeStepSource {
   public:
     using Velocity = std::function<core::Vec3(const core::Vec3&, double)>;
 
-    SampledSource(core::UniformGrid grid,
+    SampledSource(core::Grid grid,
                   std::vector<double> times,
                   Velocity velocity,
                   core::SolidMask mask = {})
@@ -52,6 +52,13 @@ class SampledSource final : public core::TimeStepSource {
     }
 
     core::Vec3 position(std::size_t node) const {
+        if (const auto* mesh = std::get_if<core::CellMesh>(&grid_))
+            return mesh->points[node];
+        if (const auto* rectilinear = std::get_if<core::RectilinearGrid>(&grid_)) {
+            const auto& [x, y, z] = rectilinear->coordinates;
+            return {x[node % x.size()], y[node / x.size() % y.size()],
+                    z[node / (x.size() * y.size())]};
+        }
         const auto& uniform = std::get<core::UniformGrid>(grid_);
         const std::size_t nx = uniform.dimensions[0];
         const std::size_t ny = uniform.dimensions[1];
