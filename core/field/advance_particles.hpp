@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/integrate/advance_particle.hpp"
+#include "core/integrate/cursor_of.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -66,7 +67,7 @@ bool advance_particles(const Field& field,
             if (!still_to_go(p, i, to, sign))
                 continue;
             ParticleState at = take_out(p, i);
-            advance_particle(field, at, to, options, p.tangents());
+            advance_particle(cursor_of(field), at, to, options, p.tangents());
             put_back(p, i, at);
         }
     });

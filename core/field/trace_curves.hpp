@@ -4,6 +4,7 @@
 
 #include "core/integrate/advance_curve.hpp"
 #include "core/integrate/advance_through_cells.hpp"
+#include "core/integrate/cursor_of.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -34,7 +35,7 @@ bool trace_curves(const Field& field,
                 return;
             }
         }
-        if (!advance_curve(field, curve, options, until, stop))
+        if (!advance_curve(cursor_of(field), curve, options, until, stop))
             whole = false;
     };
     tbb::this_task_arena::isolate([&] {

@@ -3,6 +3,7 @@
 // serves up to the face. Source of the recurrences: Hairer, Norsett, Wanner, Solving ODEs I, I.8.
 #pragma once
 
+#include "core/field/components.hpp"
 #include "core/field/grid_sampler.hpp"
 #include "core/integrate/advance_through_cells.hpp"
 
@@ -10,22 +11,6 @@
 #include <cstddef>
 
 namespace wakesurf::core {
-
-/// Three components in two registers of two doubles, which every x86-64 has: by itself the compiler leaves them scalar.
-struct Components {
-    using Pair = double __attribute__((vector_size(16)));
-    Pair xy{}, z{};
-
-    friend Components operator+(const Components& a, const Components& b) {
-        return {a.xy + b.xy, a.z + b.z};
-    }
-
-    friend Components operator-(const Components& a, const Components& b) {
-        return {a.xy - b.xy, a.z - b.z};
-    }
-
-    friend Components operator*(const Components& a, double k) { return {a.xy * k, a.z * k}; }
-};
 
 /// Coefficients of 1, x, y, xy, z, xz, yz, xyz; x, y, z run from 0 to 1 through the cell.
 struct TrilinearPolynomial {

@@ -1,0 +1,89 @@
+// Where in a cell a point is, by its local coordinates: inside or not, beyond which face, and the nearest point inside.
+#pragma once
+
+#include "core/dataset/cell_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace wakesurf::core {
+
+/// Points this far beyond a face, in units of the cell, still are inside: rounding opens no gaps between cells.
+inline constexpr double face_tolerance = 1e-9;
+
+inline Vec3 cell_centre(CellShape shape) {
+    constexpr double third = 1.0 / 3.0;
+    switch (shape) {
+    case CellShape::Tetrahedron:
+        return Vec3(0.25);
+    case CellShape::Pyramid:
+        return {0.4, 0.4, 0.2};
+    case CellShape::Wedge:
+        return {third, third, 0.5};
+    case CellShape::Hexahedron:
+        break;
+    }
+    return Vec3(0.5);
+}
+
+/// How far a point lies beyond each face, negative inside; in the order of MeshCell::beyond. Entries past the shape's own
+/// are below every other.
+inline std::array<double, 6> beyond_faces(CellShape shape, const Vec3& u) {
+    constexpr double none = -1e300;
+    switch (shape) {
+    case CellShape::Tetrahedron:
+        return {-u.y, u.x + u.y + u.z - 1.0, -u.x, -u.z, none, none};
+    case CellShape::Pyramid:
+        return {-u.z, -u.y, u.x + u.z - 1.0, u.y + u.z - 1.0, -u.x, none};
+    case CellShape::Wedge:
+        return {-u.z, u.z - 1.0, -u.y, u.x + u.y - 1.0, -u.x, none};
+    case CellShape::Hexahedron:
+        break;
+    }
+    return {-u.x, u.x - 1.0, -u.y, u.y - 1.0, -u.z, u.z - 1.0};
+}
+
+/// The face a point is farthest beyond; of equals the first.
+inline std::size_t most_violated(CellShape shape, const Vec3& u) {
+    const auto beyond = beyond_faces(shape, u);
+    return static_cast<std::size_t>(std::max_element(beyond.begin(), beyond.end()) -
+                                    beyond.begin());
+}
+
+/// False for NaN.
+inline bool inside_cell(CellShape shape, const Vec3& u) {
+    constexpr double e = face_tolerance;
+    const double low = std::min(std::min(u.x, u.y), u.z);
+    switch (shape) {
+    case CellShape::Tetrahedron:
+        return low >= -e && u.x + u.y + u.z <= 1.0 + e;
+    case CellShape::Pyramid:
+        return low >= -e && std::max(u.x, u.y) + u.z <= 1.0 + e;
+    case CellShape::Wedge:
+        return low >= -e && u.x + u.y <= 1.0 + e && u.z <= 1.0 + e;
+    case CellShape::Hexahedron:
+        break;
+    }
+    return low >= -e && std::max(std::max(u.x, u.y), u.z) <= 1.0 + e;
+}
+
+/// A point of the cell near `u`; `u` itself where it is inside. What is not a number counts as 0.
+inline Vec3 clamp_to_cell(CellShape shape, Vec3 u) {
+    for (int axis = 0; axis < 3; ++axis)
+        u[axis] = std::min(std::max(0.0, u[axis]), 1.0);
+    if (shape == CellShape::Tetrahedron)
+        u /= std::max(1.0, u.x + u.y + u.z);
+    if (shape == CellShape::Wedge) {
+        const double sum = std::max(1.0, u.x + u.y);
+        u.x /= sum;
+        u.y /= sum;
+    }
+    if (shape == CellShape::Pyramid) {
+        u.x = std::min(u.x, 1.0 - u.z);
+        u.y = std::min(u.y, 1.0 - u.z);
+    }
+    return u;
+}
+
+} // namespace wakesurf::core
