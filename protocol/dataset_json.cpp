@@ -100,6 +100,10 @@ json dataset_json(const core::DatasetInfo& info) {
              {"obstacle", info.obstacle},
              {"bytesPerStep", info.bytes_per_step},
              {"finestSpacing", info.finest_spacing}};
+    if (!info.note.empty())
+        out["note"] = info.note;
+    if (info.precision == core::Precision::Half)
+        out["precision"] = "half";
     if (info.grid == core::GridKind::Uniform) {
         out["dimensions"] = info.dimensions;
         out["spacing"] = {info.spacing.x, info.spacing.y, info.spacing.z};
@@ -132,6 +136,13 @@ core::Result<core::DatasetInfo> parse_dataset_info(const json& value) {
     info.bytes_per_step = members.count("bytesPerStep");
     if (members.has("finestSpacing"))
         info.finest_spacing = members.number("finestSpacing");
+    if (members.has("note"))
+        info.note = members.text("note");
+    if (members.has("precision")) {
+        if (members.text("precision") != "half")
+            members.fault("precision", "is not one this version knows");
+        info.precision = core::Precision::Half;
+    }
     parse_uniform_grid(members, info);
     return members.verdict().map([&] { return info; });
 }

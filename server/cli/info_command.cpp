@@ -48,12 +48,16 @@ void print_text(const core::DatasetInfo& info) {
         fmt::print("  times     {} from {:g} to {:g}{}\n", info.times.size(), info.times.front(),
                    info.times.back(), info.steady ? " (steady)" : "");
     fmt::print("  velocity  {}: {}\n", info.velocity, info.why);
+    if (info.precision == core::Precision::Half)
+        fmt::print("  stored    in half precision\n");
+    if (!info.note.empty())
+        fmt::print("  note      {}\n", info.note);
     for (const auto& field : info.fields)
         fmt::print("  field     {}, {} component{}, {} data, {:g} to {:g}{}{}\n", field.name,
                    field.components, field.components == 1 ? "" : "s",
                    field.source == core::FieldInfo::Source::Cell ? "cell" : "point", field.range[0],
                    field.range[1], field.unit.empty() ? "" : " ", field.unit);
-    fmt::print("  obstacle  {}\n", info.obstacle ? "yes, from the solid mask" : "no");
+    fmt::print("  obstacle  {}\n", info.obstacle ? "yes" : "no");
     if (info.bytes_per_step > 0)
         fmt::print("  memory    {:.1f} MiB a time-step\n",
                    static_cast<double>(info.bytes_per_step) / (1 << 20));
