@@ -92,6 +92,9 @@ std::vector<core::StoredScalar> parse_scalars(JsonMembers& manifest) {
         scalars.push_back({members.text("name"), members.text("stem")});
         if (!members.verdict() || !plain(scalars.back().stem))
             manifest.fault("scalars", "must hold names and stems");
+        const auto same = [&](const auto& s) { return s.stem == scalars.back().stem; };
+        if (std::any_of(scalars.begin(), scalars.end() - 1, same))
+            manifest.fault("scalars", "must differ in their stems");
     }
     return scalars;
 }

@@ -154,6 +154,9 @@ std::vector<GridFile> grid_files(const Grid& grid) {
 
 Result<std::vector<std::byte>>
 read_fixed_file(const StoreLayout& layout, const std::string& name, std::uint64_t size, const Disk& disk) {
+    const auto checksum = layout.checksums.find(name);
+    if (checksum == layout.checksums.end())
+        return damaged("the store's manifest has no checksum of " + name);
     const auto file = layout.folder / name;
     const auto found = disk.size(file);
     if (!found)
@@ -164,8 +167,7 @@ read_fixed_file(const StoreLayout& layout, const std::string& name, std::uint64_
     std::vector<std::byte> bytes(static_cast<std::size_t>(size));
     if (auto read = disk.read(file, 0, bytes); !read)
         return tl::unexpected(read.error());
-    const auto checksum = layout.checksums.find(name);
-    if (checksum != layout.checksums.end() && checksum->second != crc32c(bytes))
+    if (checksum->second != crc32c(bytes))
         return damaged(name + " is not as it was written: its checksum differs");
     return bytes;
 }

@@ -22,7 +22,8 @@ StoredGrid stored_grid(const Grid& grid, bool curvilinear = false);
 /// The files of the grid but store.json; none for a uniform one.
 std::vector<GridFile> grid_files(const Grid& grid);
 
-/// Reads a file that all time-steps share. Error: NotFound, Io, Corrupt for another size or checksum than the layout says.
+/// Reads a file that all time-steps share. Error: NotFound, Io, Corrupt for another size or
+/// checksum than the layout says, and without a checksum.
 Result<std::vector<std::byte>>
 read_fixed_file(const StoreLayout& layout, const std::string& name, std::uint64_t size, const Disk& disk);
 

@@ -78,6 +78,13 @@ bool StoreReader::ready(std::size_t index) const {
     return size && *size / (columns() * sizeof(std::uint32_t)) > index;
 }
 
+bool StoreReader::whole(std::size_t index) const {
+    bool all = ready(index);
+    for (std::size_t column = 0; all && column < columns(); ++column)
+        all = whole_file(column, index).has_value();
+    return all;
+}
+
 std::size_t StoreReader::bytes_per_step() const {
     return Slab::reservation(step_file_size(nodes_, 3, Precision::Single));
 }
@@ -172,7 +179,7 @@ StoreReader::read(std::size_t column, std::size_t index, const std::stop_token& 
     if (*expected != sum)
         return fail(Error::Code::Corrupt,
                     step_name(index, name) + " is not as it was written: its checksum differs",
-                    again);
+                    "delete that file from the store, then " + std::string(again));
     const std::scoped_lock lock(mutex_);
     seen_[index * columns() + column] = Seen{*after, values.gaps};
     return values;

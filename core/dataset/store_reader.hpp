@@ -38,6 +38,9 @@ class StoreReader final : public TimeStepSource {
     const StoreLayout& layout() const { return layout_; }
 
     bool ready(std::size_t index) const override;
+
+    /// Ready, and all its files are there with the sizes they should have; their bytes are not looked at.
+    bool whole(std::size_t index) const;
     std::size_t bytes_per_step() const override;
 
     /// Corrupt: truncated, another checksum, or another file than the one read under this name before.

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -211,6 +212,10 @@ core::Result<void> StoreWriter::finish_step(std::size_t index,
     if (file < 0)
         return cannot_write(name);
     const auto at = static_cast<off_t>(index * bytes.size());
+    if (::lseek(file, 0, SEEK_END) < at) { // a hole would make the time-steps before it ready
+        ::close(file);
+        throw std::logic_error("a time-step was finished before the one before it");
+    }
     const bool written = ::lseek(file, at, SEEK_SET) == at && write_all(file, bytes) &&
                          ::fdatasync(file) == 0;
     const auto outcome = written ? core::Result<void>() : cannot_write(name);

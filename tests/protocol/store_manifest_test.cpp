@@ -1,4 +1,5 @@
 #include "protocol/store_manifest.hpp"
+#include "core/dataset/store_grid.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -12,21 +13,26 @@ using nlohmann::json;
 StoreManifest sample_manifest() {
     StoreManifest manifest;
     manifest.complete = true;
-    manifest.source = {{{"a.pvd", 100, 1'795'231'487'280'964'257}, {"a_0.vti", 200, -5}},
+    manifest.source = {{{"a.pvd", 100, 1'795'231'487'280'964'257}},
+                       {{{"a_0.vti", 200, -5}}, {{"a_1.vti", 200, 7}, {"a_1.raw", 9, 8}}},
                        "field U "};
-    manifest.grid = {{0.5, 0, -1}, {0.1, 0.2, 0.3}, {3, 4, 5}};
-    manifest.times = {0.5, 1.5};
-    manifest.mask = "mask.u8";
+    const core::UniformGrid grid{{0.5, 0, -1}, {0.1, 0.2, 0.3}, {3, 4, 5}};
+    manifest.layout.grid = core::stored_grid(grid);
+    manifest.layout.times = {0.5, 1.5};
+    manifest.layout.precision = core::Precision::Half;
+    manifest.layout.scalars = {{"p / rho", "p-rho"}};
+    manifest.layout.mask = manifest.layout.walls = true;
+    manifest.layout.checksums = {{"mask.u8", 0xffffffffu}, {"walls.f32", 0}, {"walls.u32", 17}};
     manifest.velocity_range = {0.25, 2};
     auto& info = manifest.info;
     info.dataset = info.name = "a";
     info.reader = "vtk";
-    info.bounds = manifest.grid.bounds();
-    info.dimensions = manifest.grid.dimensions;
-    info.spacing = manifest.grid.spacing;
+    info.bounds = grid.bounds();
+    info.dimensions = grid.dimensions;
+    info.spacing = grid.spacing;
     info.points = 60;
     info.cells = 24;
-    info.times = manifest.times;
+    info.times = manifest.layout.times;
     info.fields = {{"U", 3, core::FieldInfo::Source::Point, {0.25, 2}, ""}};
     info.velocity = "U";
     info.why = "so";
@@ -45,12 +51,35 @@ TEST(StoreManifest, ReadsBackWhatItWrites) {
     const auto after = parse_store_manifest(store_manifest_text(before));
     ASSERT_TRUE(after.has_value()) << after.error().message;
     EXPECT_EQ(after->source, before.source);
-    EXPECT_EQ(after->times, before.times);
-    EXPECT_EQ(after->mask, before.mask);
+    EXPECT_EQ(after->layout.times, before.layout.times);
+    EXPECT_EQ(after->layout.precision, before.layout.precision);
+    EXPECT_EQ(after->layout.scalars, before.layout.scalars);
+    EXPECT_EQ(after->layout.mask, before.layout.mask);
+    EXPECT_EQ(after->layout.walls, before.layout.walls);
+    EXPECT_EQ(after->layout.checksums, before.layout.checksums);
     EXPECT_EQ(after->velocity_range, before.velocity_range);
-    EXPECT_EQ(after->grid.origin, before.grid.origin);
-    EXPECT_EQ(after->grid.spacing, before.grid.spacing);
+    EXPECT_EQ(after->layout.grid.uniform.origin, before.layout.grid.uniform.origin);
+    EXPECT_EQ(after->layout.grid.uniform.spacing, before.layout.grid.uniform.spacing);
     EXPECT_EQ(store_manifest_text(*after), store_manifest_text(before));
+}
+
+TEST(StoreManifest, ReadsBackEveryKindOfGrid) {
+    auto before = sample_manifest();
+    before.info.grid = core::GridKind::Rectilinear;
+    before.layout.grid = {core::GridKind::Rectilinear, {}, {3, 4, 5}};
+    auto after = parse_store_manifest(store_manifest_text(before));
+    ASSERT_TRUE(after.has_value()) << after.error().message;
+    EXPECT_EQ(after->layout.grid.kind, core::GridKind::Rectilinear);
+    EXPECT_EQ(after->layout.grid.dimensions, before.layout.grid.dimensions);
+    for (const auto kind : {core::GridKind::Curvilinear, core::GridKind::Unstructured}) {
+        before.info.grid = kind;
+        before.layout.grid = {kind, {}, {}, 60, 24};
+        after = parse_store_manifest(store_manifest_text(before));
+        ASSERT_TRUE(after.has_value()) << after.error().message;
+        EXPECT_EQ(after->layout.grid.kind, kind);
+        EXPECT_EQ(after->layout.grid.points, 60u);
+        EXPECT_EQ(after->layout.grid.cells, 24u);
+    }
 }
 
 TEST(StoreManifest, RefusesTextCutAnywhere) {
@@ -66,7 +95,7 @@ TEST(StoreManifest, SurvivesChangedBytes) {
             std::string changed = whole;
             changed[at] = c;
             const auto parsed = parse_store_manifest(changed);
-            EXPECT_TRUE(!parsed || parsed->info.bytes_per_step == parsed->grid.nodes() * 12);
+            EXPECT_TRUE(!parsed || parsed->info.bytes_per_step == parsed->layout.grid.nodes() * 12);
         }
 }
 
@@ -84,13 +113,22 @@ TEST(StoreManifest, RefusesPartsThatDisagree) {
     EXPECT_EQ(with("/grid/dimensions", {3, 4, 6}), Code::Corrupt);
     EXPECT_EQ(with("/grid/dimensions", {1, 4, 6}), Code::Corrupt);
     EXPECT_EQ(with("/grid/dimensions", {4294967295, 4294967295, 4294967295}),
-              Code::InvalidArgument);
-    EXPECT_EQ(with("/grid/spacing", {0, 1, 1}), Code::InvalidArgument);
-    EXPECT_EQ(with("/grid/origin", {1e300, 0, 0}), Code::InvalidArgument);
+              Code::Corrupt);
+    EXPECT_EQ(with("/grid/spacing", {0, 1, 1}), Code::Corrupt);
+    EXPECT_EQ(with("/grid/origin", {1e300, 0, 0}), Code::Corrupt);
     EXPECT_EQ(with("/info/bounds", {0, 1, 0, 1, 0, 1}), Code::Corrupt);
-    EXPECT_EQ(with("/mask", "../../etc/passwd"), Code::Corrupt);
+    EXPECT_EQ(with("/mask", "mask.u8"), Code::Corrupt);
+    EXPECT_EQ(with("/precision", "double"), Code::Corrupt);
+    EXPECT_EQ(with("/checksums/mask.u8", 4294967296), Code::Corrupt);
+    EXPECT_EQ(with("/source/steps", json::array({json::array()})), Code::Corrupt);
+    EXPECT_EQ(with("/grid/kind", "rectilinear"), Code::Corrupt);
+    EXPECT_EQ(with("/grid/kind", "analytic"), Code::Corrupt);
+    EXPECT_EQ(with("/grid/kind", "hexagonal"), Code::Corrupt);
+    for (const char* stem : {"../../etc/passwd", "", "velocity", "a/b", "a_000000", "P"})
+        EXPECT_EQ(with("/scalars/0/stem", stem), Code::Corrupt) << stem;
     EXPECT_EQ(with("/format", "something"), Code::Corrupt);
-    EXPECT_EQ(with("/version", 2), Code::Unsupported);
+    EXPECT_EQ(with("/version", 1), Code::Unsupported);
+    EXPECT_EQ(with("/version", 3), Code::Unsupported);
     EXPECT_EQ(with("/source/files/0/size", -1), Code::Corrupt);
     EXPECT_EQ(error_of(json::array()), Code::Corrupt);
     EXPECT_EQ(parse_store_manifest(std::string(100'000, '[')).error().code, Code::OverLimit);
@@ -105,8 +143,8 @@ TEST(StoreManifest, IsReadFromItsFolder) {
     ASSERT_TRUE(manifest.has_value()) << manifest.error().message;
     const auto layout = store_layout(*manifest, folder.path());
     EXPECT_EQ(layout.folder, folder.path());
-    EXPECT_EQ(layout.times, manifest->times);
-    EXPECT_EQ(layout.mask, "mask.u8");
+    EXPECT_EQ(layout.times, manifest->layout.times);
+    EXPECT_TRUE(layout.mask);
 }
 
 } // namespace

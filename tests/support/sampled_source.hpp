@@ -1,4 +1,4 @@
-// A time-step source that samples a formula on a grid: stored data without files.
+// A time-step source that samples a formula on a uniform or rectilinear grid: stored data without files.
 #pragma once
 
 #include "core/dataset/time_step_source.hpp"
@@ -14,11 +14,11 @@ class SampledSource final : public core::TimeStepSource {
   public:
     using Velocity = std::function<core::Vec3(const core::Vec3&, double)>;
 
-    SampledSource(core::UniformGrid grid,
+    SampledSource(core::Grid grid,
                   std::vector<double> times,
                   Velocity velocity,
                   core::SolidMask mask = {})
-        : grid_(grid), times_(std::move(times)), velocity_(std::move(velocity)),
+        : grid_(std::move(grid)), times_(std::move(times)), velocity_(std::move(velocity)),
           mask_(std::move(mask)) {}
 
     const core::Grid& grid() const override { return grid_; }
@@ -44,11 +44,18 @@ class SampledSource final : public core::TimeStepSource {
             const core::Vec3 v = solid ? core::Vec3(0.0) : velocity_(position(node), times_[index]);
             for (int axis = 0; axis < 3; ++axis)
                 *out++ = static_cast<float>(v[axis]);
+            step->gaps = step->gaps || !core::finite(v);
         }
         return step;
     }
 
+    /// Of a node, x fastest.
     core::Vec3 position(std::size_t node) const {
+        if (const auto* grid = std::get_if<core::RectilinearGrid>(&grid_)) {
+            const auto& [x, y, z] = grid->coordinates;
+            return {x[node % x.size()], y[node / x.size() % y.size()],
+                    z[node / (x.size() * y.size())]};
+        }
         const auto& uniform = std::get<core::UniformGrid>(grid_);
         const std::size_t nx = uniform.dimensions[0];
         const std::size_t ny = uniform.dimensions[1];

@@ -1,116 +1,268 @@
 #include "core/dataset/store_reader.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/small_store.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace wakesurf::core {
 namespace {
 
-using tests::TemporaryFolder;
-using tests::write_file;
+using namespace tests;
 
 constexpr std::size_t nodes = 3 * 2 * 2;
 
 StoreLayout small_layout(const TemporaryFolder& folder) {
-    return {folder.path(), {{0, 0, 0}, {1, 1, 1}, {3, 2, 2}}, {0.5, 1.0, 4.0}, ""};
+    StoreLayout layout;
+    layout.folder = folder.path();
+    layout.grid = stored_grid(UniformGrid{{0, 0, 0}, {1, 1, 1}, {3, 2, 2}});
+    layout.times = {0.5, 1.0, 4.0};
+    return layout;
 }
 
-std::string step_bytes(float first) {
-    std::vector<float> values(3 * nodes);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = first + static_cast<float>(i);
-    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
+std::vector<float> rising(float first, std::size_t count = 3 * nodes) {
+    std::vector<float> values(count);
+    std::iota(values.begin(), values.end(), first);
+    return values;
+}
+
+std::vector<float> velocity_of(const TimeStep& step) {
+    return {step.velocity().begin(), step.velocity().end()};
+}
+
+std::string velocity_file(std::size_t index) {
+    return step_file_name(velocity_stem, index, Precision::Single);
 }
 
 std::shared_ptr<const StoreReader> open(const StoreLayout& layout) {
-    return StoreReader::open(layout, std::make_shared<PosixDisk>()).value();
+    return open_layout(layout).value();
 }
 
 Error::Code open_error(const StoreLayout& layout) {
-    return StoreReader::open(layout, std::make_shared<PosixDisk>()).error().code;
+    return open_layout(layout).error().code;
+}
+
+/// Of the first load of a reader of its own, which knows nothing from before.
+Error first_load_error(const StoreLayout& layout, std::size_t index = 0) {
+    const auto loaded = open(layout)->load(index, {});
+    return loaded ? Error{Error::Code::Cancelled, "it loaded", ""} : loaded.error();
 }
 
 TEST(StoreReader, GivesBackTheValuesOfTheFile) {
     const TemporaryFolder folder;
-    write_file(folder / velocity_file_name(1), step_bytes(100.0f));
-    const auto reader = open(small_layout(folder));
-    EXPECT_FALSE(reader->ready(0));
+    const auto layout = small_layout(folder);
+    put_step(layout, 0, rising(-5.0f));
+    put_step(layout, 1, rising(100.0f));
+    const auto reader = open(layout);
+    EXPECT_TRUE(reader->ready(0));
     EXPECT_TRUE(reader->ready(1));
+    EXPECT_FALSE(reader->ready(2));
     EXPECT_FALSE(reader->ready(3));
-    const auto step = reader->load(1, {}).value();
-    EXPECT_EQ(step->index, 1u);
-    EXPECT_EQ(step->time, 1.0);
-    ASSERT_EQ(step->velocity().size(), 3 * nodes);
-    for (std::size_t i = 0; i < 3 * nodes; ++i)
-        EXPECT_EQ(step->velocity()[i], 100.0f + static_cast<float>(i));
-    EXPECT_GE(reader->bytes_per_step(), step->slab.reserved());
+    for (int reading = 0; reading < 2; ++reading) { // checked, then without
+        const auto step = reader->load(1, {}).value();
+        EXPECT_EQ(step->index, 1u);
+        EXPECT_EQ(step->time, 1.0);
+        EXPECT_FALSE(step->gaps);
+        EXPECT_EQ(velocity_of(*step), rising(100.0f));
+        EXPECT_GE(reader->bytes_per_step(), step->slab.reserved());
+    }
+    EXPECT_EQ(reader->load(3, {}).error().code, Error::Code::InvalidArgument);
 }
 
-TEST(StoreReader, AStepIsReadyAsSoonAsItsFileAppears) {
+TEST(StoreReader, AStepIsReadyWithItsChecksumsAndNotBefore) {
     const TemporaryFolder folder;
-    const auto reader = open(small_layout(folder));
+    const auto layout = small_layout(folder);
+    const auto reader = open(layout);
     EXPECT_EQ(reader->load(0, {}).error().code, Error::Code::NotFound);
-    write_file(folder / velocity_file_name(0), step_bytes(1.0f));
+    const std::uint32_t sum = put_values(layout, velocity_stem, 0, rising(1.0f));
+    EXPECT_FALSE(reader->ready(0)) << "its file is whole, but nothing vouches for it yet";
+    EXPECT_EQ(reader->load(0, {}).error().code, Error::Code::NotFound);
+    write_file(folder / checksums_file_name, bytes_of(std::vector{sum}).substr(0, 3));
+    EXPECT_FALSE(reader->ready(0)) << "a record cut off is none";
+    write_file(folder / checksums_file_name, bytes_of(std::vector{sum}));
     EXPECT_TRUE(reader->ready(0));
     EXPECT_TRUE(reader->load(0, {}).has_value());
 }
 
+TEST(StoreReader, AStepWithScalarsIsReadyWithTheLastOfThem) {
+    const TemporaryFolder folder;
+    auto layout = small_layout(folder);
+    layout.scalars = {{"p", "p"}, {"T (K)", "t-k"}};
+    const auto reader = open(layout);
+    const std::vector sums{put_values(layout, velocity_stem, 0, rising(1.0f)),
+                           put_values(layout, "p", 0, rising(2.0f, nodes)),
+                           put_values(layout, "t-k", 0, rising(3.0f, nodes))};
+    append_checksums(layout, {sums[0], sums[1]});
+    EXPECT_FALSE(reader->ready(0));
+    append_checksums(layout, {sums[2]});
+    EXPECT_TRUE(reader->ready(0));
+    EXPECT_EQ(velocity_of(*reader->load(0, {}).value()), rising(1.0f));
+    for (std::size_t scalar = 0; scalar < 2; ++scalar) {
+        const Slab slab = reader->load_scalar(scalar, 0, {}).value();
+        const auto* values = reinterpret_cast<const float*>(slab.bytes().data());
+        EXPECT_EQ(std::vector<float>(values, values + nodes),
+                  rising(2.0f + static_cast<float>(scalar), nodes));
+    }
+    flip_bit(folder / "t-k_000000.f32", 77);
+    EXPECT_EQ(open(layout)->load_scalar(1, 0, {}).error().code, Error::Code::Corrupt);
+    EXPECT_TRUE(open(layout)->load_scalar(0, 0, {}).has_value());
+}
+
 TEST(StoreReader, RefusesAStepCutAnywhere) {
     const TemporaryFolder folder;
-    const auto reader = open(small_layout(folder));
-    const std::string whole = step_bytes(1.0f);
-    for (const std::size_t size :
-         {std::size_t{0}, std::size_t{1}, whole.size() / 2, whole.size() - 1}) {
-        write_file(folder / velocity_file_name(0), whole.substr(0, size));
-        EXPECT_FALSE(reader->ready(0)) << size;
-        EXPECT_EQ(reader->load(0, {}).error().code, Error::Code::Corrupt) << size;
+    auto layout = small_layout(folder);
+    layout.grid = stored_grid(UniformGrid{{0, 0, 0}, {1, 1, 1}, {20, 20, 10}});
+    put_step(layout, 0, rising(1.0f, 3 * 20 * 20 * 10));
+    const std::string whole = read_file(folder / velocity_file(0));
+    std::vector<std::size_t> sizes{1, whole.size() / 2, whole.size() - 1};
+    for (std::size_t page = 0; page < whole.size(); page += 4096)
+        sizes.push_back(page);
+    const auto reader = open(layout);
+    for (const std::size_t size : sizes) {
+        write_file(folder / velocity_file(0), whole.substr(0, size));
+        for (const Error& error : {first_load_error(layout), reader->load(0, {}).error()}) {
+            EXPECT_EQ(error.code, Error::Code::Corrupt) << size;
+            EXPECT_NE(error.message.find("time-step 0 (velocity_000000.f32) has " +
+                                         std::to_string(size) + " bytes instead of 48000"),
+                      std::string::npos)
+                << error.message;
+        }
     }
-    write_file(folder / velocity_file_name(0), whole + "x");
+    write_file(folder / velocity_file(0), whole + "x");
     EXPECT_EQ(reader->load(0, {}).error().code, Error::Code::Corrupt);
+    write_file(folder / velocity_file(0), whole);
+    EXPECT_TRUE(reader->load(0, {}).has_value()) << "nothing of the failures is remembered";
+}
+
+TEST(StoreReader, RefusesEveryFlippedBit) {
+    for (const Precision precision : {Precision::Single, Precision::Half}) {
+        const TemporaryFolder folder;
+        auto layout = small_layout(folder);
+        layout.precision = precision;
+        put_step(layout, 0, rising(1.0f));
+        const auto file = folder / step_file_name(velocity_stem, 0, precision);
+        const std::size_t bits = 8 * read_file(file).size();
+        for (std::size_t bit = 0; bit < bits; ++bit) {
+            flip_bit(file, bit);
+            const auto error = first_load_error(layout);
+            ASSERT_EQ(error.code, Error::Code::Corrupt) << bit;
+            ASSERT_NE(error.message.find("checksum"), std::string::npos) << error.message;
+            flip_bit(file, bit);
+        }
+        for (std::size_t bit = 0; bit < 32; ++bit) { // of the checksum itself
+            flip_bit(folder / checksums_file_name, bit);
+            ASSERT_EQ(first_load_error(layout).code, Error::Code::Corrupt) << bit;
+            flip_bit(folder / checksums_file_name, bit);
+        }
+        EXPECT_TRUE(open(layout)->load(0, {}).has_value());
+    }
+}
+
+TEST(StoreReader, AnUnreadableStepLeavesTheOthersReadable) {
+    const TemporaryFolder folder;
+    const auto layout = small_layout(folder);
+    for (std::size_t i = 0; i < 3; ++i)
+        put_step(layout, i, rising(static_cast<float>(i)));
+    flip_bit(folder / velocity_file(1), 200);
+    const auto reader = open(layout);
+    EXPECT_TRUE(reader->load(0, {}).has_value());
+    EXPECT_EQ(reader->load(1, {}).error().code, Error::Code::Corrupt);
+    EXPECT_TRUE(reader->load(2, {}).has_value());
 }
 
 TEST(StoreReader, RefusesAStepThatVanishedOrWasReplaced) {
     const TemporaryFolder folder;
-    write_file(folder / velocity_file_name(0), step_bytes(1.0f));
-    const auto reader = open(small_layout(folder));
+    const auto layout = small_layout(folder);
+    put_step(layout, 0, rising(1.0f));
+    const auto reader = open(layout);
     ASSERT_TRUE(reader->load(0, {}).has_value());
     ASSERT_TRUE(reader->load(0, {}).has_value());
-    write_file(folder / "other", step_bytes(2.0f));
-    std::filesystem::rename(folder / "other", folder / velocity_file_name(0));
+    write_file(folder / "other", bytes_of(rising(1.0f)));
+    std::filesystem::rename(folder / "other", folder / velocity_file(0));
     EXPECT_EQ(reader->load(0, {}).error().code, Error::Code::Corrupt);
-    std::filesystem::remove(folder / velocity_file_name(0));
+    std::filesystem::remove(folder / velocity_file(0));
     EXPECT_EQ(reader->load(0, {}).error().code, Error::Code::NotFound);
 }
 
-TEST(StoreReader, RefusesVelocitiesThatAreNotFinite) {
+TEST(StoreReader, KeepsVelocitiesThatAreNotFiniteAsGaps) {
     const TemporaryFolder folder;
-    const auto reader = open(small_layout(folder));
-    for (const float bad :
-         {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()}) {
-        std::string bytes = step_bytes(1.0f);
-        bytes.replace(4 * 17, 4, reinterpret_cast<const char*>(&bad), 4);
-        write_file(folder / velocity_file_name(0), bytes);
-        EXPECT_EQ(reader->load(0, {}).error().code, Error::Code::Corrupt) << bad;
+    const auto layout = small_layout(folder);
+    const float infinite = std::numeric_limits<float>::infinity();
+    std::size_t index = 0;
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), infinite, -infinite}) {
+        auto values = rising(1.0f);
+        values[17] = bad;
+        put_step(layout, index++, values);
     }
+    const auto reader = open(layout);
+    for (std::size_t i = 0; i < 3; ++i)
+        for (int reading = 0; reading < 2; ++reading) {
+            const auto step = reader->load(i, {}).value();
+            EXPECT_TRUE(step->gaps) << i << reading;
+            EXPECT_FALSE(std::isfinite(step->velocity()[17]));
+            EXPECT_EQ(step->velocity()[16], 17.0f);
+        }
+}
+
+TEST(StoreReader, ReadsHalfPrecisionAsTheNearestFloats) {
+    const TemporaryFolder folder;
+    auto layout = small_layout(folder);
+    layout.precision = Precision::Half;
+    auto values = rising(1.0f / 3.0f);
+    values[5] = 1e6f; // too large for a half: a gap
+    put_step(layout, 0, values);
+    EXPECT_EQ(read_file(folder / "velocity_000000.f16").size(), 2 * values.size());
+    const auto reader = open(layout);
+    const auto step = reader->load(0, {}).value();
+    EXPECT_TRUE(step->gaps);
+    EXPECT_EQ(step->velocity()[5], std::numeric_limits<float>::infinity());
+    for (std::size_t i = 6; i < values.size(); ++i)
+        EXPECT_NEAR(step->velocity()[i], values[i], values[i] / 2048.0f);
 }
 
 TEST(StoreReader, ChecksTheMask) {
     const TemporaryFolder folder;
     auto layout = small_layout(folder);
-    layout.mask = "mask.u8";
+    layout.mask = true;
+    EXPECT_EQ(open_error(layout), Error::Code::Corrupt) << "the layout has no checksum of it";
+    layout.checksums["mask.u8"] = 0;
     EXPECT_EQ(open_error(layout), Error::Code::NotFound);
-    write_file(folder / "mask.u8", std::string(nodes - 1, '\1'));
+    put_fixed(layout, "mask.u8", std::string(nodes - 1, '\1'));
     EXPECT_EQ(open_error(layout), Error::Code::Corrupt);
-    write_file(folder / "mask.u8", std::string(nodes, '\2'));
+    put_fixed(layout, "mask.u8", std::string(nodes, '\2'));
     EXPECT_EQ(open_error(layout), Error::Code::Corrupt);
     std::string mask(nodes, '\1');
     mask[5] = '\0';
-    write_file(folder / "mask.u8", mask);
+    put_fixed(layout, "mask.u8", mask);
     const auto reader = open(layout);
     EXPECT_EQ(reader->mask().fluid[4], 1);
     EXPECT_EQ(reader->mask().fluid[5], 0);
+    flip_bit(folder / "mask.u8", 8 * 3); // a fluid node becomes solid: still a mask
+    EXPECT_EQ(open_error(layout), Error::Code::Corrupt);
+}
+
+TEST(StoreReader, ChecksTheWalls) {
+    const TemporaryFolder folder;
+    auto layout = small_layout(folder);
+    EXPECT_TRUE(open(layout)->load_walls().value().points.empty());
+    layout.walls = true;
+    layout.checksums["walls.f32"] = 0;
+    EXPECT_EQ(open(layout)->load_walls().error().code, Error::Code::NotFound);
+    put_fixed(layout, "walls.f32", bytes_of(rising(0.0f, 9)));
+    put_fixed(layout, "walls.u32", bytes_of(std::vector<std::uint32_t>{0, 1, 2}));
+    const auto walls = open(layout)->load_walls().value();
+    ASSERT_EQ(walls.points.size(), 3u);
+    EXPECT_EQ(walls.points[1].y, 4.0f);
+    EXPECT_EQ(walls.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}));
+    const auto error = [&] { return open(layout)->load_walls().error().code; };
+    flip_bit(folder / "walls.f32", 100);
+    EXPECT_EQ(error(), Error::Code::Corrupt);
+    put_fixed(layout, "walls.f32", bytes_of(rising(0.0f, 8))); // two points and two thirds
+    EXPECT_EQ(error(), Error::Code::Corrupt);
+    put_fixed(layout, "walls.f32", bytes_of(rising(0.0f, 6)));
+    EXPECT_EQ(error(), Error::Code::Corrupt) << "there is no point 2";
 }
 
 TEST(StoreReader, RefusesGridsAndTimesThatMakeNoSense) {
@@ -121,26 +273,39 @@ TEST(StoreReader, RefusesGridsAndTimesThatMakeNoSense) {
         return open_error(layout);
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(bad([](auto& l) { l.times = {}; }), Error::Code::InvalidArgument);
-    EXPECT_EQ(bad([](auto& l) { l.times = {1.0, 1.0}; }), Error::Code::InvalidArgument);
-    EXPECT_EQ(bad([&](auto& l) { l.times = {nan}; }), Error::Code::InvalidArgument);
-    EXPECT_EQ(bad([](auto& l) { l.grid.dimensions[1] = 1; }), Error::Code::InvalidArgument);
-    EXPECT_EQ(bad([](auto& l) { l.grid.spacing.z = 0; }), Error::Code::InvalidArgument);
-    EXPECT_EQ(bad([](auto& l) { l.grid.spacing.z = 1e200; }), Error::Code::InvalidArgument);
-    EXPECT_EQ(bad([&](auto& l) { l.grid.origin.x = nan; }), Error::Code::InvalidArgument);
+    const auto invalid = Error::Code::InvalidArgument;
+    EXPECT_EQ(bad([](auto& l) { l.times = {}; }), invalid);
+    EXPECT_EQ(bad([](auto& l) { l.times = {1.0, 1.0}; }), invalid);
+    EXPECT_EQ(bad([&](auto& l) { l.times = {nan}; }), invalid);
+    EXPECT_EQ(bad([](auto& l) { l.grid.uniform.dimensions[1] = 1; }), invalid);
+    EXPECT_EQ(bad([](auto& l) { l.grid.uniform.spacing.z = 0; }), invalid);
+    EXPECT_EQ(bad([](auto& l) { l.grid.uniform.spacing.z = 1e200; }), invalid);
+    EXPECT_EQ(bad([&](auto& l) { l.grid.uniform.origin.x = nan; }), invalid);
     EXPECT_EQ(bad([](auto& l) {
-                  l.grid.dimensions = {0xffffffffu, 0xffffffffu, 0xffffffffu};
+                  l.grid.uniform.dimensions = {0xffffffffu, 0xffffffffu, 0xffffffffu};
               }),
-              Error::Code::InvalidArgument);
+              invalid);
+    EXPECT_EQ(bad([](auto& l) {
+                  l.grid.kind = GridKind::Rectilinear;
+                  l.grid.dimensions = {4, 1, 4};
+              }),
+              invalid);
+    EXPECT_EQ(bad([](auto& l) { l.grid.kind = GridKind::Unstructured; }), invalid);
+    EXPECT_EQ(bad([](auto& l) {
+                  l.grid.kind = GridKind::Curvilinear;
+                  l.grid.points = l.grid.cells = std::uint64_t{1} << 32;
+              }),
+              invalid);
+    EXPECT_EQ(bad([](auto& l) { l.grid.kind = GridKind::Analytic; }), invalid);
 }
 
 TEST(StoreReader, StopsLoadingWhenAsked) {
     const TemporaryFolder folder;
-    write_file(folder / velocity_file_name(0), step_bytes(1.0f));
+    const auto layout = small_layout(folder);
+    put_step(layout, 0, rising(1.0f));
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_EQ(open(small_layout(folder))->load(0, stop.get_token()).error().code,
-              Error::Code::Cancelled);
+    EXPECT_EQ(open(layout)->load(0, stop.get_token()).error().code, Error::Code::Cancelled);
 }
 
 } // namespace

@@ -25,7 +25,7 @@ class GatedSource final : public TimeStepSource {
             times_.push_back(static_cast<double>(i));
     }
 
-    const UniformGrid& grid() const override { return grid_; }
+    const Grid& grid() const override { return grid_; }
 
     const SolidMask& mask() const override { return mask_; }
 
@@ -101,7 +101,7 @@ class GatedSource final : public TimeStepSource {
         const GatedSource& source_;
     };
 
-    UniformGrid grid_;
+    Grid grid_;
     SolidMask mask_;
     std::vector<double> times_;
     mutable std::mutex mutex_;

@@ -20,6 +20,10 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+const UniformGrid& grid_of(const TimeStepSource& source) {
+    return std::get<UniformGrid>(source.grid());
+}
+
 /// A sampler over the interval `k` of a source, with what it reads.
 struct Stored {
     Stored(const UniformGrid& grid,
@@ -28,7 +32,7 @@ struct Stored {
            std::size_t k = 0,
            SolidMask mask = {})
         : source(grid, std::move(series), std::move(velocity), std::move(mask)),
-          cells(source.grid(), source.mask()) {
+          cells(grid_of(source).dimensions, source.mask()) {
         const std::vector<double>& times = source.times();
         for (std::size_t i = k - std::min<std::size_t>(k, 1); i < std::min(k + 3, times.size());
              ++i)
@@ -39,7 +43,7 @@ struct Stored {
                     return step->velocity().data();
             return nullptr;
         };
-        sampler.linear = {&source.grid(),
+        sampler.linear = {&grid_of(source),
                           &cells,
                           &source.mask(),
                           find(k),

@@ -111,7 +111,7 @@ TEST_F(GenerateCommand, WritesWhatTheFlowSaysAtEveryNodeAndTime) {
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     const auto store_manifest = manifest();
     EXPECT_TRUE(store_manifest.complete);
-    EXPECT_EQ(store_manifest.times, (std::vector<double>{1, 1.5, 2, 2.5, 3}));
+    EXPECT_EQ(store_manifest.layout.times, (std::vector<double>{1, 1.5, 2, 2.5, 3}));
     const auto reader = core::StoreReader::open(protocol::store_layout(store_manifest, store()),
                                                 std::make_shared<core::PosixDisk>());
     ASSERT_TRUE(reader);
@@ -126,7 +126,7 @@ TEST_F(GenerateCommand, WritesWhatTheFlowSaysAtEveryNodeAndTime) {
         const core::Vec3 middle(0.0);
         core::Vec3 expected;
         ASSERT_TRUE(
-            flow->sample({&middle, 1}, {&store_manifest.times[step], 1}, {&expected, 1}, {}));
+            flow->sample({&middle, 1}, {&store_manifest.layout.times[step], 1}, {&expected, 1}, {}));
         const std::size_t node = 3U * ((3 * 5 + 2) * 9 + 4);
         EXPECT_EQ(velocity[node], static_cast<float>(expected.x));
         EXPECT_EQ(velocity[node + 1], static_cast<float>(expected.y));
@@ -138,7 +138,7 @@ TEST_F(GenerateCommand, WritesWhatTheFlowSaysAtEveryNodeAndTime) {
 
 TEST_F(GenerateCommand, MakesAStoreThatInfoAndSurfaceOpenAtOnce) {
     ASSERT_EQ(run("cylinder", {"--grid", "61,41,11"}).status, 0);
-    EXPECT_EQ(names(), (std::vector<std::string>{"mask.u8", "store.json", "store.lock",
+    EXPECT_EQ(names(), (std::vector<std::string>{"checksums.u32", "mask.u8", "store.json", "store.lock",
                                                  "velocity_000000.f32"}));
     const auto info = wakesurf({"info", store(), "--json"});
     ASSERT_EQ(info.status, 0) << info.errors;
@@ -156,8 +156,8 @@ TEST_F(GenerateCommand, MakesAStoreThatInfoAndSurfaceOpenAtOnce) {
 TEST_F(GenerateCommand, UsesTheFlowsOwnTimesAndTellsEveryTimeStep) {
     const auto outcome = run("double-gyre", {"--grid", "4,4,4"});
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
-    EXPECT_EQ(manifest().times.size(), 21U);
-    EXPECT_EQ(manifest().times.back(), 10.0);
+    EXPECT_EQ(manifest().layout.times.size(), 21U);
+    EXPECT_EQ(manifest().layout.times.back(), 10.0);
     EXPECT_NE(outcome.output.find("generate: 7 of 21, velocity_000006.f32\n"), std::string::npos)
         << outcome.output;
     EXPECT_NE(outcome.output.find("21 time-steps of 4 x 4 x 4 nodes"), std::string::npos);
@@ -177,7 +177,7 @@ TEST_F(GenerateCommand, TouchesNoFolderOfSomethingElse) {
     const auto other = run("abc", {"--grid", "8,8,9"});
     EXPECT_EQ(other.status, 1);
     EXPECT_NE(other.errors.find("another store"), std::string::npos) << other.errors;
-    EXPECT_EQ(manifest().grid.dimensions[2], 8U);
+    EXPECT_EQ(manifest().layout.grid.uniform.dimensions[2], 8U);
     fs::remove_all(store());
     fs::create_directory(store());
     write_file(store() / "thesis.tex", "text");
