@@ -1,0 +1,42 @@
+// What the importer itself reads of OpenFOAM's files, plain or compressed with gzip: headers, units, patches. The
+// values are VTK's business. Format: OpenFOAM User Guide, "Basic input/output file format".
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct FoamHeader {
+    std::string type;   ///< its `class` entry: volVectorField, polyBoundaryMesh ...
+    std::string object; ///< the name the file gives itself
+    std::string unit; ///< of its `dimensions` entry: "m/s"; empty without one, or where it has none
+};
+
+struct FoamPatch {
+    std::string name;
+    std::string type; ///< wall, patch, empty, processor ...
+};
+
+/// `file`, or `file` + ".gz" where only that exists.
+std::optional<std::filesystem::path> foam_file(const std::filesystem::path& file);
+
+/// Reads the first 4 KiB. Nothing where that is no header of an OpenFOAM file.
+std::optional<FoamHeader> read_foam_header(const std::filesystem::path& file);
+
+/// Reads polyMesh/boundary, called `name` in errors. Error: Io, Corrupt.
+core::Result<std::vector<FoamPatch>> read_foam_patches(const std::filesystem::path& file,
+                                                       const std::string& name);
+
+/// Are they equal but for their headers? False where one cannot be read.
+bool same_foam_body(const std::filesystem::path& one, const std::filesystem::path& other);
+
+/// "[0 1 -1 0 0 0 0]" -> "m/s": exponents of kg, m, s, K, mol, A, cd. Empty for other text and for pure numbers.
+std::string foam_unit(std::string_view dimensions);
+
+} // namespace wakesurf::server
