@@ -100,6 +100,10 @@ json dataset_json(const core::DatasetInfo& info) {
              {"obstacle", info.obstacle},
              {"bytesPerStep", info.bytes_per_step},
              {"finestSpacing", info.finest_spacing}};
+    if (!info.note.empty())
+        out["note"] = info.note;
+    if (info.precision == core::Precision::Half)
+        out["precision"] = "half";
     if (info.grid == core::GridKind::Uniform || info.grid == core::GridKind::Rectilinear)
         out["dimensions"] = info.dimensions;
     if (info.grid == core::GridKind::Uniform) {
@@ -133,6 +137,13 @@ core::Result<core::DatasetInfo> parse_dataset_info(const json& value) {
     info.bytes_per_step = members.count("bytesPerStep");
     if (members.has("finestSpacing"))
         info.finest_spacing = members.number("finestSpacing");
+    if (members.has("note"))
+        info.note = members.text("note");
+    if (members.has("precision")) {
+        if (members.text("precision") != "half")
+            members.fault("precision", "is not one this version knows");
+        info.precision = core::Precision::Half;
+    }
     parse_uniform_grid(members, info);
     return members.verdict().map([&] { return info; });
 }

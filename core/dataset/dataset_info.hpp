@@ -14,6 +14,9 @@ namespace wakesurf::core {
 
 enum class GridKind { Uniform, Rectilinear, Curvilinear, Unstructured, Analytic };
 
+/// How values at nodes are stored; in memory they are float32.
+enum class Precision : std::uint8_t { Single, Half };
+
 struct FieldInfo {
     enum class Source { Point, Cell };
     std::string name;
@@ -39,6 +42,8 @@ struct DatasetInfo {
     std::vector<FieldInfo> fields;
     std::string velocity; ///< name of the field taken as velocity
     std::string why;      ///< why that field was taken
+    std::string note; ///< what a user should know: cells left out, rounding; may be empty
+    Precision precision = Precision::Single;
     bool obstacle = false;
     std::uint64_t bytes_per_step = 0;
 

@@ -20,9 +20,6 @@ inline constexpr std::string_view mask_file_name = "mask.u8";
 inline constexpr std::string_view checksums_file_name = "checksums.u32";
 inline constexpr std::string_view velocity_stem = "velocity";
 
-/// How values at nodes are stored; in memory they are float32.
-enum class Precision : std::uint8_t { Single, Half };
-
 /// The grid without its big arrays, which have files of their own.
 struct StoredGrid {
     GridKind kind = GridKind::Uniform;

@@ -15,7 +15,7 @@ void fill(double (&to)[4], const Vec3& v, double idle = 0.0) {
     to[3] = idle;
 }
 
-StoredPair stored_pair(const GridSampler& field, const AdvanceOptions& options) {
+StoredPair stored_pair(const GridSampler<UniformGrid>& field, const AdvanceOptions& options) {
     const UniformGrid& grid = *field.grid;
     StoredPair pair;
     pair.velocity0 = field.velocity0;
@@ -43,7 +43,7 @@ StoredPair stored_pair(const GridSampler& field, const AdvanceOptions& options) 
 /// the next: those that have more steps to go than others hold nobody up.
 class Passage {
   public:
-    Passage(const GridSampler& field,
+    Passage(const GridSampler<UniformGrid>& field,
             const StoredPair& pair,
             Rk4Kernel kernel,
             const Particles& particles,
@@ -75,7 +75,8 @@ class Passage {
     void step() {
         kernel_(pair_, batch_, particles_.tangents());
         for (std::size_t lane = batch_.count; lane-- > 0;) {
-            if (batch_.slow[lane] || (batch_.outside[lane] && !inside(batch_.next[lane]))) {
+            const bool doubtful = batch_.outside[lane] || field_.gaps;
+            if (batch_.slow[lane] || (doubtful && !inside(batch_.next[lane]))) {
                 if (!step_alone(lane))
                     leave(lane);
                 continue;
@@ -149,7 +150,7 @@ class Passage {
         lane_[lane] = lane_[last];
     }
 
-    const GridSampler& field_;
+    const GridSampler<UniformGrid>& field_;
     const StoredPair& pair_;
     Rk4Kernel kernel_;
     const Particles& particles_;
@@ -176,7 +177,7 @@ Rk4Kernel choose_rk4_kernel(Simd simd) {
     return simd == Simd::Best && avx2_compiled() && processor_has_avx2() ? rk4_avx2 : rk4_portable;
 }
 
-bool advance_stored(const GridSampler& field,
+bool advance_stored(const GridSampler<UniformGrid>& field,
                     Rk4Kernel kernel,
                     const Particles& particles,
                     double to,

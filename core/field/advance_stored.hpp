@@ -17,7 +17,7 @@ Rk4Kernel choose_rk4_kernel(Simd simd);
 /// in double. A step in which a particle ends is computed as there.
 /// @param sign  direction of time, +1 or -1
 /// Returns false if `stop` fired.
-bool advance_stored(const GridSampler& field,
+bool advance_stored(const GridSampler<UniformGrid>& field,
                     Rk4Kernel kernel,
                     const Particles& particles,
                     double to,

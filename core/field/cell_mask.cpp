@@ -1,19 +1,21 @@
-#include "core/field/grid_sampler.hpp"
+#include "core/field/cell_mask.hpp"
 
 namespace wakesurf::core {
 
-CellMask::CellMask(const UniformGrid& grid, const SolidMask& mask) {
+CellMask::CellMask(const std::array<std::uint32_t, 3>& dimensions, const SolidMask& mask) {
     if (mask.empty())
         return;
-    state_.assign(grid.nodes(), Fluid);
-    for (std::uint32_t z = 0; z + 1 < grid.dimensions[2]; ++z)
-        for (std::uint32_t y = 0; y + 1 < grid.dimensions[1]; ++y)
-            for (std::uint32_t x = 0; x + 1 < grid.dimensions[0]; ++x) {
-                const std::size_t node =
-                    (std::size_t{z} * grid.dimensions[1] + y) * grid.dimensions[0] + x;
+    const std::size_t row = dimensions[0];
+    const std::size_t slice = row * dimensions[1];
+    state_.assign(slice * dimensions[2], Fluid);
+    for (std::uint32_t z = 0; z + 1 < dimensions[2]; ++z)
+        for (std::uint32_t y = 0; y + 1 < dimensions[1]; ++y)
+            for (std::uint32_t x = 0; x + 1 < dimensions[0]; ++x) {
+                const std::size_t node = z * slice + y * row + x;
                 int fluid = 0;
-                for (const std::size_t corner : corners(grid, {node, Vec3(0.0)}).node)
-                    fluid += mask.fluid[corner] != 0;
+                for (const std::size_t corner :
+                     {node, node + row, node + slice, node + slice + row})
+                    fluid += (mask.fluid[corner] != 0) + (mask.fluid[corner + 1] != 0);
                 state_[node] = fluid == 8 ? Fluid : fluid == 0 ? Solid : Mixed;
             }
 }

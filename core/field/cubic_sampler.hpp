@@ -66,16 +66,20 @@ cubic_time_shares(const std::array<double, 4>& time, bool before, bool after, do
     return {-d0, 1.0 - rising + d0 - d1, rising + d1 - d2, d2};
 }
 
-/// Cells whose 4^3 nodes touch a solid one are trilinear in space: a cubic would overshoot at the wall.
+/// Cells whose 4^3 nodes touch a solid one are trilinear in space: a cubic would overshoot at the wall. Where one of them has no
+/// velocity at one of the four times, the field is linear in space and time.
 struct CubicSampler {
-    GridSampler linear;            ///< over the two middle time-steps
-    const float* before = nullptr; ///< the time-steps round them; null at the ends of the series
+    GridSampler<UniformGrid> linear; ///< over the two middle time-steps
+    const float* before = nullptr;   ///< the time-steps round them; null at the ends of the series
     const float* after = nullptr;
     double time_before = 0.0;
     double time_after = 0.0;
+    bool gaps = false; ///< some velocities of the four are not finite
 
     Vec3 velocity(const Vec3& p, double t) const {
         const Stencil at = stencil(p);
+        if (gaps && touches_gap(at))
+            return linear.velocity(p, t);
         const std::array<double, 4> share = shares(t);
         return sum(at, share, [&](std::size_t y, std::size_t z, const Vec3& value, const Vec3&) {
             return at.axis[1].value[y] * at.axis[2].value[z] * value;
@@ -85,6 +89,8 @@ struct CubicSampler {
     /// (grad v) w, exact.
     Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
         const Stencil at = stencil(p);
+        if (gaps && touches_gap(at))
+            return linear.derivative(p, t, w);
         const std::array<double, 4> share = shares(t);
         const Vec3 step = w / linear.grid->spacing;
         const CubicWeights& in_y = at.axis[1];
@@ -118,12 +124,10 @@ struct CubicSampler {
         const UniformGrid& grid = *linear.grid;
         const CellPoint at = locate(grid, p);
         Stencil result;
-        std::size_t rest = at.node;
+        result.cell = at.cell;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::size_t nodes = grid.dimensions[axis];
-            const std::size_t cell = axis < 2 ? rest % nodes : rest;
-            rest /= nodes;
-            result.cell[axis] = cell;
+            const std::size_t cell = at.cell[axis];
             result.begin[axis] = cell == 0 ? 1 : 0;
             result.end[axis] = cell + 2 == nodes ? 3 : 4;
         }
@@ -149,6 +153,22 @@ struct CubicSampler {
         return false;
     }
 
+    bool touches_gap(const Stencil& at) const {
+        float zero = 0.0f; // a product with what is not finite is NaN
+        for (const float* step : steps())
+            for (std::size_t z = at.begin[2]; step != nullptr && z < at.end[2]; ++z)
+                for (std::size_t y = at.begin[1]; y < at.end[1]; ++y) {
+                    const float* row = step + 3 * at.node(*linear.grid, at.begin[0], y, z);
+                    for (std::size_t i = 0; i < 3 * (at.end[0] - at.begin[0]); ++i)
+                        zero += 0.0f * row[i];
+                }
+        return zero != 0.0f;
+    }
+
+    std::array<const float*, 4> steps() const {
+        return {before, linear.velocity0, linear.velocity1, after};
+    }
+
     std::array<double, 4> shares(double t) const {
         if (linear.velocity1 == nullptr)
             return {0.0, 1.0, 0.0, 0.0};
@@ -160,7 +180,7 @@ struct CubicSampler {
     /// Adds up rows of nodes: `weigh(y, z, value, slope)` of the row's value and slope in x.
     template <class Weigh>
     Vec3 sum(const Stencil& at, const std::array<double, 4>& share, const Weigh& weigh) const {
-        const std::array<const float*, 4> steps{before, linear.velocity0, linear.velocity1, after};
+        const std::array<const float*, 4> stored = steps();
         Vec3 total(0.0);
         for (std::size_t z = at.begin[2]; z < at.end[2]; ++z)
             for (std::size_t y = at.begin[1]; y < at.end[1]; ++y) {
@@ -170,9 +190,9 @@ struct CubicSampler {
                     const std::size_t node = at.node(*linear.grid, x, y, z);
                     Vec3 v(0.0);
                     for (std::size_t i = 0; i < 4; ++i)
-                        if (steps[i] != nullptr) {
-                            const float* stored = steps[i] + 3 * node;
-                            v += share[i] * Vec3(stored[0], stored[1], stored[2]);
+                        if (stored[i] != nullptr) {
+                            const float* at_node = stored[i] + 3 * node;
+                            v += share[i] * Vec3(at_node[0], at_node[1], at_node[2]);
                         }
                     value += at.axis[0].value[x] * v;
                     slope += at.axis[0].slope[x] * v;

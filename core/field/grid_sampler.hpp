@@ -1,95 +1,97 @@
-// Trilinear in space, linear in time: the stored field between its nodes. A pair of time-steps, or one for a
-// frozen field. Mirrors what vtkProbeFilter gives on image data.
+// Trilinear in space, linear in time: the stored field between its nodes, on a uniform or a rectilinear grid. A pair of
+// time-steps, or one for a frozen field. Mirrors what vtkProbeFilter gives on image data and rectilinear grids.
 #pragma once
 
 #include "core/base/point_status.hpp"
-#include "core/dataset/solid_mask.hpp"
-#include "core/dataset/uniform_grid.hpp"
+#include "core/field/cell_mask.hpp"
+#include "core/field/node_shares.hpp"
+#include "core/field/uniform_axes.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
+#include <cstddef>
 #include <span>
-#include <vector>
 
 namespace wakesurf::core {
 
-/// Per cell: are all, none or some of its nodes fluid? One byte read answers nearly every status question.
-class CellMask {
-  public:
-    CellMask(const UniformGrid& grid, const SolidMask& mask);
-
-    enum State : std::uint8_t { Fluid, Mixed, Solid };
-
-    State state(std::size_t first_node) const {
-        return state_.empty() ? Fluid : static_cast<State>(state_[first_node]);
-    }
-
-    /// A State a byte, by the cell's lowest node; null where all is fluid.
-    const std::uint8_t* data() const { return state_.empty() ? nullptr : state_.data(); }
-
-  private:
-    std::vector<std::uint8_t> state_; ///< indexed by the cell's lowest node
-};
-
-/// Where a point falls in the grid: lowest node of its cell and the fractions in it. Outside points get the nearest
-/// border cell and fractions clamped to it, which continues the field constantly. NaN counts as 0.
+/// Where a point falls in the grid. Outside points get the nearest border cell and fractions clamped to it, which
+/// continues the field constantly. NaN counts as the lower border.
 struct CellPoint {
-    std::size_t node;
+    std::size_t node; ///< the cell's lowest
     Vec3 fraction;
+    std::array<std::size_t, 3> cell;
 };
 
-inline CellPoint locate(const UniformGrid& grid, const Vec3& p) {
-    CellPoint at{0, Vec3(0.0)};
+template <class Grid>
+CellPoint locate(const Grid& grid, const Vec3& p) {
+    CellPoint at{0, Vec3(0.0), {}};
     std::size_t stride = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double cells = grid.dimensions[static_cast<std::size_t>(axis)] - 1;
-        const double x =
-            std::min(std::max(0.0, (p[axis] - grid.origin[axis]) / grid.spacing[axis]), cells);
-        const auto cell = static_cast<std::size_t>(std::min(x, cells - 1.0));
-        at.fraction[axis] = x - static_cast<double>(cell);
-        at.node += cell * stride;
-        stride *= grid.dimensions[static_cast<std::size_t>(axis)];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const AxisPoint found = along(grid, axis, p[static_cast<int>(axis)]);
+        at.fraction[static_cast<int>(axis)] = found.fraction;
+        at.cell[axis] = found.cell;
+        at.node += found.cell * stride;
+        stride *= dimensions(grid)[axis];
     }
     return at;
 }
 
-/// The eight nodes of a cell in x, y, z order, and their trilinear weights.
+/// Distance in memory between neighbours in y and z, in nodes.
+struct Strides {
+    std::size_t row;
+    std::size_t slice;
+};
+
+template <class Grid>
+Strides strides(const Grid& grid) {
+    const std::size_t row = dimensions(grid)[0];
+    return {row, row * dimensions(grid)[1]};
+}
+
+/// The eight nodes of a cell in x, y, z order.
+inline std::array<std::size_t, 8> cell_nodes(const Strides& stride, std::size_t first) {
+    std::array<std::size_t, 8> node;
+    for (std::size_t i = 0; i < 8; ++i)
+        node[i] = first + (i & 1) + (i >> 1 & 1) * stride.row + (i >> 2) * stride.slice;
+    return node;
+}
+
+/// They and their trilinear weights.
 struct Corners {
-    std::size_t node[8];
+    std::array<std::size_t, 8> node;
     double weight[8];
 };
 
-inline Corners corners(const UniformGrid& grid, const CellPoint& at) {
-    const std::size_t dx = 1;
-    const std::size_t dy = grid.dimensions[0];
-    const std::size_t dz = dy * grid.dimensions[1];
+inline Corners corners(const Strides& stride, const CellPoint& at) {
     const Vec3 f = at.fraction;
     const double x[2] = {1.0 - f.x, f.x};
     const double y[2] = {1.0 - f.y, f.y};
     const double z[2] = {1.0 - f.z, f.z};
     Corners result;
-    for (std::size_t i = 0; i < 8; ++i) {
-        const std::size_t ix = i & 1, iy = i >> 1 & 1, iz = i >> 2;
-        result.node[i] = at.node + ix * dx + iy * dy + iz * dz;
-        result.weight[i] = x[ix] * y[iy] * z[iz];
-    }
+    result.node = cell_nodes(stride, at.node);
+    for (std::size_t i = 0; i < 8; ++i)
+        result.weight[i] = x[i & 1] * y[i >> 1 & 1] * z[i >> 2];
     return result;
 }
 
+/// @tparam Grid  UniformGrid or RectilinearAxes
+template <class Grid>
 struct GridSampler {
-    const UniformGrid* grid;
+    const Grid* grid;
     const CellMask* cells;
     const SolidMask* mask;
     const float* velocity0;
     const float* velocity1; ///< null: frozen at the first
     double time0 = 0.0;
     double interval = 1.0;
+    bool gaps =
+        false; ///< some velocities are not finite: cells with such a node are outside the domain
 
+    /// Finite everywhere: in a cell with a gap the other nodes' values go on into it, so that a step that leads there can be
+    /// followed up to the cell's face.
     Vec3 velocity(const Vec3& p, double t) const {
         // Two components at a time, z of both time-steps together: by itself the compiler leaves them scalar.
         using Pair = double __attribute__((vector_size(16)));
-        const Corners at = corners(*grid, locate(*grid, p));
+        const Corners at = corners(strides(*grid), locate(*grid, p));
         const float* other = velocity1 ? velocity1 : velocity0;
         Pair xy0{}, xy1{}, z{};
         for (std::size_t i = 0; i < 8; ++i) {
@@ -99,13 +101,13 @@ struct GridSampler {
             xy1 += at.weight[i] * Pair{then[0], then[1]};
             z += at.weight[i] * Pair{now[2], then[2]};
         }
-        const Vec3 v0(xy0[0], xy0[1], z[0]);
-        if (!velocity1)
-            return v0;
-        return v0 + (t - time0) / interval * (Vec3(xy1[0], xy1[1], z[1]) - v0);
+        Vec3 v(xy0[0], xy0[1], z[0]);
+        if (velocity1)
+            v += (t - time0) / interval * (Vec3(xy1[0], xy1[1], z[1]) - v);
+        return gaps && !finite(v) ? beside_gaps(at, t) : v;
     }
 
-    /// (grad v) w: the exact derivative of the trilinear field within its cell.
+    /// (grad v) w: the exact derivative of the trilinear field within its cell; 0 in a cell with a gap.
     Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
         return derivatives(p, t, {&w, 1})[0];
     }
@@ -117,31 +119,55 @@ struct GridSampler {
         const Slopes then = velocity1 ? slopes(velocity1, at) : now;
         std::array<Vec3, 2> result{};
         for (std::size_t i = 0; i < w.size(); ++i) {
-            const Vec3 step = w[i] / grid->spacing;
-            result[i] = along(now, step);
+            const Vec3 step = w[i] / cell_size(*grid, at.cell);
+            result[i] = sum(now, step);
             if (velocity1)
-                result[i] += (t - time0) / interval * (along(then, step) - result[i]);
+                result[i] += (t - time0) / interval * (sum(then, step) - result[i]);
+            if (gaps && !finite(result[i]))
+                result[i] = Vec3(0.0);
         }
         return result;
+    }
+
+    NodeShares shares(const Vec3& p) const {
+        NodeShares shares;
+        shares.status = status(p);
+        if (shares.status != PointStatus::Inside)
+            return shares;
+        const Corners at = corners(strides(*grid), locate(*grid, p));
+        shares.count = at.node.size();
+        for (std::size_t i = 0; i < shares.count; ++i) {
+            shares.node[i] = at.node[i];
+            shares.share[i] = at.weight[i];
+        }
+        return shares;
     }
 
     PointStatus status(const Vec3& p) const {
         if (!grid->bounds().contains(p))
             return PointStatus::OutsideDomain;
         const CellPoint cell = locate(*grid, p);
-        switch (cells->state(cell.node)) {
-        case CellMask::Fluid:
-            return PointStatus::Inside;
-        case CellMask::Solid:
+        const CellMask::State state = cells->state(cell.node);
+        if (state == CellMask::Solid)
             return PointStatus::InObstacle;
-        case CellMask::Mixed:
-            break;
-        }
-        const Corners at = corners(*grid, cell);
+        if (gaps && gap(cell.node))
+            return PointStatus::OutsideDomain;
+        if (state == CellMask::Fluid)
+            return PointStatus::Inside;
+        const Corners at = corners(strides(*grid), cell);
         double fluid = 0.0;
-        for (int i = 0; i < 8; ++i)
+        for (std::size_t i = 0; i < 8; ++i)
             fluid += at.weight[i] * mask->fluid[at.node[i]];
         return fluid < 0.5 ? PointStatus::InObstacle : PointStatus::Inside;
+    }
+
+    /// True where a node of the cell has a velocity that is not finite in either time-step.
+    bool gap(std::size_t first_node) const {
+        float zero = 0.0f; // a product with what is not finite is NaN
+        for (const std::size_t node : cell_nodes(strides(*grid), first_node))
+            for (std::size_t i = 3 * node; i < 3 * node + 3; ++i)
+                zero += 0.0f * velocity0[i] + (velocity1 ? 0.0f * velocity1[i] : 0.0f);
+        return zero != 0.0f;
     }
 
   private:
@@ -149,7 +175,7 @@ struct GridSampler {
     using Slopes = std::array<Vec3, 3>;
 
     Slopes slopes(const float* velocity, const CellPoint& at) const {
-        const Corners corner = corners(*grid, at);
+        const auto node = cell_nodes(strides(*grid), at.node);
         const Vec3 part[2] = {1.0 - at.fraction, at.fraction};
         Slopes result;
         for (int axis = 0; axis < 3; ++axis) {
@@ -161,8 +187,8 @@ struct GridSampler {
                 if (i & bit)
                     continue;
                 const double weight = part[i >> first & 1][first] * part[i >> second & 1][second];
-                const float* v = velocity + 3 * corner.node[i];
-                const float* beyond = velocity + 3 * corner.node[i | bit];
+                const float* v = velocity + 3 * node[i];
+                const float* beyond = velocity + 3 * node[i | bit];
                 low += weight * Vec3(v[0], v[1], v[2]);
                 high += weight * Vec3(beyond[0], beyond[1], beyond[2]);
             }
@@ -171,8 +197,28 @@ struct GridSampler {
         return result;
     }
 
-    static Vec3 along(const Slopes& slopes, const Vec3& step) {
+    static Vec3 sum(const Slopes& slopes, const Vec3& step) {
         return step.x * slopes[0] + step.y * slopes[1] + step.z * slopes[2];
+    }
+
+    /// Mean of the nodes that have a velocity, by their weights: meets the trilinear field at faces without a gap.
+    Vec3 beside_gaps(const Corners& at, double t) const {
+        Vec3 total(0.0);
+        double weights = 0.0;
+        for (std::size_t i = 0; i < 8; ++i) {
+            const float* now = velocity0 + 3 * at.node[i];
+            Vec3 v(now[0], now[1], now[2]);
+            if (velocity1) {
+                const float* then = velocity1 + 3 * at.node[i];
+                v += (t - time0) / interval * (Vec3(then[0], then[1], then[2]) - v);
+            }
+            if (!finite(v))
+                continue;
+            const double weight = at.weight[i] + 1e-9; // where all the others weigh nothing
+            total += weight * v;
+            weights += weight;
+        }
+        return weights > 0.0 ? total / weights : Vec3(0.0);
     }
 };
 

@@ -2,18 +2,27 @@
 
 #include "core/field/cells/cell_sampling.hpp"
 #include "core/field/interval_flow.hpp"
+#include "core/field/rectilinear_sampling.hpp"
 #include "core/field/uniform_sampling.hpp"
+
+#include <variant>
 
 namespace wakesurf::core {
 
 namespace {
 
-template <class Sampling>
-std::unique_ptr<Flow> make_flow(std::shared_ptr<TimeStepCache> cache,
-                                std::shared_ptr<const Clock> clock,
-                                std::unique_ptr<const Sampling> sampling) {
-    return std::make_unique<IntervalFlow<Sampling>>(std::move(cache), std::move(clock),
-                                                    std::move(sampling));
+// One overload for every kind of grid.
+
+auto sampling_of(const UniformGrid& grid, const TimeStepSource& source, Simd simd) {
+    return std::make_unique<const UniformSampling>(grid, source.mask(), simd);
+}
+
+auto sampling_of(const RectilinearGrid& grid, const TimeStepSource& source, Simd) {
+    return std::make_unique<const RectilinearSampling>(grid, source.mask());
+}
+
+auto sampling_of(const CellMesh& mesh, const TimeStepSource&, Simd) {
+    return std::make_unique<const CellSampling>(mesh);
 }
 
 } // namespace
@@ -22,11 +31,13 @@ std::unique_ptr<Flow> make_stored_flow(std::shared_ptr<TimeStepCache> cache,
                                        std::shared_ptr<const Clock> clock,
                                        Simd simd) {
     const TimeStepSource& source = cache->source();
-    if (std::holds_alternative<CellMesh>(source.grid()))
-        return make_flow(std::move(cache), std::move(clock),
-                         std::make_unique<const CellSampling>(source));
-    return make_flow(std::move(cache), std::move(clock),
-                     std::make_unique<const UniformSampling>(source, simd));
+    const auto flow_over = [&](const auto& grid) -> std::unique_ptr<Flow> {
+        auto sampling = sampling_of(grid, source, simd);
+        using Sampling = std::remove_cv_t<typename decltype(sampling)::element_type>;
+        return std::make_unique<IntervalFlow<Sampling>>(cache, std::move(clock),
+                                                        std::move(sampling));
+    };
+    return std::visit(flow_over, source.grid());
 }
 
 } // namespace wakesurf::core

@@ -7,8 +7,10 @@
 #include "core/field/grid_sampler.hpp"
 #include "core/integrate/advance_through_cells.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace wakesurf::core {
 
@@ -41,67 +43,73 @@ struct TrilinearPolynomial {
 
 /// A cursor over the cells of a sampler's grid. Positions within a cell are in units of the cell; time runs in units of the
 /// field's, downstream or upstream.
+template <class Grid>
 class TrilinearCell {
   public:
     using Index = std::array<std::ptrdiff_t, 3>;
 
-    /// @param sign  +1 downstream, -1 upstream
-    TrilinearCell(const GridSampler& field, double sign)
-        : field_(field), scale_(sign / field.grid->spacing) {
-        const auto& n = field.grid->dimensions;
-        cells_ = {std::ptrdiff_t{n[0]} - 1, std::ptrdiff_t{n[1]} - 1, std::ptrdiff_t{n[2]} - 1};
-        rate_ = field.velocity1 ? sign / field.interval : 0.0;
+    /// @param sign    +1 downstream, -1 upstream
+    /// @param frozen  the field stays as it is at the time series() is asked for
+    TrilinearCell(const GridSampler<Grid>& field, double sign, bool frozen)
+        : field_(field), strides_(strides(*field.grid)), sign_(sign) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            cells_[axis] = std::ptrdiff_t{dimensions(*field.grid)[axis]} - 1;
+        rate_ = field.velocity1 && !frozen ? sign / field.interval : 0.0;
+        measure({0, 0, 0});
     }
 
     Index index_of(const Vec3& p) const {
         Index index;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double x = (p[axis] - field_.grid->origin[axis]) / field_.grid->spacing[axis];
-            const auto i = static_cast<std::size_t>(axis);
-            index[i] = std::clamp(static_cast<std::ptrdiff_t>(x), std::ptrdiff_t{0}, cells_[i] - 1);
-        }
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            index[axis] = static_cast<std::ptrdiff_t>(
+                along(*field_.grid, axis, p[static_cast<int>(axis)]).cell);
         return index;
     }
 
+    /// False beyond the border, and where a node has no velocity.
     bool inside(const Index& index) const {
         for (std::size_t i = 0; i < 3; ++i)
             if (index[i] < 0 || index[i] >= cells_[i])
                 return false;
-        return true;
+        return !field_.gaps || !field_.gap(first_node(index));
     }
 
     void enter(const Index& index) {
-        const auto dy = static_cast<std::ptrdiff_t>(field_.grid->dimensions[0]);
-        const auto dz = dy * static_cast<std::ptrdiff_t>(field_.grid->dimensions[1]);
-        const auto node = static_cast<std::size_t>(index[0] + dy * index[1] + dz * index[2]);
+        const std::size_t node = first_node(index);
         if (node == node_)
             return;
         node_ = node;
-        const auto y = static_cast<std::size_t>(dy);
-        const auto z = static_cast<std::size_t>(dz);
-        const std::array<std::size_t, 8> corner{node,         node + 1,        node + y,
-                                                node + y + 1, node + z,        node + z + 1,
-                                                node + z + y, node + z + y + 1};
+        const std::array<std::size_t, 3> cell{static_cast<std::size_t>(index[0]),
+                                              static_cast<std::size_t>(index[1]),
+                                              static_cast<std::size_t>(index[2])};
+        if constexpr (!std::is_same_v<Grid, UniformGrid>)
+            measure(cell);
+        const auto corner = cell_nodes(strides_, node);
         now_ = TrilinearPolynomial(field_.velocity0, corner, scale_);
         if (field_.velocity1) {
             change_ = TrilinearPolynomial(field_.velocity1, corner, scale_);
             for (std::size_t i = 0; i < 8; ++i)
                 change_.c[i] = change_.c[i] - now_.c[i];
         }
-        lo_ = field_.grid->origin + field_.grid->spacing * Vec3(index[0], index[1], index[2]);
+        lo_ = cell_origin(*field_.grid, cell);
     }
 
     const Vec3& lo() const { return lo_; }
 
-    const Vec3& size() const { return field_.grid->spacing; }
+    const Vec3& size() const { return size_; }
+
+    const Vec3& per_size() const { return per_size_; }
+
+    /// Shortest side.
+    double finest() const { return finest_; }
 
     /// False: all of the cell is fluid.
     bool obstacle() const { return field_.cells->state(node_) != CellMask::Fluid; }
 
     /// The path of a particle at `u` in the cell at field time `t`.
     PathSeries series(const Vec3& u, double t) const {
-        return rate_ == 0.0 ? expand<false>(u, 0.0)
-                            : expand<true>(u, (t - field_.time0) / field_.interval);
+        return field_.velocity1 ? expand<true>(u, (t - field_.time0) / field_.interval)
+                                : expand<false>(u, 0.0);
     }
 
   private:
@@ -147,18 +155,37 @@ class TrilinearCell {
         return path;
     }
 
-    const GridSampler& field_;
-    Vec3 scale_;
+    std::size_t first_node(const Index& index) const {
+        return static_cast<std::size_t>(index[0]) +
+               strides_.row * static_cast<std::size_t>(index[1]) +
+               strides_.slice * static_cast<std::size_t>(index[2]);
+    }
+
+    void measure(const std::array<std::size_t, 3>& cell) {
+        size_ = cell_size(*field_.grid, cell);
+        per_size_ = 1.0 / size_;
+        scale_ = sign_ / size_;
+        finest_ = std::min({size_.x, size_.y, size_.z});
+    }
+
+    const GridSampler<Grid>& field_;
+    Strides strides_;
     Index cells_;
-    double rate_;
+    double sign_;
+    double rate_; ///< of the share of the second time-step; 0: frozen
+    Vec3 size_, per_size_, scale_;
+    double finest_;
     std::size_t node_ = ~std::size_t{0};
     Vec3 lo_{0.0};
     TrilinearPolynomial now_, change_;
 };
 
 /// A sampler whose curves are traced cell by cell.
-struct CellwiseSampler : GridSampler {
-    TrilinearCell cells(double sign) const { return TrilinearCell(*this, sign); }
+template <class Grid>
+struct CellwiseSampler : GridSampler<Grid> {
+    TrilinearCell<Grid> cells(double sign, bool frozen) const {
+        return TrilinearCell<Grid>(*this, sign, frozen);
+    }
 };
 
 } // namespace wakesurf::core

@@ -3,28 +3,23 @@
 #pragma once
 
 #include "core/field/advance_stored.hpp"
-#include "core/field/advance_particles.hpp"
 #include "core/field/cubic_sampler.hpp"
-#include "core/field/grid_sampler.hpp"
-#include "core/field/interval.hpp"
-#include "core/field/node_shares.hpp"
-#include "core/integrate/curve.hpp"
+#include "core/field/stored_steps.hpp"
 
 #include <span>
 #include <stop_token>
 
 namespace wakesurf::core {
 
-/// Thread safety: concurrent calls are fine. Keeps a reference to the source.
+/// Thread safety: concurrent calls are fine. Keeps references to grid and mask.
 class UniformSampling {
   public:
-    /// REQUIRES: the source's grid is uniform.
-    UniformSampling(const TimeStepSource& source, Simd simd);
+    UniformSampling(const UniformGrid& grid, const SolidMask& mask, Simd simd);
 
     /// At no particular time.
     PointStatus status(const Vec3& position) const { return linear({}).status(position); }
 
-    NodeShares shares(const Vec3& position) const;
+    NodeShares shares(const Vec3& position) const { return linear({}).shares(position); }
 
     bool obstacle() const { return !mask_.empty(); }
 
@@ -54,7 +49,7 @@ class UniformSampling {
     }
 
   private:
-    GridSampler linear(const Interval& interval) const;
+    GridSampler<UniformGrid> linear(const Interval& interval) const;
     CubicSampler smooth(const Interval& interval) const;
 
     const UniformGrid& grid_;

@@ -33,7 +33,7 @@ struct PathSeries {
 
 template <class F>
 concept CellwiseField = VelocityField<F> && requires(const F& field, const Vec3& p, double t) {
-    { field.cells(1.0).series(p, t) } -> std::same_as<PathSeries>;
+    { field.cells(1.0, true).series(p, t) } -> std::same_as<PathSeries>;
 };
 
 /// When and through which face a particle leaves its cell.
@@ -166,11 +166,8 @@ bool advance_through_cells(const Field& field,
         if (const PointStatus status = field.status(curve.seed); status != PointStatus::Inside)
             curve.end = status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
     }
-    auto cell = field.cells(sign);
+    auto cell = field.cells(sign, options.frozen);
     auto index = cell.index_of(curve.last.position);
-    const Vec3 size = cell.size();
-    const Vec3 inverse = 1.0 / size;
-    const double finest = std::min({size.x, size.y, size.z});
     while (curve.end == CurveEnd::Running) {
         if ((curve.attempts & 63u) == 0 && stop.stop_requested())
             return false;
@@ -181,6 +178,9 @@ bool advance_through_cells(const Field& field,
             return true;
         }
         cell.enter(index);
+        const Vec3 size = cell.size();
+        const Vec3 inverse = cell.per_size();
+        const double finest = cell.finest();
         const double now = curve.release + curve.last.time;
         const PathSeries path = cell.series((curve.last.position - cell.lo()) * inverse,
                                             options.frozen ? curve.release : now);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace wakesurf::core {
 
@@ -9,10 +12,13 @@ namespace {
 
 using Index = std::array<std::uint32_t, 3>;
 
-/// Corners of the nodes' boxes: corner c of an axis lies half a spacing before node c, clamped to the domain.
+/// Node coordinates on each axis, whatever the grid.
+using Axes = std::array<std::vector<double>, 3>;
+
+/// Corners of the nodes' boxes: corner c of an axis lies midway between nodes c - 1 and c, clamped to the domain.
 class Wall {
   public:
-    explicit Wall(const UniformGrid& grid) : grid_(grid) {}
+    explicit Wall(const Axes& axes) : axes_(axes) {}
 
     /// The face of `node` towards the next node along `axis`, or towards the one before it.
     void add_face(const Index& node, int axis, bool towards_next, bool fluid_above) {
@@ -37,34 +43,43 @@ class Wall {
 
   private:
     VertexId vertex(const Index& corner) {
-        const auto& n = grid_.dimensions;
         const std::uint64_t key =
-            (std::uint64_t{corner[2]} * (n[1] + 1) + corner[1]) * (n[0] + 1) + corner[0];
+            (std::uint64_t{corner[2]} * (axes_[1].size() + 1) + corner[1]) * (axes_[0].size() + 1) +
+            corner[0];
         const auto [found, fresh] =
             ids_.try_emplace(key, static_cast<VertexId>(mesh.position.size()));
         if (fresh)
-            mesh.position.push_back(grid_.origin + grid_.spacing * Vec3(clamped(corner, 0),
-                                                                        clamped(corner, 1),
-                                                                        clamped(corner, 2)));
+            mesh.position.push_back({between(corner, 0), between(corner, 1), between(corner, 2)});
         return found->second;
     }
 
-    double clamped(const Index& corner, std::size_t axis) const {
-        return std::clamp(corner[axis] - 0.5, 0.0, grid_.dimensions[axis] - 1.0);
+    double between(const Index& corner, std::size_t axis) const {
+        const auto& along = axes_[axis];
+        const std::size_t c = corner[axis];
+        return c == 0             ? along.front()
+               : c < along.size() ? 0.5 * (along[c - 1] + along[c])
+                                  : along.back();
     }
 
-    const UniformGrid& grid_;
+    const Axes& axes_;
     std::unordered_map<std::uint64_t, VertexId> ids_;
 };
 
-} // namespace
+Axes axes_of(const UniformGrid& grid) {
+    Axes axes;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::uint32_t i = 0; i < grid.dimensions[axis]; ++i)
+            axes[axis].push_back(grid.origin[static_cast<int>(axis)] +
+                                 i * grid.spacing[static_cast<int>(axis)]);
+    return axes;
+}
 
-QuadComplex obstacle_surface(const UniformGrid& grid, const SolidMask& mask) {
-    Wall wall(grid);
+QuadComplex surface_over(const Axes& axes, const SolidMask& mask) {
+    Wall wall(axes);
     if (mask.empty())
         return std::move(wall.mesh);
-    const auto& n = grid.dimensions;
-    const std::array<std::size_t, 3> stride{1, n[0], std::size_t{n[0]} * n[1]};
+    const std::array<std::size_t, 3> n{axes[0].size(), axes[1].size(), axes[2].size()};
+    const std::array<std::size_t, 3> stride{1, n[0], n[0] * n[1]};
     std::size_t node = 0;
     for (std::uint32_t k = 0; k < n[2]; ++k)
         for (std::uint32_t j = 0; j < n[1]; ++j)
@@ -81,6 +96,24 @@ QuadComplex obstacle_surface(const UniformGrid& grid, const SolidMask& mask) {
                 }
             }
     return std::move(wall.mesh);
+}
+
+} // namespace
+
+QuadComplex obstacle_surface(const UniformGrid& grid, const SolidMask& mask) {
+    return surface_over(axes_of(grid), mask);
+}
+
+QuadComplex obstacle_surface(const RectilinearGrid& grid, const SolidMask& mask) {
+    return surface_over(grid.coordinates, mask);
+}
+
+QuadComplex obstacle_surface(const Grid& grid, const SolidMask& mask) {
+    if (const auto* uniform = std::get_if<UniformGrid>(&grid))
+        return obstacle_surface(*uniform, mask);
+    if (const auto* rectilinear = std::get_if<RectilinearGrid>(&grid))
+        return obstacle_surface(*rectilinear, mask);
+    return {};
 }
 
 QuadComplex wall_surface(const WallGeometry& walls) {

@@ -2,9 +2,9 @@
 // particles (SolidMask).
 #pragma once
 
+#include "core/dataset/grid.hpp"
 #include "core/dataset/solid_mask.hpp"
 #include "core/dataset/store_reader.hpp"
-#include "core/dataset/uniform_grid.hpp"
 #include "core/surface/quad_complex.hpp"
 
 namespace wakesurf::core {
@@ -14,6 +14,10 @@ namespace wakesurf::core {
 /// between the quads: the wall is closed. Only positions and cells are filled in. Cost: O(nodes).
 /// REQUIRES: mask.fluid has grid.nodes() entries, or none.
 QuadComplex obstacle_surface(const UniformGrid& grid, const SolidMask& mask);
+QuadComplex obstacle_surface(const RectilinearGrid& grid, const SolidMask& mask);
+
+/// Of either; nothing for a mesh of cells, whose walls are faces and have no mask.
+QuadComplex obstacle_surface(const Grid& grid, const SolidMask& mask);
 
 /// Stored walls as cells, each a triangle whose third corner comes twice. Only positions and cells are filled in.
 QuadComplex wall_surface(const WallGeometry& walls);

@@ -7,8 +7,22 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace wakesurf::server {
+
+namespace {
+
+std::string time_left(const ImportProgress& progress) {
+    if (!progress.remaining || progress.done == progress.total)
+        return {};
+    const auto seconds = static_cast<long>(std::ceil(*progress.remaining));
+    return seconds < 120 ? ", " + std::to_string(seconds) + " s left"
+                         : ", " + std::to_string(seconds / 60) + " min left";
+}
+
+} // namespace
 
 std::string progress_line(const ImportProgress& progress) {
     nlohmann::json line{
@@ -17,6 +31,8 @@ std::string progress_line(const ImportProgress& progress) {
         line["file"] = progress.file;
     if (!progress.note.empty())
         line["note"] = progress.note;
+    if (progress.remaining)
+        line["remaining"] = *progress.remaining;
     return protocol::json_text(line);
 }
 
@@ -33,6 +49,8 @@ std::optional<ImportProgress> parse_progress_line(std::string_view line) {
         progress.file = members.text("file");
     if (members.has("note"))
         progress.note = members.text("note");
+    if (members.has("remaining"))
+        progress.remaining = members.number("remaining");
     if (!members.verdict() || progress.done > progress.total)
         return std::nullopt;
     return progress;
@@ -51,9 +69,10 @@ void show_progress(const ImportProgress& progress, std::FILE* stream, std::strin
             : std::min(width, static_cast<std::size_t>(width * done /
                                                        static_cast<double>(progress.total)));
     if (terminal)
-        std::fprintf(stream, "%s [%s%s] %zu of %zu %s", line_start.c_str(),
+        std::fprintf(stream, "%s [%s%s] %zu of %zu %s%s", line_start.c_str(),
                      std::string(filled, '#').c_str(), std::string(width - filled, ' ').c_str(),
-                     progress.done, progress.total, progress.file.c_str());
+                     progress.done, progress.total, progress.file.c_str(),
+                     time_left(progress).c_str());
     if (terminal && progress.phase == "done")
         std::fputc('\n', stream);
     if (!terminal && progress.phase == work)

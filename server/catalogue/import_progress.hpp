@@ -16,9 +16,10 @@ struct ImportProgress {
     std::string file;  ///< the one just finished, without its folder
     std::string note;  ///< for people; may be empty
     double part = 0.0; ///< of the one being worked on, 0..1; on a terminal only
+    std::optional<double> remaining{}; ///< seconds, as far as can be told
 };
 
-/// `{"phase":"import","done":3,"total":16,"file":"..."}`, without a line end, and back.
+/// `{"phase":"import","done":3,"total":16,"file":"...","remaining":2.5}`, without a line end, and back.
 std::string progress_line(const ImportProgress& progress);
 std::optional<ImportProgress> parse_progress_line(std::string_view line);
 

@@ -55,6 +55,10 @@ void print_text(const core::DatasetInfo& info) {
         fmt::print("  times     {} from {:g} to {:g}{}\n", info.times.size(), info.times.front(),
                    info.times.back(), info.steady ? " (steady)" : "");
     fmt::print("  velocity  {}: {}\n", info.velocity, info.why);
+    if (info.precision == core::Precision::Half)
+        fmt::print("  stored    in half precision\n");
+    if (!info.note.empty())
+        fmt::print("  note      {}\n", info.note);
     for (const auto& field : info.fields)
         fmt::print("  field     {}, {} component{}, {} data, {:g} to {:g}{}{}\n", field.name,
                    field.components, field.components == 1 ? "" : "s",

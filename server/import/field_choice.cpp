@@ -1,8 +1,11 @@
 #include "server/import/field_choice.hpp"
 
+#include "server/import/velocity_choice.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <set>
 #include <string_view>
 
 namespace wakesurf::server {
@@ -12,7 +15,6 @@ using core::FieldInfo;
 
 namespace {
 
-constexpr std::array<std::string_view, 3> velocity_names{"u", "velocity", "vel"};
 constexpr std::array<std::string_view, 4> fluid_names{"mask", "fluid", "fluid_mask",
                                                       "vtkvalidpointmask"};
 constexpr std::array<std::string_view, 3> solid_names{"solid", "solid_mask", "obstacle"};
@@ -25,98 +27,126 @@ bool called_one_of(const FieldInfo& field, const Names& names) {
     return std::find(names.begin(), names.end(), lower) != names.end();
 }
 
-template <class Condition>
-std::vector<FieldInfo> pick(const std::vector<FieldInfo>& fields, Condition condition) {
-    std::vector<FieldInfo> out;
-    std::copy_if(fields.begin(), fields.end(), std::back_inserter(out), condition);
-    return out;
-}
-
-std::string listed(const std::vector<FieldInfo>& fields) {
-    std::string out;
-    for (const auto& field : fields)
-        out += (out.empty() ? "" : ", ") + field.name + " (" + std::to_string(field.components) +
-               (field.components == 1 ? " component, " : " components, ") +
-               (field.source == FieldInfo::Source::Cell ? "cell)" : "point)");
-    return out.empty() ? "no arrays at all" : out;
-}
-
 bool is_mask(const FieldInfo& field) {
     return field.components == 1 &&
            (called_one_of(field, fluid_names) || called_one_of(field, solid_names));
 }
 
+bool same_array(const FieldInfo& a, const FieldInfo& b) {
+    return a.name == b.name && a.source == b.source;
+}
+
+bool contains(const std::vector<FieldInfo>& fields, const FieldInfo& field) {
+    return std::any_of(fields.begin(), fields.end(),
+                       [&](const FieldInfo& other) { return same_array(field, other); });
+}
+
 core::Result<void> check_wanted(const std::vector<FieldInfo>& fields,
                                 const std::vector<std::string>& wanted) {
     for (const auto& name : wanted) {
-        const auto found = pick(fields, [&](const FieldInfo& f) { return f.name == name; });
-        if (found.empty())
+        const auto found = std::find_if(fields.begin(), fields.end(),
+                                        [&](const FieldInfo& f) { return f.name == name; });
+        if (found == fields.end())
             return core::fail(Error::Code::NotFound,
                               "there is no field " + name + "; there is " + listed(fields));
-        if (std::none_of(found.begin(), found.end(),
-                         [](const FieldInfo& f) { return f.components == 3 || is_mask(f); }))
+        if (found->components != 1 && found->components != 3)
             return core::fail(Error::Code::Unsupported,
-                              "field " + name + " is neither a velocity (3 components) nor a mask",
-                              "leave it out of --fields; a store holds the velocity and the mask");
+                              "field " + name + " has " + std::to_string(found->components) +
+                                  " components: it is neither a velocity nor a scalar",
+                              "leave it out of --fields");
     }
     return {};
 }
 
-core::Result<FieldInfo> the_only(const std::vector<FieldInfo>& candidates) {
-    if (candidates.size() > 1)
-        return core::fail(Error::Code::InvalidArgument,
-                          "several fields could be the velocity: " + listed(candidates),
-                          "choose one with --fields NAME");
-    return candidates.front();
+// Part of file names: lower case, digits and single dashes.
+std::string slug(const std::string& name) {
+    constexpr std::size_t longest = 56;
+    std::string out;
+    for (const char c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+            out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        else if (!out.empty() && out.back() != '-')
+            out += '-';
+    out = out.substr(0, longest);
+    while (!out.empty() && out.back() == '-')
+        out.pop_back();
+    return out.empty() ? "scalar" : out;
 }
 
-core::Result<FieldChoice> choose_velocity(const std::vector<FieldInfo>& vectors) {
-    FieldChoice choice;
-    for (const auto source : {FieldInfo::Source::Point, FieldInfo::Source::Cell}) {
-        const auto here = pick(vectors, [&](const FieldInfo& f) { return f.source == source; });
-        const auto named =
-            pick(here, [](const FieldInfo& f) { return called_one_of(f, velocity_names); });
-        if (here.empty())
-            continue;
-        const auto chosen = the_only(named.empty() ? here : named);
-        if (!chosen)
-            return tl::unexpected(chosen.error());
-        choice.velocity = *chosen;
-        choice.why = named.empty() ? "the only 3-component field"
-                                   : "the only 3-component field with the name of a velocity";
-        if (source == FieldInfo::Source::Cell)
-            choice.why += "; its cell values are averaged to the points";
-        return choice;
+void choose_scalars(const std::vector<FieldInfo>& fields,
+                    const std::vector<std::string>& wanted,
+                    FieldChoice& choice) {
+    std::vector<FieldInfo> found;
+    std::vector<FieldInfo> named;
+    for (const auto source : {FieldInfo::Source::Point, FieldInfo::Source::Cell})
+        for (const auto& field : fields) {
+            const bool twice = std::any_of(found.begin(), found.end(), [&](const FieldInfo& other) {
+                return other.name == field.name;
+            });
+            const bool component =
+                choice.velocity.arrays.size() > 1 && contains(choice.velocity.arrays, field);
+            if (field.source != source || field.components != 1 || is_mask(field) || twice ||
+                component)
+                continue;
+            found.push_back(field);
+            if (std::find(wanted.begin(), wanted.end(), field.name) != wanted.end() &&
+                !contains(choice.velocity.divisor, field))
+                named.push_back(field);
+        }
+    std::set<std::string> taken{std::string(core::velocity_stem)};
+    for (const auto& field : named.empty() ? found : named) {
+        const std::string first = slug(field.name);
+        std::string stem = first;
+        for (int i = 2; !taken.insert(stem).second; ++i)
+            stem = first + "-" + std::to_string(i);
+        choice.scalars.push_back({field, {field.name, stem}});
     }
-    return core::fail(Error::Code::NotFound, "no vector field");
+}
+
+void note_what_is_left_out(const std::vector<FieldInfo>& fields, FieldChoice& choice) {
+    std::string names;
+    for (const auto& field : fields)
+        if (field.components > 1 && !contains(choice.velocity.arrays, field))
+            names += (names.empty() ? "" : ", ") + field.name;
+    if (!names.empty())
+        choice.note = "left out, since a store holds one vector: " + names;
 }
 
 } // namespace
+
+std::vector<FieldInfo> FieldChoice::arrays() const {
+    std::vector<FieldInfo> out;
+    const auto add = [&](const FieldInfo& field) {
+        if (!contains(out, field))
+            out.push_back(field);
+    };
+    std::for_each(velocity.arrays.begin(), velocity.arrays.end(), add);
+    std::for_each(velocity.divisor.begin(), velocity.divisor.end(), add);
+    for (const auto& scalar : scalars)
+        add(scalar.field);
+    if (mask)
+        add(*mask);
+    return out;
+}
 
 core::Result<FieldChoice> choose_fields(const std::vector<FieldInfo>& fields,
                                         const std::vector<std::string>& wanted) {
     if (auto known = check_wanted(fields, wanted); !known)
         return tl::unexpected(known.error());
-    const auto is_wanted = [&](const FieldInfo& f) {
-        return wanted.empty() || std::find(wanted.begin(), wanted.end(), f.name) != wanted.end();
-    };
-    auto vectors = pick(fields, [&](const FieldInfo& f) { return f.components == 3; });
-    if (vectors.empty())
-        return core::fail(Error::Code::NotFound,
-                          "there is no vector field; there is " + listed(fields),
-                          "write the velocity as one array of 3 components");
-    const auto asked = pick(vectors, is_wanted);
-    auto choice = choose_velocity(asked.empty() ? vectors : asked);
-    if (!choice)
-        return choice;
-    if (!wanted.empty() && !asked.empty())
-        choice->why = "chosen by --fields" +
-                      choice->why.substr(std::min(choice->why.find(';'), choice->why.size()));
+    auto velocity = choose_velocity(fields, wanted);
+    if (!velocity)
+        return tl::unexpected(velocity.error());
+    FieldChoice choice;
+    choice.velocity = std::move(velocity->parts);
+    choice.velocity_name = std::move(velocity->name);
+    choice.why = std::move(velocity->why);
     for (const auto source : {FieldInfo::Source::Cell, FieldInfo::Source::Point})
         for (const auto& field : fields)
             if (is_mask(field) && field.source == source)
-                choice->mask = field;
-    choice->mask_marks_solid = choice->mask && called_one_of(*choice->mask, solid_names);
+                choice.mask = field;
+    choice.mask_marks_solid = choice.mask && called_one_of(*choice.mask, solid_names);
+    choose_scalars(fields, wanted, choice);
+    note_what_is_left_out(fields, choice);
     return choice;
 }
 

@@ -1,8 +1,10 @@
-// Which arrays of a source are its velocity and its solid mask: the rules, apart from any reader.
+// Which arrays of a source are its velocity, its scalars and its solid mask: the rules, apart from any reader.
 #pragma once
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
+#include "core/dataset/store_layout.hpp"
+#include "server/import/node_values.hpp"
 
 #include <optional>
 #include <string>
@@ -10,18 +12,29 @@
 
 namespace wakesurf::server {
 
-struct FieldChoice {
-    core::FieldInfo velocity;
-    std::string why;
-    std::optional<core::FieldInfo> mask;
-    bool mask_marks_solid = false; ///< 1 means solid instead of fluid
+struct ChosenScalar {
+    core::FieldInfo field;
+    core::StoredScalar stored;
 };
 
-/// Velocity: the 3-component array called U, velocity or vel (any case), else the only 3-component one; point
-/// arrays go before cell arrays, and `wanted` (--fields), where given, before everything. Mask: the 1-component
-/// array called mask, fluid, fluid_mask or vtkValidPointMask (1 = fluid), or solid, solid_mask or obstacle
-/// (1 = solid). Error: NotFound (no vector field; a wanted field is not there), InvalidArgument (several
-/// candidates), each listing what there is; Unsupported (a wanted field that is neither).
+struct FieldChoice {
+    FieldParts velocity;
+    std::string velocity_name; ///< for people: U; u, v, w; Momentum / Density
+    std::string why;
+    std::vector<ChosenScalar> scalars;
+    std::optional<core::FieldInfo> mask;
+    bool mask_marks_solid = false; ///< 1 means solid instead of fluid
+    std::string note;              ///< vectors that are left out; may be empty
+
+    /// Every array that has to be read, each once.
+    std::vector<core::FieldInfo> arrays() const;
+};
+
+/// Velocity: the array chosen by velocity_choice.hpp. Mask: the 1-component array called mask, fluid, fluid_mask or
+/// vtkValidPointMask (1 = fluid), or solid, solid_mask or obstacle (1 = solid). Scalars: all other 1-component arrays, or
+/// those among `wanted` (--fields) where it names some; of two of one name that of the points.
+/// Error: NotFound (no velocity; a wanted field is not there), InvalidArgument (several candidates), Unsupported (a
+/// momentum without its density), each listing what there is.
 core::Result<FieldChoice> choose_fields(const std::vector<core::FieldInfo>& fields,
                                         const std::vector<std::string>& wanted);
 

@@ -4,6 +4,7 @@
 #include "protocol/json_text.hpp"
 #include "server/catalogue/store_writer.hpp"
 #include "server/import/conversion.hpp"
+#include "server/import/step_workers.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -50,15 +51,23 @@ int main(int argc, char** argv) {
     std::string source;
     std::string store;
     std::string times;
+    std::string precision = "single";
     bool describe_only = false;
-    CLI::App app("Converts a simulation (.pvd, .vti, numbered .vti files) into a wakesurf store.",
+    CLI::App app("Converts a simulation of any format VTK reads into a wakesurf store.",
                  "wakesurf-import");
-    app.add_option("SOURCE", source, "a .pvd, a .vti, or the first of numbered .vti files")
+    app.add_option("SOURCE", source,
+                   "a file, a collection, the first of a numbered series, a case folder")
         ->required();
     auto* folder = app.add_option("STORE_DIR", store, "the store's folder, made when missing");
-    app.add_option("--fields", request.fields, "names of the velocity and mask fields")
+    app.add_option("--fields", request.fields,
+                   "names of the velocity (or of its parts) and the scalars")
         ->delimiter(',');
     app.add_option("--times", times, "T0:T1[:EVERY], both included; every EVERY-th time-step");
+    app.add_option("--precision", precision, "single, or half: half the size, rounded to 2^-11")
+        ->check(CLI::IsMember({"single", "half"}));
+    app.add_option("--jobs", request.jobs,
+                   "processes that convert time-steps at once; default: one a core")
+        ->check(CLI::Range(1, 256));
     auto* describe =
         app.add_flag("--describe", describe_only, "print what SOURCE is as JSON, write nothing");
     try {
@@ -78,8 +87,10 @@ int main(int argc, char** argv) {
     for (const auto& field : request.fields)
         request.selection += "field " + field + " ";
     request.selection += times.empty() ? "" : "times " + times;
+    request.precision = precision == "half" ? core::Precision::Half : core::Precision::Single;
     server::end_on_signals(
-        "wakesurf-import: interrupted; the same command goes on where this one ended\n");
+        "wakesurf-import: interrupted; the same command goes on where this one ended\n",
+        server::end_step_workers);
     try {
         return run(request, store, describe_only);
     } catch (const std::exception& error) {

@@ -43,9 +43,8 @@ core::Result<core::QuadComplex> obstacle_of(const LoadedDataset& dataset) {
         fail(Error::Code::NotFound, "the dataset has no obstacle", "dataset.describe says so");
     if (dataset.store == nullptr)
         return none;
-    const auto* grid = std::get_if<core::UniformGrid>(&dataset.store->grid());
-    if (grid != nullptr && !dataset.store->mask().empty())
-        return core::obstacle_surface(*grid, dataset.store->mask());
+    if (!dataset.store->mask().empty())
+        return core::obstacle_surface(dataset.store->grid(), dataset.store->mask());
     const auto walls = dataset.store->load_walls();
     if (!walls)
         return tl::unexpected(walls.error());

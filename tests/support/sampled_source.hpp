@@ -1,4 +1,4 @@
-// A time-step source that samples a formula on a grid: stored data without files.
+// A time-step source that samples a formula on a uniform or rectilinear grid: stored data without files.
 #pragma once
 
 #include "core/dataset/time_step_source.hpp"
@@ -18,7 +18,7 @@ class SampledSource final : public core::TimeStepSource {
                   std::vector<double> times,
                   Velocity velocity,
                   core::SolidMask mask = {})
-        : grid_(grid), times_(std::move(times)), velocity_(std::move(velocity)),
+        : grid_(std::move(grid)), times_(std::move(times)), velocity_(std::move(velocity)),
           mask_(std::move(mask)) {}
 
     const core::Grid& grid() const override { return grid_; }
@@ -47,10 +47,12 @@ class SampledSource final : public core::TimeStepSource {
             const core::Vec3 v = solid ? core::Vec3(0.0) : velocity_(position(node), times_[index]);
             for (int axis = 0; axis < 3; ++axis)
                 *out++ = static_cast<float>(v[axis]);
+            step->gaps = step->gaps || !core::finite(v);
         }
         return step;
     }
 
+    /// Of a node, x fastest.
     core::Vec3 position(std::size_t node) const {
         if (const auto* mesh = std::get_if<core::CellMesh>(&grid_))
             return mesh->points[node];

@@ -2,7 +2,6 @@
 // cursor of its own.
 #pragma once
 
-#include "core/dataset/time_step_source.hpp"
 #include "core/field/cells/cell_sampler.hpp"
 #include "core/field/interval.hpp"
 #include "core/field/node_shares.hpp"
@@ -15,12 +14,11 @@
 namespace wakesurf::core {
 
 /// What is asked of a Sampling (uniform_sampling.hpp). `smooth` changes nothing: exact on a mesh of cells is what its shape
-/// functions give. Thread safety: concurrent calls are fine. Keeps a reference to the source.
+/// functions give. Thread safety: concurrent calls are fine. Keeps a reference to the mesh.
 class CellSampling {
   public:
-    /// REQUIRES: the source's grid is a mesh of cells. Cost: that of CellDomain.
-    explicit CellSampling(const TimeStepSource& source)
-        : domain_(std::get<CellMesh>(source.grid())) {}
+    /// Cost: that of CellDomain.
+    explicit CellSampling(const CellMesh& mesh) : domain_(mesh) {}
 
     PointStatus status(const Vec3& position) const { return field({}).status(position); }
 

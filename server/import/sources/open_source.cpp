@@ -1,9 +1,14 @@
 // Which reader a path is for: by its extension and, where several formats share one, by what it holds.
 #include "core/base/disk.hpp"
 #include "server/import/source.hpp"
+#include "server/import/sources/cgns_source.hpp"
+#include "server/import/sources/ensight_source.hpp"
+#include "server/import/sources/exodus_source.hpp"
 #include "server/import/sources/folder_choice.hpp"
 #include "server/import/sources/netcdf_source.hpp"
 #include "server/import/sources/numbered_files.hpp"
+#include "server/import/sources/openfoam_source.hpp"
+#include "server/import/sources/plot3d_source.hpp"
 #include "server/import/sources/vtk_files_source.hpp"
 
 #include <array>
@@ -20,7 +25,10 @@ struct Format {
     core::Result<std::unique_ptr<Source>> (*open)(const fs::path&);
 };
 
-constexpr std::array formats{Format{is_vtk_files, open_vtk_files}, Format{is_netcdf, open_netcdf}};
+constexpr std::array formats{Format{is_openfoam, open_openfoam},   Format{is_vtk_files, open_vtk_files},
+                             Format{is_ensight, open_ensight},     Format{is_exodus, open_exodus},
+                             Format{is_netcdf, open_netcdf},       Format{is_cgns, open_cgns},
+                             Format{is_plot3d, open_plot3d}};
 
 const Format* format_of(const fs::path& path) {
     for (const auto& format : formats)

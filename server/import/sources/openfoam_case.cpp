@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
-#include <optional>
-#include <set>
 
 namespace wakesurf::server {
 
@@ -95,41 +93,38 @@ core::Result<std::vector<FoamRegion>> find_regions(const FoamCase& found) {
     return out;
 }
 
-// The fields whose class can be read, as the first time-step has them, and which all time-steps have.
+int components_of(const FoamHeader& header) {
+    return header.type == "volVectorField" ? 3 : header.type == "volScalarField" ? 1 : 0;
+}
+
+// The fields of cells that every fluid region has at all time-steps, and a note on those that only some have.
 void find_fields(FoamCase& found) {
-    std::optional<std::set<std::string>> everywhere;
-    std::set<std::string> somewhere;
+    std::map<std::string, std::size_t> counts;
+    std::map<std::string, std::string> first;
+    std::size_t places = 0;
     for (const auto& region : found.regions)
         for (const auto& time : found.times) {
             if (!region.fluid)
                 continue;
-            const auto here = foam_fields(
-                found.folder / found.relative(found.parts.front(), time.name, region.name, ""));
-            somewhere.insert(here.begin(), here.end());
-            if (!everywhere)
-                everywhere = here;
-            std::erase_if(*everywhere,
-                          [&](const std::string& name) { return !here.contains(name); });
+            ++places;
+            for (const auto& name :
+                 foam_fields(found.folder /
+                             found.relative(found.parts.front(), time.name, region.name, ""))) {
+                ++counts[name];
+                first.try_emplace(
+                    name, found.relative(found.parts.front(), time.name, region.name, name));
+            }
         }
-    const auto fluid = std::find_if(found.regions.begin(), found.regions.end(),
-                                    [](const FoamRegion& region) { return region.fluid; });
     std::string left_out;
-    for (const auto& name : somewhere) {
-        if (!everywhere->contains(name)) {
+    for (const auto& [name, count] : counts) {
+        const auto header = read_foam_header(found.file_at(first.at(name)).path);
+        if (!header || header->object != name || components_of(*header) == 0)
+            continue;
+        if (count == places)
+            found.fields.push_back(
+                {name, components_of(*header), FieldInfo::Source::Cell, {0.0, 0.0}, header->unit});
+        else
             left_out += (left_out.empty() ? "" : ", ") + name;
-            continue;
-        }
-        const auto file = found.file_at(
-            found.relative(found.parts.front(), found.times.front().name, fluid->name, name));
-        const auto header = read_foam_header(file.path);
-        if (!header || header->object != name ||
-            (header->type != "volVectorField" && header->type != "volScalarField"))
-            continue;
-        found.fields.push_back({name,
-                                header->type == "volVectorField" ? 3 : 1,
-                                FieldInfo::Source::Cell,
-                                {0.0, 0.0},
-                                header->unit});
     }
     if (!left_out.empty())
         found.note += (found.note.empty() ? "" : "; ") + ("not at every time-step: " + left_out);

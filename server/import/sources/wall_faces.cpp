@@ -1,8 +1,10 @@
 #include "server/import/sources/wall_faces.hpp"
 
+#include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 
 #include <algorithm>
 
@@ -24,6 +26,20 @@ bool stands_still(vtkDataSet& faces, const std::vector<core::FieldInfo>& fields)
             if (values->GetComponent(i, c) != 0.0)
                 return false;
     return true;
+}
+
+vtkSmartPointer<vtkPolyData> faces_of(vtkDataSet& grid) {
+    auto out = vtkSmartPointer<vtkPolyData>::New();
+    auto* points = vtkPointSet::SafeDownCast(&grid);
+    if (points == nullptr)
+        return out;
+    out->SetPoints(points->GetPoints());
+    out->GetPointData()->ShallowCopy(grid.GetPointData());
+    out->AllocateEstimate(grid.GetNumberOfCells(), 4);
+    for (vtkIdType i = 0; i < grid.GetNumberOfCells(); ++i)
+        if (vtkCell* cell = grid.GetCell(i); cell->GetCellDimension() == 2)
+            out->InsertNextCell(cell->GetCellType(), cell->GetPointIds());
+    return out;
 }
 
 } // namespace wakesurf::server

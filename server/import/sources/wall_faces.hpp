@@ -4,6 +4,8 @@
 #include "core/dataset/dataset_info.hpp"
 
 #include <vtkDataSet.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <vector>
 
@@ -12,5 +14,8 @@ namespace wakesurf::server {
 /// Is the velocity, the first of `fields` with three components, exactly zero everywhere on `faces`? False where they
 /// do not carry it.
 bool stands_still(vtkDataSet& faces, const std::vector<core::FieldInfo>& fields);
+
+/// The two-dimensional cells of a grid that has no others, with the points and point data it has.
+vtkSmartPointer<vtkPolyData> faces_of(vtkDataSet& grid);
 
 } // namespace wakesurf::server

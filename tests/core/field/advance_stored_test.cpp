@@ -162,11 +162,11 @@ TEST(AdvanceStored, AParticleDoesNotDependOnThoseItTravelsWithNorOnThreads) {
 
 TEST(AdvanceStored, AgreesWithTheStepsInDouble) {
     const SolidMask mask = ball();
-    const CellMask cells(grid, mask);
+    const CellMask cells(grid.dimensions, mask);
     const SampledSource source(grid, {0.0, 1.0}, swirling, mask);
     const auto first = source.load(0, {}).value();
     const auto second = source.load(1, {}).value();
-    const GridSampler field{
+    const GridSampler<UniformGrid> field{
         &grid, &cells, &mask, first->velocity().data(), second->velocity().data(), 0.0, 1.0};
     for (const double to : {0.9, 0.1}) {
         Swarm exact = to > 0.5 ? everywhere(2000, 0.05, 0.7) : everywhere(2000, 0.95, 0.4);

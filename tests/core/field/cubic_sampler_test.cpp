@@ -32,7 +32,7 @@ struct Stored {
            std::size_t k = 0,
            SolidMask mask = {})
         : source(grid, std::move(series), std::move(velocity), std::move(mask)),
-          cells(grid_of(source), source.mask()) {
+          cells(grid_of(source).dimensions, source.mask()) {
         const std::vector<double>& times = source.times();
         for (std::size_t i = k - std::min<std::size_t>(k, 1); i < std::min(k + 3, times.size());
              ++i)

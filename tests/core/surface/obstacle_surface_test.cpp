@@ -78,6 +78,28 @@ TEST(ObstacleSurface, IsCappedWhereTheObstacleMeetsTheDomainsBorder) {
     EXPECT_NEAR(volume(mesh), 3 * 0.5 * 3 * 0.25 * 5.0, 1e-12);
 }
 
+TEST(ObstacleSurface, LiesMidwayBetweenTheNodesOfARectilinearGrid) {
+    RectilinearGrid even;
+    RectilinearGrid uneven;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::uint32_t i = 0; i < grid.dimensions[axis]; ++i) {
+            even.coordinates[axis].push_back(grid.origin[static_cast<int>(axis)] +
+                                             i * grid.spacing[static_cast<int>(axis)]);
+            uneven.coordinates[axis].push_back(i * i);
+        }
+    const QuadComplex mesh = obstacle_surface(Grid(grid), mask_of(in_box));
+    const QuadComplex twin = obstacle_surface(Grid(even), mask_of(in_box));
+    EXPECT_EQ(twin.position, mesh.position);
+    ASSERT_EQ(twin.cells.size(), mesh.cells.size());
+    // Nodes 2 to 4, 3 to 5 and 2 to 3 at their squares.
+    const auto side = [](double first, double last) {
+        const auto middle = [](double a) { return 0.5 * (a * a + (a + 1.0) * (a + 1.0)); };
+        return middle(last) - middle(first - 1.0);
+    };
+    EXPECT_NEAR(volume(obstacle_surface(uneven, mask_of(in_box))),
+                side(2, 4) * side(3, 5) * side(2, 3), 1e-9);
+}
+
 TEST(ObstacleSurface, OfNothingIsNothingAndOfEverythingTheDomain) {
     EXPECT_TRUE(obstacle_surface(grid, {}).cells.empty());
     EXPECT_TRUE(obstacle_surface(grid, mask_of([](int, int, int) { return false; })).cells.empty());

@@ -1,0 +1,32 @@
+#include "core/field/rectilinear_sampling.hpp"
+
+#include "core/field/trace_curves.hpp"
+#include "core/field/trilinear_cell.hpp"
+
+namespace wakesurf::core {
+
+RectilinearSampling::RectilinearSampling(const RectilinearGrid& grid, const SolidMask& mask)
+    : axes_(grid), mask_(mask), cells_(axes_.dimensions(), mask) {}
+
+bool RectilinearSampling::advance(const Interval& interval,
+                                  const Particles& particles,
+                                  double to,
+                                  int sign,
+                                  const AdvanceOptions& options,
+                                  const std::stop_token& stop) const {
+    const GridSampler<RectilinearAxes> field = linear(interval);
+    end_in_gaps(field, particles, to, sign);
+    return advance_particles(field, particles, to, sign, options, stop);
+}
+
+bool RectilinearSampling::trace(const Interval& interval,
+                                std::span<Curve> curves,
+                                const TraceOptions& options,
+                                double limit,
+                                const std::stop_token& stop) const {
+    const GridSampler<RectilinearAxes> field = linear(interval);
+    end_in_gaps(field, curves);
+    return trace_curves(CellwiseSampler<RectilinearAxes>{field}, curves, options, limit, stop);
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,57 @@
+// How a stored field on a rectilinear grid is sampled between two time-steps: as on a uniform one, but for the batch
+// kernel and the smooth field, which are trilinear here.
+#pragma once
+
+#include "core/field/rectilinear_axes.hpp"
+#include "core/field/stored_steps.hpp"
+
+#include <span>
+#include <stop_token>
+
+namespace wakesurf::core {
+
+/// Thread safety: concurrent calls are fine. Keeps references to grid and mask. Twin: uniform_sampling.hpp.
+class RectilinearSampling {
+  public:
+    RectilinearSampling(const RectilinearGrid& grid, const SolidMask& mask);
+
+    /// At no particular time.
+    PointStatus status(const Vec3& position) const { return linear({}).status(position); }
+
+    NodeShares shares(const Vec3& position) const { return linear({}).shares(position); }
+
+    bool obstacle() const { return !mask_.empty(); }
+
+    /// Carries what has not reached `to` there. Returns false if `stop` fired.
+    /// @param sign  direction of time, +1 or -1
+    bool advance(const Interval& interval,
+                 const Particles& particles,
+                 double to,
+                 int sign,
+                 const AdvanceOptions& options,
+                 const std::stop_token& stop) const;
+
+    /// Traces running curves up to the simulation time `limit`. Returns false if `stop` fired.
+    bool trace(const Interval& interval,
+               std::span<Curve> curves,
+               const TraceOptions& options,
+               double limit,
+               const std::stop_token& stop) const;
+
+    /// Calls `use` with a sampler that has `velocity(position, time)`.
+    template <class Use>
+    void with_field(const Interval& interval, bool /*smoothly*/, const Use& use) const {
+        use(linear(interval));
+    }
+
+  private:
+    GridSampler<RectilinearAxes> linear(const Interval& interval) const {
+        return linear_sampler(axes_, cells_, mask_, interval);
+    }
+
+    RectilinearAxes axes_;
+    const SolidMask& mask_;
+    CellMask cells_;
+};
+
+} // namespace wakesurf::core

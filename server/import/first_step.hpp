@@ -1,0 +1,19 @@
+// The first time-step read whole: the grid all time-steps share, its walls and its mask.
+#pragma once
+
+#include "core/dataset/store_reader.hpp"
+#include "server/import/step_conversion.hpp"
+
+namespace wakesurf::server {
+
+struct FirstStepReading {
+    FirstStep first;
+    SourceStep step; ///< with its values
+    core::WallGeometry walls;
+};
+
+/// @param with_last  reads the last time-step as well: boundary faces at rest at both are walls. Without it they are not.
+/// Error: as Source::read and assemble_grid, naming the time-step.
+core::Result<FirstStepReading> read_first_step(const ImportPlan& plan, bool with_last);
+
+} // namespace wakesurf::server

@@ -1,0 +1,89 @@
+#include "server/import/import_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wakesurf::server {
+
+using core::Error;
+
+namespace {
+
+core::Result<void> check_times(const std::vector<double>& times) {
+    if (times.empty())
+        return core::fail(Error::Code::Corrupt, "the source has no time-steps");
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (!std::isfinite(times[i]))
+            return core::fail(Error::Code::Corrupt, "the time of time-step " + std::to_string(i) +
+                                                        " is no finite number");
+        if (i > 0 && !(times[i - 1] < times[i]))
+            return core::fail(Error::Code::Corrupt,
+                              "times do not rise: time-step " + std::to_string(i - 1) + " is at " +
+                                  std::to_string(times[i - 1]) + ", the next at " +
+                                  std::to_string(times[i]));
+    }
+    return {};
+}
+
+core::Result<protocol::StoreSource> files_of(const Source& source,
+                                             const std::vector<std::size_t>& steps) {
+    auto shared = source.shared_files();
+    if (!shared)
+        return tl::unexpected(shared.error());
+    protocol::StoreSource out{std::move(*shared), {}, {}};
+    for (const std::size_t step : steps) {
+        auto files = source.files(step);
+        if (!files)
+            return tl::unexpected(files.error());
+        out.steps.push_back(std::move(*files));
+    }
+    return out;
+}
+
+} // namespace
+
+std::string ImportPlan::step_name(std::size_t index) const {
+    const auto& files = made_from.steps[index];
+    const std::string step = "time-step " + std::to_string(index);
+    if (!files.empty())
+        return files.front().name + " (" + step + ")";
+    return step + " of " + source->description().name;
+}
+
+core::Result<ImportPlan> make_plan(const ImportRequest& request) {
+    auto source = open_source(request.source);
+    if (!source)
+        return tl::unexpected(source.error());
+    const SourceDescription& description = (*source)->description();
+    if (auto sound = check_times(description.times); !sound)
+        return core::fail(sound.error().code, description.name + ": " + sound.error().message,
+                          sound.error().hint);
+    auto steps = select_times(description.times, request.times);
+    if (!steps)
+        return tl::unexpected(steps.error());
+    auto files = files_of(**source, *steps);
+    if (!files)
+        return tl::unexpected(files.error());
+    ImportPlan plan;
+    plan.steps = std::move(*steps);
+    plan.made_from = std::move(*files);
+    plan.made_from.selection = request.selection;
+    plan.precision = request.precision;
+    plan.jobs = request.jobs;
+    for (const std::size_t step : plan.steps)
+        plan.times.push_back(description.times[step]);
+    plan.source = std::move(*source);
+    auto choice = choose_fields(plan.source->description().fields, request.fields);
+    if (!choice)
+        return core::fail(choice.error().code, plan.step_name(0) + ": " + choice.error().message,
+                          choice.error().hint);
+    plan.choice = std::move(*choice);
+    return plan;
+}
+
+Error about_step(const ImportPlan& plan, std::size_t index, Error error) {
+    error.message = plan.step_name(index) + " " + error.message;
+    return error;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,51 @@
+// Everything about a source that is known before its time-steps are converted.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "protocol/store_manifest.hpp"
+#include "server/import/field_choice.hpp"
+#include "server/import/source.hpp"
+#include "server/import/time_selection.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct ImportRequest {
+    std::filesystem::path source;
+    std::vector<std::string> fields;
+    std::optional<TimeSelection> times;
+    core::Precision precision = core::Precision::Single;
+    std::string
+        selection; ///< all of these as the user wrote them, part of what the store was made from
+    std::size_t jobs = 0; ///< processes that convert time-steps; 0: as many as there are cores
+};
+
+struct ImportPlan {
+    std::unique_ptr<Source> source;
+    std::vector<std::size_t> steps; ///< of the source, in order
+    std::vector<double> times;
+    FieldChoice choice;
+    core::Precision precision = core::Precision::Single;
+    std::size_t jobs = 0;
+    protocol::StoreSource made_from;
+
+    /// For messages: "flow_3.vti (time-step 3)".
+    std::string step_name(std::size_t index) const;
+
+    core::Result<SourceStep> read(std::size_t index) const {
+        return source->read(steps[index], choice.arrays());
+    }
+};
+
+/// Opens the source. Error: as open_source, choose_fields and select_times; Corrupt for times that do not rise.
+core::Result<ImportPlan> make_plan(const ImportRequest& request);
+
+/// An error about a time-step that was not told which. @param error  to be read after the name
+core::Error about_step(const ImportPlan& plan, std::size_t index, core::Error error);
+
+} // namespace wakesurf::server

@@ -1,0 +1,16 @@
+// Whether two time-steps have one mesh: compared number by number, since a store has one grid.
+#pragma once
+
+#include "server/import/grid_assembly.hpp"
+
+#include <vector>
+
+namespace wakesurf::server {
+
+/// Blocks without their values, which may be freed then: what same_mesh needs of them.
+std::vector<vtkSmartPointer<vtkDataSet>> without_values(BlockList blocks);
+
+/// Points, cells, faces of polyhedra and what is blanked; quick where a reader gives the same arrays again.
+bool same_mesh(BlockList a, BlockList b);
+
+} // namespace wakesurf::server

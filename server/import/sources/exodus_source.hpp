@@ -1,0 +1,14 @@
+// Exodus II files through vtkExodusIIReader: all element blocks, all times, values at nodes and elements.
+#pragma once
+
+#include "server/import/source.hpp"
+
+namespace wakesurf::server {
+
+bool is_exodus(const std::filesystem::path& path);
+
+/// Blocks: element blocks of three dimensions. Walls: side sets called wall. Displacements are not applied: the mesh
+/// stands still. Values are VTK's, 64 bits. Error: NotFound, Io, Corrupt, Unsupported, OverLimit.
+core::Result<std::unique_ptr<Source>> open_exodus(const std::filesystem::path& path);
+
+} // namespace wakesurf::server

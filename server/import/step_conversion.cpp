@@ -1,0 +1,173 @@
+#include "server/import/step_conversion.hpp"
+
+#include "core/base/half.hpp"
+#include "server/import/same_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+namespace wakesurf::server {
+
+using core::Error;
+
+namespace {
+
+std::vector<std::uint16_t> halves_of(std::span<const float> values) {
+    std::vector<std::uint16_t> halves(values.size());
+    core::to_half(values, halves);
+    return halves;
+}
+
+class StepWriting {
+  public:
+    StepWriting(const ImportPlan& plan, std::size_t index, StoreWriter& writer)
+        : plan_(plan), index_(index), writer_(writer) {}
+
+    core::Result<void>
+    write(std::string_view stem, const std::string& field, std::span<const float> values) {
+        std::vector<std::uint16_t> halves;
+        auto bytes = std::as_bytes(values);
+        if (plan_.precision == core::Precision::Half) {
+            if (std::isinf(rounding_error(values)))
+                return core::fail(
+                    Error::Code::Unsupported,
+                    plan_.step_name(index_) + " has values of " + field +
+                        " beyond 65504, which half precision cannot hold",
+                    "import without --precision half, or name other fields with --fields");
+            halves = halves_of(values);
+            bytes = std::as_bytes(std::span<const std::uint16_t>(halves));
+        }
+        return writer_.write(core::step_file_name(stem, index_, plan_.precision), bytes)
+            .map([&](std::uint32_t checksum) { record.checksums.push_back(checksum); });
+    }
+
+    StepRecord record;
+
+  private:
+    const ImportPlan& plan_;
+    std::size_t index_;
+    StoreWriter& writer_;
+};
+
+tl::unexpected<Error>
+differs(const ImportPlan& plan, std::size_t index, const char* what, const char* hint) {
+    return core::fail(Error::Code::Unsupported,
+                      plan.step_name(index) + " has another " + what + " than " + plan.step_name(0),
+                      hint);
+}
+
+} // namespace
+
+double rounding_error(std::span<const float> values) {
+    const auto halves = halves_of(values);
+    std::vector<float> back(values.size());
+    core::from_half(halves, back);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (std::isfinite(values[i]))
+            largest = std::max(
+                largest, std::abs(static_cast<double>(values[i]) - static_cast<double>(back[i])));
+    return largest;
+}
+
+void Range::include(const Range& other) {
+    lo = std::min(lo, other.lo);
+    hi = std::max(hi, other.hi);
+}
+
+Range speed_range(std::span<const float> velocity, std::span<const std::uint8_t> fluid) {
+    Range range;
+    for (std::size_t i = 0; i < velocity.size() / 3; ++i) {
+        if (!fluid.empty() && fluid[i] == 0)
+            continue;
+        const double x = velocity[3 * i];
+        const double y = velocity[3 * i + 1];
+        const double z = velocity[3 * i + 2];
+        const double square = x * x + y * y + z * z; // float values: no overflow
+        if (std::isnan(square))
+            continue;
+        range.lo = std::min(range.lo, square);
+        range.hi = std::max(range.hi, square);
+    }
+    if (range.empty())
+        return range;
+    return {std::sqrt(range.lo), std::sqrt(range.hi)};
+}
+
+Range value_range(std::span<const float> values) {
+    Range range;
+    for (const float value : values)
+        if (std::isfinite(value))
+            range.include({value, value});
+    return range;
+}
+
+core::Result<void> check_mesh_of(const ImportPlan& plan,
+                                 const FirstStep& first,
+                                 std::size_t index,
+                                 const SourceStep& step) {
+    if (!same_mesh(first.blocks, step.blocks))
+        return differs(plan, index, "mesh",
+                       "all time-steps must share one mesh: a moving mesh cannot be read");
+    auto mask = read_mask(step.blocks, plan.choice);
+    if (!mask)
+        return tl::unexpected(about_step(plan, index, mask.error()));
+    if (*mask != first.mask)
+        return differs(plan, index, "mask", "moving obstacles cannot be read");
+    return {};
+}
+
+core::Result<std::vector<float>> velocity_of(const ImportPlan& plan,
+                                             const FirstStep& first,
+                                             std::size_t index,
+                                             const SourceStep& step) {
+    return node_values(first.assembly, step.blocks, plan.choice.velocity, first.still)
+        .map_error([&](Error error) { return about_step(plan, index, std::move(error)); });
+}
+
+core::Result<StepRecord> write_step(const ImportPlan& plan,
+                                    const FirstStep& first,
+                                    std::size_t index,
+                                    const SourceStep& step,
+                                    StoreWriter& writer) {
+    StepWriting writing(plan, index, writer);
+    StepRecord& record = writing.record;
+    {
+        const auto velocity = velocity_of(plan, first, index, step);
+        if (!velocity)
+            return tl::unexpected(velocity.error());
+        record.speed = speed_range(*velocity, first.mask.fluid);
+        auto written = writing.write(core::velocity_stem, plan.choice.velocity_name, *velocity);
+        if (!written)
+            return tl::unexpected(written.error());
+    }
+    for (const auto& scalar : plan.choice.scalars) {
+        const auto values = node_values(first.assembly, step.blocks, {{scalar.field}, {}, 1});
+        if (!values)
+            return tl::unexpected(about_step(plan, index, values.error()));
+        record.scalars.push_back(value_range(*values));
+        if (auto written = writing.write(scalar.stored.stem, scalar.field.name, *values); !written)
+            return tl::unexpected(written.error());
+    }
+    return std::move(record);
+}
+
+core::Result<StepRecord> convert_step(const ImportPlan& plan,
+                                      const FirstStep& first,
+                                      std::size_t index,
+                                      StoreWriter& writer) {
+    try {
+        const auto step = plan.read(index);
+        if (!step)
+            return tl::unexpected(step.error());
+        if (auto same = check_mesh_of(plan, first, index, *step); !same)
+            return tl::unexpected(same.error());
+        return write_step(plan, first, index, *step, writer);
+    } catch (const std::bad_alloc&) {
+        return core::fail(Error::Code::OverLimit,
+                          "there is not enough memory to convert " + plan.step_name(index));
+    }
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,116 @@
+#include "server/import/step_message.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <string>
+
+namespace wakesurf::server {
+
+namespace {
+
+struct Head {
+    std::uint64_t index = 0;
+    std::uint64_t failed = 0;
+    std::uint64_t code = 0;
+    std::uint64_t numbers = 0; ///< that follow, then the texts
+    std::uint64_t message = 0; ///< characters
+    std::uint64_t hint = 0;
+};
+
+template <class T>
+auto bytes_of(T& value) {
+    if constexpr (std::is_const_v<T>)
+        return std::as_bytes(std::span(&value, 1));
+    else
+        return std::as_writable_bytes(std::span(&value, 1));
+}
+
+// Checksums have 32 bits: exact as doubles.
+std::vector<double> numbers_of(const StepRecord& record) {
+    std::vector<double> out{record.speed.lo, record.speed.hi};
+    for (const Range& range : record.scalars)
+        out.insert(out.end(), {range.lo, range.hi});
+    out.insert(out.end(), record.checksums.begin(), record.checksums.end());
+    return out;
+}
+
+StepRecord record_of(const std::vector<double>& numbers) {
+    StepRecord record;
+    const std::size_t columns = numbers.size() / 3;
+    record.speed = {numbers.at(0), numbers.at(1)};
+    for (std::size_t i = 1; i < columns; ++i)
+        record.scalars.push_back({numbers.at(2 * i), numbers.at(2 * i + 1)});
+    for (std::size_t i = 2 * columns; i < numbers.size(); ++i)
+        record.checksums.push_back(static_cast<std::uint32_t>(numbers[i]));
+    return record;
+}
+
+} // namespace
+
+bool write_whole(int pipe, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const auto count = ::write(pipe, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count <= 0)
+            return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+bool read_whole(int pipe, std::span<std::byte> bytes) {
+    while (!bytes.empty()) {
+        const auto count = ::read(pipe, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count <= 0)
+            return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+bool send(int pipe, const StepMessage& message) {
+    Head head{message.index};
+    std::vector<double> numbers;
+    std::string texts;
+    if (message.outcome) {
+        numbers = numbers_of(*message.outcome);
+        head.numbers = numbers.size();
+    } else {
+        const core::Error& error = message.outcome.error();
+        texts = error.message + error.hint;
+        head.failed = 1;
+        head.code = static_cast<std::uint64_t>(error.code);
+        head.message = error.message.size();
+        head.hint = error.hint.size();
+    }
+    return write_whole(pipe, bytes_of(std::as_const(head))) &&
+           write_whole(pipe, std::as_bytes(std::span<const double>(numbers))) &&
+           write_whole(pipe, std::as_bytes(std::span<const char>(texts)));
+}
+
+std::optional<StepMessage> receive(int pipe) {
+    Head head;
+    if (!read_whole(pipe, bytes_of(head)))
+        return std::nullopt;
+    std::vector<double> numbers(head.numbers);
+    std::string message(head.message, '\0');
+    std::string hint(head.hint, '\0');
+    if (!read_whole(pipe, std::as_writable_bytes(std::span(numbers))) ||
+        !read_whole(pipe, std::as_writable_bytes(std::span(message))) ||
+        !read_whole(pipe, std::as_writable_bytes(std::span(hint))))
+        return std::nullopt;
+    StepMessage out{static_cast<std::size_t>(head.index), StepRecord()};
+    if (head.failed != 0)
+        out.outcome =
+            tl::unexpected(core::Error{static_cast<core::Error::Code>(head.code), message, hint});
+    else
+        out.outcome = record_of(numbers);
+    return out;
+}
+
+} // namespace wakesurf::server

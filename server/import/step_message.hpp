@@ -1,0 +1,26 @@
+// What a process that converts time-steps tells the one that started it, as bytes in a pipe.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "server/import/step_conversion.hpp"
+
+#include <optional>
+
+namespace wakesurf::server {
+
+struct StepMessage {
+    std::size_t index = 0;
+    core::Result<StepRecord> outcome = StepRecord();
+};
+
+/// False when the other side is gone.
+bool send(int pipe, const StepMessage& message);
+
+/// Nothing at the end of the pipe, also when it ends within a message.
+std::optional<StepMessage> receive(int pipe);
+
+/// Whole blocks of bytes, whatever signals come. False at the end of the pipe.
+bool write_whole(int pipe, std::span<const std::byte> bytes);
+bool read_whole(int pipe, std::span<std::byte> bytes);
+
+} // namespace wakesurf::server
