@@ -28,7 +28,7 @@ bool trace_curves(const Field& field,
     const auto advance = [&](Curve& curve) {
         const double until = curve.duration < 0.0 ? std::max(curve.duration, limit - curve.release)
                                                   : std::min(curve.duration, limit - curve.release);
-        if constexpr (CellwiseField<Field>) {
+        if constexpr (requires { advance_through_cells(field, curve, options, until, stop); }) {
             if (options.method == TraceOptions::Method::Dopri5) {
                 if (!advance_through_cells(field, curve, options, until, stop))
                     whole = false;

@@ -36,12 +36,16 @@ struct Case {
     double target_ns;
 };
 
-/// 168,960 bent hexahedra, graded outward.
+/// 168,960 bent hexahedra, graded outward from a wall.
 core::CellMesh hexahedra() {
-    return test::block({44, 80, 48}, test::round_cylinder, true);
+    core::CellMesh mesh = test::block({44, 80, 48}, test::round_cylinder, true);
+    for (const core::BoundaryFace& each : core::boundary_faces(mesh))
+        if (each.face == 0) // the cylinder's
+            mesh.cells[each.cell].beyond[0] = core::beyond_wall;
+    return mesh;
 }
 
-/// As a mesher refines round a body: 2:1 from outside to inside, in two thirds of the cells by hexahedra.
+/// As a mesher refines round a body, 2:1: 128,136 hexahedra, 17,864 pyramids, 56,000 tetrahedra.
 core::CellMesh polyhedra() {
     using Kind = test::TwoToOne::Kind;
     const auto kind = [](const Vec3& c) {

@@ -24,12 +24,12 @@ struct FloatBox {
 /// is never found.
 FloatBox rounded_outward(const Box& box);
 
-/// 28 bytes a box and a third more. Thread safety: concurrent queries are fine.
+/// Memory: 36 bytes a box. Thread safety: concurrent queries are fine.
 class BoxTree {
   public:
     BoxTree() = default;
 
-    /// Built in parallel; the same tree on any number of threads. Cost: O(n log n), 0.1 us a box and thread for a million.
+    /// Built in parallel; the same tree on any number of threads. Cost: O(n log n), 0.3 us a box on one thread.
     explicit BoxTree(std::span<const FloatBox> boxes);
 
     bool empty() const { return number_.empty(); }

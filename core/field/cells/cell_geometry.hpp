@@ -43,6 +43,16 @@ class CellGeometry {
     /// else may be asked of it.
     bool flat() const { return flat_; }
 
+    /// True where a look from the centre shows that the cell does not contain `p`. To be asked before anything else of a cell
+    /// that has just been entered and is not flat.
+    bool surely_outside(const Vec3& p) const {
+        const Vec3 centre = turned_;
+        const Vec3 change = inverse_ * (p - origin_ - position_.at(pyramid(), centre).vector());
+        const auto beyond = beyond_faces(shape_, centre + change);
+        // The Jacobian's change on the way from the centre to anywhere in the cell hides a quarter of this.
+        return *std::max_element(beyond.begin(), beyond.end()) > bend_ + face_tolerance;
+    }
+
     /// Local coordinates of a point. Where the point is outside they may only give the direction.
     /// @param u  a guess; clamped to the cell where it is far outside
     /// Returns false where the iteration did not end, which says that the point is outside of all but very distorted cells.

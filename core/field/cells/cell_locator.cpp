@@ -24,7 +24,7 @@ Box box_of(const CellMesh& mesh, const MeshCell& cell) {
 } // namespace
 
 bool contains(CellGeometry& geometry, const Vec3& p, Vec3& local) {
-    if (geometry.flat())
+    if (geometry.flat() || geometry.surely_outside(p))
         return false;
     local = cell_centre(geometry.shape());
     if (geometry.invert(p, local))

@@ -78,6 +78,12 @@ struct CellPolynomial {
         return (c[0] + c[4] * u.z) + (along_u * u.x + along_v * u.y);
     }
 
+    /// Without the constant: m are the values of the other monomials.
+    Components rest(const double (&m)[7]) const {
+        return ((c[1] * m[0] + c[2] * m[1]) + (c[3] * m[2] + c[4] * m[3])) +
+               ((c[5] * m[4] + c[6] * m[5]) + c[7] * m[6]);
+    }
+
     /// Change along each local coordinate.
     std::array<Components, 3> slopes(bool pyramid, const Vec3& u) const {
         if (pyramid) {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "core/field/cells/cell_cursor.hpp"
+#include "core/field/cells/cell_path.hpp"
 
 #include <array>
 #include <cmath>
 #include <span>
+#include <stop_token>
 
 namespace wakesurf::core {
 
@@ -89,6 +91,16 @@ class CellSamplerCursor {
         return result;
     }
 
+    /// The path of a particle that is at `p`, inside, at field time `t`. @param sign  +1 downstream, -1 upstream
+    CellPath path(const Vec3& p, double t, double sign, bool frozen) const {
+        go_to(p, true);
+        CellVelocity velocity{&now_, nullptr, 0.0, 0.0};
+        if (field_.velocity1)
+            velocity = {&now_, &change_, (t - field_.time0) / field_.interval,
+                        frozen ? 0.0 : sign / field_.interval};
+        return cell_path(place_.geometry(), velocity, p, place_.local(), sign);
+    }
+
     /// Says that the particle is at `p` now, and may go on from there.
     PointStatus status(const Vec3& p) const {
         return place_.locate(p, true, [&](std::uint32_t cell) { return field_.usable(cell); });
@@ -149,5 +161,13 @@ CellSampler::derivatives(const Vec3& p, double t, std::span<const Vec3> w) const
 inline PointStatus CellSampler::status(const Vec3& p) const {
     return cursor().status(p);
 }
+
+/// As advance_curve with Dopri5, by a Taylor series a cell (cell_path.hpp): steps end at faces instead of after longest_step. Finer
+/// control of errors than that of the field's kinks at the faces would need costs Runge-Kutta steps a fraction of a cell.
+bool advance_through_cells(const CellSampler& sampler,
+                           Curve& curve,
+                           const TraceOptions& options,
+                           double until,
+                           const std::stop_token& stop);
 
 } // namespace wakesurf::core

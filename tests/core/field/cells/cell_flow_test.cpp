@@ -1,62 +1,16 @@
 // Particles and curves through meshes of cells, beside closed forms.
-#include "core/field/stored_flow.hpp"
-#include "tests/support/meshed_field.hpp"
+#include "tests/support/meshed_source.hpp"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <cstring>
+#include <limits>
+#include <random>
 
 using namespace wakesurf::core;
 using namespace wakesurf::test;
 
 namespace {
-
-/// A formula on the nodes of a cell mesh at given times.
-class MeshedSource final : public TimeStepSource {
-  public:
-    using Velocity = std::function<Vec3(const Vec3&, double)>;
-
-    MeshedSource(CellMesh mesh, std::vector<double> times, Velocity velocity)
-        : grid_(std::move(mesh)), times_(std::move(times)), velocity_(std::move(velocity)) {}
-
-    const Grid& grid() const override { return grid_; }
-
-    const SolidMask& mask() const override { return mask_; }
-
-    const std::vector<double>& times() const override { return times_; }
-
-    bool ready(std::size_t) const override { return true; }
-
-    std::size_t bytes_per_step() const override { return node_count(grid_) * 12; }
-
-    Result<std::shared_ptr<const TimeStep>> load(std::size_t index,
-                                                 std::stop_token) const override {
-        auto step = std::make_shared<TimeStep>();
-        step->index = index;
-        step->time = times_[index];
-        step->slab = Slab(bytes_per_step());
-        const std::vector<float> values = at_nodes(
-            std::get<CellMesh>(grid_), [&](const Vec3& p) { return velocity_(p, times_[index]); });
-        std::memcpy(step->slab.bytes().data(), values.data(), bytes_per_step());
-        for (const float value : values)
-            step->gaps = step->gaps || !std::isfinite(value);
-        return std::shared_ptr<const TimeStep>(std::move(step));
-    }
-
-  private:
-    Grid grid_;
-    SolidMask mask_;
-    std::vector<double> times_;
-    Velocity velocity_;
-};
-
-std::unique_ptr<Flow>
-meshed_flow(CellMesh mesh, std::vector<double> times, MeshedSource::Velocity velocity) {
-    auto source =
-        std::make_shared<MeshedSource>(std::move(mesh), std::move(times), std::move(velocity));
-    return make_stored_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
-}
 
 /// Half of a ball is fine, the surface between goes through all kinds of cells.
 CellMesh refined(std::uint32_t n, const Bend& bend) {
