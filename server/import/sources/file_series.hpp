@@ -1,0 +1,39 @@
+// A source that is a list of files: which belong to which time-step, and the times the list gives them.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "protocol/store_manifest.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct ListedFile {
+    std::filesystem::path path;
+    std::string name;  ///< for people: as the series names it, without its folder
+    std::string block; ///< name of the part it is, where the series has one
+};
+
+struct SeriesEntry {
+    std::vector<ListedFile> parts; ///< all of one time-step, at least one
+    std::optional<double> time;
+};
+
+struct FileSeries {
+    std::string name;                         ///< of the dataset
+    std::string kind;                         ///< pvd, vtm.series, vtu series, vtu
+    std::vector<std::filesystem::path> index; ///< the file that lists the others, if there is one
+    std::vector<SeriesEntry> entries;         ///< in order, at least one
+};
+
+/// `source`: a .pvd, a .series, any file of a numbered series or a pattern of one, a file alone. The files need not
+/// exist yet. Error: NotFound, Io, Corrupt, InvalidArgument.
+core::Result<FileSeries> open_file_series(const std::filesystem::path& source);
+
+/// As of source_files.hpp.
+core::Result<std::vector<protocol::SourceFile>> fingerprint(const std::vector<ListedFile>& files);
+
+} // namespace wakesurf::server

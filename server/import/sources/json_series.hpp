@@ -1,0 +1,12 @@
+// A ParaView file series (flow.vtm.series, ...): JSON that gives each file of a series its time.
+// {"file-series-version": "1.0", "files": [{"name": "flow_0.vtm", "time": 0.5}, ...]}
+#pragma once
+
+#include "server/import/sources/file_series.hpp"
+
+namespace wakesurf::server {
+
+/// Entries in the order of the file. Error: Io, Corrupt (not JSON, no files, a time that is no finite number).
+core::Result<FileSeries> read_json_series(const std::filesystem::path& file);
+
+} // namespace wakesurf::server

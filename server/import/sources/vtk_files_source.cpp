@@ -1,0 +1,246 @@
+#include "server/import/sources/vtk_files_source.hpp"
+
+#include "core/base/disk.hpp"
+#include "server/import/sources/composite_file.hpp"
+#include "server/import/sources/file_names.hpp"
+#include "server/import/sources/fluid_blocks.hpp"
+#include "server/import/sources/series_times.hpp"
+#include "server/import/sources/vtk_fields.hpp"
+#include "server/import/sources/vtk_file.hpp"
+#include "server/import/sources/wall_patches.hpp"
+
+#include <map>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::FieldInfo;
+
+namespace {
+
+CompositeFile& append(CompositeFile& whole, CompositeFile part) {
+    if (!whole.time)
+        whole.time = part.time;
+    std::move(part.files.begin(), part.files.end(), std::back_inserter(whole.files));
+    std::move(part.leaves.begin(), part.leaves.end(), std::back_inserter(whole.leaves));
+    return whole;
+}
+
+class VtkFilesSource final : public Source {
+  public:
+    explicit VtkFilesSource(FileSeries series) : series_(std::move(series)) {}
+
+    core::Result<void> open() {
+        description_.name = series_.name;
+        if (auto there = check_presence(); !there)
+            return there;
+        return find_times().and_then([&] { return describe(); });
+    }
+
+    const SourceDescription& description() const override { return description_; }
+
+    core::Result<std::vector<protocol::SourceFile>> shared_files() const override {
+        std::vector<ListedFile> files;
+        for (const auto& path : series_.index)
+            files.push_back({path, path.filename().string(), {}});
+        return fingerprint(files);
+    }
+
+    core::Result<std::vector<protocol::SourceFile>> files(std::size_t step) const override {
+        return expand_step(step).and_then(
+            [](const CompositeFile& all) { return fingerprint(all.files); });
+    }
+
+    core::Result<SourceStep> read(std::size_t step, const std::vector<FieldInfo>& fields) override {
+        auto all = expand_step(step);
+        if (!all)
+            return tl::unexpected(all.error());
+        SourceStep out;
+        std::string named;
+        for (const auto& leaf : all->leaves) {
+            auto file = read_vtk_file(leaf, {false, fields});
+            if (!file)
+                return tl::unexpected(file.error());
+            if (is_patch(*file->data, all->leaves.size())) {
+                if (auto added = add_wall(leaf, *file->data, fields, out); !added)
+                    return tl::unexpected(added.error());
+                continue;
+            }
+            auto block = fluid_part(*file->data, leaf.name);
+            if (!block)
+                return tl::unexpected(block.error());
+            if (auto whole = require_fields(**block, fields, leaf.name); !whole)
+                return tl::unexpected(whole.error());
+            keep_only(**block, fields);
+            out.blocks.push_back(std::move(*block));
+            named = named.empty() ? leaf.name : named;
+        }
+        if (out.blocks.empty())
+            return core::fail(Error::Code::Unsupported,
+                              entry_name(step) + " holds no three-dimensional cells",
+                              "extrude it by two cells or more first");
+        if (auto thick = check_thickness(out.blocks, named); !thick)
+            return tl::unexpected(thick.error());
+        return out;
+    }
+
+  private:
+    const std::string& entry_name(std::size_t step) const {
+        return series_.entries[step].parts.front().name;
+    }
+
+    core::Result<CompositeFile> expand_step(std::size_t step) const {
+        CompositeFile all;
+        for (const auto& part : series_.entries[step].parts) {
+            auto expanded = expand(part);
+            if (!expanded)
+                return expanded;
+            append(all, std::move(*expanded));
+        }
+        if (all.leaves.empty())
+            return core::fail(Error::Code::Corrupt, entry_name(step) + " names no files");
+        return all;
+    }
+
+    core::Result<void> check_presence() const {
+        const core::PosixDisk disk;
+        for (const auto& entry : series_.entries)
+            for (const auto& part : entry.parts) {
+                const auto size = disk.size(part.path);
+                if (!size && !series_.index.empty() && size.error().code == Error::Code::NotFound)
+                    return core::fail(Error::Code::NotFound,
+                                      series_.index.front().filename().string() + " names " +
+                                          part.name + ", which is not there");
+                if (!size)
+                    return tl::unexpected(size.error());
+                if (*size == 0)
+                    return core::fail(Error::Code::Corrupt, part.name + " is empty");
+                if (!is_vtk_file(part.path))
+                    return core::fail(Error::Code::Unsupported,
+                                      part.name + " is of a format that a collection cannot hold");
+            }
+        return {};
+    }
+
+    core::Result<void> find_times() {
+        std::vector<TimedEntry> entries;
+        for (std::size_t step = 0; step < series_.entries.size(); ++step) {
+            entries.push_back({entry_name(step), series_.entries[step].time});
+            if (series_.entries.front().time)
+                continue;
+            auto own = own_time(step);
+            if (!own)
+                return tl::unexpected(own.error());
+            entries.back().time = *own;
+        }
+        return settle_times(entries).map([&](SeriesTimes found) {
+            description_.times = std::move(found.times);
+            description_.note = std::move(found.note);
+        });
+    }
+
+    core::Result<std::optional<double>> own_time(std::size_t step) const {
+        const auto all = expand(series_.entries[step].parts.front());
+        if (!all)
+            return tl::unexpected(all.error());
+        if (all->time || all->leaves.empty())
+            return all->time;
+        return vtk_file_time(all->leaves.front());
+    }
+
+    core::Result<void> describe() {
+        auto all = expand_step(0);
+        if (!all)
+            return tl::unexpected(all.error());
+        Blocks blocks;
+        for (const auto& leaf : all->leaves) {
+            auto file = read_vtk_file(leaf, {true, {}});
+            if (!file)
+                return tl::unexpected(file.error());
+            if (is_patch(*file->data, all->leaves.size()))
+                continue;
+            auto block = fluid_part(*file->data, leaf.name);
+            if (!block)
+                return tl::unexpected(block.error());
+            blocks.push_back(std::move(*block));
+            if (description_.reader.empty())
+                description_.reader = file->reader + " (" + series_.kind + ")";
+        }
+        if (blocks.empty())
+            return core::fail(Error::Code::Unsupported,
+                              entry_name(0) + " holds no three-dimensional cells",
+                              "extrude it by two cells or more first");
+        if (auto thick = check_thickness(blocks, entry_name(0)); !thick)
+            return thick;
+        description_.fields = common_fields(blocks);
+        return {};
+    }
+
+    // A flat one among several; alone it is a source that cannot be read, and says so.
+    static bool is_patch(vtkDataSet& data, std::size_t leaves) {
+        return leaves > 1 && !has_solid_cells(data);
+    }
+
+    core::Result<void> add_wall(const ListedFile& leaf,
+                                vtkDataSet& data,
+                                const std::vector<FieldInfo>& fields,
+                                SourceStep& out) {
+        const bool still = is_still(data, fields);
+        const bool named = is_named_wall(leaf.block.empty() ? leaf.name : leaf.block);
+        if (!named && !still)
+            return {};
+        auto no_slip = still ? still_throughout(leaf, fields) : core::Result<bool>(false);
+        if (!no_slip)
+            return tl::unexpected(no_slip.error());
+        if (!named && !*no_slip)
+            return {};
+        return surface_of(data, leaf.name).map([&](auto surface) {
+            out.walls.push_back({std::move(surface), *no_slip});
+        });
+    }
+
+    // Whether the patch of this name is still at the first and the last time-step: an inlet may start at rest.
+    core::Result<bool> still_throughout(const ListedFile& leaf,
+                                        const std::vector<FieldInfo>& fields) {
+        const auto& key = leaf.block.empty() ? leaf.name : leaf.block;
+        if (const auto known = still_.find(key); known != still_.end())
+            return known->second;
+        for (const std::size_t step : {std::size_t{0}, series_.entries.size() - 1}) {
+            const auto all = expand_step(step);
+            if (!all)
+                return tl::unexpected(all.error());
+            for (const auto& other : all->leaves)
+                if ((other.block.empty() ? other.name : other.block) == key) {
+                    const auto file = read_vtk_file(other, {false, fields});
+                    if (!file)
+                        return tl::unexpected(file.error());
+                    if (!is_still(*file->data, fields))
+                        return still_[key] = false;
+                }
+        }
+        return still_[key] = true;
+    }
+
+    FileSeries series_;
+    SourceDescription description_;
+    std::map<std::string, bool> still_;
+};
+
+} // namespace
+
+bool is_vtk_files(const std::filesystem::path& path) {
+    const auto extension = lower_extension(path);
+    return extension == ".pvd" || extension == ".series" || is_vtk_file(path);
+}
+
+core::Result<std::unique_ptr<Source>> open_vtk_files(const std::filesystem::path& path) {
+    auto series = open_file_series(path);
+    if (!series)
+        return tl::unexpected(series.error());
+    auto source = std::make_unique<VtkFilesSource>(std::move(*series));
+    if (auto opened = source->open(); !opened)
+        return tl::unexpected(opened.error());
+    return source;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,17 @@
+// Sources that are files of VTK's own formats: one file, a numbered series, a .pvd or .series that lists files, and
+// composite files (.vtm, .pvtu) in each of these places.
+#pragma once
+
+#include "server/import/source.hpp"
+
+namespace wakesurf::server {
+
+/// Whether `path` is one of these, judged by its name.
+bool is_vtk_files(const std::filesystem::path& path);
+
+/// All parts of a time-step are blocks, but for flat ones: those are walls where their name holds "wall", or where their
+/// velocity is exactly zero at the first, the last and the time-step read; other patches are left out.
+/// Reads the first time-step. Error: as open_source.
+core::Result<std::unique_ptr<Source>> open_vtk_files(const std::filesystem::path& path);
+
+} // namespace wakesurf::server

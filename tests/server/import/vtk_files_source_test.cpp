@@ -1,0 +1,565 @@
+// VTK's own files as sources: every kind of grid, encoding and collection, and every way they can be wrong.
+#include "tests/server/import/known_flow.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/vti_text.hpp"
+
+#include <vtkDataSetWriter.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPolyData.h>
+#include <vtkXMLDataSetWriter.h>
+#include <vtkXMLMultiBlockDataWriter.h>
+#include <vtkXMLPDataSetWriter.h>
+
+namespace wakesurf::server {
+namespace {
+
+using namespace tests;
+using core::Error;
+namespace fs = std::filesystem;
+
+class VtkFilesSource : public testing::Test {
+  protected:
+    fs::path put(const std::string& name, const std::string& text) const {
+        write_file(folder_ / name, text);
+        return folder_ / name;
+    }
+
+    void set_time(vtkDataObject& data, double time) const {
+        auto value = vtkSmartPointer<vtkDoubleArray>::New();
+        value->SetName("TimeValue");
+        value->InsertNextValue(time);
+        data.GetFieldData()->AddArray(value);
+    }
+
+    fs::path write(const std::string& name, vtkDataSet& data) const {
+        auto writer = vtkSmartPointer<vtkXMLDataSetWriter>::New();
+        writer->SetFileName((folder_ / name).c_str());
+        writer->SetDataMode(mode_);
+        writer->SetInputData(&data);
+        EXPECT_EQ(writer->Write(), 1);
+        return folder_ / name;
+    }
+
+    fs::path write_step(const std::string& name, vtkDataSet& data, int step) const {
+        put_known_flow(data, step);
+        return write(name, data);
+    }
+
+    TemporaryFolder folder_;
+    int mode_ = vtkXMLWriter::Appended;
+};
+
+TEST_F(VtkFilesSource, ReadsEveryKindOfGridAsASeries) {
+    const auto check = [&](const std::string& stem, auto make, const std::string& extension) {
+        for (int step = 0; step < 3; ++step)
+            write_step(stem + "_" + std::to_string(9 + step) + extension, *make(), step);
+        for (const std::string name : {"_9", "_10", "_11", "_*", "_%02d", "_%d"}) {
+            auto source = open_source(folder_ / (stem + name + extension));
+            ASSERT_TRUE(source.has_value()) << source.error().message;
+            expect_known_series(**source, {0, 1, 2});
+            EXPECT_EQ((*source)->description().name, stem);
+            EXPECT_NE((*source)->description().note.find("carry no times"), std::string::npos);
+            EXPECT_EQ((*source)->files(1)->size(), 1u);
+            EXPECT_EQ((*source)->files(1)->front().name, stem + "_10" + extension);
+            EXPECT_TRUE((*source)->shared_files()->empty());
+        }
+    };
+    check(
+        "image", [] { return sample_image(); }, ".vti");
+    check(
+        "rectilinear", [] { return sample_rectilinear(); }, ".vtr");
+    check(
+        "structured", [] { return sample_structured(); }, ".vts");
+    check(
+        "mesh", [] { return sample_mesh(); }, ".vtu");
+}
+
+TEST_F(VtkFilesSource, ListsFieldsWithComponentsPlacesRangesAndUnits) {
+    auto mesh = sample_mesh();
+    put_known_flow(*mesh, 0);
+    mesh->GetPointData()->GetArray("U")->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "m/s");
+    const auto source = open_source(write("mesh.vtu", *mesh));
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    const auto* u = field_named(**source, "U");
+    const auto* t = field_named(**source, "T");
+    ASSERT_TRUE(u != nullptr && t != nullptr && field_named(**source, "p") != nullptr);
+    EXPECT_EQ((*source)->description().fields.size(), 3u);
+    EXPECT_EQ(u->components, 3);
+    EXPECT_EQ(u->source, core::FieldInfo::Source::Point);
+    EXPECT_EQ(u->unit, "m/s");
+    EXPECT_DOUBLE_EQ(u->range[1], std::sqrt(4.0 * 4.0 + 2.0 * 2.0 + 1.0));
+    EXPECT_EQ(t->components, 1);
+    EXPECT_EQ(t->source, core::FieldInfo::Source::Cell);
+    EXPECT_EQ((*source)->description().reader, "vtkXMLUnstructuredGridReader (vtu)");
+    EXPECT_TRUE((*source)->description().note.empty());
+}
+
+TEST_F(VtkFilesSource, ReadsOnlyTheNamedFields) {
+    const auto source = open_source(write_step("a.vtu", *sample_mesh(), 0));
+    const auto read = (*source)->read(0, {known_fields()[0]});
+    ASSERT_TRUE(read.has_value());
+    EXPECT_EQ(read->blocks[0]->GetPointData()->GetNumberOfArrays(), 1);
+    EXPECT_EQ(read->blocks[0]->GetCellData()->GetNumberOfArrays(), 0);
+}
+
+TEST_F(VtkFilesSource, ReadsEveryEncodingAndCompression) {
+    for (const int mode : {vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended})
+        for (const int compressor :
+             {vtkXMLWriter::NONE, vtkXMLWriter::ZLIB, vtkXMLWriter::LZ4, vtkXMLWriter::LZMA})
+            for (const int order : {vtkXMLWriter::BigEndian, vtkXMLWriter::LittleEndian})
+                for (const bool base64 : {false, true}) {
+                    auto mesh = sample_mesh();
+                    put_known_flow(*mesh, 0);
+                    auto writer = vtkSmartPointer<vtkXMLDataSetWriter>::New();
+                    writer->SetFileName((folder_ / "e.vtu").c_str());
+                    writer->SetDataMode(mode);
+                    writer->SetCompressorType(compressor);
+                    writer->SetByteOrder(order);
+                    writer->SetEncodeAppendedData(base64);
+                    writer->SetHeaderTypeToUInt64();
+                    writer->SetInputData(mesh);
+                    ASSERT_EQ(writer->Write(), 1);
+                    auto source = open_source(folder_ / "e.vtu");
+                    ASSERT_TRUE(source.has_value()) << source.error().message;
+                    expect_known_series(**source, {0});
+                }
+}
+
+TEST_F(VtkFilesSource, TakesTheTimesTheFilesCarryAndRefusesThoseThatDoNotRise) {
+    const auto write_times = [&](std::vector<double> times) {
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            auto mesh = sample_mesh();
+            set_time(*mesh, times[i]);
+            write_step("t" + std::to_string(i) + ".vtu", *mesh, static_cast<int>(i));
+        }
+        return open_source(folder_ / "t0.vtu");
+    };
+    for (const int mode : {vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended}) {
+        mode_ = mode;
+        expect_known_series(**write_times({0.25, 0.5, 8}), {0.25, 0.5, 8});
+    }
+    EXPECT_TRUE((*write_times({0.25, 0.5, 8}))->description().note.empty());
+    expect_failure(write_times({0.25, 0.5, 0.5}), Error::Code::Corrupt,
+                   "t1.vtu and t2.vtu have the same time, 0.5");
+    expect_failure(write_times({0.25, 2, 1}), Error::Code::Corrupt,
+                   "t2.vtu comes after t1.vtu but has an earlier time: 1 after 2");
+    write_step("t1.vtu", *sample_mesh(), 1);
+    expect_failure(open_source(folder_ / "t0.vtu"), Error::Code::Corrupt,
+                   "t0.vtu has a time, but t1.vtu has none");
+}
+
+TEST_F(VtkFilesSource, OrdersFilesByTheNumbersInTheirNamesDecimalsIncluded) {
+    int step = 0;
+    for (const std::string number : {"0.5", "0.75", "1.0", "10.25"})
+        write_step("flow_" + number + ".vtu", *sample_mesh(), step++);
+    expect_known_series(**open_source(folder_ / "flow_1.0.vtu"), {0, 1, 2, 3});
+    write_step("same_1.vtu", *sample_mesh(), 0);
+    write_step("same_01.vtu", *sample_mesh(), 0);
+    expect_failure(open_source(folder_ / "same_1.vtu"), Error::Code::Corrupt,
+                   "have the same number");
+    expect_failure(open_source(folder_ / "none_*.vtu"), Error::Code::NotFound,
+                   "no file matches none_*.vtu");
+    expect_failure(open_source(folder_ / "a*_%d.vtu"), Error::Code::InvalidArgument,
+                   "more than one pattern");
+}
+
+TEST_F(VtkFilesSource, JoinsThePartsOfACollection) {
+    std::string text = "<VTKFile type=\"Collection\"><Collection>";
+    for (int step = 0; step < 2; ++step)
+        for (int part = 0; part < 2; ++part) {
+            const std::string name = "s" + std::to_string(step) + std::to_string(part) + ".vtu";
+            write_step(name, *sample_mesh(10.0 * part), step);
+            text += "<DataSet timestep=\"" + std::to_string(0.5 + step) + "\" group=\"\" part=\"" +
+                    std::to_string(part) + "\" file=\"" + name + "\"/>";
+        }
+    const std::string end = "</Collection></VTKFile>";
+    auto source = open_source(put("s.pvd", text + end));
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    expect_known_series(**source, {0.5, 1.5});
+    const auto read = (*source)->read(1, known_fields());
+    ASSERT_EQ(read->blocks.size(), 2u);
+    EXPECT_EQ(read->blocks[1]->GetBounds()[1], 13.0);
+    EXPECT_EQ((*source)->files(1)->size(), 2u);
+    EXPECT_EQ((*source)->shared_files()->front().name, "s.pvd");
+    expect_failure(open_source(put("odd.pvd", text +
+                                                  "<DataSet timestep=\"3\" part=\"0\" "
+                                                  "file=\"s00.vtu\"/>" +
+                                                  end)),
+                   Error::Code::Unsupported, "odd.pvd has 1 parts at time 3 but 2 at the first");
+    expect_failure(open_source(put("two.pvd", text +
+                                                  "<DataSet timestep=\"1.5\" part=\"1\" "
+                                                  "group=\"\" file=\"s00.vtu\"/>" +
+                                                  end)),
+                   Error::Code::Corrupt, "two.pvd gives s11.vtu and s00.vtu the same time, 1.5");
+}
+
+TEST_F(VtkFilesSource, SortsACollectionByTimeAndRefusesTimesThatAreNone) {
+    for (int step = 0; step < 2; ++step)
+        write_step(std::string(1, static_cast<char>('a' + step)) + ".vtu", *sample_mesh(), step);
+    expect_known_series(**open_source(put("s.pvd", pvd_text({{"2", "b.vtu"}, {"-1.5", "a.vtu"}}))),
+                        {-1.5, 2});
+    expect_failure(open_source(put("t.pvd", pvd_text({{"1", "a.vtu"}, {"1", "b.vtu"}}))),
+                   Error::Code::Corrupt, "t.pvd gives a.vtu and b.vtu the same time, 1");
+    for (const std::string time : {"soon", "nan", "1e999"})
+        expect_failure(open_source(put("t.pvd", pvd_text({{time, "a.vtu"}}))), Error::Code::Corrupt,
+                       "no finite number");
+    expect_failure(open_source(put("t.pvd", pvd_text({{"1", "gone.vtu"}}))), Error::Code::NotFound,
+                   "t.pvd names gone.vtu, which is not there");
+    expect_failure(open_source(put("t.pvd", pvd_text({}))), Error::Code::Corrupt, "names no files");
+    expect_failure(open_source(put("t.pvd", "no XML")), Error::Code::Corrupt, "t.pvd");
+    expect_failure(open_source(put("t.pvd", sample_vti().text())), Error::Code::Corrupt,
+                   "Collection");
+}
+
+// Two fluid blocks (one nested), a wall by name, one by its velocity, an inlet, a patch that starts at rest.
+std::string multi_block_text(int step) {
+    const std::string n = std::to_string(step);
+    return "<?xml version='1.0'?>\n<VTKFile type='vtkMultiBlockDataSet' version='1.0'>\n"
+           "<vtkMultiBlockDataSet>\n<DataSet name='internal' file='f" +
+           n +
+           "/internal.vtu'/>\n"
+           "<Block name='more'><Block name='deep'><DataSet name='b' file='f" +
+           n +
+           "/b.vts'/>"
+           "</Block></Block>\n<Block name='boundary'>"
+           "<DataSet name='lowerWall' file='f" +
+           n +
+           "/wall.vtp'/>"
+           "<DataSet name='cylinder' file='f" +
+           n +
+           "/cylinder.vtp'/>"
+           "<DataSet name='inlet' file='f" +
+           n +
+           "/inlet.vtp'/>"
+           "<DataSet name='starting' file='f" +
+           n +
+           "/starting.vtp'/>"
+           "<DataSet name='empty'/></Block></vtkMultiBlockDataSet>\n"
+           "<FieldData><DataArray type='Float32' Name='TimeValue' NumberOfTuples='1' "
+           "format='ascii'> " +
+           std::to_string(step) + ".5 </DataArray></FieldData></VTKFile>\n";
+}
+
+vtkSmartPointer<vtkPolyData> patch(double velocity) {
+    auto out = vtkSmartPointer<vtkPolyData>::New();
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    for (const auto& p :
+         {std::array{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 0.0, 1.0}, {0.0, 0.0, 1.0}})
+        points->InsertNextPoint(p.data());
+    out->SetPoints(points);
+    auto polygons = vtkSmartPointer<vtkCellArray>::New();
+    const std::array<vtkIdType, 4> nodes{0, 1, 2, 3};
+    polygons->InsertNextCell(4, nodes.data());
+    out->SetPolys(polygons);
+    auto u = vtkSmartPointer<vtkDoubleArray>::New();
+    u->SetName("U");
+    u->SetNumberOfComponents(3);
+    for (int i = 0; i < 4; ++i)
+        u->InsertNextTuple3(velocity, 0, 0);
+    out->GetPointData()->AddArray(u);
+    return out;
+}
+
+TEST_F(VtkFilesSource, ReadsMultiBlockSeriesWithTheirWalls) {
+    for (int step = 0; step < 2; ++step) {
+        const std::string n = std::to_string(step);
+        fs::create_directory(folder_ / ("f" + n));
+        put("flow_" + n + ".vtm", multi_block_text(step));
+        write_step("f" + n + "/internal.vtu", *sample_mesh(), step);
+        write_step("f" + n + "/b.vts", *sample_structured(20), step);
+        write("f" + n + "/wall.vtp", *patch(1.0));
+        write("f" + n + "/cylinder.vtp", *patch(0.0));
+        write("f" + n + "/inlet.vtp", *patch(1.0));
+        write("f" + n + "/starting.vtp", *patch(step));
+    }
+    put("flow.vtm.series", R"({"file-series-version":"1.0","files":[
+        {"name":"flow_0.vtm","time":0.125},{"name":"flow_1.vtm","time":3}]})");
+    const auto check = [&](const std::string& name, const std::vector<double>& times) {
+        auto source = open_source(folder_ / name);
+        ASSERT_TRUE(source.has_value()) << source.error().message;
+        EXPECT_EQ((*source)->description().name, "flow");
+        expect_known_series(**source, times);
+        const auto read = (*source)->read(1, known_fields());
+        ASSERT_EQ(read->blocks.size(), 2u);
+        ASSERT_EQ(read->walls.size(), 2u);
+        EXPECT_FALSE(read->walls[0].no_slip); // named a wall, but it moves
+        EXPECT_TRUE(read->walls[1].no_slip);
+        EXPECT_EQ(read->walls[1].faces->GetNumberOfPolys(), 1);
+        EXPECT_EQ((*source)->files(1)->size(), 7u);
+    };
+    check("flow.vtm.series", {0.125, 3});
+    check("flow_0.vtm", {0.5, 1.5});
+    EXPECT_EQ((*open_source(folder_.path()))->description().reader,
+              "vtkXMLUnstructuredGridReader (vtm.series)");
+    fs::remove(folder_ / "f1" / "b.vts");
+    expect_failure((*open_source(folder_ / "flow.vtm.series"))->read(1, known_fields()),
+                   Error::Code::NotFound, "flow_1.vtm names f1/b.vts, which is not there");
+}
+
+TEST_F(VtkFilesSource, ReadsWhatVtksMultiBlockWriterWrites) {
+    auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    auto image = sample_image();
+    auto mesh = sample_mesh(30);
+    put_known_flow(*image, 0);
+    put_known_flow(*mesh, 0);
+    auto inner = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    inner->SetBlock(0, mesh);
+    blocks->SetBlock(0, image);
+    blocks->SetBlock(1, inner);
+    auto writer = vtkSmartPointer<vtkXMLMultiBlockDataWriter>::New();
+    writer->SetFileName((folder_ / "m.vtm").c_str());
+    writer->SetInputData(blocks);
+    ASSERT_EQ(writer->Write(), 1);
+    auto source = open_source(folder_ / "m.vtm");
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    EXPECT_EQ((*source)->read(0, known_fields())->blocks.size(), 2u);
+    expect_known_series(**source, {0});
+}
+
+TEST_F(VtkFilesSource, ReadsParallelFilesAndMissesNoPiece) {
+    const auto check = [&](const std::string& name, vtkDataSet& data, std::size_t blocks) {
+        put_known_flow(data, 0);
+        auto writer = vtkSmartPointer<vtkXMLPDataSetWriter>::New();
+        writer->SetFileName((folder_ / name).c_str());
+        writer->SetInputData(&data);
+        writer->SetNumberOfPieces(2);
+        writer->SetStartPiece(0);
+        writer->SetEndPiece(1);
+        ASSERT_EQ(writer->Write(), 1);
+        auto source = open_source(folder_ / name);
+        ASSERT_TRUE(source.has_value()) << source.error().message;
+        expect_known_series(**source, {0});
+        EXPECT_EQ((*source)->read(0, known_fields())->blocks.size(), blocks) << name;
+        const auto files = (*source)->files(0);
+        ASSERT_EQ(files->size(), 3u);
+        const std::string piece = files->back().name;
+        const std::string whole = read_file(folder_ / piece);
+        put(piece, whole.substr(0, whole.size() / 2));
+        EXPECT_FALSE((*source)->read(0, known_fields()).has_value()) << name;
+        fs::remove(folder_ / piece);
+        expect_failure((*source)->read(0, known_fields()), Error::Code::NotFound,
+                       name + " names " + piece + ", which is not there");
+    };
+    check("i.pvti", *sample_image(), 1);
+    check("r.pvtr", *sample_rectilinear(), 1);
+    check("s.pvts", *sample_structured(), 1);
+}
+
+TEST_F(VtkFilesSource, ReadsThePiecesOfAParallelMeshAsBlocks) {
+    write_step("m_0.vtu", *sample_mesh(), 0);
+    write_step("m_1.vtu", *sample_mesh(10), 0);
+    auto source = open_source(put(
+        "m.pvtu", "<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid><Piece "
+                  "Source=\"m_0.vtu\"/><Piece Source=\"m_1.vtu\"/></PUnstructuredGrid></VTKFile>"));
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    expect_known_series(**source, {0});
+    EXPECT_EQ((*source)->read(0, known_fields())->blocks.size(), 2u);
+}
+
+TEST_F(VtkFilesSource, ReadsLegacyFiles) {
+    for (const int type : {VTK_ASCII, VTK_BINARY}) {
+        for (int step = 0; step < 2; ++step) {
+            auto mesh = sample_mesh();
+            put_known_flow(*mesh, step);
+            auto writer = vtkSmartPointer<vtkDataSetWriter>::New();
+            writer->SetFileName((folder_ / ("l" + std::to_string(step) + ".vtk")).c_str());
+            writer->SetFileType(type);
+            writer->SetInputData(mesh);
+            ASSERT_EQ(writer->Write(), 1);
+        }
+        auto source = open_source(folder_ / "l1.vtk");
+        ASSERT_TRUE(source.has_value()) << source.error().message;
+        expect_known_series(**source, {0, 1});
+    }
+}
+
+TEST_F(VtkFilesSource, KeepsTheSolidCellsOfAMixedMeshAndRefusesFlatOnes) {
+    auto mesh = sample_mesh();
+    const std::array<vtkIdType, 4> quad{0, 1, 5, 4};
+    mesh->InsertNextCell(VTK_QUAD, 4, quad.data());
+    auto source = open_source(write_step("mixed.vtu", *mesh, 0));
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    expect_known_series(**source, {0});
+    EXPECT_EQ((*source)->read(0, known_fields())->blocks[0]->GetNumberOfCells(), 5);
+    auto flat = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    flat->SetPoints(sample_mesh()->GetPoints());
+    flat->InsertNextCell(VTK_QUAD, 4, quad.data());
+    expect_failure(open_source(write_step("flat.vtu", *flat, 0)), Error::Code::Unsupported,
+                   "flat.vtu is not three-dimensional");
+    expect_failure(open_source(write_step("sheet.vti", *sample_image(4, 1, 6), 0)),
+                   Error::Code::Unsupported, "not three-dimensional: it has 1 nodes along y");
+    expect_failure(open_source(write_step("thin.vti", *sample_image(4, 5, 2), 0)),
+                   Error::Code::Unsupported, "not three-dimensional: it has one cell along z");
+    expect_failure(open_source(write("patch.vtp", *patch(1.0))), Error::Code::Unsupported,
+                   "patch.vtp is a surface");
+}
+
+TEST_F(VtkFilesSource, NamesTheFieldAStepLacks) {
+    write_step("a0.vtu", *sample_mesh(), 0);
+    auto other = sample_mesh();
+    put_known_flow(*other, 1);
+    other->GetPointData()->RemoveArray("U");
+    write("a1.vtu", *other);
+    auto source = open_source(folder_ / "a0.vtu");
+    expect_failure((*source)->read(1, known_fields()), Error::Code::NotFound,
+                   "a1.vtu has no field U");
+    EXPECT_TRUE((*source)->read(0, known_fields()).has_value());
+}
+
+// Not silently wrong: what is read of a cut or changed file is an error or what was written.
+TEST_F(VtkFilesSource, RefusesEveryTruncation) {
+    auto image = sample_image(24, 24, 24);
+    put_known_flow(*image, 0);
+    for (const int mode : {vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended}) {
+        auto writer = vtkSmartPointer<vtkXMLDataSetWriter>::New();
+        writer->SetFileName((folder_ / "whole.vti").c_str());
+        writer->SetDataMode(mode);
+        writer->SetInputData(image);
+        ASSERT_EQ(writer->Write(), 1);
+        const std::string whole = read_file(folder_ / "whole.vti");
+        const std::size_t stride = std::max<std::size_t>(4096, whole.size() / 40 / 4096 * 4096);
+        for (std::size_t size = 0; size < whole.size(); size += stride) {
+            const auto source = open_source(put("cut.vti", whole.substr(0, size)));
+            expect_failure(source, Error::Code::Corrupt, "cut.vti");
+            const auto mended =
+                open_source(put("cut.vti", whole.substr(0, size) + "</AppendedData></VTKFile>"));
+            EXPECT_FALSE(mended.has_value()) << size;
+        }
+    }
+}
+
+TEST_F(VtkFilesSource, SurvivesFlippedBitsInCompressedFiles) {
+    for (const std::string extension : {".vti", ".vtr", ".vts", ".vtu"}) {
+        vtkSmartPointer<vtkDataSet> data = sample_mesh();
+        if (extension == ".vti")
+            data = sample_image();
+        if (extension == ".vtr")
+            data = sample_rectilinear();
+        if (extension == ".vts")
+            data = sample_structured();
+        const std::string whole = read_file(write_step("good" + extension, *data, 0));
+        std::array<double, 6> wanted{};
+        data->GetBounds(wanted.data());
+        std::size_t read_as_written = 0, refused = 0;
+        for (std::size_t at = 0; at < whole.size(); at += 11) {
+            std::string damaged = whole;
+            damaged[at] = static_cast<char>(damaged[at] ^ (1 << (at % 8)));
+            auto source = open_source(put("flip" + extension, damaged));
+            auto read = source ? (*source)->read(0, known_fields())
+                               : core::Result<SourceStep>(tl::unexpected(source.error()));
+            if (!read) {
+                EXPECT_FALSE(read.error().message.empty());
+                ++refused;
+                continue;
+            }
+            ASSERT_EQ(read->blocks[0]->GetNumberOfPoints(), data->GetNumberOfPoints()) << at;
+            if (!std::equal(wanted.begin(), wanted.end(), read->blocks[0]->GetBounds()))
+                continue; // a digit of the origin became another digit: no format can tell
+            expect_known_flow(*read->blocks[0], 0);
+            if (HasFatalFailure())
+                FAIL() << extension << " at " << at;
+            ++read_as_written;
+        }
+        EXPECT_GT(refused, read_as_written) << extension;
+    }
+}
+
+TEST_F(VtkFilesSource, RefusesCellsOfNodesThatAreNotThere) {
+    auto mesh = sample_mesh();
+    put_known_flow(*mesh, 0);
+    auto writer = vtkSmartPointer<vtkXMLDataSetWriter>::New();
+    writer->SetFileName((folder_ / "m.vtu").c_str());
+    writer->SetDataModeToAscii();
+    writer->SetInputData(mesh);
+    ASSERT_EQ(writer->Write(), 1);
+    const std::string good = read_file(folder_ / "m.vtu");
+    const auto with = [&](const std::string& from, const std::string& to) {
+        auto text = good;
+        const auto at = text.find(from, text.find("connectivity"));
+        EXPECT_NE(at, std::string::npos) << from;
+        text.replace(at, from.size(), to);
+        return open_source(put("bad.vtu", text));
+    };
+    ASSERT_TRUE(with("0 1 5 4", "0 1 5 4").has_value());
+    expect_failure(with("0 1 5 4", "0 1 5 99"), Error::Code::Corrupt, "a node that is not there");
+    expect_failure(with("0 1 5 4", "0 1 5 -4"), Error::Code::Corrupt, "a node that is not there");
+    expect_failure(with("8 16 22", "8 22 16"), Error::Code::Corrupt, "damaged");
+    expect_failure(with("8 16 22", "8 15 22"), Error::Code::Corrupt, "cell 1 has 7 nodes");
+    expect_failure(with("12 12 13", "12 12 99"), Error::Code::Corrupt, "unknown type 99");
+}
+
+TEST_F(VtkFilesSource, RefusesGridsItCannotHold) {
+    auto file = sample_vti();
+    file.direction = "0 1 0 1 0 0 0 0 1";
+    expect_failure(open_source(put("rotated.vti", file.text())), Error::Code::Unsupported,
+                   "rotated");
+    for (const char* spacing : {"0 1 1", "-1 1 1", "nan 1 1", "1e200 1 1", "a b c"}) {
+        file = sample_vti();
+        file.spacing = spacing;
+        expect_failure(open_source(put("spacing.vti", file.text())), Error::Code::Corrupt,
+                       "spacing.vti");
+    }
+    auto text = sample_vti().text();
+    const std::string piece = "<Piece Extent=\"0 2";
+    text.replace(text.find(piece), piece.size(), "<Piece Extent=\"0 1");
+    expect_failure(open_source(put("hole.vti", text)), Error::Code::Corrupt, "hole.vti has pieces");
+    text = sample_vti().text();
+    for (auto at = text.find("0 2 0 3 0 4"); at != std::string::npos; at = text.find("0 2 0 3 0 4"))
+        text.replace(at, 11, "0 2000000 0 2000000 0 2000000");
+    expect_failure(open_source(put("huge.vti", text)), Error::Code::Corrupt, "huge.vti");
+    file = sample_vti();
+    file.points = vti_array("U", 3, file.point_count() - 1, [](std::size_t) { return 1.0; });
+    expect_failure(open_source(put("few.vti", file.text())), Error::Code::Corrupt, "few.vti");
+}
+
+TEST_F(VtkFilesSource, RefusesFilesThatAreNotWhatTheySay) {
+    expect_failure(open_source(folder_ / "missing.vti"), Error::Code::NotFound, "missing.vti");
+    for (const std::string name : {"e.vti", "e.vtu", "e.vtm", "e.pvd", "e.vtm.series", "e.vtk"}) {
+        expect_failure(open_source(put(name, "")), Error::Code::Corrupt, name + " is empty");
+        expect_failure(open_source(put(name, "not XML, whatever ends it: </VTKFile>\n")),
+                       Error::Code::Corrupt, name);
+    }
+    expect_failure(open_source(put("w.vti", pvd_text({{"0", "a.vti"}}))), Error::Code::Unsupported,
+                   "w.vti holds Collection");
+    expect_failure(open_source(put("mesh.stl", "solid")), Error::Code::Unsupported,
+                   "mesh.stl is of a format that cannot be read");
+    expect_failure(open_source(put("j.vtm.series", R"({"files":[{"name":"a.vtm","time":"x"}]})")),
+                   Error::Code::Corrupt, "no finite number");
+    expect_failure(open_source(put("j.vtm.series", R"({"files":[]})")), Error::Code::Corrupt,
+                   "names no files");
+    put("self.vtm", "<VTKFile type='vtkMultiBlockDataSet'><vtkMultiBlockDataSet>"
+                    "<DataSet file='self.vtm'/></vtkMultiBlockDataSet></VTKFile>");
+    expect_failure(open_source(folder_ / "self.vtm"), Error::Code::Unsupported,
+                   "nested too deeply");
+}
+
+TEST_F(VtkFilesSource, TakesAFolderForTheOneDatasetInIt) {
+    expect_failure(open_source(folder_.path()), Error::Code::NotFound, "nothing that can be read");
+    put("notes.txt", "");
+    for (int step = 0; step < 2; ++step)
+        write_step("flow_" + std::to_string(step) + ".vtu", *sample_mesh(), step);
+    expect_known_series(**open_source(folder_.path()), {0, 1});
+    write_step("other.vtu", *sample_mesh(), 0);
+    expect_failure(open_source(folder_.path()), Error::Code::InvalidArgument,
+                   "several datasets: flow_0.vtu, other.vtu");
+    put("s.pvd", pvd_text({{"4", "flow_0.vtu"}, {"5", "flow_1.vtu"}}));
+    expect_known_series(**open_source(folder_.path()), {4, 5});
+}
+
+TEST_F(VtkFilesSource, DoesNotGiveAnEarlierStepForADamagedOne) {
+    for (int step = 0; step < 3; ++step)
+        write_step("d" + std::to_string(step) + ".vtu", *sample_mesh(), step);
+    auto source = open_source(folder_ / "d0.vtu");
+    const std::string good = read_file(folder_ / "d1.vtu");
+    put("d1.vtu", good.substr(0, good.size() / 2));
+    ASSERT_TRUE((*source)->read(0, known_fields()).has_value());
+    expect_failure((*source)->read(1, known_fields()), Error::Code::Corrupt, "d1.vtu");
+    put("d1.vtu", good);
+    expect_known_series(**source, {0, 1, 2});
+}
+
+} // namespace
+} // namespace wakesurf::server
