@@ -2,6 +2,7 @@
 #include "core/base/disk.hpp"
 #include "server/import/source.hpp"
 #include "server/import/sources/folder_choice.hpp"
+#include "server/import/sources/netcdf_source.hpp"
 #include "server/import/sources/numbered_files.hpp"
 #include "server/import/sources/vtk_files_source.hpp"
 
@@ -19,7 +20,7 @@ struct Format {
     core::Result<std::unique_ptr<Source>> (*open)(const fs::path&);
 };
 
-constexpr std::array formats{Format{is_vtk_files, open_vtk_files}};
+constexpr std::array formats{Format{is_vtk_files, open_vtk_files}, Format{is_netcdf, open_netcdf}};
 
 const Format* format_of(const fs::path& path) {
     for (const auto& format : formats)

@@ -1,0 +1,441 @@
+// NetCDF-CF files as sources, written with the netCDF library: packing, fill values, axes in every order, refusals.
+#include "tests/server/import/known_flow.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <netcdf.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <map>
+
+namespace wakesurf::server {
+namespace {
+
+using namespace tests;
+using core::Error;
+namespace fs = std::filesystem;
+
+using Names = std::vector<std::string>;
+
+// A file under construction; every netCDF call is checked.
+class Writer {
+  public:
+    explicit Writer(const fs::path& file, int format = NC_NETCDF4) {
+        ok(nc_create(file.c_str(), NC_CLOBBER | format, &id_));
+        nc_set_fill(id_, NC_NOFILL, nullptr);
+    }
+
+    ~Writer() { ok(nc_close(id_)); }
+
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+
+    static void ok(int status) { ASSERT_EQ(status, NC_NOERR) << nc_strerror(status); }
+
+    void dimension(const std::string& name, std::size_t length) {
+        int dimension = 0;
+        ok(nc_def_dim(id_, name.c_str(), length, &dimension));
+        dimensions_[name] = dimension;
+    }
+
+    int variable(const std::string& name, nc_type type, const Names& dimensions) {
+        std::vector<int> ids;
+        for (const auto& dimension : dimensions)
+            ids.push_back(dimensions_.at(dimension));
+        int variable = 0;
+        ok(nc_def_var(id_, name.c_str(), type, static_cast<int>(ids.size()), ids.data(),
+                      &variable));
+        return variable;
+    }
+
+    void text(int variable, const char* attribute, const std::string& value) {
+        ok(nc_put_att_text(id_, variable, attribute, value.size(), value.c_str()));
+    }
+
+    void number(int variable, const char* attribute, nc_type type, double value) {
+        ok(nc_put_att_double(id_, variable, attribute, type, 1, &value));
+    }
+
+    void end() { nc_enddef(id_); }
+
+    void put(int variable,
+             const std::vector<std::size_t>& start,
+             const std::vector<std::size_t>& count,
+             const std::vector<double>& values) {
+        ok(nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()));
+    }
+
+    void put(int variable, const std::vector<double>& values) {
+        put(variable, {0}, {values.size()}, values);
+    }
+
+  private:
+    int id_ = 0;
+    std::map<std::string, int> dimensions_;
+};
+
+struct Flow {
+    int format = NC_NETCDF4;
+    Names order{"time", "z", "y", "x"};
+    nc_type type = NC_DOUBLE;
+    std::map<std::string, std::vector<double>> axes{
+        {"x", {0, 0.5, 1, 1.5}}, {"y", {-1, 0, 1, 2, 3}}, {"z", {2, 2.25, 2.5}}};
+    std::vector<double> times{0.5, 1.5, 4};
+    double scale = 0; // packed where not 0
+    std::map<std::string, std::string> units{};
+    bool with_axis_attributes = true;
+    Names velocity{"u", "v", "w"};
+};
+
+// Raw value of component c at (x, y, z) of step t; `spoil` may put another one there.
+using Spoil = std::function<void(std::size_t index, double& raw)>;
+
+void write_flow(const fs::path& file, const Flow& flow, const Spoil& spoil = {}) {
+    Writer out(file, flow.format);
+    out.dimension("time", NC_UNLIMITED);
+    std::map<std::string, int> coordinates;
+    for (const auto& [name, nodes] : flow.axes)
+        out.dimension(name, nodes.size());
+    const int time = out.variable("time", NC_DOUBLE, {"time"});
+    out.text(time, "units", "seconds since 2000-01-01 00:00:00");
+    for (const auto& [name, nodes] : flow.axes) {
+        coordinates[name] = out.variable(name, NC_DOUBLE, {name});
+        if (flow.with_axis_attributes)
+            out.text(coordinates[name], "axis", std::string(1, static_cast<char>(name[0] - 32)));
+        if (flow.units.contains(name))
+            out.text(coordinates[name], "units", flow.units.at(name));
+    }
+    std::vector<int> variables;
+    for (const auto& name : flow.velocity) {
+        variables.push_back(out.variable(name, flow.type, flow.order));
+        out.text(variables.back(), "units", "m s-1");
+        if (flow.scale > 0) {
+            out.number(variables.back(), "scale_factor", NC_DOUBLE, flow.scale);
+            out.number(variables.back(), "add_offset", NC_DOUBLE, 1.0);
+            out.number(variables.back(), "_FillValue", flow.type, -32768);
+        }
+    }
+    out.end();
+    for (const auto& [name, nodes] : flow.axes)
+        out.put(coordinates[name], nodes);
+    out.put(time, flow.times);
+    for (std::size_t t = 0; t < flow.times.size(); ++t) {
+        std::vector<std::size_t> start, count;
+        for (const auto& name : flow.order) {
+            start.push_back(name == "time" ? t : 0);
+            count.push_back(name == "time" ? 1 : flow.axes.at(name).size());
+        }
+        std::size_t total = 1;
+        for (const auto n : count)
+            total *= n;
+        for (std::size_t c = 0; c < 3; ++c) {
+            std::vector<double> values(total);
+            for (std::size_t i = 0; i < total; ++i) {
+                std::map<std::string, double> p{{"x", 0}, {"y", 0}, {"z", 0}};
+                std::size_t rest = i;
+                for (std::size_t d = flow.order.size(); d-- > 0; rest /= count[d])
+                    if (flow.order[d] != "time")
+                        p[flow.order[d]] = flow.axes.at(flow.order[d])[rest % count[d]];
+                const std::array<double, 3> at{p["x"], p["y"], p["z"]};
+                values[i] = known_velocity(at.data(), static_cast<int>(t))[c];
+                if (flow.scale > 0)
+                    values[i] = std::round((values[i] - 1.0) / flow.scale);
+                if (spoil)
+                    spoil(i, values[i]);
+            }
+            out.put(variables[c], start, count, values);
+        }
+    }
+}
+
+class NetcdfSource : public testing::Test {
+  protected:
+    fs::path write(const Flow& flow, const Spoil& spoil = {}) const {
+        write_flow(folder_ / "flow.nc", flow, spoil);
+        return folder_ / "flow.nc";
+    }
+
+    static std::vector<core::FieldInfo> components() {
+        using From = core::FieldInfo::Source;
+        return {{"u", 1, From::Point, {}, {}},
+                {"v", 1, From::Point, {}, {}},
+                {"w", 1, From::Point, {}, {}}};
+    }
+
+    static void expect_step(Source& source, std::size_t step, double tolerance = known_tolerance) {
+        const auto read = source.read(step, components());
+        ASSERT_TRUE(read.has_value()) << read.error().message;
+        ASSERT_EQ(read->blocks.size(), 1u);
+        auto& block = *read->blocks.front();
+        for (int c = 0; c < 3; ++c) {
+            auto* array = block.GetPointData()->GetArray(c);
+            ASSERT_EQ(array->GetNumberOfTuples(), block.GetNumberOfPoints());
+            for (vtkIdType i = 0; i < block.GetNumberOfPoints(); ++i)
+                ASSERT_NEAR(array->GetTuple1(i),
+                            known_velocity(block.GetPoint(i),
+                                           static_cast<int>(step))[static_cast<std::size_t>(c)],
+                            tolerance)
+                    << "component " << c << " at node " << i << " of step " << step;
+        }
+    }
+
+    static void expect_flow(const fs::path& file,
+                            const std::vector<double>& times,
+                            double tolerance = known_tolerance * 50) {
+        auto source = open_source(file);
+        ASSERT_TRUE(source.has_value()) << source.error().message;
+        ASSERT_EQ((*source)->description().times, times);
+        for (std::size_t i = 0; i < 2 * times.size(); ++i)
+            expect_step(**source, i < times.size() ? i : 2 * times.size() - 1 - i, tolerance);
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(NetcdfSource, ReadsEveryStepOfEveryFileFormat) {
+    for (const int format : {0, NC_64BIT_OFFSET, NC_64BIT_DATA, NC_NETCDF4})
+        for (const nc_type type : {NC_FLOAT, NC_DOUBLE}) {
+            Flow flow;
+            flow.format = format;
+            flow.type = type;
+            expect_flow(write(flow), {0.5, 1.5, 4});
+        }
+}
+
+TEST_F(NetcdfSource, TellsFieldsUnitsAndTimes) {
+    const auto source = open_source(write({}));
+    const auto& description = (*source)->description();
+    EXPECT_EQ(description.name, "flow");
+    EXPECT_EQ(description.note, "times are in seconds since 2000-01-01 00:00:00");
+    ASSERT_EQ(description.fields.size(), 3u);
+    EXPECT_EQ(description.fields[1].name, "v");
+    EXPECT_EQ(description.fields[1].components, 1);
+    EXPECT_EQ(description.fields[1].unit, "m s-1");
+    EXPECT_EQ(description.fields[1].range, (std::array{-2.0, 6.0}));
+    EXPECT_EQ((*source)->shared_files()->size(), 1u);
+    EXPECT_TRUE((*source)->files(0)->empty());
+}
+
+TEST_F(NetcdfSource, TakesDimensionsInAnyOrder) {
+    Flow flow;
+    std::sort(flow.order.begin(), flow.order.end());
+    do {
+        flow.format = NC_NETCDF4; // where any dimension may be the unlimited one
+        expect_flow(write(flow), flow.times);
+    } while (std::next_permutation(flow.order.begin(), flow.order.end()));
+}
+
+TEST_F(NetcdfSource, TurnsFallingAxesRound) {
+    for (const std::string name : {"x", "y", "z"}) {
+        Flow flow;
+        std::reverse(flow.axes[name].begin(), flow.axes[name].end());
+        expect_flow(write(flow), flow.times);
+    }
+}
+
+TEST_F(NetcdfSource, MakesAnImageOfEvenNodesAndARectilinearGridOfOthers) {
+    const auto block = [&](const Flow& flow) {
+        return (*open_source(write(flow)))->read(0, components())->blocks[0];
+    };
+    Flow flow;
+    EXPECT_NE(vtkImageData::SafeDownCast(block(flow)), nullptr);
+    flow.axes["y"] = {0, 1, 2 + 3e-6, 3, 4}; // more than a millionth off
+    EXPECT_EQ(vtkImageData::SafeDownCast(block(flow)), nullptr);
+    flow.axes["y"] = {0, 1, 2, 3, 4.1};
+    const auto uneven = block(flow);
+    auto* grid = vtkRectilinearGrid::SafeDownCast(uneven);
+    ASSERT_NE(grid, nullptr);
+    EXPECT_EQ(grid->GetYCoordinates()->GetTuple1(4), 4.1);
+    expect_flow(folder_ / "flow.nc", flow.times);
+}
+
+TEST_F(NetcdfSource, FindsAxesByTheNamesOfDimensions) {
+    Flow flow;
+    flow.with_axis_attributes = false;
+    expect_flow(write(flow), flow.times);
+}
+
+TEST_F(NetcdfSource, UnpacksIntegersAndMakesFillValuesNan) {
+    for (const int format : {0, NC_NETCDF4}) {
+        Flow flow;
+        flow.format = format;
+        flow.type = NC_SHORT;
+        flow.scale = 0.001;
+        expect_flow(write(flow), flow.times, 0.0005 + 1e-9); // half a unit of packing
+        auto source = open_source(write(flow, [](std::size_t i, double& raw) {
+            if (i % 7 == 3)
+                raw = -32768;
+        }));
+        const auto read = (*source)->read(1, components());
+        auto* u = read->blocks[0]->GetPointData()->GetArray("u");
+        for (vtkIdType i = 0; i < u->GetNumberOfTuples(); ++i)
+            ASSERT_EQ(std::isnan(u->GetTuple1(i)), i % 7 == 3) << i;
+        EXPECT_GE(field_named(**source, "w")->range[0], 0.0);
+    }
+}
+
+TEST_F(NetcdfSource, MakesMissingAndDefaultFillAndInvalidValuesNan) {
+    const auto nan_at_3 = [&](const std::function<void(Writer&, int)>& define, nc_type type,
+                              double raw) {
+        {
+            Writer out(folder_ / "m.nc");
+            for (const char* name : {"x", "y", "z"})
+                out.dimension(name, 3);
+            const int u = out.variable("u", type, {"z", "y", "x"});
+            define(out, u);
+            out.end();
+            std::vector<double> values(27, 5.0);
+            values[3] = raw;
+            out.put(u, {0, 0, 0}, {3, 3, 3}, values);
+        }
+        auto source = open_source(folder_ / "m.nc");
+        ASSERT_TRUE(source.has_value()) << source.error().message;
+        const auto read = (*source)->read(0, {components()[0]});
+        auto* found = read->blocks[0]->GetPointData()->GetArray("u");
+        for (vtkIdType i = 0; i < 27; ++i)
+            EXPECT_EQ(std::isnan(found->GetTuple1(i)), i == 3) << i;
+        EXPECT_EQ((*source)->description().fields[0].range, (std::array{5.0, 5.0}));
+    };
+    const auto nothing = [](Writer&, int) {};
+    nan_at_3(nothing, NC_FLOAT, static_cast<double>(NC_FILL_FLOAT));
+    nan_at_3(nothing, NC_DOUBLE, NC_FILL_DOUBLE);
+    nan_at_3(nothing, NC_SHORT, NC_FILL_SHORT);
+    nan_at_3(nothing, NC_DOUBLE, std::nan(""));
+    nan_at_3([](Writer& w, int u) { w.number(u, "missing_value", NC_FLOAT, 1e20); }, NC_FLOAT,
+             static_cast<double>(1e20f));
+    nan_at_3([](Writer& w, int u) { w.number(u, "missing_value", NC_DOUBLE, 1e20); }, NC_FLOAT,
+             static_cast<double>(1e20f));
+    nan_at_3([](Writer& w, int u) { w.number(u, "_FillValue", NC_FLOAT, -999); }, NC_FLOAT, -999);
+    nan_at_3([](Writer& w, int u) { w.number(u, "valid_max", NC_FLOAT, 50); }, NC_FLOAT, 51);
+    nan_at_3([](Writer& w, int u) { w.number(u, "valid_min", NC_FLOAT, -1); }, NC_FLOAT, -2);
+}
+
+TEST_F(NetcdfSource, NotesMissingCoordinatesAndTimes) {
+    {
+        Writer out(folder_ / "n.nc");
+        out.dimension("time", 2);
+        for (const char* name : {"x", "y", "z"})
+            out.dimension(name, 3);
+        const int u = out.variable("u", NC_FLOAT, {"time", "z", "y", "x"});
+        out.end();
+        out.put(u, {0, 0, 0, 0}, {2, 3, 3, 3}, std::vector<double>(54, 1.0));
+    }
+    const auto source = open_source(folder_ / "n.nc");
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    EXPECT_EQ((*source)->description().times, (std::vector<double>{0, 1}));
+    EXPECT_NE((*source)->description().note.find("carry no times"), std::string::npos);
+    EXPECT_NE((*source)->description().note.find("no coordinates along z"), std::string::npos);
+}
+
+TEST_F(NetcdfSource, JoinsNumberedFiles) {
+    for (int i = 0; i < 2; ++i) {
+        Flow flow;
+        flow.times = {2.0 * i, 2.0 * i + 1};
+        write_flow(folder_ / ("part_" + std::to_string(i) + ".nc"), flow);
+    }
+    auto source = open_source(folder_ / "part_1.nc");
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    EXPECT_EQ((*source)->description().times, (std::vector<double>{0, 1, 2, 3}));
+    const auto last = (*source)->read(3, components());
+    EXPECT_EQ(last->blocks[0]->GetPointData()->GetArray("u")->GetTuple1(0), 11.0); // step 1 there
+    EXPECT_EQ((*source)->files(3)->front().name, "part_1.nc");
+    Flow again;
+    again.times = {1.0};
+    write_flow(folder_ / "part_2.nc", again);
+    expect_failure(open_source(folder_ / "part_1.nc"), Error::Code::Corrupt,
+                   "time-step 0 of part_2.nc comes after time-step 1 of part_1.nc");
+}
+
+TEST_F(NetcdfSource, RefusesTimesThatDoNotRise) {
+    Flow flow;
+    flow.times = {1, 2, 2};
+    expect_failure(open_source(write(flow)), Error::Code::Corrupt,
+                   "time-step 1 of flow.nc and time-step 2 of flow.nc have the same time, 2");
+    flow.times = {1, std::nan(""), 2};
+    expect_failure(open_source(write(flow)), Error::Code::Corrupt, "time-step 1 of flow.nc has no");
+}
+
+TEST_F(NetcdfSource, RefusesWhatIsNotAGridInSpace) {
+    Flow flow;
+    flow.units["x"] = "degrees_east";
+    expect_failure(open_source(write(flow)), Error::Code::Unsupported, "x is an angle");
+    flow = {};
+    flow.units["z"] = "hPa";
+    expect_failure(open_source(write(flow)), Error::Code::Unsupported, "z is a pressure");
+    flow = {};
+    flow.order = {"time", "y", "x"};
+    expect_failure(open_source(write(flow)), Error::Code::Unsupported,
+                   "flow.nc is not three-dimensional: w is a plane");
+    flow = {};
+    flow.axes["z"] = {1};
+    expect_failure(open_source(write(flow)), Error::Code::Unsupported, "has 1 nodes along z");
+    flow = {};
+    flow.axes["y"] = {0, 1, 3, 2, 4};
+    expect_failure(open_source(write(flow)), Error::Code::Corrupt, "neither rise nor fall");
+}
+
+TEST_F(NetcdfSource, RefusesStaggeredAndCurvilinearGrids) {
+    {
+        Writer out(folder_ / "s.nc");
+        for (const char* name : {"x", "y", "z", "xu"})
+            out.dimension(name, 4);
+        out.text(out.variable("xu", NC_DOUBLE, {"xu"}), "axis", "X");
+        out.variable("u", NC_FLOAT, {"z", "y", "xu"});
+        out.variable("v", NC_FLOAT, {"z", "y", "x"});
+    }
+    expect_failure(open_source(folder_ / "s.nc"), Error::Code::Unsupported,
+                   "s.nc has a staggered grid");
+    {
+        Writer out(folder_ / "c.nc");
+        for (const char* name : {"i", "j", "z"})
+            out.dimension(name, 4);
+        out.variable("xc", NC_DOUBLE, {"j", "i"});
+        out.variable("yc", NC_DOUBLE, {"j", "i"});
+        out.text(out.variable("u", NC_FLOAT, {"z", "j", "i"}), "coordinates", "xc yc");
+    }
+    expect_failure(open_source(folder_ / "c.nc"), Error::Code::Unsupported,
+                   "c.nc has curvilinear coordinates: xc yc");
+}
+
+TEST_F(NetcdfSource, NamesTheFieldThatIsNotThere) {
+    const auto source = open_source(write({}));
+    expect_failure((*source)->read(0, {{"q", 1, core::FieldInfo::Source::Point, {}, {}}}),
+                   Error::Code::NotFound, "flow.nc has no field q");
+}
+
+TEST_F(NetcdfSource, RefusesEveryTruncation) {
+    for (const int format : {0, NC_64BIT_OFFSET, NC_64BIT_DATA, NC_NETCDF4}) {
+        Flow flow;
+        flow.format = format;
+        flow.axes["x"].clear();
+        for (int i = 0; i < 40; ++i)
+            flow.axes["x"].push_back(0.1 * i);
+        const std::string whole = read_file(write(flow));
+        for (std::size_t size = 1; size < whole.size(); size += 511) {
+            write_file(folder_ / "cut.nc", whole.substr(0, size));
+            expect_failure(open_source(folder_ / "cut.nc"), Error::Code::Corrupt, "cut.nc");
+        }
+        write_file(folder_ / "cut.nc", whole.substr(0, whole.size() - 8));
+        expect_failure(open_source(folder_ / "cut.nc"), Error::Code::Corrupt, "cut.nc");
+    }
+    write_file(folder_ / "text.nc", "no NetCDF");
+    expect_failure(open_source(folder_ / "text.nc"), Error::Code::Corrupt, "text.nc is damaged");
+}
+
+TEST_F(NetcdfSource, DoesNotGiveAnEarlierStepForADamagedOne) {
+    for (int i = 0; i < 3; ++i) {
+        Flow flow;
+        flow.times = {1.0 * i};
+        write_flow(folder_ / ("d" + std::to_string(i) + ".nc"), flow);
+    }
+    auto source = open_source(folder_ / "d0.nc");
+    const std::string good = read_file(folder_ / "d1.nc");
+    write_file(folder_ / "d1.nc", good.substr(0, good.size() / 2));
+    ASSERT_TRUE((*source)->read(0, components()).has_value());
+    expect_failure((*source)->read(1, components()), Error::Code::Corrupt, "d1.nc");
+    EXPECT_TRUE((*source)->read(2, components()).has_value());
+}
+
+} // namespace
+} // namespace wakesurf::server
