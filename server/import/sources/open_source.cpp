@@ -1,6 +1,7 @@
 // Which reader a path is for: by its extension and, where several formats share one, by what it holds.
 #include "core/base/disk.hpp"
 #include "server/import/source.hpp"
+#include "server/import/sources/cgns_source.hpp"
 #include "server/import/sources/folder_choice.hpp"
 #include "server/import/sources/netcdf_source.hpp"
 #include "server/import/sources/numbered_files.hpp"
@@ -20,7 +21,8 @@ struct Format {
     core::Result<std::unique_ptr<Source>> (*open)(const fs::path&);
 };
 
-constexpr std::array formats{Format{is_vtk_files, open_vtk_files}, Format{is_netcdf, open_netcdf}};
+constexpr std::array formats{Format{is_vtk_files, open_vtk_files}, Format{is_netcdf, open_netcdf},
+                             Format{is_cgns, open_cgns}};
 
 const Format* format_of(const fs::path& path) {
     for (const auto& format : formats)
