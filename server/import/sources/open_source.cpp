@@ -5,6 +5,7 @@
 #include "server/import/sources/folder_choice.hpp"
 #include "server/import/sources/netcdf_source.hpp"
 #include "server/import/sources/numbered_files.hpp"
+#include "server/import/sources/plot3d_source.hpp"
 #include "server/import/sources/vtk_files_source.hpp"
 
 #include <array>
@@ -22,7 +23,7 @@ struct Format {
 };
 
 constexpr std::array formats{Format{is_vtk_files, open_vtk_files}, Format{is_netcdf, open_netcdf},
-                             Format{is_cgns, open_cgns}};
+                             Format{is_cgns, open_cgns}, Format{is_plot3d, open_plot3d}};
 
 const Format* format_of(const fs::path& path) {
     for (const auto& format : formats)
