@@ -153,7 +153,7 @@ TEST_F(DamagedVtkFiles, TakesAFolderForTheOneDatasetInIt) {
 
 TEST_F(DamagedVtkFiles, DoesNotGiveAnEarlierStepForADamagedOne) {
     for (int step = 0; step < 3; ++step)
-        write_step("d" + std::to_string(step) + ".vtu", *sample_mesh(), step);
+        write_step(std::string("d") + std::to_string(step) + ".vtu", *sample_mesh(), step);
     auto source = open_source(folder_ / "d0.vtu");
     const std::string good = read_file(folder_ / "d1.vtu");
     put("d1.vtu", good.substr(0, good.size() / 2));
