@@ -185,6 +185,8 @@ class GeometryReader {
         const auto count = in_.count();
         if (!count)
             return tl::unexpected(count.error());
+        if (*count > in_.size())
+            return in_.damaged("it has fewer elements than it says");
         if (element_numbers_)
             if (auto skipped = in_.integers(*count); !skipped)
                 return tl::unexpected(skipped.error());
@@ -195,6 +197,8 @@ class GeometryReader {
         std::size_t loops = 0;
         for (const auto number : faces_of)
             loops += static_cast<std::size_t>(number);
+        if (loops > in_.size())
+            return in_.damaged("it has fewer faces than it says");
         std::vector<std::int32_t> sizes(kind->nodes == 0 ? 0 : loops,
                                         static_cast<std::int32_t>(kind->nodes));
         if (kind->nodes == 0)

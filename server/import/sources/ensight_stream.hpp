@@ -29,6 +29,8 @@ class EnsightStream {
 
     bool swapped() const { return swapped_; }
 
+    std::size_t size() const { return text_.size(); } ///< of the file in bytes
+
     /// Is nothing left but space?
     bool at_end();
     /// Errors of the following: Corrupt naming the file: it ends too early, or holds something else.

@@ -13,6 +13,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtk_exodusII.h>
 
 #include <algorithm>
 #include <array>
@@ -99,6 +100,7 @@ class ExodusSource final : public Source {
   private:
     core::Result<void> open() {
         const VtkMessages messages;
+        ex_opts(0); // the library prints by itself; VTK says the same
         reader_ = vtkSmartPointer<vtkExodusIIReader>::New();
         if (reader_->CanReadFile(file_.path.c_str()) == 0)
             return core::fail(Error::Code::Corrupt,

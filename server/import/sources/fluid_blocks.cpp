@@ -13,6 +13,7 @@
 #include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -53,13 +54,16 @@ core::Result<vtkSmartPointer<vtkDataSet>> fluid_part(vtkUnstructuredGrid& grid,
                                                      const std::string& file) {
     if (auto sound = check_mesh(grid, file); !sound)
         return tl::unexpected(sound.error());
-    const auto ids = solid_cells(grid);
-    if (ids->GetNumberOfIds() == grid.GetNumberOfCells())
+    const unsigned char* types = grid.GetCellTypesArray()->GetPointer(0);
+    const auto solid = [](unsigned char type) { return cell_dimension(type) == 3; };
+    const auto count = std::count_if(types, types + grid.GetNumberOfCells(), solid);
+    if (count == grid.GetNumberOfCells())
         return vtkSmartPointer<vtkDataSet>(&grid);
-    if (ids->GetNumberOfIds() == 0)
+    if (count == 0)
         return core::fail(Error::Code::Unsupported,
                           file + " is not three-dimensional: its cells are flat",
                           "extrude it by two cells or more first");
+    const auto ids = solid_cells(grid);
     auto extract = vtkSmartPointer<vtkExtractCells>::New();
     extract->SetInputData(&grid);
     extract->SetCellList(ids);

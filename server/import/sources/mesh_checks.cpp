@@ -3,6 +3,8 @@
 #include <vtkCellArray.h>
 #include <vtkCellTypes.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkGenericCell.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
@@ -10,10 +12,15 @@
 #include <vtkPoints.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 namespace wakesurf::server {
 
@@ -47,10 +54,19 @@ int nodes_of(int type) {
     }
 }
 
+template <class Array>
+bool all_finite_in(Array& values) {
+    const auto* begin = values.GetPointer(0);
+    return std::all_of(begin, begin + values.GetNumberOfValues(),
+                       [](auto value) { return std::isfinite(value); });
+}
+
 bool all_finite(vtkDataArray* values) {
-    if (values == nullptr)
-        return true;
-    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    if (auto* floats = vtkFloatArray::FastDownCast(values); floats != nullptr)
+        return all_finite_in(*floats);
+    if (auto* doubles = vtkDoubleArray::FastDownCast(values); doubles != nullptr)
+        return all_finite_in(*doubles);
+    for (vtkIdType i = 0; values != nullptr && i < values->GetNumberOfTuples(); ++i)
         for (int c = 0; c < values->GetNumberOfComponents(); ++c)
             if (!std::isfinite(values->GetComponent(i, c)))
                 return false;
@@ -92,20 +108,50 @@ bool sound_faces(vtkUnstructuredGrid& grid, vtkIdType cell, vtkIdType points) {
     return true;
 }
 
+template <class Array>
+bool rise(Array& offsets, vtkIdType last) {
+    const auto* begin = offsets.GetPointer(0);
+    const auto* end = begin + offsets.GetNumberOfValues();
+    return begin == end ? last == 0
+                        : *begin == 0 && *(end - 1) == last && std::is_sorted(begin, end);
+}
+
 // Offsets rise from 0 to the length of the connectivity: looking a cell up is safe.
 bool sound_offsets(vtkCellArray& cells) {
-    vtkDataArray* offsets = cells.GetOffsetsArray();
-    vtkDataArray* connectivity = cells.GetConnectivityArray();
-    const vtkIdType count = offsets->GetNumberOfTuples();
-    if (count == 0)
-        return connectivity->GetNumberOfTuples() == 0;
-    if (offsets->GetTuple1(0) != 0.0 ||
-        offsets->GetTuple1(count - 1) != static_cast<double>(connectivity->GetNumberOfTuples()))
-        return false;
-    for (vtkIdType i = 1; i < count; ++i)
-        if (offsets->GetTuple1(i) < offsets->GetTuple1(i - 1))
-            return false;
-    return true;
+    const vtkIdType last = cells.GetConnectivityArray()->GetNumberOfTuples();
+    return cells.IsStorage64Bit() ? rise(*cells.GetOffsetsArray64(), last)
+                                  : rise(*cells.GetOffsetsArray32(), last);
+}
+
+// The first cell that is none, and why. Straight through VTK's arrays: asking cell by cell costs as much as reading.
+template <class Array>
+std::optional<std::string>
+fault_of_cells(vtkUnstructuredGrid& grid, Array& offsets, Array& connectivity) {
+    const vtkIdType points = grid.GetNumberOfPoints();
+    const unsigned char* types = grid.GetCellTypesArray()->GetPointer(0);
+    const auto* begin = offsets.GetPointer(0);
+    const auto* nodes = connectivity.GetPointer(0);
+    std::array<int, 256> dimension{};
+    std::array<int, 256> wanted{};
+    for (int type = 0; type < 256; ++type) {
+        dimension[static_cast<std::size_t>(type)] = cell_dimension(type);
+        wanted[static_cast<std::size_t>(type)] = nodes_of(type);
+    }
+    for (vtkIdType i = 0; i < grid.GetNumberOfCells(); ++i) {
+        const auto type = types[i];
+        const vtkIdType count = begin[i + 1] - begin[i];
+        const auto name = [&] { return "cell " + std::to_string(i); };
+        if (dimension[type] < 0)
+            return name() + " is of the unknown type " + std::to_string(type);
+        if (wanted[type] != 0 && count != wanted[type])
+            return name() + " has " + std::to_string(count) + " nodes";
+        for (auto n = begin[i]; n < begin[i + 1]; ++n)
+            if (nodes[n] < 0 || nodes[n] >= points)
+                return name() + " has a node that is not there";
+        if (type == VTK_POLYHEDRON && !sound_faces(grid, i, points))
+            return name() + " has damaged faces";
+    }
+    return std::nullopt;
 }
 
 core::Result<void> check_axis(vtkDataArray* axis, char name, int nodes, const std::string& file) {
@@ -163,27 +209,16 @@ core::Result<void> check_mesh(vtkUnstructuredGrid& grid, const std::string& file
     if (auto sound = check_points(grid.GetPoints(), points, file); !sound)
         return sound;
     if (grid.GetCellTypesArray() == nullptr ||
-        grid.GetCellTypesArray()->GetNumberOfValues() != cells || !sound_offsets(*grid.GetCells()))
+        grid.GetCellTypesArray()->GetNumberOfValues() != cells ||
+        grid.GetCells()->GetNumberOfCells() != cells || !sound_offsets(*grid.GetCells()))
         return core::fail(Error::Code::Corrupt, file + " has a damaged list of cells");
-    const auto at_fault = [&](vtkIdType cell, const std::string& why) {
-        return core::fail(Error::Code::Corrupt,
-                          file + " has a damaged cell: cell " + std::to_string(cell) + why);
-    };
-    for (vtkIdType i = 0; i < cells; ++i) {
-        const int type = grid.GetCellType(i);
-        if (cell_dimension(type) < 0)
-            return at_fault(i, " is of the unknown type " + std::to_string(type));
-        vtkIdType count = 0;
-        const vtkIdType* nodes = nullptr;
-        grid.GetCellPoints(i, count, nodes);
-        if (nodes_of(type) != 0 && count != nodes_of(type))
-            return at_fault(i, " has " + std::to_string(count) + " nodes");
-        for (vtkIdType n = 0; n < count; ++n)
-            if (nodes[n] < 0 || nodes[n] >= points)
-                return at_fault(i, " has a node that is not there");
-        if (type == VTK_POLYHEDRON && !sound_faces(grid, i, points))
-            return at_fault(i, " has damaged faces");
-    }
+    const auto fault = grid.GetCells()->IsStorage64Bit()
+                           ? fault_of_cells(grid, *grid.GetCells()->GetOffsetsArray64(),
+                                            *grid.GetCells()->GetConnectivityArray64())
+                           : fault_of_cells(grid, *grid.GetCells()->GetOffsetsArray32(),
+                                            *grid.GetCells()->GetConnectivityArray32());
+    if (fault)
+        return core::fail(Error::Code::Corrupt, file + " has a damaged cell: " + *fault);
     return {};
 }
 

@@ -3,8 +3,10 @@
 #include "core/base/disk.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace wakesurf::server {
@@ -108,6 +110,22 @@ std::optional<std::uint64_t> size_by_header(std::istream& in, int version) {
     return end;
 }
 
+// Of HDF5, version 0 to 3: what stands behind its signature. Format: HDF5 File Format Specification, II.A.
+std::optional<std::uint64_t> size_by_superblock(std::istream& in) {
+    std::array<unsigned char, 52> bytes{};
+    in.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
+    const int version = bytes[0];
+    const int size_of_offsets = version < 2 ? bytes[5] : bytes[1];
+    if (!in || version > 3 || size_of_offsets != 8)
+        return std::nullopt;
+    const std::size_t addresses = version == 0 ? 16 : version == 1 ? 20 : 4;
+    constexpr std::size_t end_of_file = 16;
+    std::uint64_t out = 0;
+    for (std::size_t i = 8; i-- > 0;)
+        out = out << 8 | bytes[addresses + end_of_file + i];
+    return out;
+}
+
 } // namespace
 
 core::Result<void> check_netcdf_size(const NamedFile& file) {
@@ -117,12 +135,15 @@ core::Result<void> check_netcdf_size(const NamedFile& file) {
     if (!size)
         return tl::unexpected(size.error());
     std::ifstream in(file.path, std::ios::binary);
-    char magic[4] = {};
-    in.read(magic, sizeof magic);
-    if (!in || magic[0] != 'C' || magic[1] != 'D' || magic[2] != 'F' ||
-        (magic[3] != 1 && magic[3] != 2 && magic[3] != 5))
-        return {};
-    const auto wanted = size_by_header(in, magic[3]);
+    std::array<char, 8> magic{};
+    in.read(magic.data(), magic.size());
+    const std::string_view start(magic.data(), static_cast<std::size_t>(in.gcount()));
+    const bool classic = start.size() > 3 && start.starts_with("CDF") &&
+                         (start[3] == 1 || start[3] == 2 || start[3] == 5);
+    if (!classic && start != "\x89HDF\r\n\x1a\n")
+        return core::fail(Error::Code::Corrupt, file.name + " is no NetCDF file");
+    in.seekg(classic ? 4 : 8);
+    const auto wanted = classic ? size_by_header(in, start[3]) : size_by_superblock(in);
     if (!wanted)
         return core::fail(Error::Code::Corrupt,
                           file.name + " ends within its header, or its header is damaged");

@@ -1,5 +1,5 @@
 // Is a NetCDF file as long as its header says? The NetCDF library reads zeros behind the end of one that is not.
-// Format: NetCDF Classic Format Specification (CDF-1, CDF-2 and CDF-5).
+// Format: NetCDF Classic Format Specification (CDF-1, CDF-2 and CDF-5); NetCDF-4 is HDF5.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -7,8 +7,7 @@
 
 namespace wakesurf::server {
 
-/// Classic formats only; of NetCDF-4 nothing is checked, since HDF5 itself refuses files that are cut off.
-/// Error: NotFound, Io, Corrupt. Cost: reads the header.
+/// Error: NotFound, Io, Corrupt (also what is no NetCDF at all). Cost: reads the header.
 core::Result<void> check_netcdf_size(const NamedFile& file);
 
 } // namespace wakesurf::server

@@ -4,6 +4,7 @@
 #include "server/import/sources/cgns_source.hpp"
 #include "server/import/sources/ensight_source.hpp"
 #include "server/import/sources/exodus_source.hpp"
+#include "server/import/sources/file_names.hpp"
 #include "server/import/sources/folder_choice.hpp"
 #include "server/import/sources/netcdf_source.hpp"
 #include "server/import/sources/numbered_files.hpp"
@@ -12,6 +13,8 @@
 #include "server/import/sources/vtk_files_source.hpp"
 
 #include <array>
+#include <fstream>
+#include <string_view>
 
 namespace wakesurf::server {
 
@@ -25,10 +28,21 @@ struct Format {
     core::Result<std::unique_ptr<Source>> (*open)(const fs::path&);
 };
 
-constexpr std::array formats{Format{is_openfoam, open_openfoam},   Format{is_vtk_files, open_vtk_files},
-                             Format{is_ensight, open_ensight},     Format{is_exodus, open_exodus},
-                             Format{is_netcdf, open_netcdf},       Format{is_cgns, open_cgns},
-                             Format{is_plot3d, open_plot3d}};
+// .g is a grid of Exodus, which is NetCDF, or of Plot3D.
+bool is_exodus_inside(const fs::path& path) {
+    if (!is_exodus(path) || lower_extension(path) != ".g")
+        return is_exodus(path);
+    std::array<char, 4> start{};
+    std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+    const std::string_view text(start.data(), start.size());
+    return text.starts_with("CDF") || text == "\x89HDF";
+}
+
+constexpr std::array formats{
+    Format{is_openfoam, open_openfoam},    Format{is_ensight, open_ensight},
+    Format{is_exodus_inside, open_exodus}, Format{is_vtk_files, open_vtk_files},
+    Format{is_netcdf, open_netcdf},        Format{is_cgns, open_cgns},
+    Format{is_plot3d, open_plot3d}};
 
 const Format* format_of(const fs::path& path) {
     for (const auto& format : formats)
@@ -51,16 +65,16 @@ core::Result<std::unique_ptr<Source>> open_source(const fs::path& path) {
         const auto size = core::PosixDisk().size(path);
         if (!size && !fs::is_directory(path, error))
             return tl::unexpected(size.error());
-        if (size && *size == 0)
+        if (size && *size == 0 && !is_openfoam(path)) // a .foam only marks its folder
             return core::fail(Error::Code::Corrupt, name + " is empty");
     }
     if (format == nullptr)
         return core::fail(Error::Code::Unsupported, name + " is of a format that cannot be read",
-                          "formats: OpenFOAM (case folder, .foam), .pvd, .series, .vtm, .vti, "
-                          ".vtr, .vts, .vtu and "
-                          "their .pvt* forms, .vtk, .vtkhdf, EnSight (.case), Exodus (.e, .exo, "
-                          ".ex2), CGNS (.cgns), "
-                          "NetCDF (.nc), Plot3D (.xyz, .x, .g, .q, .p3d)");
+                          "formats: OpenFOAM (case folder or .foam), EnSight (.case), Exodus (.e, "
+                          ".exo), CGNS (.cgns), "
+                          "NetCDF (.nc), Plot3D (.xyz, .x, .g, .q, .p3d), VTK (.vti, .vtr, .vts, "
+                          ".vtu, their .pvt*, .vtm, "
+                          ".vtk, .vtkhdf) and collections of it (.pvd, .series)");
     return format->open(path);
 }
 

@@ -113,8 +113,12 @@ class OpenfoamSource final : public Source {
             return {};
         }
         const std::string file = time.name + " of " + found_.file;
-        if (auto whole = require_fields(*leaf.data, fields, file); !whole)
+        if (auto whole = require_fields(*leaf.data, fields, file); !whole) {
+            // The file is there: VTK passes over one that cannot be unpacked.
+            whole.error().code = Error::Code::Corrupt;
+            whole.error().hint = "its file may be incomplete: copy it again";
             return whole;
+        }
         keep_only(*leaf.data, fields);
         if (inside)
             out.blocks.push_back(leaf.data);

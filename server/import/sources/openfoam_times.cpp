@@ -174,7 +174,11 @@ core::Result<void> find_foam_times(FoamCase& found) {
     bool any = false;
     for (std::size_t r = 0; r < found.regions.size(); ++r) {
         // Splitting a mesh into regions leaves the whole one behind, often with the fields it started from.
-        const bool remnant = found.regions[r].name.empty() && with[r].size() < most;
+        const bool split = std::any_of(names[r].begin(), names[r].end(), [](const auto& here) {
+            return here.second.second.contains("cellToRegion");
+        });
+        const bool remnant =
+            found.regions[r].name.empty() && (with[r].size() < most || (split && names.size() > 1));
         found.regions[r].fluid = !with[r].empty() && !remnant;
         if (!found.regions[r].fluid)
             continue;

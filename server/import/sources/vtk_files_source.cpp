@@ -9,7 +9,9 @@
 #include "server/import/sources/vtk_file.hpp"
 #include "server/import/sources/wall_patches.hpp"
 
+#include <algorithm>
 #include <map>
+#include <set>
 
 namespace wakesurf::server {
 
@@ -57,18 +59,23 @@ class VtkFilesSource final : public Source {
             return tl::unexpected(all.error());
         SourceStep out;
         std::string named;
-        for (const auto& leaf : all->leaves) {
+        for (std::size_t i = 0; i < all->leaves.size(); ++i) {
+            const auto& leaf = all->leaves[i];
             auto file = read_vtk_file(leaf, {false, fields});
             if (!file)
                 return tl::unexpected(file.error());
             if (is_patch(*file->data, all->leaves.size())) {
-                if (auto added = add_wall(leaf, *file->data, fields, out); !added)
+                if (auto added = add_wall(*all, i, *file->data, fields, out); !added)
                     return tl::unexpected(added.error());
                 continue;
             }
             auto block = fluid_part(*file->data, leaf.name);
             if (!block)
                 return tl::unexpected(block.error());
+            if (solids_.contains(place_of(*all, i))) {
+                out.solids.push_back(boundary_of(**block));
+                continue;
+            }
             if (auto whole = require_fields(**block, fields, leaf.name); !whole)
                 return tl::unexpected(whole.error());
             keep_only(**block, fields);
@@ -152,8 +159,11 @@ class VtkFilesSource final : public Source {
         auto all = expand_step(0);
         if (!all)
             return tl::unexpected(all.error());
-        Blocks blocks;
-        for (const auto& leaf : all->leaves) {
+        Blocks moving;
+        Blocks others;
+        std::set<std::string> places;
+        for (std::size_t i = 0; i < all->leaves.size(); ++i) {
+            const auto& leaf = all->leaves[i];
             auto file = read_vtk_file(leaf, {true, {}});
             if (!file)
                 return tl::unexpected(file.error());
@@ -162,17 +172,25 @@ class VtkFilesSource final : public Source {
             auto block = fluid_part(*file->data, leaf.name);
             if (!block)
                 return tl::unexpected(block.error());
-            blocks.push_back(std::move(*block));
+            const auto fields = common_fields({*block});
+            const bool vector = std::any_of(fields.begin(), fields.end(),
+                                            [](const FieldInfo& f) { return f.components == 3; });
+            if (!vector)
+                places.insert(place_of(*all, i));
+            (vector ? moving : others).push_back(std::move(*block));
             if (description_.reader.empty())
                 description_.reader = file->reader + " (" + series_.kind + ")";
         }
-        if (blocks.empty())
+        if (!moving.empty())
+            solids_ = std::move(places);
+        const Blocks& fluid = moving.empty() ? others : moving;
+        if (fluid.empty())
             return core::fail(Error::Code::Unsupported,
                               entry_name(0) + " holds no three-dimensional cells",
                               "extrude it by two cells or more first");
-        if (auto thick = check_thickness(blocks, entry_name(0)); !thick)
+        if (auto thick = check_thickness(fluid, entry_name(0)); !thick)
             return thick;
-        description_.fields = common_fields(blocks);
+        description_.fields = common_fields(fluid);
         return {};
     }
 
@@ -181,15 +199,24 @@ class VtkFilesSource final : public Source {
         return leaves > 1 && !has_solid_cells(data);
     }
 
-    core::Result<void> add_wall(const ListedFile& leaf,
+    // What tells a leaf from others at every time-step: the name of its block, else which it is.
+    static std::string place_of(const CompositeFile& all, std::size_t leaf) {
+        const auto& block = all.leaves[leaf].block;
+        return block.empty() ? "#" + std::to_string(leaf) : block;
+    }
+
+    core::Result<void> add_wall(const CompositeFile& all,
+                                std::size_t index,
                                 vtkDataSet& data,
                                 const std::vector<FieldInfo>& fields,
                                 SourceStep& out) {
+        const auto& leaf = all.leaves[index];
         const bool still = is_still(data, fields);
         const bool named = is_named_wall(leaf.block.empty() ? leaf.name : leaf.block);
         if (!named && !still)
             return {};
-        auto no_slip = still ? still_throughout(leaf, fields) : core::Result<bool>(false);
+        auto no_slip =
+            still ? still_throughout(place_of(all, index), fields) : core::Result<bool>(false);
         if (!no_slip)
             return tl::unexpected(no_slip.error());
         if (!named && !*no_slip)
@@ -199,30 +226,35 @@ class VtkFilesSource final : public Source {
         });
     }
 
-    // Whether the patch of this name is still at the first and the last time-step: an inlet may start at rest.
-    core::Result<bool> still_throughout(const ListedFile& leaf,
+    // Whether the patch at `place` is still at the first and the last time-step: an inlet may start at rest.
+    core::Result<bool> still_throughout(const std::string& place,
                                         const std::vector<FieldInfo>& fields) {
-        const auto& key = leaf.block.empty() ? leaf.name : leaf.block;
+        std::string key = place;
+        for (const auto& field : fields)
+            key += '\n' + field.name;
         if (const auto known = still_.find(key); known != still_.end())
             return known->second;
         for (const std::size_t step : {std::size_t{0}, series_.entries.size() - 1}) {
             const auto all = expand_step(step);
             if (!all)
                 return tl::unexpected(all.error());
-            for (const auto& other : all->leaves)
-                if ((other.block.empty() ? other.name : other.block) == key) {
-                    const auto file = read_vtk_file(other, {false, fields});
+            bool still = false; // also where the patch is not there
+            for (std::size_t i = 0; i < all->leaves.size() && !still; ++i)
+                if (place_of(*all, i) == place) {
+                    const auto file = read_vtk_file(all->leaves[i], {false, fields});
                     if (!file)
                         return tl::unexpected(file.error());
-                    if (!is_still(*file->data, fields))
-                        return still_[key] = false;
+                    still = is_still(*file->data, fields);
                 }
+            if (!still)
+                return still_[key] = false;
         }
         return still_[key] = true;
     }
 
     FileSeries series_;
     SourceDescription description_;
+    std::set<std::string> solids_; ///< places of the blocks without a velocity
     std::map<std::string, bool> still_;
 };
 

@@ -1,8 +1,11 @@
 #include "server/import/sources/wall_patches.hpp"
 
+#include "server/import/sources/vtk_fields.hpp"
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDataSetSurfaceFilter.h>
 #include <vtkIdList.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
@@ -71,6 +74,15 @@ core::Result<vtkSmartPointer<vtkPolyData>> surface_of(vtkDataSet& patch, const s
     }
     out->SetPoints(points);
     out->SetPolys(polygons);
+    return out;
+}
+
+vtkSmartPointer<vtkPolyData> boundary_of(vtkDataSet& block) {
+    auto filter = vtkSmartPointer<vtkDataSetSurfaceFilter>::New();
+    filter->SetInputData(&block);
+    filter->Update();
+    vtkSmartPointer<vtkPolyData> out = filter->GetOutput();
+    keep_only(*out, {});
     return out;
 }
 

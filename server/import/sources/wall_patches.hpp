@@ -1,4 +1,4 @@
-// Flat parts of a source as walls: by their name, or by a velocity that is zero on them.
+// Surfaces for walls and solids: which flat parts of a source are walls, and what solid blocks look like.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -22,5 +22,8 @@ bool is_still(vtkDataSet& patch, const std::vector<core::FieldInfo>& fields);
 /// The patch as polygons with its points as they are; data arrays are left out. Error: Corrupt (nodes that are not
 /// there), naming `file`.
 core::Result<vtkSmartPointer<vtkPolyData>> surface_of(vtkDataSet& patch, const std::string& file);
+
+/// The outside of a checked block of cells.
+vtkSmartPointer<vtkPolyData> boundary_of(vtkDataSet& block);
 
 } // namespace wakesurf::server

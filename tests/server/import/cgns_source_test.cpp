@@ -84,8 +84,8 @@ int write_zone(int file, const std::string& name, vtkUnstructuredGrid& grid) {
                 nodes.push_back(grid.GetCell(i)->GetPointId(static_cast<int>(k)) + 1);
         }
         int section = 0;
-        ok(cg_section_write(file, 1, zone, ("E" + std::to_string(vtk)).c_str(), cgns, first,
-                            next - 1, 0, nodes.data(), &section));
+        ok(cg_section_write(file, 1, zone, (std::string("E") + std::to_string(vtk)).c_str(), cgns,
+                            first, next - 1, 0, nodes.data(), &section));
     }
     const std::array<cgsize_t, 4> quad{1, 2, 10, 9}; // of the boundary: no cell
     int section = 0;

@@ -54,6 +54,9 @@ void write_fluid(EnsightText& out, float last_x) {
     out.integers({1});
     out.integers({node(0, 0, 0), node(1, 0, 0), node(1, 1, 0), node(0, 1, 0), node(0, 0, 1),
                   node(1, 0, 1), node(1, 1, 1), node(0, 1, 1)});
+    out.line("tria3"); // of another dimension between them
+    out.integers({1});
+    out.integers({node(0, 0, 0), node(1, 0, 0), node(1, 1, 0)});
     out.line("penta6");
     out.integers({2});
     out.integers({node(1, 0, 0), node(2, 0, 0), node(1, 1, 0), node(1, 0, 1), node(2, 0, 1),
@@ -133,6 +136,7 @@ std::string variable(EnsightEncoding encoding, int components, Source_ source, i
         section("coordinates", 0, nodes);
     } else {
         section("hexa8", 0, 1);
+        section("tria3", 90, 1);
         section("penta6", 1, 2);
         section("nfaced", 3, 1);
         section("pyramid5", 4, 1);
@@ -229,8 +233,6 @@ TEST_P(EveryEncoding, GivesTheMeshVtkReads) {
     put(encoding, where);
     const auto step = read(1);
     ASSERT_TRUE(step.has_value()) << step.error().message;
-    if (encoding == EnsightEncoding::Fortran)
-        return; // VTK reads records of two and more wrongly, where one holds a whole array
     auto vtk = vtkSmartPointer<vtkGenericEnSightReader>::New();
     vtk->SetCaseFileName((folder_ / "flow.case").c_str());
     vtk->ReadAllVariablesOn();
@@ -238,18 +240,19 @@ TEST_P(EveryEncoding, GivesTheMeshVtkReads) {
     auto* twin = vtkDataSet::SafeDownCast(vtk->GetOutput()->GetBlock(0));
     ASSERT_NE(twin, nullptr);
     vtkDataSet& block = *step->blocks.front();
-    ASSERT_EQ(twin->GetNumberOfCells(), cells);
+    ASSERT_EQ(twin->GetNumberOfCells(), cells + 1);
     for (vtkIdType i = 0; i < nodes; ++i)
         for (int c = 0; c < 3; ++c)
             EXPECT_EQ(block.GetPoint(i)[c], twin->GetPoint(i)[c]);
     for (vtkIdType i = 0; i < cells; ++i) {
-        EXPECT_EQ(block.GetCellType(i), twin->GetCellType(i));
+        const vtkIdType j = i == 0 ? 0 : i + 1; // VTK's has the triangle, too
+        EXPECT_EQ(block.GetCellType(i), twin->GetCellType(j));
         std::vector<vtkIdType> own;
         std::vector<vtkIdType> other;
         for (int n = 0; n < static_cast<int>(block.GetCell(i)->GetNumberOfPoints()); ++n)
             own.push_back(block.GetCell(i)->GetPointId(n));
-        for (int n = 0; n < static_cast<int>(twin->GetCell(i)->GetNumberOfPoints()); ++n)
-            other.push_back(twin->GetCell(i)->GetPointId(n));
+        for (int n = 0; n < static_cast<int>(twin->GetCell(j)->GetNumberOfPoints()); ++n)
+            other.push_back(twin->GetCell(j)->GetPointId(n));
         // Its reader of text turns no wedges, the binary one does.
         if (encoding == EnsightEncoding::Text || block.GetCellType(i) == VTK_POLYHEDRON) {
             std::sort(own.begin(), own.end());
@@ -290,7 +293,7 @@ TEST_F(EnsightSource, FilesCutOffAnywhereFailOrAreReadRightly) {
                 const std::string whole = read_file(folder_ / name);
                 // Few cuts but at every place of a number, and all near the end.
                 for (std::size_t cut = 0; cut < whole.size();
-                     cut += cut + 60 < whole.size() ? 17 : 1) {
+                     cut += cut + 40 < whole.size() ? 37 : 1) {
                     write_file(folder_ / name, whole.substr(0, cut));
                     const auto step = read(1);
                     if (step)
@@ -303,7 +306,7 @@ TEST_F(EnsightSource, FilesCutOffAnywhereFailOrAreReadRightly) {
                 }
                 write_file(folder_ / name, whole);
             }
-            EXPECT_GT(failures, 200);
+            EXPECT_GT(failures, 100);
         }
 }
 

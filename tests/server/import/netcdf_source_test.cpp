@@ -427,7 +427,7 @@ TEST_F(NetcdfSource, DoesNotGiveAnEarlierStepForADamagedOne) {
     for (int i = 0; i < 3; ++i) {
         Flow flow;
         flow.times = {1.0 * i};
-        write_flow(folder_ / ("d" + std::to_string(i) + ".nc"), flow);
+        write_flow(folder_ / (std::string("d") + std::to_string(i) + ".nc"), flow);
     }
     auto source = open_source(folder_ / "d0.nc");
     const std::string good = read_file(folder_ / "d1.nc");

@@ -102,7 +102,7 @@ TEST_F(VtkFilesSource, TakesTheTimesTheFilesCarryAndRefusesThoseThatDoNotRise) {
         for (std::size_t i = 0; i < times.size(); ++i) {
             auto mesh = sample_mesh();
             set_time(*mesh, times[i]);
-            write_step("t" + std::to_string(i) + ".vtu", *mesh, static_cast<int>(i));
+            write_step(std::string("t") + std::to_string(i) + ".vtu", *mesh, static_cast<int>(i));
         }
         return open_source(folder_ / "t0.vtu");
     };
@@ -139,7 +139,8 @@ TEST_F(VtkFilesSource, JoinsThePartsOfACollection) {
     std::string text = "<VTKFile type=\"Collection\"><Collection>";
     for (int step = 0; step < 2; ++step)
         for (int part = 0; part < 2; ++part) {
-            const std::string name = "s" + std::to_string(step) + std::to_string(part) + ".vtu";
+            const std::string name =
+                std::string("s") + std::to_string(step) + std::to_string(part) + ".vtu";
             write_step(name, *sample_mesh(10.0 * part), step);
             text += "<DataSet timestep=\"" + std::to_string(0.5 + step) + "\" group=\"\" part=\"" +
                     std::to_string(part) + "\" file=\"" + name + "\"/>";
@@ -268,6 +269,38 @@ TEST_F(VtkFilesSource, ReadsMultiBlockSeriesWithTheirWalls) {
                    Error::Code::NotFound, "flow_1.vtm names f1/b.vts, which is not there");
 }
 
+TEST_F(VtkFilesSource, TakesPartsOfACollectionForWallsAndSolids) {
+    std::string text = "<VTKFile type=\"Collection\"><Collection>";
+    for (int step = 0; step < 2; ++step) {
+        const std::string n = std::to_string(step);
+        auto heater = sample_mesh(40);
+        put_known_flow(*heater, step);
+        heater->GetPointData()->RemoveArray("U");
+        write("heater" + n + ".vtu", *heater);
+        write_step("flow" + n + ".vtu", *sample_mesh(), step);
+        write("cylinder" + n + ".vtp", *patch(0.0));
+        write("starting" + n + ".vtp", *patch(step));
+        int part = 0;
+        for (const std::string& name : {"flow" + n + ".vtu", "cylinder" + n + ".vtp",
+                                        "starting" + n + ".vtp", "heater" + n + ".vtu"}) {
+            text += "<DataSet timestep=\"" + n + "\" part=\"" + std::to_string(part) +
+                    "\" file=\"" + name + "\"/>";
+            ++part;
+        }
+    }
+    const auto source = open_source(put("s.pvd", text + "</Collection></VTKFile>"));
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    expect_known_series(**source, {0, 1});
+    for (const std::size_t step : {0u, 1u}) {
+        const auto read = (*source)->read(step, known_fields());
+        EXPECT_EQ(read->blocks.size(), 1u);
+        ASSERT_EQ(read->walls.size(), 1u);
+        EXPECT_TRUE(read->walls[0].no_slip);
+        ASSERT_EQ(read->solids.size(), 1u);
+        EXPECT_EQ(read->solids[0]->GetBounds()[1], 43.0);
+    }
+}
+
 TEST_F(VtkFilesSource, ReadsWhatVtksMultiBlockWriterWrites) {
     auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
     auto image = sample_image();
@@ -334,7 +367,8 @@ TEST_F(VtkFilesSource, ReadsLegacyFiles) {
             auto mesh = sample_mesh();
             put_known_flow(*mesh, step);
             auto writer = vtkSmartPointer<vtkDataSetWriter>::New();
-            writer->SetFileName((folder_ / ("l" + std::to_string(step) + ".vtk")).c_str());
+            writer->SetFileName(
+                (folder_ / (std::string("l") + std::to_string(step) + ".vtk")).c_str());
             writer->SetFileType(type);
             writer->SetInputData(mesh);
             ASSERT_EQ(writer->Write(), 1);
