@@ -30,4 +30,7 @@ void register_stream_surface_benchmarks();
 /// Single steps of a streak surface of 100,000 vertices: whole frames with refinement, on one thread and on two.
 void register_streak_frame_benchmarks();
 
+/// StoreReader::load of 300 MB time-steps against a plain read() of the same bytes.
+void register_store_benchmarks();
+
 } // namespace wakesurf::bench
