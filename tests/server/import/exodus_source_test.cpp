@@ -220,9 +220,9 @@ TEST_F(ExodusSource, AFileCutOffFailsAtOnceOrWhenItIsRead) {
 }
 
 // Two cubes with a side set each, below; only one is called wall. The velocity is written as three scalars.
-void write_side_sets(const fs::path& file, bool moving_floor) {
+void write_side_sets(const fs::path& file, bool moving_floor, int format = 0) {
     int word = 8;
-    const int out = ex_create(file.c_str(), EX_CLOBBER, &word, &word);
+    const int out = ex_create(file.c_str(), EX_CLOBBER | format, &word, &word);
     ASSERT_GE(out, 0);
     ASSERT_EQ(ex_put_init(out, "two cubes", 3, 12, 2, 1, 0, 2), 0);
     std::vector<double> x;
@@ -279,6 +279,19 @@ TEST_F(ExodusSource, TakesSideSetsCalledWallForWalls) {
             EXPECT_EQ(faces.GetPoint(i)[2], 0.0);
         }
         EXPECT_EQ(step->walls[0].no_slip, !moving);
+    }
+}
+
+TEST_F(ExodusSource, RefusesFilesOfEveryNetcdfFormatThatAreCutOff) {
+    for (const int format : {0, EX_64BIT_OFFSET, EX_64BIT_DATA, EX_NETCDF4}) {
+        write_side_sets(file(), false, format);
+        ASSERT_TRUE(open_exodus(file()).has_value()) << format;
+        const std::string whole = read_file(file());
+        for (const std::size_t from_end : {1u, 8u, 97u, 1000u, 3000u}) {
+            write_file(file(), whole.substr(0, whole.size() - from_end));
+            EXPECT_FALSE(open_exodus(file()).has_value())
+                << format << ", " << from_end << " of " << whole.size() << " bytes less";
+        }
     }
 }
 
