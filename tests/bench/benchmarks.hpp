@@ -27,4 +27,7 @@ void register_stream_surface_benchmarks();
 /// Single steps of a streak surface of 100,000 vertices: whole frames with refinement, on one thread and on two.
 void register_streak_frame_benchmarks();
 
+/// An import of time-steps beside VTK's reader alone, which only reads them.
+void register_import_benchmarks();
+
 } // namespace wakesurf::bench
