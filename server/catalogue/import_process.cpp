@@ -32,6 +32,10 @@ std::vector<std::string> arguments_of(const ImportCommand& command) {
     }
     if (!command.times.empty())
         arguments.push_back("--times=" + command.times);
+    if (!command.precision.empty())
+        arguments.push_back("--precision=" + command.precision);
+    if (command.jobs > 0)
+        arguments.push_back("--jobs=" + std::to_string(command.jobs));
     return arguments;
 }
 

@@ -20,6 +20,8 @@ struct ImportCommand {
     std::vector<std::string> fields; ///< --fields; empty: chosen by the importer
     std::string times;               ///< --times; empty: all
     std::filesystem::path program{}; ///< empty: wakesurf-import beside our own executable
+    std::string precision{};         ///< --precision; empty: single
+    std::size_t jobs = 0;            ///< --jobs; 0: one a core
 };
 
 /// Runs an import to its end in the calling thread; `listener` hears of every step, in this thread. When `stop`

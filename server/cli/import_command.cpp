@@ -16,7 +16,13 @@ int run_import(const ImportOptions& options) {
                                options.dataset + " needs no import", "use it as it is"});
     const StopOnSignal signals;
     const auto imported = run_import_process(
-        {source->path, options.store, options.fields, options.times},
+        {source->path,
+         options.store,
+         options.fields,
+         options.times,
+         {},
+         options.precision,
+         options.jobs},
         [](const ImportProgress& progress) { show_progress(progress, stdout); }, signals.token());
     if (!imported) {
         const int status = report_failure(imported.error());

@@ -23,7 +23,15 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
     command.add_option("DATASET", options.dataset, "A .pvd or .vti file, or a folder with one")
         ->required();
     command.add_option("STORE_DIR", options.store, "Folder to write the store to")->required();
-    command.add_option("--fields", options.fields, "Fields to import, a,b (default: the velocity)")
+    command
+        .add_option("--precision", options.precision,
+                    "single, or half: half the size, rounded by 2^-11 of each value")
+        ->check(CLI::IsMember({"single", "half"}));
+    command.add_option("--jobs", options.jobs, "Processes at once (default: one a core)")
+        ->check(CLI::Range(1, 256));
+    command
+        .add_option("--fields", options.fields,
+                    "Fields to import, a,b (default: the velocity and all scalars)")
         ->delimiter(',');
     command.add_option("--times", options.times, "T0:T1[:EVERY]");
 }

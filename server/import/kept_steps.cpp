@@ -13,20 +13,28 @@ std::shared_ptr<const core::StoreReader> open_store(const protocol::StoreManifes
     return reader ? *reader : nullptr;
 }
 
-bool has_size(const std::filesystem::path& file, std::size_t bytes) {
-    const auto size = core::PosixDisk().size(file);
-    return size && *size == bytes;
-}
-
-bool whole_step(const StoreWriter& writer, const core::StoreLayout& layout, std::size_t index) {
+// Its files have their sizes, and nobody has written to them since the manifest, which comes last. Where somebody has,
+// and in a store that was not finished, checksums are looked at.
+bool whole_step(const StoreWriter& writer,
+                const protocol::StoreManifest& manifest,
+                const core::StoreReader& reader,
+                std::size_t index) {
+    const core::PosixDisk disk;
+    const auto& layout = manifest.layout;
+    const auto written = disk.identity(writer.folder() / protocol::manifest_file_name);
+    bool looked_at = manifest.complete && written.has_value();
     const auto whole = [&](std::string_view stem, std::size_t components) {
-        return has_size(writer.folder() / core::step_file_name(stem, index, layout.precision),
-                        core::step_file_size(layout.grid.nodes(), components, layout.precision));
+        const auto file =
+            disk.identity(writer.folder() / core::step_file_name(stem, index, layout.precision));
+        looked_at = looked_at && file && file->modified <= written->modified;
+        return file && file->size ==
+                           core::step_file_size(layout.grid.nodes(), components, layout.precision);
     };
-    return writer.finished_step(index, 1 + layout.scalars.size()) &&
-           whole(core::velocity_stem, 3) &&
-           std::all_of(layout.scalars.begin(), layout.scalars.end(),
-                       [&](const core::StoredScalar& scalar) { return whole(scalar.stem, 1); });
+    if (!writer.finished_step(index, 1 + layout.scalars.size()) || !whole(core::velocity_stem, 3) ||
+        !std::all_of(layout.scalars.begin(), layout.scalars.end(),
+                     [&](const core::StoredScalar& scalar) { return whole(scalar.stem, 1); }))
+        return false;
+    return looked_at || !manifest.complete || recorded(reader, index, {}).has_value();
 }
 
 std::vector<core::StoredScalar> stored_scalars(const ImportPlan& plan) {
@@ -36,36 +44,43 @@ std::vector<core::StoredScalar> stored_scalars(const ImportPlan& plan) {
     return out;
 }
 
-// How many time-steps of the plan the store was made for; 0 where it was made for another source.
-std::size_t common_steps(const protocol::StoreManifest& before, const ImportPlan& plan) {
-    const auto& old = before.source;
-    const std::size_t count = old.steps.size();
-    const bool same =
-        old.files == plan.made_from.files && old.selection == plan.made_from.selection &&
-        before.layout.precision == plan.precision &&
-        before.layout.scalars == stored_scalars(plan) &&
-        before.info.velocity == plan.choice.velocity_name && count > 0 &&
-        count <= plan.made_from.steps.size() && before.layout.times.size() == count &&
-        std::equal(old.steps.begin(), old.steps.end(), plan.made_from.steps.begin()) &&
-        std::equal(before.layout.times.begin(), before.layout.times.end(), plan.times.begin());
-    return same ? count : 0;
+bool same_but_for_steps(const protocol::StoreManifest& before, const ImportPlan& plan) {
+    return before.source.files == plan.made_from.files &&
+           before.source.selection == plan.made_from.selection &&
+           before.layout.precision == plan.precision &&
+           before.layout.scalars == stored_scalars(plan) &&
+           before.info.velocity == plan.choice.velocity_name &&
+           before.source.steps.size() == before.layout.times.size();
+}
+
+bool same_step(const protocol::StoreManifest& before, const ImportPlan& plan, std::size_t index) {
+    return index < before.source.steps.size() && index < plan.times.size() &&
+           before.source.steps[index] == plan.made_from.steps[index] &&
+           before.layout.times[index] == plan.times[index];
 }
 
 } // namespace
 
 std::optional<EarlierImport> earlier_import(const StoreWriter& writer, const ImportPlan& plan) {
     auto before = protocol::read_store_manifest(writer.folder(), core::PosixDisk());
-    if (!before)
+    if (!before || !same_but_for_steps(*before, plan) || !same_step(*before, plan, 0))
         return std::nullopt;
-    const std::size_t count = common_steps(*before, plan);
-    if (count == 0)
-        return std::nullopt;
+    const std::size_t columns = 1 + before->layout.scalars.size();
+    const std::size_t steps = std::max(before->layout.times.size(), plan.times.size());
+    bool same = true;
+    for (std::size_t i = 0; i < steps; ++i) {
+        const bool matches = same_step(*before, plan, i);
+        same = same && matches;
+        if (!matches && writer.finished_step(i, columns))
+            return std::nullopt; // one that was converted is another one now
+    }
     auto reader = open_store(*before, writer.folder());
     if (reader == nullptr)
         return std::nullopt;
-    EarlierImport found{std::move(*before), count == plan.times.size(), std::move(reader), {}};
+    EarlierImport found{std::move(*before), same, std::move(reader), {}};
     for (std::size_t i = 0; i < plan.times.size(); ++i)
-        found.kept.push_back(i < count && whole_step(writer, found.manifest.layout, i));
+        found.kept.push_back(same_step(found.manifest, plan, i) &&
+                             whole_step(writer, found.manifest, *found.reader, i));
     return found;
 }
 

@@ -12,8 +12,8 @@
 
 namespace wakesurf::server {
 
-/// A store of the same source, or of fewer of its time-steps (it has grown since): the same shared files, selection and
-/// precision, and at least the first time-step of the same files at the same times.
+/// A store of the same source, which may have grown since: the same shared files, selection and precision, and every
+/// time-step that was converted, the first at least, of the same files and at the same time.
 struct EarlierImport {
     protocol::StoreManifest manifest;
     bool same_source = false; ///< not grown

@@ -4,6 +4,7 @@
 #include "protocol/json_text.hpp"
 #include "server/catalogue/store_writer.hpp"
 #include "server/import/conversion.hpp"
+#include "server/import/limited_rights.hpp"
 #include "server/import/step_workers.hpp"
 
 #include <CLI/CLI.hpp>
@@ -24,6 +25,7 @@ int failed(const core::Error& error) {
 }
 
 void show(const server::ImportProgress& progress) {
+    server::made_progress();
     if (::isatty(STDOUT_FILENO) != 0) {
         server::show_progress(progress, stdout);
     } else {
@@ -52,6 +54,7 @@ int main(int argc, char** argv) {
     std::string store;
     std::string times;
     std::string precision = "single";
+    unsigned stall = 1800;
     bool describe_only = false;
     CLI::App app("Converts a simulation of any format VTK reads into a wakesurf store.",
                  "wakesurf-import");
@@ -68,6 +71,8 @@ int main(int argc, char** argv) {
     app.add_option("--jobs", request.jobs,
                    "processes that convert time-steps at once; default: one a core")
         ->check(CLI::Range(1, 256));
+    app.add_option("--stall", stall, "seconds without progress after which to give up; 0: never")
+        ->capture_default_str();
     auto* describe =
         app.add_flag("--describe", describe_only, "print what SOURCE is as JSON, write nothing");
     try {
@@ -91,6 +96,12 @@ int main(int argc, char** argv) {
     server::end_on_signals(
         "wakesurf-import: interrupted; the same command goes on where this one ended\n",
         server::end_step_workers);
+    server::end_on_alarm("wakesurf-import: no progress for longer than --stall allows; the same "
+                         "command goes on where this one ended\n");
+    server::LimitedRights rights{std::nullopt, std::chrono::seconds(stall)};
+    if (!describe_only)
+        rights.store = store;
+    server::limit_rights(rights);
     try {
         return run(request, store, describe_only);
     } catch (const std::exception& error) {

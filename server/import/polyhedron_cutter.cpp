@@ -3,6 +3,7 @@
 #include "server/import/cell_volume.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace wakesurf::server {
@@ -220,14 +221,42 @@ bool PolyhedronCutter::sees_all(std::span<const Polygon> faces, const Vec3& apex
             judge(sixfold_volume(mesh_.points, face, apex));
             continue;
         }
-        Vec3 centre(0.0);
-        for (const std::uint32_t node : face)
-            centre += (mesh_.points[node] - apex) / static_cast<double>(face.size());
+        const Vec3 centre = middle_of(face).at - apex;
         for (std::size_t i = 0; i < face.size(); ++i)
             judge(glm::dot(centre, glm::cross(mesh_.points[face[i]] - apex,
                                               mesh_.points[face[(i + 1) % face.size()]] - apex)));
     }
     return outwards || inwards;
+}
+
+// The mean of its corners; the centre of its area where the mean does not see all its edges from inside.
+PolyhedronCutter::Apex PolyhedronCutter::middle_of(const Polygon& face) const {
+    const Apex mean = mean_apex({&face, 1});
+    const auto corner = [&](std::size_t i) {
+        return mesh_.points[face[i % face.size()]] - mean.at;
+    };
+    Vec3 area(0.0);
+    for (std::size_t i = 0; i < face.size(); ++i)
+        area += glm::cross(corner(i), corner(i + 1));
+    std::vector<double> parts;
+    for (std::size_t i = 0; i < face.size(); ++i)
+        parts.push_back(glm::dot(area, glm::cross(corner(i), corner(i + 1))));
+    if (std::all_of(parts.begin(), parts.end(), [](double part) { return part > 0.0; }))
+        return mean;
+    const double whole = std::accumulate(parts.begin(), parts.end(), 0.0);
+    if (!(whole > 0.0))
+        return mean;
+    Apex centre;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+        for (const auto& [node, share] : mean.weights)
+            centre.weights[node] += parts[i] / whole / 3.0 * share;
+        centre.weights[face[i]] += parts[i] / whole / 3.0;
+        centre.weights[face[(i + 1) % face.size()]] += parts[i] / whole / 3.0;
+    }
+    for (const auto& [node, weight] : centre.weights)
+        centre.at += weight * (mesh_.points[node] - mean.at);
+    centre.at += mean.at;
+    return centre;
 }
 
 std::uint32_t PolyhedronCutter::add(const Apex& apex) {
@@ -249,7 +278,7 @@ std::uint32_t PolyhedronCutter::face_centre(const Polygon& face) {
         centres_.erase(found); // a face has two sides
         return number;
     }
-    const std::uint32_t number = add(mean_apex({&face, 1}));
+    const std::uint32_t number = add(middle_of(face));
     centres_.emplace(std::move(key), number);
     return number;
 }

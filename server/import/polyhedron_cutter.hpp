@@ -40,6 +40,7 @@ class PolyhedronCutter {
     };
 
     Apex mean_apex(std::span<const Polygon> faces) const;
+    Apex middle_of(const Polygon& face) const;
     Apex centre_of_volume(std::span<const Polygon> faces, const Apex& mean) const;
     bool sees_all(std::span<const Polygon> faces, const core::Vec3& apex) const;
     std::uint32_t face_centre(const Polygon& face);

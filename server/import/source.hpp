@@ -18,17 +18,20 @@
 namespace wakesurf::server {
 
 struct SourceDescription {
-    std::string name;                    ///< of the dataset, for people
-    std::string reader;                  ///< VTK's class and what it reads, as `info` shows it
-    std::vector<double> times;           ///< strictly increasing
-    std::string note;                    ///< what a user should know, for example where the times come from; may be empty
-    std::vector<core::FieldInfo> fields; ///< of the fluid, units where the format has them, ranges of the first time-step
+    std::string name;          ///< of the dataset, for people
+    std::string reader;        ///< VTK's class and what it reads, as `info` shows it
+    std::vector<double> times; ///< strictly increasing
+    std::string
+        note; ///< what a user should know, for example where the times come from; may be empty
+    std::vector<core::FieldInfo>
+        fields; ///< of the fluid, units where the format has them, ranges of the first time-step
 };
 
 /// Faces on which the fluid ends.
 struct WallFaces {
-    vtkSmartPointer<vtkPolyData> faces; ///< points have exactly the coordinates they have in the blocks
-    bool no_slip = false;               ///< the velocity is zero on them, whatever averaging gives
+    vtkSmartPointer<vtkPolyData>
+        faces;            ///< points have exactly the coordinates they have in the blocks
+    bool no_slip = false; ///< the velocity is zero on them, whatever averaging gives
 };
 
 struct SourceStep {
@@ -36,7 +39,8 @@ struct SourceStep {
     /// those the file has, never averaged by the reader. Blanked points and cells carry vtkGhostType.
     std::vector<vtkSmartPointer<vtkDataSet>> blocks;
     std::vector<WallFaces> walls;
-    std::vector<vtkSmartPointer<vtkPolyData>> solids; ///< surfaces of solid regions, for display only
+    std::vector<vtkSmartPointer<vtkPolyData>>
+        solids; ///< surfaces of solid regions, for display only
 };
 
 /// Not thread-safe. Every error names the file (without its folder) and the time-step it is about.

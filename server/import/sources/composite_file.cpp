@@ -2,6 +2,7 @@
 
 #include "core/base/disk.hpp"
 #include "server/import/sources/file_names.hpp"
+#include "server/import/sources/named_path.hpp"
 #include "server/import/sources/xml_header.hpp"
 #include "server/import/vtk_messages.hpp"
 
@@ -95,9 +96,10 @@ class Expansion {
                     return added;
             } else if (const auto name = attribute(*element, "file");
                        kind == "DataSet" && !name.empty()) { // without: an empty block
-                if (auto added =
-                        add({file.path.parent_path() / name, name, here}, file.name, depth + 1);
-                    !added)
+                const auto path = named_path(file.path.parent_path(), name, file.name);
+                if (!path)
+                    return tl::unexpected(path.error());
+                if (auto added = add({*path, name, here}, file.name, depth + 1); !added)
                     return added;
             }
         }
@@ -119,9 +121,10 @@ class Expansion {
             const auto name = attribute(*element, "Source");
             if (name.empty())
                 return core::fail(Error::Code::Corrupt, file.name + " has a piece without a file");
-            if (auto added = pieces.add({file.path.parent_path() / name, name, file.block},
-                                        file.name, depth + 1);
-                !added)
+            const auto path = named_path(file.path.parent_path(), name, file.name);
+            if (!path)
+                return tl::unexpected(path.error());
+            if (auto added = pieces.add({*path, name, file.block}, file.name, depth + 1); !added)
                 return added;
         }
         if (pieces.out.leaves.empty())

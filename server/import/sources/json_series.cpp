@@ -1,6 +1,7 @@
 #include "server/import/sources/json_series.hpp"
 
 #include "server/import/sources/file_names.hpp"
+#include "server/import/sources/named_path.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -20,7 +21,10 @@ read_entry(const json& element, const std::filesystem::path& folder, const std::
     if (name == element.end() || !name->is_string() || name->get<std::string>().empty())
         return core::fail(Error::Code::Corrupt, series + " has an entry without a name");
     const auto file = name->get<std::string>();
-    SeriesEntry entry{{{folder / file, file, {}}}, std::nullopt};
+    const auto path = named_path(folder, file, series);
+    if (!path)
+        return tl::unexpected(path.error());
+    SeriesEntry entry{{{*path, file, {}}}, std::nullopt};
     if (const auto time = element.find("time"); time != element.end()) {
         if (!time->is_number() || !std::isfinite(time->get<double>()))
             return core::fail(Error::Code::Corrupt, series + " gives " + file + " the time '" +

@@ -1,6 +1,7 @@
 #include "server/import/sources/pvd_series.hpp"
 
 #include "server/import/sources/file_names.hpp"
+#include "server/import/sources/named_path.hpp"
 #include "server/import/sources/series_times.hpp"
 #include "server/import/vtk_messages.hpp"
 
@@ -35,7 +36,10 @@ core::Result<DataSetElement> read_element(vtkXMLDataElement& element,
     const std::string file = attribute(element, "file");
     if (file.empty())
         return core::fail(Error::Code::Corrupt, pvd + " has a DataSet without a file");
-    DataSetElement out{{folder / file, file, attribute(element, "name")}, std::nullopt, {}};
+    const auto path = named_path(folder, file, pvd);
+    if (!path)
+        return tl::unexpected(path.error());
+    DataSetElement out{{*path, file, attribute(element, "name")}, std::nullopt, {}};
     out.part = attribute(element, "group") + '\n' + attribute(element, "part") + '\n' +
                attribute(element, "name");
     if (element.GetAttribute("timestep") == nullptr)

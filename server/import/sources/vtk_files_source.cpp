@@ -41,11 +41,10 @@ class VtkFilesSource final : public Source {
 
     const SourceDescription& description() const override { return description_; }
 
+    // None: what a .pvd or .series lists are the files and times of the time-steps, which tell by themselves that
+    // they changed. It grows with the series, whose old time-steps stay good.
     core::Result<std::vector<protocol::SourceFile>> shared_files() const override {
-        std::vector<ListedFile> files;
-        for (const auto& path : series_.index)
-            files.push_back({path, path.filename().string(), {}});
-        return fingerprint(files);
+        return std::vector<protocol::SourceFile>();
     }
 
     core::Result<std::vector<protocol::SourceFile>> files(std::size_t step) const override {

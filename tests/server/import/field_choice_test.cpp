@@ -1,0 +1,100 @@
+#include "server/import/field_choice.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wakesurf::server {
+namespace {
+
+using core::FieldInfo;
+using Fields = std::vector<FieldInfo>;
+
+FieldInfo point(const std::string& name, int components) {
+    return {name, components, FieldInfo::Source::Point, {}, {}};
+}
+
+FieldInfo cell(const std::string& name, int components) {
+    return {name, components, FieldInfo::Source::Cell, {}, {}};
+}
+
+std::string velocity(const Fields& fields, const std::vector<std::string>& wanted = {}) {
+    const auto choice = choose_fields(fields, wanted);
+    return choice ? choice->velocity_name : "refused: " + choice.error().message;
+}
+
+std::vector<std::string> stems(const Fields& fields, const std::vector<std::string>& wanted = {}) {
+    std::vector<std::string> out;
+    const auto choice = choose_fields(fields, wanted).value();
+    for (const auto& scalar : choice.scalars)
+        out.push_back(scalar.stored.stem);
+    return out;
+}
+
+TEST(FieldChoice, PrefersTheVelocityToItsAverages) {
+    EXPECT_EQ(velocity({point("UMean", 3), point("U", 3), point("vorticity", 3)}), "U");
+    EXPECT_EQ(velocity({point("B", 3), point("Velocity", 3)}), "Velocity");
+    EXPECT_EQ(velocity({point("velocity_mean", 3), point("flow velocity [m/s]", 3)}),
+              "flow velocity [m/s]");
+    EXPECT_EQ(velocity({point("UMean", 3), point("p", 1)}), "UMean");
+    EXPECT_EQ(velocity({point("B", 3), cell("U", 3)}), "U");
+    EXPECT_EQ(velocity({cell("U", 3), point("U", 3)}), "U");
+    EXPECT_EQ(choose_fields({cell("U", 3), point("U", 3)}, {})->velocity.arrays[0].source,
+              FieldInfo::Source::Point);
+}
+
+TEST(FieldChoice, JoinsThreeComponentsInTheirOrder) {
+    for (const auto& names :
+         std::vector<std::vector<std::string>>{{"w", "u", "v"},
+                                               {"vz", "vx", "vy"},
+                                               {"velocity_z", "velocity_x", "velocity_y"},
+                                               {"VelocityZ", "VelocityX", "VelocityY"},
+                                               {"w_velocity", "u_velocity", "v_velocity"}}) {
+        const Fields fields{point(names[0], 1), point(names[1], 1), point(names[2], 1),
+                            point("p", 1)};
+        EXPECT_EQ(velocity(fields), names[1] + ", " + names[2] + ", " + names[0]);
+        EXPECT_EQ(stems(fields), (std::vector<std::string>{"p"}));
+    }
+    EXPECT_EQ(velocity({point("u", 1), cell("v", 1), point("w", 1)}).substr(0, 8), "refused:");
+}
+
+TEST(FieldChoice, NeverTakesAMomentumForAVelocity) {
+    EXPECT_EQ(velocity({point("Momentum", 3), point("Density", 1)}), "Momentum / Density");
+    EXPECT_EQ(velocity({cell("rhoU", 3), cell("rho", 1)}), "rhoU / rho");
+    EXPECT_EQ(velocity({point("MomentumX", 1), point("MomentumY", 1), point("MomentumZ", 1),
+                        point("Density", 1)}),
+              "MomentumX, MomentumY, MomentumZ / Density");
+    EXPECT_EQ(velocity({point("Momentum", 3), point("Density", 1), point("Velocity", 3)}),
+              "Velocity");
+    EXPECT_NE(velocity({point("Momentum", 3)}).find("no field is a velocity"), std::string::npos);
+    EXPECT_NE(velocity({point("Momentum", 3)}, {"Momentum"}).find("a momentum is no velocity"),
+              std::string::npos);
+    EXPECT_EQ(velocity({point("Momentum", 3), point("Density", 1), point("B", 3)},
+                       {"Momentum", "Density"}),
+              "Momentum / Density");
+}
+
+TEST(FieldChoice, ListsTheCandidatesWhereItIsNotClear) {
+    const std::string refusal = velocity({point("wind", 3), point("B", 3)});
+    EXPECT_NE(refusal.find("wind (3 components, point), B (3 components, point)"),
+              std::string::npos)
+        << refusal;
+    EXPECT_EQ(velocity({point("wind", 3), point("B", 3)}, {"B"}), "B");
+    EXPECT_NE(velocity({point("vorticity", 3)}).find("there is vorticity"), std::string::npos);
+    EXPECT_EQ(velocity({point("vorticity", 3)}, {"vorticity"}), "vorticity"); // whoever says so
+    EXPECT_EQ(velocity({point("a", 1), point("b", 1), point("c", 1)}, {"b", "c", "a"}), "b, c, a");
+}
+
+TEST(FieldChoice, StoresScalarsUnderNamesOfTheirOwn) {
+    const Fields fields{point("U", 3),         point("p", 1), cell("p", 1),
+                        point("Velocity", 1),  point("P", 1), point("mask", 1),
+                        point("T (total)", 1), point("R", 6)};
+    EXPECT_EQ(stems(fields), (std::vector<std::string>{"p", "velocity-2", "p-2", "t-total"}));
+    EXPECT_EQ(stems(fields, {"P"}), (std::vector<std::string>{"p"}));
+    EXPECT_EQ(stems(fields, {"U"}).size(), 4u);
+    const auto choice = choose_fields(fields, {});
+    EXPECT_EQ(choice->mask->name, "mask");
+    EXPECT_EQ(choice->scalars[0].field.source, FieldInfo::Source::Point);
+    EXPECT_NE(choice->note.find("R"), std::string::npos);
+}
+
+} // namespace
+} // namespace wakesurf::server
