@@ -8,7 +8,10 @@
 namespace wakesurf::core {
 
 /// The checksum of everything summed so far followed by `bytes`: crc32c(b, crc32c(a)) == crc32c(a + b).
-/// Cost: 8 bytes a table round, above 1 GB/s.
+/// Cost: above 10 GB/s with SSE 4.2, else above 1 GB/s.
 std::uint32_t crc32c(std::span<const std::byte> bytes, std::uint32_t so_far = 0);
+
+/// The same on any processor.
+std::uint32_t crc32c_portable(std::span<const std::byte> bytes, std::uint32_t so_far = 0);
 
 } // namespace wakesurf::core

@@ -12,4 +12,8 @@ void to_half(std::span<const float> values, std::span<std::uint16_t> halves);
 /// Exact.
 void from_half(std::span<const std::uint16_t> halves, std::span<float> values);
 
+/// The same bits on any processor.
+void to_half_portable(std::span<const float> values, std::span<std::uint16_t> halves);
+void from_half_portable(std::span<const std::uint16_t> halves, std::span<float> values);
+
 } // namespace wakesurf::core

@@ -55,6 +55,7 @@ Result<std::shared_ptr<const StoreReader>> StoreReader::open(StoreLayout layout,
 StoreReader::StoreReader(StoreLayout layout, std::shared_ptr<const Disk> disk)
     : layout_(std::move(layout)), disk_(std::move(disk)),
       nodes_(static_cast<std::size_t>(layout_.grid.nodes())),
+      slabs_(std::make_shared<SlabPool>(step_file_size(nodes_, 3, Precision::Single))),
       seen_(layout_.times.size() * (1 + layout_.scalars.size())) {}
 
 Result<void> StoreReader::load_mask() {
@@ -124,8 +125,10 @@ std::optional<StoreReader::Seen> StoreReader::seen(std::size_t column, std::size
     return seen_[index * columns() + column];
 }
 
-Result<StoreReader::Values>
-StoreReader::read(std::size_t column, std::size_t index, const std::stop_token& stop) const {
+Result<bool> StoreReader::read(std::size_t column,
+                               std::size_t index,
+                               std::span<std::byte> out,
+                               const std::stop_token& stop) const {
     if (index >= layout_.times.size())
         return fail(Error::Code::InvalidArgument, "there is no time-step " + std::to_string(index));
     const std::string name = file_name(column, index);
@@ -140,9 +143,7 @@ StoreReader::read(std::size_t column, std::size_t index, const std::stop_token& 
     if (known && known->identity != *before)
         return fail(Error::Code::Corrupt, step_name(index, name) + " was replaced while in use",
                     "open the dataset again");
-    Values values{Slab(step_file_size(nodes_, components(column), Precision::Single)),
-                  known && known->gaps};
-    const auto out = values.slab.bytes();
+    bool gaps = known && known->gaps;
     const auto file = layout_.folder / name;
     const bool half = layout_.precision == Precision::Half;
     std::vector<std::uint16_t> halves(half ? piece_bytes / sizeof(float) : 0);
@@ -163,7 +164,7 @@ StoreReader::read(std::size_t column, std::size_t index, const std::stop_token& 
             from_half(std::span(halves).first(piece.size() / sizeof(float)),
                       {reinterpret_cast<float*>(piece.data()), piece.size() / sizeof(float)});
         if (!known && !all_finite(piece))
-            values.gaps = true;
+            gaps = true;
     }
     const auto after = whole_file(column, index);
     if (!after)
@@ -172,7 +173,7 @@ StoreReader::read(std::size_t column, std::size_t index, const std::stop_token& 
         return fail(Error::Code::Corrupt, step_name(index, name) + " changed while it was read",
                     "try again");
     if (known)
-        return values;
+        return gaps;
     const auto expected = checksum(column, index);
     if (!expected)
         return tl::unexpected(expected.error());
@@ -181,22 +182,31 @@ StoreReader::read(std::size_t column, std::size_t index, const std::stop_token& 
                     step_name(index, name) + " is not as it was written: its checksum differs",
                     "delete that file from the store, then " + std::string(again));
     const std::scoped_lock lock(mutex_);
-    seen_[index * columns() + column] = Seen{*after, values.gaps};
-    return values;
+    seen_[index * columns() + column] = Seen{*after, gaps};
+    return gaps;
 }
 
 Result<std::shared_ptr<const TimeStep>> StoreReader::load(std::size_t index,
                                                           std::stop_token stop) const {
-    return read(0, index, stop).map([&](Values values) {
-        return std::make_shared<const TimeStep>(
-            TimeStep{index, layout_.times[index], std::move(values.slab), values.gaps});
+    std::shared_ptr<TimeStep> step(new TimeStep, [pool = slabs_](TimeStep* done) {
+        pool->give_back(std::move(done->slab));
+        delete done;
     });
+    step->slab = slabs_->take();
+    return read(0, index, step->slab.bytes(), stop)
+        .map([&](bool gaps) -> std::shared_ptr<const TimeStep> {
+            step->index = index;
+            step->time = layout_.times[index];
+            step->gaps = gaps;
+            return step;
+        });
 }
 
 Result<Slab> StoreReader::load_scalar(std::size_t scalar,
                                       std::size_t index,
                                       const std::stop_token& stop) const {
-    return read(1 + scalar, index, stop).map([](Values values) { return std::move(values.slab); });
+    Slab slab(step_file_size(nodes_, 1, Precision::Single));
+    return read(1 + scalar, index, slab.bytes(), stop).map([&](bool) { return std::move(slab); });
 }
 
 Result<WallGeometry> StoreReader::load_walls() const {

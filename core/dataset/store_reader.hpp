@@ -3,13 +3,16 @@
 #pragma once
 
 #include "core/base/disk.hpp"
+#include "core/dataset/slab_pool.hpp"
 #include "core/dataset/store_layout.hpp"
 #include "core/dataset/time_step_source.hpp"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace wakesurf::core {
@@ -60,16 +63,15 @@ class StoreReader final : public TimeStepSource {
         bool gaps = false;
     };
 
-    struct Values {
-        Slab slab;
-        bool gaps = false;
-    };
-
     StoreReader(StoreLayout layout, std::shared_ptr<const Disk> disk);
     Result<void> load_mask();
     std::size_t columns() const { return 1 + layout_.scalars.size(); }
     Result<FileIdentity> whole_file(std::size_t column, std::size_t index) const;
-    Result<Values> read(std::size_t column, std::size_t index, const std::stop_token& stop) const;
+    /// @return true if some values are not finite. @param out  as large as the values are as floats
+    Result<bool> read(std::size_t column,
+                      std::size_t index,
+                      std::span<std::byte> out,
+                      const std::stop_token& stop) const;
     Result<std::uint32_t> checksum(std::size_t column, std::size_t index) const;
     std::optional<Seen> seen(std::size_t column, std::size_t index) const;
     std::string file_name(std::size_t column, std::size_t index) const;
@@ -80,6 +82,7 @@ class StoreReader final : public TimeStepSource {
     std::size_t nodes_;
     Grid grid_;
     SolidMask mask_;
+    std::shared_ptr<SlabPool> slabs_; ///< for velocities; time-steps give theirs back
     mutable std::mutex mutex_; ///< guards seen_
     mutable std::vector<std::optional<Seen>> seen_; ///< by time-step, then column
 };

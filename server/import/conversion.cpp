@@ -59,6 +59,8 @@ class Conversion {
                     "the time-steps before it are in the store and can be used";
             return converted;
         }
+        if (auto settled = writer_.settle(); !settled)
+            return settled;
         manifest_.complete = true;
         return write_manifest().map([](int) {});
     }

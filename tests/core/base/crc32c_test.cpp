@@ -53,5 +53,18 @@ TEST(Crc32c, OfAWholeIsThatOfItsPartsInTurn) {
                   crc_of(text));
 }
 
+TEST(Crc32c, ProcessorsWithAndWithoutAnInstructionForItAgreeAtEveryLengthAndAlignment) {
+    std::vector<std::byte> bytes(5 * 12288 + 64);
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        bytes[i] = static_cast<std::byte>(i * i >> 3);
+    const std::span<const std::byte> all(bytes);
+    for (const std::size_t around : {0u, 8u, 4096u, 8192u, 12288u, 24576u, 36864u, 61440u})
+        for (std::size_t size = around < 20 ? 0 : around - 20; size < around + 20; ++size)
+            for (const std::size_t begin : {0u, 1u, 7u, 8u})
+                ASSERT_EQ(crc32c(all.subspan(begin, size), 0x1234567u),
+                          crc32c_portable(all.subspan(begin, size), 0x1234567u))
+                    << size << " from " << begin;
+}
+
 } // namespace
 } // namespace wakesurf::core

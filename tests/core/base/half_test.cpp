@@ -74,6 +74,29 @@ TEST(Half, RoundsToTheNearestAndTiesToEven) {
     }
 }
 
+TEST(Half, ProcessorsWithAndWithoutInstructionsForItGiveTheSameBits) {
+    const auto halves = all_halves();
+    std::vector<float> values(halves.size());
+    std::vector<float> twin(halves.size());
+    from_half(halves, values);
+    from_half_portable(halves, twin);
+    for (std::size_t i = 0; i < halves.size(); ++i)
+        ASSERT_EQ(std::bit_cast<std::uint32_t>(values[i]), std::bit_cast<std::uint32_t>(twin[i]))
+            << i;
+    std::mt19937 random(17);
+    std::vector<float> floats;
+    for (int i = 0; i < 1'000'003; ++i) // not a multiple of eight
+        floats.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(random())));
+    for (std::uint32_t bits = 0x33000000u; bits < 0x48000000u; bits += 797) // what halves can hold
+        floats.push_back(std::bit_cast<float>(bits));
+    std::vector<std::uint16_t> rounded_one(floats.size());
+    std::vector<std::uint16_t> rounded_two(floats.size());
+    to_half(floats, rounded_one);
+    to_half_portable(floats, rounded_two);
+    for (std::size_t i = 0; i < floats.size(); ++i)
+        ASSERT_EQ(rounded_one[i], rounded_two[i]) << std::bit_cast<std::uint32_t>(floats[i]);
+}
+
 TEST(Half, WhatIsTooLargeBecomesInfinite) {
     EXPECT_EQ(rounded(65504.0f), 0x7bff);
     EXPECT_EQ(rounded(std::nextafterf(65520.0f, 0.0f)), 0x7bff);

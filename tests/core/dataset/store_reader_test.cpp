@@ -299,6 +299,24 @@ TEST(StoreReader, RefusesGridsAndTimesThatMakeNoSense) {
     EXPECT_EQ(bad([](auto& l) { l.grid.kind = GridKind::Analytic; }), invalid);
 }
 
+TEST(StoreReader, UsesTheMemoryOfAStepThatIsGivenUpAgain) {
+    const TemporaryFolder folder;
+    const auto layout = small_layout(folder);
+    for (std::size_t i = 0; i < 3; ++i)
+        put_step(layout, i, rising(10.0f * static_cast<float>(i)));
+    auto reader = open(layout);
+    auto first = reader->load(0, {}).value();
+    auto second = reader->load(1, {}).value();
+    const float* memory = first->velocity().data();
+    EXPECT_NE(second->velocity().data(), memory);
+    first.reset();
+    const auto third = reader->load(2, {}).value();
+    EXPECT_EQ(third->velocity().data(), memory);
+    EXPECT_EQ(velocity_of(*third), rising(20.0f));
+    reader.reset();
+    EXPECT_EQ(velocity_of(*second), rising(10.0f)) << "it outlives its reader";
+}
+
 TEST(StoreReader, StopsLoadingWhenAsked) {
     const TemporaryFolder folder;
     const auto layout = small_layout(folder);

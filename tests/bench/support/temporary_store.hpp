@@ -1,0 +1,32 @@
+// A generated store in a folder of its own, removed with everything in it.
+#pragma once
+
+#include "core/dataset/store_reader.hpp"
+#include "server/catalogue/store_generation.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace wakesurf::bench {
+
+class TemporaryStore {
+  public:
+    /// Throws std::runtime_error where it cannot be made, for want of room for example.
+    explicit TemporaryStore(const server::GenerateRequest& request);
+    ~TemporaryStore();
+    TemporaryStore(const TemporaryStore&) = delete;
+    TemporaryStore& operator=(const TemporaryStore&) = delete;
+
+    const std::filesystem::path& folder() const { return folder_; }
+
+    /// A reader that has read nothing yet.
+    std::shared_ptr<const core::StoreReader> reader() const;
+
+    /// Writes the velocities once more, in half precision, beside the others. A reader of those.
+    std::shared_ptr<const core::StoreReader> half_reader() const;
+
+  private:
+    std::filesystem::path folder_;
+};
+
+} // namespace wakesurf::bench
