@@ -3,6 +3,7 @@
 #include "core/dataset/store_grid.hpp"
 #include "server/import/first_step.hpp"
 #include "server/import/kept_steps.hpp"
+#include "server/import/one_thread.hpp"
 #include "server/import/step_workers.hpp"
 #include "server/import/store_description.hpp"
 #include "server/import/worker_count.hpp"
@@ -255,6 +256,7 @@ core::Result<core::DatasetInfo> describe_source(const ImportRequest& request) {
 core::Result<void> convert(const ImportRequest& request,
                            const std::filesystem::path& store,
                            const ShowProgress& show) {
+    keep_vtk_to_one_thread();
     auto plan = make_plan(request);
     if (!plan)
         return tl::unexpected(plan.error());
