@@ -84,6 +84,21 @@ std::size_t cell_count(const Grid& grid) {
                       grid);
 }
 
+std::size_t memory_of(const Grid& grid) {
+    return std::visit(Overloaded{[](const UniformGrid&) { return std::size_t{0}; },
+                                 [](const RectilinearGrid& g) {
+                                     std::size_t nodes = 0;
+                                     for (const auto& along : g.coordinates)
+                                         nodes += along.size();
+                                     return nodes * sizeof(double);
+                                 },
+                                 [](const CellMesh& g) {
+                                     return g.points.size() * sizeof(Vec3) +
+                                            g.cells.size() * sizeof(MeshCell);
+                                 }},
+                      grid);
+}
+
 Box bounds(const Grid& grid) {
     return std::visit(Overloaded{[](const UniformGrid& g) { return g.bounds(); },
                                  [](const RectilinearGrid& g) { return g.bounds(); },

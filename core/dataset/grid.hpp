@@ -15,6 +15,9 @@ using Grid = std::variant<UniformGrid, RectilinearGrid, CellMesh>;
 std::size_t node_count(const Grid& grid);
 std::size_t cell_count(const Grid& grid);
 
+/// Memory of its arrays.
+std::size_t memory_of(const Grid& grid);
+
 /// Box round all nodes.
 Box bounds(const Grid& grid);
 

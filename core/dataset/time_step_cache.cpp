@@ -24,7 +24,6 @@ constexpr auto look = 100ms;
 constexpr int looks_when_deadlocked = 3;
 constexpr int looks_when_merely_full = 300;
 
-// Room for one caller who interpolates by cubics in time.
 constexpr std::size_t smallest_window = 4;
 
 struct Entry {
@@ -297,13 +296,18 @@ void TimeStepCache::State::load_until(const std::stop_token& stop) {
     }
 }
 
+std::size_t TimeStepCache::smallest_budget(const TimeStepSource& source) {
+    return std::min(smallest_window, source.times().size()) *
+           std::max<std::size_t>(1, source.bytes_per_step());
+}
+
 TimeStepCache::TimeStepCache(std::shared_ptr<const TimeStepSource> source, Options options)
     : state_(std::make_unique<State>()) {
     state_->source = std::move(source);
     state_->step_bytes = std::max<std::size_t>(1, state_->source->bytes_per_step());
     auto& window = *state_->window;
-    window.capacity = std::max(smallest_window, options.budget_bytes / state_->step_bytes);
-    state_->budget_bytes = std::max(options.budget_bytes, smallest_window * state_->step_bytes);
+    state_->budget_bytes = std::max(options.budget_bytes, smallest_budget(*state_->source));
+    window.capacity = state_->budget_bytes / state_->step_bytes;
     window.entries.resize(state_->source->times().size());
     for (std::size_t i = 0; i < std::max<std::size_t>(1, options.load_threads); ++i)
         state_->threads.emplace_back(

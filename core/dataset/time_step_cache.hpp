@@ -21,7 +21,7 @@ enum class StepState { Cold, Loading, Resident };
 class TimeStepCache {
   public:
     struct Options {
-        std::size_t budget_bytes = std::size_t{4} << 30; ///< raised to 4 time-steps if smaller
+        std::size_t budget_bytes = std::size_t{4} << 30; ///< raised to smallest_budget() if smaller
         std::size_t load_threads = 1;
     };
 
@@ -30,6 +30,9 @@ class TimeStepCache {
         std::size_t bytes = 0; ///< accounted: resident, handed out and in flight
         std::size_t budget = 0;
     };
+
+    /// Room for one caller who interpolates by cubics in time: 4 time-steps, or all where they are fewer.
+    static std::size_t smallest_budget(const TimeStepSource& source);
 
     TimeStepCache(std::shared_ptr<const TimeStepSource> source, Options options);
     ~TimeStepCache();

@@ -5,6 +5,9 @@
 #include "protocol/store_manifest.hpp"
 #include "server/catalogue/import_process.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 
@@ -17,6 +20,32 @@ core::Simd simd_wanted() {
     const char* value = std::getenv("WAKESURF_SIMD");
     return value != nullptr && std::string_view(value) == "off" ? core::Simd::Portable
                                                                 : core::Simd::Best;
+}
+
+constexpr double mebi = 1024.0 * 1024.0;
+
+/// What stays in memory beside the time-steps: the grid, and the solid mask by node and by cell.
+std::size_t fixed_bytes(const core::StoreReader& reader) {
+    return core::memory_of(reader.grid()) + 2 * reader.mask().fluid.size();
+}
+
+/// What of the budget is left for time-steps. Error: OverLimit where that is too little to follow a particle.
+core::Result<std::size_t> cache_budget(const core::StoreReader& reader, std::size_t budget) {
+    const std::size_t fixed = fixed_bytes(reader);
+    const std::size_t steps = core::TimeStepCache::smallest_budget(reader);
+    if (budget >= fixed && budget - fixed >= steps)
+        return budget - fixed;
+    const auto up = [](std::size_t bytes) { return std::ceil(static_cast<double>(bytes) / mebi); };
+    return core::fail(
+        core::Error::Code::OverLimit,
+        fmt::format(
+            "the dataset needs at least {:.0f} MiB of memory, for {} time-steps of {:.1f} MiB "
+            "and its grid, and is given {:.0f} MiB",
+            up(fixed + steps), steps / reader.bytes_per_step(),
+            static_cast<double>(reader.bytes_per_step()) / mebi,
+            std::floor(static_cast<double>(budget) / mebi)),
+        fmt::format("start with --memory {:.0f}MiB or more; several datasets share it evenly",
+                    up(fixed + steps)));
 }
 
 } // namespace
@@ -39,7 +68,11 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
     auto reader = core::StoreReader::open(protocol::store_layout(*manifest, folder), disk);
     if (!reader)
         return tl::unexpected(reader.error());
-    auto cache = std::make_shared<core::TimeStepCache>(*reader, options);
+    const auto budget = cache_budget(**reader, options.budget_bytes);
+    if (!budget)
+        return tl::unexpected(budget.error());
+    auto cache = std::make_shared<core::TimeStepCache>(
+        *reader, core::TimeStepCache::Options{*budget, options.load_threads});
     auto flow = core::make_stored_flow(cache, std::make_shared<core::SteadyClock>(), simd_wanted());
     return LoadedDataset{std::move(manifest->info), std::move(flow), cache, *reader};
 }

@@ -34,7 +34,8 @@ struct OpenOptions {
 /// Error: InvalidArgument, NotFound (the list of names).
 core::Result<LoadedDataset> open_flow(const DatasetArgument& argument);
 
-/// A store, whole or still being written. Error: as read_store_manifest and StoreReader::open.
+/// A store, whole or still being written. @param cache  the budget is for its grid as well.
+/// Error: as read_store_manifest and StoreReader::open; OverLimit where the budget does not hold the grid and 4 time-steps.
 core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
                                        const core::TimeStepCache::Options& cache);
 

@@ -232,6 +232,9 @@ class Generation {
     core::Result<void> write_manifest(StoreWriter& writer, bool complete) {
         auto& range = manifest_.velocity_range;
         range[0] = std::min(range[0], range[1]); // a grid of solid nodes only
+        if (complete)
+            if (auto settled = writer.settle(); !settled)
+                return settled;
         manifest_.complete = complete;
         manifest_.info.fields.front().range = range;
         const std::string text = protocol::store_manifest_text(manifest_);

@@ -42,8 +42,7 @@ extern "C" void end_now(int signal) {
         before_end();
     if (unfinished.load())
         ::unlink(part_name.data());
-    [[maybe_unused]] const auto written =
-        ::write(STDERR_FILENO, words.data(), words.size());
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, words.data(), words.size());
     ::_exit(1);
 }
 
@@ -63,11 +62,18 @@ bool of_a_time_step(const std::string& name) {
 }
 
 bool of_a_store(const std::string& name) {
-    constexpr std::array<std::string_view, 12> fixed{
-        protocol::manifest_file_name, core::mask_file_name, core::checksums_file_name,
-        "x.f64",      "y.f64",      "z.f64",     "points.f64",
-        "cells.u32",  "beyond.u32", "shapes.u8", "walls.f32",
-        "walls.u32"};
+    constexpr std::array<std::string_view, 12> fixed{protocol::manifest_file_name,
+                                                     core::mask_file_name,
+                                                     core::checksums_file_name,
+                                                     "x.f64",
+                                                     "y.f64",
+                                                     "z.f64",
+                                                     "points.f64",
+                                                     "cells.u32",
+                                                     "beyond.u32",
+                                                     "shapes.u8",
+                                                     "walls.f32",
+                                                     "walls.u32"};
     return std::find(fixed.begin(), fixed.end(), name) != fixed.end() || of_a_time_step(name) ||
            name.ends_with(".part");
 }
@@ -116,9 +122,10 @@ core::Result<std::uint32_t> fill(int file, const std::string& name, const NextPi
             return tl::unexpected(cannot_write(name).error());
         sum = core::crc32c(*piece, sum);
         at += static_cast<off_t>(piece->size());
-        if (piece->empty())
-            return ::fdatasync(file) == 0 ? core::Result<void>().map([&] { return sum; })
-                                          : cannot_write(name).map([] { return 0u; });
+        if (piece->empty()) { // the rest follows by itself; settle() waits for it
+            ::sync_file_range(file, portion, 0, SYNC_FILE_RANGE_WRITE);
+            return sum;
+        }
         if (at - portion < portion_bytes)
             continue;
         // Starts this portion on its way to the disk and waits for the one before, as the disk works at its own pace.
@@ -176,7 +183,8 @@ core::Result<void> StoreWriter::clear() {
     return {};
 }
 
-core::Result<std::uint32_t> StoreWriter::write(const std::string& name, std::span<const std::byte> bytes) {
+core::Result<std::uint32_t> StoreWriter::write(const std::string& name,
+                                               std::span<const std::byte> bytes) {
     return write(name, [rest = bytes]() mutable {
         return core::Result<std::span<const std::byte>>(std::exchange(rest, {}));
     });
@@ -216,11 +224,14 @@ core::Result<void> StoreWriter::finish_step(std::size_t index,
         ::close(file);
         throw std::logic_error("a time-step was finished before the one before it");
     }
-    const bool written = ::lseek(file, at, SEEK_SET) == at && write_all(file, bytes) &&
-                         ::fdatasync(file) == 0;
+    const bool written = ::lseek(file, at, SEEK_SET) == at && write_all(file, bytes);
     const auto outcome = written ? core::Result<void>() : cannot_write(name);
     ::close(file); // what is left of a record cut off counts as none
     return outcome;
+}
+
+core::Result<void> StoreWriter::settle() {
+    return ::syncfs(lock_) == 0 ? core::Result<void>() : cannot_write("the store");
 }
 
 std::optional<std::vector<std::uint32_t>> StoreWriter::finished_step(std::size_t index,

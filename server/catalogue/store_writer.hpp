@@ -41,6 +41,10 @@ class StoreWriter {
     /// REQUIRES: the time-steps before it are ready. Error: Io.
     core::Result<void> finish_step(std::size_t index, std::span<const std::uint32_t> checksums);
 
+    /// Waits until everything written is on the disk, where a power failure leaves it whole. To be called before a manifest
+    /// says that the store is complete; what is left of one that is not, checksums tell. Error: Io.
+    core::Result<void> settle();
+
     /// The checksums of time-step `index`, if it is ready. @param columns  stored fields
     std::optional<std::vector<std::uint32_t>> finished_step(std::size_t index,
                                                             std::size_t columns) const;

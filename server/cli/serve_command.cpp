@@ -2,6 +2,7 @@
 
 #include "server/catalogue/dataset_argument.hpp"
 #include "server/cli/failure.hpp"
+#include "server/cli/memory_size.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/server.hpp"
 #include "server/net/token_file.hpp"
@@ -119,7 +120,7 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
     command.add_option("--store", options.store,
                        "folder imports are kept in (default: ~/.cache/wakesurf)");
     command.add_option("--memory", options.memory, "for time-steps, for example 4GiB")
-        ->transform(CLI::AsSizeValue(false))
+        ->transform(as_memory_size())
         ->default_str("4GiB");
     command.add_option("--threads", options.threads, "that compute (default: one a core)")
         ->check(CLI::Range(1, 1024));

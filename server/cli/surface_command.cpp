@@ -9,6 +9,7 @@
 #include "server/catalogue/surface_scalars.hpp"
 #include "server/cli/elapsed_line.hpp"
 #include "server/cli/failure.hpp"
+#include "server/cli/memory_size.hpp"
 #include "server/cli/stop_on_signal.hpp"
 #include "server/cli/surface_request.hpp"
 #include "server/cli/whole_file.hpp"
@@ -172,7 +173,7 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}))
         ->capture_default_str();
     command.add_option("--memory", options.memory, "Budget of the time-step cache (default: 4GiB)")
-        ->transform(CLI::AsSizeValue(true));
+        ->transform(as_memory_size());
     command.add_option("--threads", options.threads, "Threads (default: one a core)")
         ->check(CLI::Range(1, 1024));
     command.add_option("--store", options.store,

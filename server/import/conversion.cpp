@@ -3,6 +3,7 @@
 #include "core/dataset/store_grid.hpp"
 #include "server/import/first_step.hpp"
 #include "server/import/kept_steps.hpp"
+#include "server/import/one_thread.hpp"
 #include "server/import/step_workers.hpp"
 #include "server/import/store_description.hpp"
 #include "server/import/worker_count.hpp"
@@ -59,6 +60,8 @@ class Conversion {
                     "the time-steps before it are in the store and can be used";
             return converted;
         }
+        if (auto settled = writer_.settle(); !settled)
+            return settled;
         manifest_.complete = true;
         return write_manifest().map([](int) {});
     }
@@ -253,6 +256,7 @@ core::Result<core::DatasetInfo> describe_source(const ImportRequest& request) {
 core::Result<void> convert(const ImportRequest& request,
                            const std::filesystem::path& store,
                            const ShowProgress& show) {
+    keep_vtk_to_one_thread();
     auto plan = make_plan(request);
     if (!plan)
         return tl::unexpected(plan.error());

@@ -8,10 +8,12 @@
 #include "server/import/step_workers.hpp"
 
 #include <CLI/CLI.hpp>
+#include <malloc.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include <cstdio>
+#include <limits>
 
 namespace {
 
@@ -102,6 +104,9 @@ int main(int argc, char** argv) {
     if (!describe_only)
         rights.store = store;
     server::limit_rights(rights);
+    // Every time-step needs as much memory as the one before: what is freed is kept, not given back and cleared anew.
+    ::mallopt(M_MMAP_MAX, 0);
+    ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
     try {
         return run(request, store, describe_only);
     } catch (const std::exception& error) {

@@ -18,6 +18,7 @@ using core::FieldInfo;
 namespace {
 
 constexpr float no_value = std::numeric_limits<float>::quiet_NaN();
+constexpr float largest = std::numeric_limits<float>::max();
 
 float stored(double value) {
     const auto out = static_cast<float>(value);
@@ -117,22 +118,57 @@ class NodeValues {
 
     core::Result<void> copy(BlockList blocks) {
         for (std::size_t b = blocks.size(); b-- > 0;) { // the first block's values stay
+            const auto whole = copy_floats(*blocks[b], b);
+            if (!whole)
+                return tl::unexpected(whole.error());
+            if (*whole)
+                continue;
             auto copied =
                 visit_components(*blocks[b], field_, [&](std::size_t c, const auto& value) {
-                    if (!of_cells()) {
-                        for (std::size_t i = 0; i < assembly_.source_nodes; ++i)
-                            out_[width_ * i + c] = stored(value(i));
-                        return;
-                    }
-                    const auto& nodes = assembly_.blocks[b].node_of_point;
-                    for (std::size_t i = 0; i < nodes.size(); ++i)
-                        if (nodes[i] != no_node)
-                            out_[width_ * nodes[i] + c] = stored(value(i));
+                    visit_points(b, [&](std::size_t point, std::size_t node) {
+                        out_[width_ * node + c] = stored(value(point));
+                    });
                 });
             if (!copied)
                 return copied;
         }
         return {};
+    }
+
+    // The commonest field, one array of floats, in one pass. False where it is another.
+    core::Result<bool> copy_floats(vtkDataSet& block, std::size_t number) {
+        if (field_.arrays.size() != 1 || !field_.divisor.empty())
+            return false;
+        const auto array = array_of(block, field_.arrays.front());
+        if (!array)
+            return tl::unexpected(array.error());
+        auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(*array);
+        if (floats == nullptr)
+            return false;
+        const float* from = floats->GetPointer(0);
+        const auto kept = [](float value) { return std::abs(value) <= largest ? value : no_value; };
+        if (!of_cells())
+            std::transform(from, from + out_.size(), out_.begin(), kept);
+        else
+            visit_points(number, [&](std::size_t point, std::size_t node) {
+                for (std::size_t c = 0; c < width_; ++c)
+                    out_[width_ * node + c] = kept(from[width_ * point + c]);
+            });
+        return true;
+    }
+
+    // Calls visit(point, node) for the points of a block that have a node.
+    template <class Visit>
+    void visit_points(std::size_t block, const Visit& visit) const {
+        if (!of_cells()) {
+            for (std::size_t i = 0; i < assembly_.source_nodes; ++i)
+                visit(i, i);
+            return;
+        }
+        const auto& nodes = assembly_.blocks[block].node_of_point;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if (nodes[i] != no_node)
+                visit(i, std::size_t{nodes[i]});
     }
 
     // One component at a time: sums in double, in the order of the cells.

@@ -4,6 +4,7 @@
 #include "server/import/same_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <new>
 
@@ -77,22 +78,31 @@ void Range::include(const Range& other) {
 }
 
 Range speed_range(std::span<const float> velocity, std::span<const std::uint8_t> fluid) {
-    Range range;
-    for (std::size_t i = 0; i < velocity.size() / 3; ++i) {
-        if (!fluid.empty() && fluid[i] == 0)
-            continue;
-        const double x = velocity[3 * i];
-        const double y = velocity[3 * i + 1];
-        const double z = velocity[3 * i + 2];
-        const double square = x * x + y * y + z * z; // float values: no overflow
-        if (std::isnan(square))
-            continue;
-        range.lo = std::min(range.lo, square);
-        range.hi = std::max(range.hi, square);
-    }
-    if (range.empty())
-        return range;
-    return {std::sqrt(range.lo), std::sqrt(range.hi)};
+    // Several at a time, without branches: what is not a number compares false and changes nothing.
+    constexpr std::size_t lanes = 8;
+    std::array<double, lanes> lo;
+    std::array<double, lanes> hi;
+    lo.fill(std::numeric_limits<double>::infinity());
+    hi.fill(-std::numeric_limits<double>::infinity());
+    const auto include = [&](std::size_t node, std::size_t lane) {
+        const double x = velocity[3 * node];
+        const double y = velocity[3 * node + 1];
+        const double z = velocity[3 * node + 2];
+        const double square = x * x + y * y + z * z; // of float values: no overflow
+        lo[lane] = square < lo[lane] ? square : lo[lane];
+        hi[lane] = square > hi[lane] ? square : hi[lane];
+    };
+    const std::size_t nodes = velocity.size() / 3;
+    std::size_t node = 0;
+    for (; fluid.empty() && node + lanes <= nodes; node += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            include(node + lane, lane);
+    for (; node < nodes; ++node)
+        if (fluid.empty() || fluid[node] != 0)
+            include(node, 0);
+    const Range range{*std::min_element(lo.begin(), lo.end()),
+                      *std::max_element(hi.begin(), hi.end())};
+    return range.empty() ? range : Range{std::sqrt(range.lo), std::sqrt(range.hi)};
 }
 
 Range value_range(std::span<const float> values) {

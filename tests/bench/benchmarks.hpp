@@ -36,4 +36,10 @@ void register_store_benchmarks();
 /// An import of time-steps beside VTK's reader alone, which only reads them.
 void register_import_benchmarks();
 
+/// An import of time-steps beside VTK's reader alone, which only reads them.
+void register_import_benchmarks();
+
+/// StoreReader::load of 300 MB time-steps against a plain read() of the same bytes.
+void register_store_benchmarks();
+
 } // namespace wakesurf::bench

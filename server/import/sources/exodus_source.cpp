@@ -17,7 +17,9 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <new>
+#include <string_view>
 
 namespace wakesurf::server {
 
@@ -206,7 +208,13 @@ bool is_exodus(const fs::path& path) {
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+    if (std::find(endings.begin(), endings.end(), ending) == endings.end())
+        return false;
+    // Plot3D calls its grids .g as well: there, the signature of netCDF or HDF5 tells.
+    std::array<char, 4> start{};
+    std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+    const std::string_view signature(start.data(), start.size());
+    return ending != ".g" || signature.starts_with("CDF") || signature == "\x89HDF";
 }
 
 core::Result<std::unique_ptr<Source>> open_exodus(const fs::path& path) {

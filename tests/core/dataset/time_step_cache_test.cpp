@@ -199,6 +199,8 @@ TEST(TimeStepCache, HoldsAtLeastFourSteps) {
     for (const std::size_t i : {0u, 1u, 2u, 3u, 0u, 1u, 2u, 3u})
         ASSERT_TRUE(bench.cache.acquire(i).has_value());
     EXPECT_EQ(bench.source->order().size(), 4u);
+    EXPECT_EQ(TimeStepCache::smallest_budget(*bench.source), 4 * step_bytes);
+    EXPECT_EQ(TimeStepCache::smallest_budget(GatedSource(2)), 2 * step_bytes);
 }
 
 TEST(TimeStepCache, EvictsTheLeastRecentlyUsedStep) {

@@ -153,7 +153,7 @@ TEST_F(VtkFilesSource, JoinsThePartsOfACollection) {
     ASSERT_EQ(read->blocks.size(), 2u);
     EXPECT_EQ(read->blocks[1]->GetBounds()[1], 13.0);
     EXPECT_EQ((*source)->files(1)->size(), 2u);
-    EXPECT_EQ((*source)->shared_files()->front().name, "s.pvd");
+    EXPECT_TRUE((*source)->shared_files()->empty()); // a list may grow
     expect_failure(open_source(put("odd.pvd", text +
                                                   "<DataSet timestep=\"3\" part=\"0\" "
                                                   "file=\"s00.vtu\"/>" +
