@@ -372,16 +372,22 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
                 "waiting for time-step " + std::to_string(index) + " was cancelled");
 }
 
-void TimeStepCache::prefetch(std::size_t index, int direction) {
+void TimeStepCache::prefetch(std::size_t index, int direction, std::size_t behind) {
     State::Window& window = *state_->window;
     const auto count = window.entries.size(); // fixed at construction, as the capacity
-    std::vector<std::size_t> ahead;
-    for (std::size_t i = 1; i < window.capacity && i <= count; ++i) {
-        const std::size_t next = direction < 0 ? index - i : index + i; // wraps below 0: no step
-        if (next >= count)
-            break;
-        ahead.push_back(next);
-    }
+    // As far as the series goes; wraps below 0: no step.
+    const auto row = [&](std::size_t length, bool upward) {
+        std::vector<std::size_t> steps;
+        for (std::size_t i = 1; i <= length && i <= count; ++i)
+            if (const std::size_t next = upward ? index + i : index - i; next < count)
+                steps.push_back(next);
+            else
+                break;
+        return steps;
+    };
+    const auto kept = row(behind, direction < 0);
+    const std::size_t room = window.capacity - std::min(window.capacity, kept.size() + 1);
+    const auto ahead = row(room, direction > 0);
     std::vector<bool> cold(count);
     {
         const std::scoped_lock lock(window.mutex);
@@ -395,8 +401,9 @@ void TimeStepCache::prefetch(std::size_t index, int direction) {
     const std::scoped_lock lock(window.mutex);
     for (Entry& entry : window.entries)
         entry.in_window = false;
-    for (const std::size_t i : ahead)
-        window.entries[i].in_window = true;
+    for (const auto& steps : {kept, ahead})
+        for (const std::size_t i : steps)
+            window.entries[i].in_window = true;
     if (index < count)
         window.entries[index].in_window = true;
     window.position = index;

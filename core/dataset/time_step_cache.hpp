@@ -53,7 +53,8 @@ class TimeStepCache {
 
     /// Asks for the time-steps after `index` in the direction of play (+1 or -1), nearest first, as
     /// many as fit the budget without evicting `index` itself. Returns at once.
-    void prefetch(std::size_t index, int direction);
+    /// @param behind  how many time-steps before `index` (against the direction) are needed again and again, and stay too
+    void prefetch(std::size_t index, int direction, std::size_t behind = 0);
 
     Status status() const;
 

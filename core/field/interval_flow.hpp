@@ -201,12 +201,13 @@ class IntervalFlow final : public Flow {
                    : intervals_.acquire(interval_at(time), needs(true, smoothly), stop);
     }
 
-    /// Loads ahead of what interval `k` holds.
+    /// Loads ahead of what interval `k` holds, which stays: the next step may be in the same interval.
     void prefetch(std::size_t k, int direction, bool smoothly) const {
         const std::size_t last = source_.times().size() - 1;
         const std::size_t beyond = smoothly ? 1 : 0;
-        cache_->prefetch(direction > 0 ? std::min(k + 1 + beyond, last) : k - std::min(k, beyond),
-                         direction);
+        const std::size_t low = k - std::min(k, beyond);
+        const std::size_t high = std::min(k + 1 + beyond, last);
+        cache_->prefetch(direction > 0 ? high : low, direction, high - low);
     }
 
     Result<void> advance(const Interval& interval,

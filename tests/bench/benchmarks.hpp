@@ -36,10 +36,7 @@ void register_store_benchmarks();
 /// An import of time-steps beside VTK's reader alone, which only reads them.
 void register_import_benchmarks();
 
-/// An import of time-steps beside VTK's reader alone, which only reads them.
-void register_import_benchmarks();
-
-/// StoreReader::load of 300 MB time-steps against a plain read() of the same bytes.
-void register_store_benchmarks();
+/// A streak surface through a series larger than the cache, against the same with all of it in memory.
+void register_playing_benchmark();
 
 } // namespace wakesurf::bench

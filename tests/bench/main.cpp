@@ -65,8 +65,7 @@ int measure(const server::BenchOptions& options) {
     register_streak_frame_benchmarks();
     register_store_benchmarks();
     register_import_benchmarks();
-    register_import_benchmarks();
-    register_store_benchmarks();
+    register_playing_benchmark();
     register_surface_benchmarks(*loaded);
     register_edit_benchmark(dataset);
     register_drag_benchmark(dataset);

@@ -233,6 +233,29 @@ TEST(TimeStepCache, LoadsAheadNearestFirstInTheDirectionOfPlay) {
     EXPECT_EQ(bench.source->order(), (std::vector<std::size_t>{10, 9, 8, 7, 6, 11, 12, 13, 14}));
 }
 
+TEST(TimeStepCache, PlaysManyStepsAnIntervalWithOneLoadATimeStep) {
+    constexpr std::size_t count = 30;
+    for (const int direction : {+1, -1})
+        for (const std::size_t capacity : {4u, 5u, 7u}) {
+            Bench bench(count, capacity);
+            for (std::size_t n = 0; n + 1 < count; ++n) {
+                const std::size_t k = direction > 0 ? n : count - 2 - n;
+                for (int step = 0; step < 5; ++step) {
+                    const auto low = bench.cache.acquire(k).value();
+                    const auto high = bench.cache.acquire(k + 1).value();
+                    bench.cache.prefetch(direction > 0 ? k + 1 : k, direction, 1);
+                }
+                std::vector<std::size_t> ahead{k, k + 1};
+                for (std::size_t i = 1; i + 2 <= capacity; ++i)
+                    if (const std::size_t next = direction > 0 ? k + 1 + i : k - i; next < count)
+                        ahead.push_back(next);
+                bench.wait_for_resident(ahead);
+            }
+            EXPECT_EQ(bench.source->order().size(), count) << capacity << " " << direction;
+            EXPECT_LE(bench.source->most_alive(), capacity);
+        }
+}
+
 TEST(TimeStepCache, LoadsAheadUpToTheEndsOfTheSeries) {
     Bench bench(6, 100);
     bench.cache.prefetch(4, +1);

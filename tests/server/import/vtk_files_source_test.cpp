@@ -150,6 +150,7 @@ TEST_F(VtkFilesSource, JoinsThePartsOfACollection) {
     ASSERT_TRUE(source.has_value()) << source.error().message;
     expect_known_series(**source, {0.5, 1.5});
     const auto read = (*source)->read(1, known_fields());
+    ASSERT_TRUE(read.has_value()) << read.error().message;
     ASSERT_EQ(read->blocks.size(), 2u);
     EXPECT_EQ(read->blocks[1]->GetBounds()[1], 13.0);
     EXPECT_EQ((*source)->files(1)->size(), 2u);
