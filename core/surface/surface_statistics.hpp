@@ -28,7 +28,7 @@ struct SurfaceStatistics {
     double separation = 0;
     Seconds seconds;
     std::uint64_t peak_bytes = 0;
-    std::string stopped; ///< why the surface ends before the time asked for; usually empty
+    std::string stopped{}; ///< why the surface ends before the time asked for; usually empty
 };
 
 } // namespace wakesurf::core

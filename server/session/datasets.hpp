@@ -18,8 +18,8 @@ struct OpenDataset {
     core::DatasetInfo info;
     protocol::Lattice lattice;
     std::shared_ptr<const core::Flow> flow;
-    std::shared_ptr<core::TimeStepCache> cache;     ///< null for a built-in flow
-    std::shared_ptr<const core::StoreReader> store; ///< null for a built-in flow
+    std::shared_ptr<core::TimeStepCache> cache{};     ///< null for a built-in flow
+    std::shared_ptr<const core::StoreReader> store{}; ///< null for a built-in flow
 };
 
 /// Loop thread only; nothing here waits for a disk.
