@@ -14,9 +14,30 @@ std::string time_text(double time) {
     return {text.data(), end};
 }
 
-core::Result<SeriesTimes> settle_times(const std::vector<TimedEntry>& entries) {
+namespace {
+
+// A time between those of the readable neighbours; at the end of the series one further step as long as the last.
+void make_up_times(std::vector<TimedEntry>& entries) {
+    for (std::size_t i = 1; i < entries.size(); ++i) {
+        if (!entries[i].unreadable || !entries[i - 1].time)
+            continue;
+        const double before = *entries[i - 1].time;
+        const auto next =
+            std::find_if(entries.begin() + static_cast<std::ptrdiff_t>(i), entries.end(),
+                         [](const TimedEntry& e) { return e.time.has_value(); });
+        if (next != entries.end())
+            entries[i].time = 0.5 * (before + *next->time);
+        else
+            entries[i].time = before + (i > 1 ? before - *entries[i - 2].time : 1.0);
+    }
+}
+
+} // namespace
+
+core::Result<SeriesTimes> settle_times(std::vector<TimedEntry> entries) {
     SeriesTimes out;
     const auto is_timed = [](const TimedEntry& e) { return e.time.has_value(); };
+    make_up_times(entries);
     const auto timed = std::find_if(entries.begin(), entries.end(), is_timed);
     if (timed == entries.end()) {
         for (std::size_t i = 0; i < entries.size(); ++i)

@@ -12,6 +12,7 @@ namespace wakesurf::server {
 struct TimedEntry {
     std::string name; ///< as messages say it
     std::optional<double> time;
+    bool unreadable = false; ///< whatever time it has is not known: one is made up between its neighbours'
 };
 
 struct SeriesTimes {
@@ -21,7 +22,7 @@ struct SeriesTimes {
 
 /// The entries' own times; 0, 1, 2, ... with a note where no entry of several has one. Error: Corrupt, naming two
 /// entries, where only some have a time, two have the same, or a later entry has an earlier time.
-core::Result<SeriesTimes> settle_times(const std::vector<TimedEntry>& entries);
+core::Result<SeriesTimes> settle_times(std::vector<TimedEntry> entries);
 
 /// As messages show a time: as short as tells it from others.
 std::string time_text(double time);

@@ -119,7 +119,7 @@ class VtkFilesSource final : public Source {
                                           part.name + ", which is not there");
                 if (!size)
                     return tl::unexpected(size.error());
-                if (*size == 0)
+                if (*size == 0 && &part == &series_.entries.front().parts.front())
                     return core::fail(Error::Code::Corrupt, part.name + " is empty");
                 if (!is_vtk_file(part.path))
                     return core::fail(Error::Code::Unsupported,
@@ -135,11 +135,14 @@ class VtkFilesSource final : public Source {
             if (series_.entries.front().time)
                 continue;
             auto own = own_time(step);
-            if (!own)
+            // What cannot be read says so when its turn comes: the time-steps before it can.
+            entries.back().unreadable = !own && step > 0;
+            if (!own && step == 0)
                 return tl::unexpected(own.error());
-            entries.back().time = *own;
+            if (own)
+                entries.back().time = *own;
         }
-        return settle_times(entries).map([&](SeriesTimes found) {
+        return settle_times(std::move(entries)).map([&](SeriesTimes found) {
             description_.times = std::move(found.times);
             description_.note = std::move(found.note);
         });

@@ -1,5 +1,6 @@
 #include "server/catalogue/dataset_catalogue.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/vti_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +18,7 @@ class Bench {
   public:
     explicit Bench(const std::vector<std::string>& arguments) {
         OpenOptions options{folder_ / "cache", {}, WAKESURF_IMPORT_BINARY};
+        options.watch_period = std::chrono::milliseconds(20);
         auto opened = DatasetCatalogue::open(arguments, options, [this](const std::string&) {
             const std::scoped_lock lock(mutex_);
             ++changes_;
@@ -30,14 +32,22 @@ class Bench {
 
     ~Bench() { catalogue.reset(); }
 
-    DatasetStatus wait_until_settled(const std::string& dataset) {
+    /// Waits for what the import thread tells until `wanted(status)`.
+    template <class Wanted>
+    DatasetStatus wait_until(const std::string& dataset, const Wanted& wanted) {
         std::unique_lock lock(mutex_);
         DatasetStatus status;
         changed_.wait(lock, [&] {
             status = catalogue->status(dataset).value();
-            return status.state != DatasetState::Importing;
+            return wanted(status);
         });
         return status;
+    }
+
+    DatasetStatus wait_until_settled(const std::string& dataset) {
+        return wait_until(dataset, [](const DatasetStatus& status) {
+            return status.state != DatasetState::Importing;
+        });
     }
 
     std::unique_ptr<DatasetCatalogue> catalogue;
@@ -103,6 +113,41 @@ TEST(DatasetCatalogue, SaysAtOnceWhatIsMistyped) {
 TEST(DatasetCatalogue, EndsWhileItImports) {
     Bench bench({bundled});
     (void)bench.catalogue->list();
+}
+
+TEST(DatasetCatalogue, NoticesTheTimeStepsOfARunningSimulation) {
+    const TemporaryFolder folder;
+    write_file(folder / "u_0.vti", sample_vti(0.0).text());
+    write_file(folder / "u_1.vti", sample_vti(1.0).text());
+    Bench bench({folder / "u_0.vti"});
+    bench.wait_until_settled("u_0");
+    const auto before = bench.catalogue->find("u_0").value();
+    ASSERT_EQ(before->info.times.size(), 2u);
+    write_file(folder / "u_2.vti", sample_vti(2.0).text());
+    bench.wait_until("u_0", [](const DatasetStatus& status) { return status.steps_ready == 3; });
+    const auto after = bench.catalogue->find("u_0").value();
+    EXPECT_EQ(after->info.times, (std::vector<double>{0, 1, 2}));
+    EXPECT_EQ(after->cache->acquire(2).value()->velocity()[0], 2.0f);
+    EXPECT_EQ(before->info.times.size(), 2u); // who holds the old one keeps it
+    EXPECT_EQ(before->cache->acquire(1).value()->velocity()[0], 1.0f);
+}
+
+TEST(DatasetCatalogue, TakesATimeStepThatIsStillBeingWrittenOnceItIsWhole) {
+    const TemporaryFolder folder;
+    const std::string whole = sample_vti(1.0).text();
+    write_file(folder / "u_0.vti", sample_vti(0.0).text());
+    write_file(folder / "u_1.vti", whole.substr(0, whole.size() / 2));
+    Bench bench({folder / "u_0.vti"});
+    const auto partly = bench.wait_until(
+        "u_0", [](const DatasetStatus& status) { return status.error.has_value(); });
+    EXPECT_EQ(partly.state, DatasetState::Ready);
+    EXPECT_NE(partly.error->message.find("u_1.vti"), std::string::npos) << partly.error->message;
+    EXPECT_TRUE(bench.catalogue->find("u_0").value()->cache->acquire(0).has_value());
+    write_file(folder / "u_1.vti", whole);
+    const auto complete = bench.wait_until(
+        "u_0", [](const DatasetStatus& status) { return !status.error && status.steps_ready == 2; });
+    EXPECT_EQ(complete.state, DatasetState::Ready);
+    EXPECT_EQ(bench.catalogue->find("u_0").value()->cache->acquire(1).value()->velocity()[0], 1.0f);
 }
 
 } // namespace
