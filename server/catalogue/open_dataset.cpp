@@ -1,6 +1,7 @@
 #include "server/catalogue/open_dataset.hpp"
 
 #include "core/field/analytic_flow.hpp"
+#include "core/field/sample_scalar.hpp"
 #include "core/field/stored_flow.hpp"
 #include "protocol/store_manifest.hpp"
 #include "server/catalogue/import_process.hpp"
@@ -24,9 +25,13 @@ core::Simd simd_wanted() {
 
 constexpr double mebi = 1024.0 * 1024.0;
 
-/// What stays in memory beside the time-steps: the grid, and the solid mask by node and by cell.
+/// What stays in memory beside the velocity's time-steps: the grid, what finds cells in a mesh, the solid mask by node and by cell; and
+/// what sampling a scalar takes.
 std::size_t fixed_bytes(const core::StoreReader& reader) {
-    return core::memory_of(reader.grid()) + 2 * reader.mask().fluid.size();
+    const auto* mesh = std::get_if<core::CellMesh>(&reader.grid());
+    constexpr std::size_t locator_bytes = 37; // a cell: core/field/cells/cell_locator.hpp, cell_walls.hpp
+    return core::memory_of(reader.grid()) + (mesh ? locator_bytes * mesh->cells.size() : 0) +
+           2 * reader.mask().fluid.size() + core::scalar_memory(reader);
 }
 
 /// What of the budget is left for time-steps. Error: OverLimit where that is too little to follow a particle.
