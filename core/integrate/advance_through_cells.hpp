@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace wakesurf::core {
 
@@ -153,6 +154,34 @@ inline bool add_arc(CurveStep& step, double v0, double v_middle, double v1, doub
     return true;
 }
 
+/// The step along a series from its start, with dense output and without times. Shortens `t` until the series' error over it is allowed.
+/// Nothing: the particle stands still.
+/// @param lo, size  of the cell whose coordinates the series is in
+inline std::optional<CurveStep> series_step(const PathSeries& path,
+                                            const Vec3& lo,
+                                            const Vec3& size,
+                                            double arc,
+                                            double allowed,
+                                            double& t) {
+    for (int i = 0; i < 20 && !surely_within(path, size, t, allowed); ++i) {
+        const double error = series_error(path, size, t);
+        if (error <= allowed)
+            break;
+        t *= std::clamp(0.9 * std::pow(allowed / error, 0.2), 0.1, 0.95);
+    }
+    const auto speed_at = [&](double time) {
+        return glm::length(Vec3(path.slope(0, time), path.slope(1, time), path.slope(2, time)) *
+                           size);
+    };
+    const double speed = speed_at(0.0);
+    for (int i = 0; i <= 40; ++i, t *= 0.5) {
+        CurveStep step = dense_output(path, lo, size, arc, t);
+        if (add_arc(step, speed, speed_at(0.5 * t), speed_at(t), t))
+            return step;
+    }
+    return std::nullopt;
+}
+
 /// As advance_curve with Dopri5; steps end at faces instead of after longest_step.
 template <CellwiseField Field>
 bool advance_through_cells(const Field& field,
@@ -201,28 +230,13 @@ bool advance_through_cells(const Field& field,
         if (!(t <= 1e3 * finest / speed)) // crawls round in its cell
             t = 1e3 * finest / speed;
         t = std::min(t, left);
-        const double allowed = options.tolerance * speed;
-        for (int i = 0; i < 20 && !surely_within(path, size, t, allowed); ++i) {
-            const double error = series_error(path, size, t);
-            if (error <= allowed)
-                break;
-            t *= std::clamp(0.9 * std::pow(allowed / error, 0.2), 0.1, 0.95);
+        auto shortened = series_step(path, cell.lo(), size, curve.last.arc,
+                                     options.tolerance * speed, t);
+        if (!shortened) {
+            curve.end = CurveEnd::Stagnation;
+            return true;
         }
-        CurveStep step;
-        const auto speed_at = [&](double time) {
-            return glm::length(Vec3(path.slope(0, time), path.slope(1, time), path.slope(2, time)) *
-                               size);
-        };
-        for (int i = 0;; ++i) {
-            step = dense_output(path, cell.lo(), size, curve.last.arc, t);
-            if (add_arc(step, speed, speed_at(0.5 * t), speed_at(t), t))
-                break;
-            if (i == 40) { // stands still
-                curve.end = CurveEnd::Stagnation;
-                return true;
-            }
-            t *= 0.5;
-        }
+        CurveStep& step = *shortened;
         step.time = curve.last.time;
         step.dt = sign * t;
         step.stretch = curve.last.stretch;

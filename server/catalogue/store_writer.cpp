@@ -1,6 +1,7 @@
 #include "server/catalogue/store_writer.hpp"
 
 #include "core/base/crc32c.hpp"
+#include "server/catalogue/whole_bytes.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -92,18 +93,6 @@ core::Result<void> check_contents(const fs::path& folder) {
     return {};
 }
 
-bool write_all(int file, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const auto count = ::write(file, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count <= 0)
-            return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(count));
-    }
-    return true;
-}
-
 core::Result<void> cannot_write(const std::string& name) {
     const bool full = errno == ENOSPC || errno == EDQUOT;
     auto error = failure("cannot write " + name);
@@ -118,7 +107,7 @@ core::Result<std::uint32_t> fill(int file, const std::string& name, const NextPi
         const auto piece = next();
         if (!piece)
             return tl::unexpected(piece.error());
-        if (!write_all(file, *piece))
+        if (!write_whole(file, *piece))
             return tl::unexpected(cannot_write(name).error());
         sum = core::crc32c(*piece, sum);
         at += static_cast<off_t>(piece->size());
@@ -224,7 +213,7 @@ core::Result<void> StoreWriter::finish_step(std::size_t index,
         ::close(file);
         throw std::logic_error("a time-step was finished before the one before it");
     }
-    const bool written = ::lseek(file, at, SEEK_SET) == at && write_all(file, bytes);
+    const bool written = ::lseek(file, at, SEEK_SET) == at && write_whole(file, bytes);
     const auto outcome = written ? core::Result<void>() : cannot_write(name);
     ::close(file); // what is left of a record cut off counts as none
     return outcome;

@@ -1,9 +1,8 @@
 #include "server/import/step_message.hpp"
 
-#include <unistd.h>
+#include "server/catalogue/whole_bytes.hpp"
 
 #include <array>
-#include <cerrno>
 #include <string>
 
 namespace wakesurf::server {
@@ -48,30 +47,6 @@ StepRecord record_of(const std::vector<double>& numbers) {
 }
 
 } // namespace
-
-bool write_whole(int pipe, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const auto count = ::write(pipe, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count <= 0)
-            return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(count));
-    }
-    return true;
-}
-
-bool read_whole(int pipe, std::span<std::byte> bytes) {
-    while (!bytes.empty()) {
-        const auto count = ::read(pipe, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count <= 0)
-            return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(count));
-    }
-    return true;
-}
 
 bool send(int pipe, const StepMessage& message) {
     Head head{message.index};

@@ -19,8 +19,4 @@ bool send(int pipe, const StepMessage& message);
 /// Nothing at the end of the pipe, also when it ends within a message.
 std::optional<StepMessage> receive(int pipe);
 
-/// Whole blocks of bytes, whatever signals come. False at the end of the pipe.
-bool write_whole(int pipe, std::span<const std::byte> bytes);
-bool read_whole(int pipe, std::span<std::byte> bytes);
-
 } // namespace wakesurf::server

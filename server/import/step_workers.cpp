@@ -1,6 +1,7 @@
 #include "server/import/step_workers.hpp"
 
 #include "server/catalogue/store_writer.hpp"
+#include "server/catalogue/whole_bytes.hpp"
 #include "server/import/step_message.hpp"
 
 #include <fcntl.h>

@@ -49,28 +49,13 @@ bool advance_through_cells(const CellSampler& sampler,
         // circles in its cell does not do so for ever.
         const double exit = leaves_cell(field.place().geometry().shape(), local);
         double t = std::min(std::min(std::max(exit, 1e-5 * crossing), 1e3 * crossing), left);
-        const double allowed = options.tolerance * speed;
-        for (int i = 0; i < 20 && !surely_within(space, unit, t, allowed); ++i) {
-            const double error = series_error(space, unit, t);
-            if (error <= allowed)
-                break;
-            t *= std::clamp(0.9 * std::pow(allowed / error, 0.2), 0.1, 0.95);
+        auto shortened = series_step(space, Vec3(0.0), unit, curve.last.arc,
+                                     options.tolerance * speed, t);
+        if (!shortened) {
+            curve.end = CurveEnd::Stagnation;
+            return true;
         }
-        CurveStep step;
-        const auto speed_at = [&](double time) {
-            return glm::length(
-                Vec3(space.slope(0, time), space.slope(1, time), space.slope(2, time)));
-        };
-        for (int i = 0;; ++i) {
-            step = dense_output(space, Vec3(0.0), unit, curve.last.arc, t);
-            if (add_arc(step, speed, speed_at(0.5 * t), speed_at(t), t))
-                break;
-            if (i == 40) { // stands still
-                curve.end = CurveEnd::Stagnation;
-                return true;
-            }
-            t *= 0.5;
-        }
+        CurveStep& step = *shortened;
         step.time = curve.last.time;
         step.dt = sign * t;
         step.stretch = curve.last.stretch;
