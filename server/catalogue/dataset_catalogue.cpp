@@ -171,6 +171,7 @@ bool DatasetCatalogue::show(Entry& entry,
     entry.status.progress = progress.total == 0 ? 0.0
                                                 : static_cast<double>(progress.done) /
                                                       static_cast<double>(progress.total);
+    entry.status.remaining = progress.remaining;
     return true;
 }
 

@@ -14,8 +14,11 @@ nlohmann::json dataset_entry(const DatasetStatus& status) {
                        {"name", status.name},
                        {"state", state},
                        {"steps", {{"ready", status.steps_ready}, {"total", status.steps_total}}}};
-    if (status.state == DatasetState::Importing)
+    if (status.state == DatasetState::Importing) {
         out["progress"] = status.progress;
+        if (status.remaining)
+            out["remaining"] = *status.remaining;
+    }
     if (status.error)
         out["error"] = error_json(*status.error);
     return out;

@@ -85,8 +85,8 @@ std::vector<Method> dataset_methods() {
         {"dataset.list",
          "The datasets this server serves.",
          {},
-         "{datasets: [{dataset, name, state: ready, importing or failed, progress?, steps: {ready, "
-         "total}}]}",
+         "{datasets: [{dataset, name, state: ready, importing or failed, progress?, remaining?: "
+         "seconds, steps: {ready, total}, error?}]}",
          false,
          [](const Call& call, Reply reply) {
              reply.result({{"datasets", call.context.list_datasets()}});

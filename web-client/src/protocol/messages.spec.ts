@@ -53,6 +53,13 @@ describe('readNotification', () => {
         });
     });
 
+    it('says of a surface that ends before it should why it does', () => {
+        const stats = { stopped: 'time-step 4 is damaged' };
+        expect(readNotification('surface.done', { surface: 's1', epoch: 2, stats })).toMatchObject({
+            error: { message: 'The surface ends early: time-step 4 is damaged' },
+        });
+    });
+
     it('says what and what to do in one text', () => {
         expect(errorWords({ message: 'it is outside', hint: 'move it' })).toBe('it is outside: move it');
         expect(errorWords({ message: 'it is outside' })).toBe('it is outside');

@@ -19,6 +19,8 @@ export interface DatasetEntry {
     name: string;
     state: DatasetState;
     progress?: number;
+    /** Seconds an import will still take. */
+    remaining?: number;
     steps?: { ready: number; total: number };
     error?: ReportedError;
 }
@@ -266,11 +268,12 @@ function readPatch(value: unknown): Patch | null {
 }
 
 function readDatasetPatched(params: Record<string, unknown>): Notification | null {
-    const { dataset, state, progress, steps, error } = params;
+    const { dataset, state, progress, remaining, steps, error } = params;
     if (typeof dataset !== 'string') return null;
     const change: Partial<DatasetEntry> = {};
     if (state === 'ready' || state === 'importing' || state === 'failed') change.state = state;
     if (typeof progress === 'number') change.progress = progress;
+    if (typeof remaining === 'number') change.remaining = remaining;
     if (isObject(steps)) {
         const { ready, total } = steps;
         if (typeof ready === 'number' && typeof total === 'number') change.steps = { ready, total };

@@ -304,7 +304,9 @@ export class SessionController {
         const { state } = this.options;
         const entry = state.datasetEntry.value;
         if (entry === null || entry.dataset !== dataset) return;
-        state.datasetEntry.value = { ...entry, ...change };
+        const rest = { ...entry };
+        delete rest.error; // a patch says what is wrong now
+        state.datasetEntry.value = { ...rest, ...change };
         // The range of the velocity is known in full only now.
         if (change.state === 'ready') void this.describe(dataset).catch(() => undefined);
     }

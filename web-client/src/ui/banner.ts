@@ -1,5 +1,6 @@
 // What stands in the way at the moment: no connection, data still being imported, a notice.
 import { css, html, nothing, type TemplateResult } from 'lit';
+import { errorWords } from '../protocol/messages.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
@@ -63,11 +64,17 @@ export class Banner extends SignalElement {
     private importing(): TemplateResult | typeof nothing {
         const { state } = this.model;
         const entry = state.datasetEntry.value;
+        if (entry?.state === 'ready' && entry.error !== undefined) {
+            return html`<div class="banner down" id="incomplete">
+                <span class="words">${entry.name} ends early: ${errorWords(entry.error)}</span>
+            </div>`;
+        }
         if (entry === null || entry.state !== 'importing') return nothing;
         const steps = entry.steps === undefined ? '' : ` (${entry.steps.ready} of ${entry.steps.total})`;
+        const left = entry.remaining === undefined ? '' : ` About ${duration(entry.remaining)} left.`;
         const waiting = state.stage.value === 'importing' ? ' It opens when the first is ready.' : '';
         return html`<div class="banner" id="importing">
-            <span class="words">Importing the time-steps of ${entry.name}${steps}.${waiting}</span>
+            <span class="words">Importing the time-steps of ${entry.name}${steps}.${left}${waiting}</span>
             <progress max="1" .value=${entry.progress ?? 0} aria-label="Import"></progress>
         </div>`;
     }
@@ -89,6 +96,10 @@ export class Banner extends SignalElement {
             this.countdown = null;
         }
     }
+}
+
+function duration(seconds: number): string {
+    return seconds < 90 ? `${Math.max(1, Math.round(seconds))} s` : `${Math.round(seconds / 60)} min`;
 }
 
 customElements.define('wakesurf-banner', Banner);
