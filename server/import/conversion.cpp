@@ -46,8 +46,14 @@ class Conversion {
             earlier.reset(); // written by another version of this program
             return run(std::nullopt);
         }
-        if (auto begun = earlier ? go_on(*earlier) : begin(); !begun)
-            return begun;
+        if (earlier) {
+            if (auto begun = go_on(*earlier); !begun)
+                return begun;
+        } else {
+            for (std::size_t i = 0; i < plan_.times.size(); ++i)
+                todo_.push_back(i);
+        }
+        fixed_files_missing_ = !earlier;
         done_before_ = plan_.times.size() - todo_.size();
         begun_ = std::chrono::steady_clock::now();
         auto converted = convert_all();
@@ -82,9 +88,7 @@ class Conversion {
         });
     }
 
-    core::Result<void> begin() {
-        for (std::size_t i = 0; i < plan_.times.size(); ++i)
-            todo_.push_back(i);
+    core::Result<void> write_fixed_files() {
         for (const auto& file : core::grid_files(reading_.first.assembly.grid))
             if (auto written = write_fixed(file.name, file.bytes); !written)
                 return written;
@@ -150,7 +154,9 @@ class Conversion {
         StepWork work;
         work.name = [&](std::size_t index) { return plan_.step_name(index); };
         work.convert = [&](std::size_t index) {
-            return convert_step(plan_, reading_.first, index, writer_);
+            const bool read = index + 1 == plan_.times.size() && reading_.last;
+            return convert_step(plan_, reading_.first, index, read ? &*reading_.last : nullptr,
+                                writer_);
         };
         work.commit = [&](std::size_t index, const StepRecord& record) {
             return commit(index, record);
@@ -159,6 +165,9 @@ class Conversion {
             work.begin = [&]() { return open_again(); };
         if (first_here)
             work.meanwhile = [&]() -> core::Result<void> {
+                if (fixed_files_missing_)
+                    if (auto written = write_fixed_files(); !written)
+                        return written;
                 auto record = write_step(plan_, reading_.first, 0, reading_.step, writer_);
                 reading_.step = {};
                 return record ? commit(0, *record) : tl::unexpected(record.error());
@@ -222,6 +231,7 @@ class Conversion {
     const ShowProgress& show_;
     FirstStepReading reading_;
     protocol::StoreManifest manifest_;
+    bool fixed_files_missing_ = false;
     bool ranged_ = false; ///< the manifest's ranges are of stored values
     std::vector<std::size_t> todo_;
     std::size_t done_before_ = 0;

@@ -22,10 +22,12 @@ core::Result<void> find_faces_at_rest(const ImportPlan& plan, FirstStepReading& 
         return tl::unexpected(first.error());
     auto last = first;
     if (const std::size_t index = plan.times.size() - 1; index > 0) {
-        const auto step = plan.read(index);
+        auto step = plan.read(index);
         // A last time-step that cannot be read is reported when it is its turn.
-        if (step && check_mesh_of(plan, reading.first, index, *step))
+        if (step && check_mesh_of(plan, reading.first, index, *step)) {
             last = velocity_of(plan, reading.first, index, *step);
+            reading.last = std::move(*step);
+        }
         if (!last)
             last = first;
     }
@@ -44,7 +46,7 @@ core::Result<FirstStepReading> read_first_step(const ImportPlan& plan, bool with
     auto step = plan.read(0);
     if (!step)
         return tl::unexpected(step.error());
-    FirstStepReading reading{{}, std::move(*step), {}};
+    FirstStepReading reading{{}, std::move(*step), {}, {}};
     FirstStep& first = reading.first;
     const auto about = [&](Error error) { return about_step(plan, 0, std::move(error)); };
     auto mask = read_mask(reading.step.blocks, plan.choice).map_error(about);

@@ -4,12 +4,15 @@
 #include "core/dataset/store_reader.hpp"
 #include "server/import/step_conversion.hpp"
 
+#include <optional>
+
 namespace wakesurf::server {
 
 struct FirstStepReading {
     FirstStep first;
     SourceStep step; ///< with its values
     core::WallGeometry walls;
+    std::optional<SourceStep> last; ///< the last time-step, where it was read and has the mesh of the first
 };
 
 /// @param with_last  reads the last time-step as well: boundary faces at rest at both are walls. Without it they are not.

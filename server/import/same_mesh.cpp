@@ -89,6 +89,8 @@ bool both(vtkDataSet& a, vtkDataSet& b) {
     return first != nullptr && second != nullptr && equal(*first, *second);
 }
 
+} // namespace
+
 bool same_block(vtkDataSet& a, vtkDataSet& b) {
     return a.GetNumberOfPoints() == b.GetNumberOfPoints() &&
            a.GetNumberOfCells() == b.GetNumberOfCells() &&
@@ -98,7 +100,16 @@ bool same_block(vtkDataSet& a, vtkDataSet& b) {
             both<vtkStructuredGrid>(a, b) || both<vtkUnstructuredGrid>(a, b));
 }
 
-} // namespace
+void share_mesh(vtkDataSet& from, vtkDataSet& to) {
+    if (auto* source = vtkPointSet::SafeDownCast(&from), *target = vtkPointSet::SafeDownCast(&to);
+        source != nullptr && target != nullptr)
+        target->SetPoints(source->GetPoints());
+    if (auto* source = vtkUnstructuredGrid::SafeDownCast(&from),
+        *target = vtkUnstructuredGrid::SafeDownCast(&to);
+        source != nullptr && target != nullptr)
+        target->SetCells(source->GetCellTypesArray(), source->GetCells(),
+                         source->GetFaceLocations(), source->GetFaces());
+}
 
 std::vector<vtkSmartPointer<vtkDataSet>> without_values(BlockList blocks) {
     std::vector<vtkSmartPointer<vtkDataSet>> out;

@@ -166,8 +166,11 @@ core::Result<StepRecord> write_step(const ImportPlan& plan,
 core::Result<StepRecord> convert_step(const ImportPlan& plan,
                                       const FirstStep& first,
                                       std::size_t index,
+                                      const SourceStep* read,
                                       StoreWriter& writer) {
     try {
+        if (read != nullptr)
+            return write_step(plan, first, index, *read, writer);
         const auto step = plan.read(index);
         if (!step)
             return tl::unexpected(step.error());

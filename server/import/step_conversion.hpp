@@ -61,9 +61,11 @@ core::Result<StepRecord> write_step(const ImportPlan& plan,
                                     StoreWriter& writer);
 
 /// Reads and writes a time-step. Error: also as Source::read and check_mesh_of.
+/// @param read  the time-step, checked, where it was read already; null else
 core::Result<StepRecord> convert_step(const ImportPlan& plan,
                                       const FirstStep& first,
                                       std::size_t index,
+                                      const SourceStep* read,
                                       StoreWriter& writer);
 
 /// Largest error that half precision makes; infinite where a value is too large for it.

@@ -1,6 +1,7 @@
 #include "server/import/sources/vtk_files_source.hpp"
 
 #include "core/base/disk.hpp"
+#include "server/import/same_mesh.hpp"
 #include "server/import/sources/composite_file.hpp"
 #include "server/import/sources/file_names.hpp"
 #include "server/import/sources/fluid_blocks.hpp"
@@ -9,9 +10,14 @@
 #include "server/import/sources/vtk_file.hpp"
 #include "server/import/sources/wall_patches.hpp"
 
+#include <vtkCellData.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -26,6 +32,11 @@ CompositeFile& append(CompositeFile& whole, CompositeFile part) {
     std::move(part.files.begin(), part.files.end(), std::back_inserter(whole.files));
     std::move(part.leaves.begin(), part.leaves.end(), std::back_inserter(whole.leaves));
     return whole;
+}
+
+bool has_ghosts(vtkDataSet& data) {
+    const char* name = vtkDataSetAttributes::GhostArrayName();
+    return data.GetPointData()->HasArray(name) != 0 || data.GetCellData()->HasArray(name) != 0;
 }
 
 class VtkFilesSource final : public Source {
@@ -58,9 +69,13 @@ class VtkFilesSource final : public Source {
             return tl::unexpected(all.error());
         SourceStep out;
         std::string named;
+        auto described = take_described(step, *all);
         for (std::size_t i = 0; i < all->leaves.size(); ++i) {
             const auto& leaf = all->leaves[i];
-            auto file = read_vtk_file(leaf, {false, fields});
+            const auto known = described.find(i);
+            auto file = known != described.end()
+                            ? core::Result<VtkFile>(std::move(known->second))
+                            : read_vtk_file(leaf, {false, fields});
             if (!file)
                 return tl::unexpected(file.error());
             if (is_patch(*file->data, all->leaves.size())) {
@@ -68,7 +83,7 @@ class VtkFilesSource final : public Source {
                     return tl::unexpected(added.error());
                 continue;
             }
-            auto block = fluid_part(*file->data, leaf.name);
+            auto block = sound_part(*file->data, place_of(*all, i), leaf.name);
             if (!block)
                 return tl::unexpected(block.error());
             if (solids_.contains(place_of(*all, i))) {
@@ -91,6 +106,31 @@ class VtkFilesSource final : public Source {
     }
 
   private:
+    // What was read to describe the source, once, if that is this time-step and its files are still the same.
+    std::map<std::size_t, VtkFile> take_described(std::size_t step, const CompositeFile& all) {
+        auto taken = std::exchange(described_, {});
+        if (step != 0 || taken.empty())
+            return {};
+        const auto now = fingerprint(all.files);
+        return now && *now == described_from_ ? std::move(taken)
+                                              : std::map<std::size_t, VtkFile>();
+    }
+
+    // As fluid_part; a mesh that equals one found sound is not looked through again.
+    core::Result<vtkSmartPointer<vtkDataSet>>
+    sound_part(vtkDataSet& data, const std::string& place, const std::string& file) {
+        const auto known = sound_.find(place);
+        if (known != sound_.end() && same_block(*known->second, data)) {
+            share_mesh(*known->second, data);
+            return vtkSmartPointer<vtkDataSet>(&data);
+        }
+        auto block = fluid_part(data, file);
+        if (block && block->Get() == &data && vtkPointSet::SafeDownCast(&data) != nullptr &&
+            known == sound_.end())
+            sound_.emplace(place, without_values(Blocks{*block}).front());
+        return block;
+    }
+
     const std::string& entry_name(std::size_t step) const {
         return series_.entries[step].parts.front().name;
     }
@@ -161,6 +201,9 @@ class VtkFilesSource final : public Source {
         auto all = expand_step(0);
         if (!all)
             return tl::unexpected(all.error());
+        const auto before = fingerprint(all->files);
+        if (before)
+            described_from_ = *before;
         Blocks moving;
         Blocks others;
         std::set<std::string> places;
@@ -169,9 +212,12 @@ class VtkFilesSource final : public Source {
             auto file = read_vtk_file(leaf, {true, {}});
             if (!file)
                 return tl::unexpected(file.error());
+            // Of a parallel file its pieces are asked for the fields as well; ghosts are read only where they are wanted.
+            if (before && !lower_extension(leaf.path).starts_with(".p") && !has_ghosts(*file->data))
+                described_.emplace(i, *file);
             if (is_patch(*file->data, all->leaves.size()))
                 continue;
-            auto block = fluid_part(*file->data, leaf.name);
+            auto block = sound_part(*file->data, place_of(*all, i), leaf.name);
             if (!block)
                 return tl::unexpected(block.error());
             const auto fields = common_fields({*block});
@@ -258,6 +304,9 @@ class VtkFilesSource final : public Source {
     SourceDescription description_;
     std::set<std::string> solids_; ///< places of the blocks without a velocity
     std::map<std::string, bool> still_;
+    std::map<std::size_t, VtkFile> described_; ///< by leaf, of the first time-step
+    std::vector<protocol::SourceFile> described_from_;
+    std::map<std::string, vtkSmartPointer<vtkDataSet>> sound_; ///< meshes by place, without values
 };
 
 } // namespace
