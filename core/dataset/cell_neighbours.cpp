@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace wakesurf::core {
 
@@ -14,6 +15,26 @@ constexpr std::uint32_t no_node = 0xffffffffu;
 
 /// A face as one number: the cell's times eight, plus its own.
 using FaceNumber = std::uint32_t;
+
+// Of the four shapes, together: asked for every face of a mesh several times.
+struct FaceTable {
+    std::array<std::size_t, 4> count{};
+    std::array<std::array<CellFace, 6>, 4> face{};
+};
+
+const FaceTable table = [] {
+    FaceTable made;
+    for (std::size_t shape = 0; shape < made.count.size(); ++shape) {
+        made.count[shape] = face_count(static_cast<CellShape>(shape));
+        for (std::size_t f = 0; f < made.count[shape]; ++f)
+            made.face[shape][f] = face(static_cast<CellShape>(shape), f);
+    }
+    return made;
+}();
+
+std::size_t faces_of(const MeshCell& cell) {
+    return table.count[static_cast<std::size_t>(cell.shape)];
+}
 
 bool has_area(const std::array<std::uint32_t, 4>& nodes) {
     return nodes[2] != no_node;
@@ -25,12 +46,19 @@ struct FacesByNode {
     std::vector<FaceNumber> face;
 };
 
+/// Calls visit(lowest node, face) for every face, also those without an area.
 template <class Visit>
 void visit_faces(const CellMesh& mesh, const Visit& visit) {
-    for (std::size_t i = 0; i < mesh.cells.size(); ++i)
-        for (std::size_t f = 0; f < face_count(mesh.cells[i].shape); ++f)
-            if (const auto nodes = face_nodes(mesh.cells[i], f); has_area(nodes))
-                visit(nodes[0], static_cast<FaceNumber>(8 * i + f));
+    for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
+        const MeshCell& cell = mesh.cells[i];
+        for (std::size_t f = 0; f < faces_of(cell); ++f) {
+            const CellFace& corners = table.face[static_cast<std::size_t>(cell.shape)][f];
+            std::uint32_t lowest = cell.node[corners.node[0]];
+            for (std::size_t k = 1; k < corners.count; ++k)
+                lowest = std::min(lowest, cell.node[corners.node[k]]);
+            visit(lowest, static_cast<FaceNumber>(8 * i + f));
+        }
+    }
 }
 
 FacesByNode faces_by_node(const CellMesh& mesh) {
@@ -76,11 +104,23 @@ void join(std::vector<MeshCell>& cells, const std::vector<Candidate>& faces) {
 } // namespace
 
 std::array<std::uint32_t, 4> face_nodes(const MeshCell& cell, std::size_t number) {
-    const CellFace corners = face(cell.shape, number);
+    const CellFace& corners = table.face[static_cast<std::size_t>(cell.shape)][number];
     std::array<std::uint32_t, 4> nodes{no_node, no_node, no_node, no_node};
     for (std::size_t i = 0; i < corners.count; ++i)
         nodes[i] = cell.node[corners.node[i]];
-    std::sort(nodes.begin(), nodes.end());
+    const auto order = [&](std::size_t a, std::size_t b) {
+        const auto [low, high] = std::pair(std::min(nodes[a], nodes[b]),
+                                           std::max(nodes[a], nodes[b]));
+        nodes[a] = low;
+        nodes[b] = high;
+    };
+    order(0, 1); // a sorting network: no branch to mispredict
+    order(2, 3);
+    order(0, 2);
+    order(1, 3);
+    order(1, 2);
+    if (nodes[0] != nodes[1] && nodes[1] != nodes[2] && nodes[2] != nodes[3])
+        return nodes;
     std::fill(std::unique(nodes.begin(), nodes.end()), nodes.end(), no_node);
     return nodes;
 }
@@ -104,9 +144,10 @@ void connect_cells(CellMesh& mesh) {
             for (std::size_t node = some.begin(); node != some.end(); ++node) {
                 candidates.clear();
                 for (std::size_t i = faces.first[node]; i < faces.first[node + 1]; ++i)
-                    candidates.push_back(
-                        {face_nodes(mesh.cells[faces.face[i] / 8], faces.face[i] % 8),
-                         faces.face[i]});
+                    if (const auto nodes =
+                            face_nodes(mesh.cells[faces.face[i] / 8], faces.face[i] % 8);
+                        has_area(nodes))
+                        candidates.push_back({nodes, faces.face[i]});
                 std::sort(candidates.begin(), candidates.end());
                 join(mesh.cells, candidates);
             }
@@ -116,7 +157,7 @@ void connect_cells(CellMesh& mesh) {
 std::vector<BoundaryFace> boundary_faces(const CellMesh& mesh) {
     std::vector<BoundaryFace> found;
     for (std::size_t i = 0; i < mesh.cells.size(); ++i)
-        for (std::size_t f = 0; f < face_count(mesh.cells[i].shape); ++f)
+        for (std::size_t f = 0; f < faces_of(mesh.cells[i]); ++f)
             if (mesh.cells[i].beyond[f] >= beyond_wall && has_area(face_nodes(mesh.cells[i], f)))
                 found.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(f)});
     return found;

@@ -103,27 +103,36 @@ std::vector<GridFile> files_of(const RectilinearGrid& grid) {
     return files;
 }
 
+// The first `used` of N entries a cell, `filler` for the others.
+template <std::size_t N>
+void put(const std::array<std::uint32_t, N>& entries,
+         std::size_t used,
+         std::uint32_t filler,
+         std::byte* to) {
+    std::array<std::uint32_t, N> whole = entries;
+    std::fill(whole.begin() + static_cast<std::ptrdiff_t>(used), whole.end(), filler);
+    std::memcpy(to, whole.data(), sizeof(whole));
+}
+
 std::vector<GridFile> files_of(const CellMesh& mesh) {
-    std::vector<double> points;
-    points.reserve(3 * mesh.points.size());
-    for (const Vec3& p : mesh.points)
-        points.insert(points.end(), {p.x, p.y, p.z});
-    std::vector<std::uint32_t> nodes;
-    std::vector<std::uint32_t> beyond;
-    std::vector<std::uint8_t> shapes;
-    nodes.reserve(8 * mesh.cells.size());
-    beyond.reserve(6 * mesh.cells.size());
-    for (const MeshCell& cell : mesh.cells) {
-        for (std::size_t i = 0; i < cell.node.size(); ++i)
-            nodes.push_back(i < node_count(cell.shape) ? cell.node[i] : no_node);
-        for (std::size_t i = 0; i < cell.beyond.size(); ++i)
-            beyond.push_back(i < face_count(cell.shape) ? cell.beyond[i] : beyond_domain);
-        shapes.push_back(static_cast<std::uint8_t>(cell.shape));
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    constexpr std::size_t node_bytes = sizeof(MeshCell::node);
+    constexpr std::size_t beyond_bytes = sizeof(MeshCell::beyond);
+    std::vector<std::byte> nodes(node_bytes * mesh.cells.size());
+    std::vector<std::byte> beyond(beyond_bytes * mesh.cells.size());
+    std::vector<std::byte> shapes(mesh.cells.size());
+    for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
+        const MeshCell& cell = mesh.cells[i];
+        put(cell.node, node_count(cell.shape), no_node, nodes.data() + node_bytes * i);
+        put(cell.beyond, face_count(cell.shape), beyond_domain, beyond.data() + beyond_bytes * i);
+        shapes[i] = static_cast<std::byte>(cell.shape);
     }
-    return {{points_file, bytes_of(std::span<const double>(points))},
-            {cells_file, bytes_of(std::span<const std::uint32_t>(nodes))},
-            {beyond_file, bytes_of(std::span<const std::uint32_t>(beyond))},
-            {shapes_file, bytes_of(std::span<const std::uint8_t>(shapes))}};
+    std::vector<GridFile> files; // an initializer list would copy them
+    files.push_back({points_file, bytes_of(std::span<const Vec3>(mesh.points))});
+    files.push_back({cells_file, std::move(nodes)});
+    files.push_back({beyond_file, std::move(beyond)});
+    files.push_back({shapes_file, std::move(shapes)});
+    return files;
 }
 
 } // namespace

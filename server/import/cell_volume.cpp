@@ -48,17 +48,20 @@ void mirror(MeshCell& cell) {
 
 double cell_volume(const MeshCell& cell, std::span<const Vec3> points) {
     const Vec3 origin = points[cell.node[0]];
+    std::array<Vec3, 8> corner;
+    for (std::size_t i = 0; i < core::node_count(cell.shape); ++i)
+        corner[i] = points[cell.node[i]] - origin;
+    const std::size_t faces = core::face_count(cell.shape);
     double sixfold = 0.0;
-    for (std::size_t f = 0; f < core::face_count(cell.shape); ++f) {
+    for (std::size_t f = 0; f < faces; ++f) {
         const core::CellFace face = core::face(cell.shape, f);
         Vec3 centre(0.0);
         for (std::size_t i = 0; i < face.count; ++i)
-            centre += points[cell.node[face.node[i]]] - origin;
+            centre += corner[face.node[i]];
         centre /= static_cast<double>(face.count);
         for (std::size_t i = 0; i < face.count; ++i) {
-            const Vec3 a = points[cell.node[face.node[i]]] - origin;
-            const Vec3 b = points[cell.node[face.node[(i + 1) % face.count]]] - origin;
-            sixfold += glm::dot(centre, glm::cross(a, b));
+            const std::size_t next = i + 1 < face.count ? i + 1 : 0;
+            sixfold += glm::dot(centre, glm::cross(corner[face.node[i]], corner[face.node[next]]));
         }
     }
     return sixfold / 6.0;

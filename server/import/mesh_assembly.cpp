@@ -11,6 +11,7 @@
 #include <vtkPoints.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace wakesurf::server {
@@ -48,8 +49,12 @@ std::vector<std::uint32_t> unique_nodes(std::vector<std::uint32_t> nodes) {
 class MeshAssembly {
   public:
     MeshAssembly(BlockList blocks, const AssemblyRequest& request) : request_(request) {
-        for (const auto& block : blocks)
+        std::size_t points = 0;
+        for (const auto& block : blocks) {
             cells_.emplace_back(*block);
+            points += static_cast<std::size_t>(block->GetNumberOfPoints());
+        }
+        points_.at.reserve(points);
         for (const auto& block : blocks) {
             points_.first.push_back(points_.at.size());
             append_points(*block, points_.at);
@@ -197,6 +202,9 @@ class MeshAssembly {
     core::Result<void> build_cells() {
         PolyhedronCutter cutter(mesh_, out_.added);
         std::set<std::vector<std::uint32_t>> between_blocks;
+        mesh_.cells.reserve(std::accumulate(
+            cells_.begin(), cells_.end(), std::size_t{0},
+            [](std::size_t sum, const BlockCells& cells) { return sum + cells.size(); }));
         for (std::size_t b = 0; b < cells_.size(); ++b) {
             BlockNodes& block = out_.blocks[b];
             if (request_.cell_nodes)
@@ -221,11 +229,13 @@ class MeshAssembly {
         std::vector<std::uint32_t>& nodes = scratch_;
         nodes.clear();
         visit_points(cell, [&](std::uint32_t p) { nodes.push_back(block.node_of_point[p]); });
-        std::sort(nodes.begin(), nodes.end());
-        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
         // BlockList that overlap by whole cells hold those twice.
         const bool between = std::all_of(nodes.begin(), nodes.end(),
                                          [&](std::uint32_t node) { return shared_[node]; });
+        if (between || request_.cell_nodes) {
+            std::sort(nodes.begin(), nodes.end());
+            nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        }
         if (between && !between_blocks.insert(nodes).second) {
             ++twice_;
             return;
