@@ -1,5 +1,7 @@
 // How fast an import is beside the least it could do: VTK's reader, in this process, reading the same files and nothing
-// else. Files lie in the page cache for both; the import also writes them.
+// else. Files lie in the page cache for both; the import also writes them. The reader has one core, as its users have; the
+// import takes what it takes by default: a process a core. Short series are mostly the import's start and the mesh, which is
+// converted once; long ones the time-steps. Time-steps of a long one are few files under many names.
 #include "server/catalogue/import_process.hpp"
 #include "tests/bench/benchmarks.hpp"
 
@@ -24,6 +26,7 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace wakesurf::bench {
@@ -32,19 +35,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int nodes = 96;
-constexpr int steps = 8;
-constexpr int turns = 5;
+struct Size {
+    int nodes; ///< along each axis
+    int steps;
+    int turns;
+};
+
+constexpr Size brief{96, 8, 5};
+constexpr Size long_image{160, 24, 3};
+constexpr Size long_mesh{96, 24, 3};
+constexpr int different = 8; ///< files written; time-steps beyond them are further links
 constexpr double target = 0.5; // of the reader's speed
 
-vtkSmartPointer<vtkDataSet> image() {
+vtkSmartPointer<vtkDataSet> image(int nodes) {
     auto data = vtkSmartPointer<vtkImageData>::New();
     data->SetDimensions(nodes, nodes, nodes);
     data->SetSpacing(0.1, 0.1, 0.1);
     return data;
 }
 
-vtkSmartPointer<vtkDataSet> hexahedra() {
+vtkSmartPointer<vtkDataSet> hexahedra(int nodes) {
     auto data = vtkSmartPointer<vtkUnstructuredGrid>::New();
     auto points = vtkSmartPointer<vtkPoints>::New();
     for (int k = 0; k < nodes; ++k)
@@ -89,14 +99,19 @@ struct Series {
 };
 
 template <class Writer>
-void write_series(vtkDataSet& data, const std::string& extension, Series& series) {
+void write_series(vtkDataSet& data, const std::string& extension, const Size& size, Series& series) {
     series.folder =
         fs::temp_directory_path() / fmt::format("wakesurf-bench-{}-{}", ::getpid(), extension);
     fs::create_directories(series.folder);
-    for (int i = 0; i < steps; ++i) {
+    for (int i = 0; i < size.steps; ++i) {
+        series.files.push_back((series.folder / fmt::format("flow_{}.{}", i, extension)).string());
+        if (i >= different) {
+            fs::create_hard_link(series.files[static_cast<std::size_t>(i % different)],
+                                 series.files.back());
+            continue;
+        }
         put_velocity(data, i);
         auto writer = vtkSmartPointer<Writer>::New();
-        series.files.push_back((series.folder / fmt::format("flow_{}.{}", i, extension)).string());
         writer->SetFileName(series.files.back().c_str());
         writer->SetInputData(&data);
         writer->SetCompressorTypeToNone();
@@ -105,6 +120,7 @@ void write_series(vtkDataSet& data, const std::string& extension, Series& series
         if (writer->Write() == 0)
             throw std::runtime_error("cannot write the series to import");
     }
+    ::sync(); // else the first import, which waits for its own files to reach the disk, waits for these
 }
 
 template <class Action>
@@ -131,13 +147,16 @@ void read_all(const Series& series) {
 }
 
 template <class Reader, class Writer>
-void measure(benchmark::State& state, vtkDataSet& data, const std::string& extension) {
+void measure(benchmark::State& state,
+             vtkDataSet& data,
+             const std::string& extension,
+             const Size& size) {
     Series series;
-    write_series<Writer>(data, extension, series);
+    write_series<Writer>(data, extension, size, series);
     std::vector<double> reading;
     std::vector<double> importing;
     for (auto _ : state)
-        for (int turn = 0; turn < turns; ++turn) {
+        for (int turn = 0; turn < size.turns; ++turn) {
             reading.push_back(seconds([&] { read_all<Reader>(series); }));
             const fs::path store = series.folder / "store";
             importing.push_back(seconds([&] {
@@ -152,26 +171,31 @@ void measure(benchmark::State& state, vtkDataSet& data, const std::string& exten
     state.counters["import_ms"] = 1e3 * median(importing);
     state.counters["speed_of_reader"] = median(reading) / median(importing);
     state.counters["target"] = target;
+    state.counters["steps"] = size.steps;
+    state.counters["import_cores"] = std::thread::hardware_concurrency();
 }
 
 } // namespace
 
 void register_import_benchmarks() {
-    benchmark::RegisterBenchmark("import/image",
-                                 [](benchmark::State& state) {
-                                     measure<vtkXMLImageDataReader, vtkXMLImageDataWriter>(
-                                         state, *image(), "vti");
-                                 })
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
-    benchmark::RegisterBenchmark(
-        "import/hexahedra",
-        [](benchmark::State& state) {
-            measure<vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter>(state, *hexahedra(),
-                                                                                "vtu");
-        })
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
+    const auto add = [](const std::string& name, auto measured) {
+        benchmark::RegisterBenchmark(name.c_str(), measured)
+            ->Iterations(1)
+            ->Unit(benchmark::kMillisecond);
+    };
+    for (const bool long_series : {false, true}) {
+        const std::string end = long_series ? "/long" : "";
+        add("import/image" + end, [long_series](benchmark::State& state) {
+            const Size& size = long_series ? long_image : brief;
+            measure<vtkXMLImageDataReader, vtkXMLImageDataWriter>(state, *image(size.nodes), "vti",
+                                                                  size);
+        });
+        add("import/hexahedra" + end, [long_series](benchmark::State& state) {
+            const Size& size = long_series ? long_mesh : brief;
+            measure<vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter>(
+                state, *hexahedra(size.nodes), "vtu", size);
+        });
+    }
 }
 
 } // namespace wakesurf::bench
