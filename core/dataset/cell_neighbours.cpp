@@ -109,8 +109,8 @@ std::array<std::uint32_t, 4> face_nodes(const MeshCell& cell, std::size_t number
     for (std::size_t i = 0; i < corners.count; ++i)
         nodes[i] = cell.node[corners.node[i]];
     const auto order = [&](std::size_t a, std::size_t b) {
-        const auto [low, high] = std::pair(std::min(nodes[a], nodes[b]),
-                                           std::max(nodes[a], nodes[b]));
+        const auto [low, high] =
+            std::pair(std::min(nodes[a], nodes[b]), std::max(nodes[a], nodes[b]));
         nodes[a] = low;
         nodes[b] = high;
     };

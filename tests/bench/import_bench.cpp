@@ -44,7 +44,7 @@ struct Size {
 constexpr Size brief{96, 8, 5};
 constexpr Size long_image{160, 24, 3};
 constexpr Size long_mesh{96, 24, 3};
-constexpr int different = 8; ///< files written; time-steps beyond them are further links
+constexpr int different = 8;   ///< files written; time-steps beyond them are further links
 constexpr double target = 0.5; // of the reader's speed
 
 vtkSmartPointer<vtkDataSet> image(int nodes) {
@@ -99,7 +99,10 @@ struct Series {
 };
 
 template <class Writer>
-void write_series(vtkDataSet& data, const std::string& extension, const Size& size, Series& series) {
+void write_series(vtkDataSet& data,
+                  const std::string& extension,
+                  const Size& size,
+                  Series& series) {
     series.folder =
         fs::temp_directory_path() / fmt::format("wakesurf-bench-{}-{}", ::getpid(), extension);
     fs::create_directories(series.folder);

@@ -73,9 +73,8 @@ class VtkFilesSource final : public Source {
         for (std::size_t i = 0; i < all->leaves.size(); ++i) {
             const auto& leaf = all->leaves[i];
             const auto known = described.find(i);
-            auto file = known != described.end()
-                            ? core::Result<VtkFile>(std::move(known->second))
-                            : read_vtk_file(leaf, {false, fields});
+            auto file = known != described.end() ? core::Result<VtkFile>(std::move(known->second))
+                                                 : read_vtk_file(leaf, {false, fields});
             if (!file)
                 return tl::unexpected(file.error());
             if (is_patch(*file->data, all->leaves.size())) {
@@ -112,8 +111,7 @@ class VtkFilesSource final : public Source {
         if (step != 0 || taken.empty())
             return {};
         const auto now = fingerprint(all.files);
-        return now && *now == described_from_ ? std::move(taken)
-                                              : std::map<std::size_t, VtkFile>();
+        return now && *now == described_from_ ? std::move(taken) : std::map<std::size_t, VtkFile>();
     }
 
     // As fluid_part; a mesh that equals one found sound is not looked through again.
