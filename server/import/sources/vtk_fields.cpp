@@ -103,6 +103,9 @@ void enable_only(vtkDataArraySelection& selection,
                  FieldInfo::Source source,
                  const std::vector<FieldInfo>& fields) {
     selection.DisableAllArrays();
+    const char* ghosts = vtkDataSetAttributes::GhostArrayName(); // blanked whatever is asked for
+    if (selection.ArrayExists(ghosts) != 0)
+        selection.EnableArray(ghosts);
     for (const auto& field : fields)
         if (field.source == source)
             selection.EnableArray(field.name.c_str());

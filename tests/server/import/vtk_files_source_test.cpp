@@ -2,6 +2,8 @@
 #include "tests/server/import/vtk_files.hpp"
 #include "tests/support/vti_text.hpp"
 
+#include <vtkCellData.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkDataSetWriter.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
@@ -399,6 +401,30 @@ TEST_F(VtkFilesSource, KeepsTheSolidCellsOfAMixedMeshAndRefusesFlatOnes) {
                    Error::Code::Unsupported, "not three-dimensional: it has one cell along z");
     expect_failure(open_source(write("patch.vtp", *patch(1.0))), Error::Code::Unsupported,
                    "patch.vtp is a surface");
+}
+
+TEST_F(VtkFilesSource, KeepsTheMarksOfHiddenCellsWhateverFieldsAreAskedFor) {
+    for (int step = 0; step < 2; ++step) {
+        const auto mesh = sample_mesh();
+        auto marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
+        marks->SetName(vtkDataSetAttributes::GhostArrayName());
+        marks->SetNumberOfValues(mesh->GetNumberOfCells());
+        marks->Fill(0);
+        marks->SetValue(1, vtkDataSetAttributes::HIDDENCELL);
+        mesh->GetCellData()->AddArray(marks);
+        write_step("g_" + std::to_string(step) + ".vtu", *mesh, step);
+    }
+    auto source = open_source(folder_ / "g_0.vtu");
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    for (const std::size_t step : {1u, 0u}) {
+        const auto read = (*source)->read(step, known_fields());
+        ASSERT_TRUE(read.has_value()) << read.error().message;
+        vtkDataArray* marks =
+            read->blocks[0]->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+        ASSERT_NE(marks, nullptr) << "time-step " << step;
+        EXPECT_EQ(marks->GetTuple1(0), 0.0);
+        EXPECT_EQ(marks->GetTuple1(1), vtkDataSetAttributes::HIDDENCELL);
+    }
 }
 
 TEST_F(VtkFilesSource, NamesTheFieldAStepLacks) {
