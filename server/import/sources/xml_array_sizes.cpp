@@ -68,8 +68,11 @@ Counts counts_of(vtkXMLDataElement& piece) {
     vtkTypeInt64 count = 0;
     if (piece.GetScalarAttribute("NumberOfPoints", count) != 0)
         out.points = static_cast<std::uint64_t>(count);
-    if (piece.GetScalarAttribute("NumberOfCells", count) != 0)
-        out.cells = static_cast<std::uint64_t>(count);
+    // A surface's piece counts its cells by kind.
+    for (const char* kind :
+         {"NumberOfCells", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys"})
+        if (piece.GetScalarAttribute(kind, count) != 0)
+            out.cells += static_cast<std::uint64_t>(count);
     return out;
 }
 

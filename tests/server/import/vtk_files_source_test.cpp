@@ -272,6 +272,26 @@ TEST_F(VtkFilesSource, ReadsMultiBlockSeriesWithTheirWalls) {
                    Error::Code::NotFound, "flow_1.vtm names f1/b.vts, which is not there");
 }
 
+TEST_F(VtkFilesSource, ReadsSurfacesWithValuesOfTheirFaces) {
+    for (const int mode : {vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended}) {
+        mode_ = mode;
+        auto wall = patch(0.0);
+        auto shear = vtkSmartPointer<vtkDoubleArray>::New();
+        shear->SetName("shear");
+        shear->InsertNextValue(0.25);
+        wall->GetCellData()->AddArray(shear);
+        write("wall.vtp", *wall);
+        write_step("flow.vtu", *sample_mesh(), 0);
+        const auto source =
+            open_source(put("s.pvd", "<VTKFile type=\"Collection\"><Collection>"
+                                     "<DataSet timestep=\"0\" part=\"0\" file=\"flow.vtu\"/>"
+                                     "<DataSet timestep=\"0\" part=\"1\" file=\"wall.vtp\"/>"
+                                     "</Collection></VTKFile>"));
+        ASSERT_TRUE(source.has_value()) << source.error().message;
+        EXPECT_EQ((*source)->read(0, known_fields())->walls.size(), 1u);
+    }
+}
+
 TEST_F(VtkFilesSource, TakesPartsOfACollectionForWallsAndSolids) {
     std::string text = "<VTKFile type=\"Collection\"><Collection>";
     for (int step = 0; step < 2; ++step) {
