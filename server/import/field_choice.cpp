@@ -104,10 +104,15 @@ void choose_scalars(const std::vector<FieldInfo>& fields,
 }
 
 void note_what_is_left_out(const std::vector<FieldInfo>& fields, FieldChoice& choice) {
+    const auto& velocity = choice.velocity.arrays.front();
     std::string names;
     for (const auto& field : fields)
-        if (field.components > 1 && !contains(choice.velocity.arrays, field))
+        if (field.components > 1 && !contains(choice.velocity.arrays, field)) {
             names += (names.empty() ? "" : ", ") + field.name;
+            if (field.name == velocity.name)
+                names +=
+                    field.source == FieldInfo::Source::Cell ? " of the cells" : " of the points";
+        }
     if (!names.empty())
         choice.note = "left out, since a store holds one vector: " + names;
 }

@@ -41,6 +41,11 @@ TEST(FieldChoice, PrefersTheVelocityToItsAverages) {
               FieldInfo::Source::Point);
 }
 
+TEST(FieldChoice, TellsWhichOfTwoFieldsOfOneNameItLeavesOut) {
+    EXPECT_EQ(choose_fields({cell("U", 3), point("U", 3), point("B", 3)}, {})->note,
+              "left out, since a store holds one vector: U of the cells, B");
+}
+
 TEST(FieldChoice, JoinsThreeComponentsInTheirOrder) {
     for (const auto& names :
          std::vector<std::vector<std::string>>{{"w", "u", "v"},
