@@ -65,6 +65,8 @@ protocol::StoreManifest describe_store(const ImportPlan& plan, const FirstStepRe
     if (info.grid == core::GridKind::Uniform) {
         info.dimensions = layout.grid.uniform.dimensions;
         info.spacing = layout.grid.uniform.spacing;
+    } else if (info.grid == core::GridKind::Rectilinear) {
+        info.dimensions = layout.grid.dimensions;
     }
     info.finest_spacing = core::finest_spacing(assembly.grid);
     info.points = core::node_count(assembly.grid);

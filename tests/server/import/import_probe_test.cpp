@@ -139,6 +139,7 @@ TEST_F(ImportProbe, OfARectilinearGridEqualsVtk) {
     add_array(*grid, true, "U", 3, swirl);
     write<vtkXMLRectilinearGridWriter>(*grid, "a.vtr");
     expect_vtk_on_grid(*grid, "a.vtr");
+    EXPECT_EQ(manifest().info.dimensions, (std::array<std::uint32_t, 3>{12, 12, 12}));
 }
 
 TEST_F(ImportProbe, OfACurvilinearGridEqualsVtk) {
