@@ -65,6 +65,27 @@ bool is_wall(const std::string& type) {
     return type == "wall" || type.ends_with("Wall");
 }
 
+// One cell across, and no equation solved for that direction: OpenFOAM's way to compute in a plane.
+core::Result<void> check_directions(const std::vector<FoamPatch>& patches,
+                                    const std::string& file) {
+    for (const auto& patch : patches) {
+        if (patch.faces == 0)
+            continue; // what blockMesh leaves of its defaultFaces
+        if (patch.type == "empty")
+            return core::fail(Error::Code::Unsupported,
+                              file + " is not three-dimensional: its patch " + patch.name +
+                                  " is of the type empty, so the flow is computed in a plane",
+                              "surfaces need a flow in space: compute it in three dimensions");
+        if (patch.type == "wedge")
+            return core::fail(
+                Error::Code::Unsupported,
+                file + " is not three-dimensional: its patch " + patch.name +
+                    " is a wedge, so the flow is computed in a plane through the axis",
+                "surfaces need a flow in space: compute it in three dimensions");
+    }
+    return {};
+}
+
 // Regions with the walls of all parts: a part lists those only that touch it in some versions of OpenFOAM.
 core::Result<std::vector<FoamRegion>> find_regions(const FoamCase& found) {
     std::vector<FoamRegion> out;
@@ -83,6 +104,8 @@ core::Result<std::vector<FoamRegion>> find_regions(const FoamCase& found) {
             const auto patches = read_foam_patches(file.path, file.name);
             if (!patches)
                 return tl::unexpected(patches.error());
+            if (auto spatial = check_directions(*patches, found.file); !spatial)
+                return tl::unexpected(spatial.error());
             for (const auto& patch : *patches)
                 if (is_wall(patch.type) && std::find(region.walls.begin(), region.walls.end(),
                                                      patch.name) == region.walls.end())

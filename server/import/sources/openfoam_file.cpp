@@ -124,15 +124,33 @@ core::Result<std::vector<FoamPatch>> read_foam_patches(const fs::path& file,
     int depth = 0;
     for (auto at = begin + 1; at != tokens.end(); ++at) {
         if (*at == "{" && ++depth == 1)
-            out.push_back({std::string(*(at - 1)), {}});
+            out.push_back({std::string(*(at - 1)), {}, 0});
         if (*at == "}")
             --depth;
         if (*at == "type" && depth == 1 && at + 1 != tokens.end())
             out.back().type = *(at + 1);
+        if (*at == "nFaces" && depth == 1 && at + 1 != tokens.end()) {
+            const auto number = *(at + 1);
+            const char* const end = number.data() + number.size();
+            if (std::from_chars(number.data(), end, out.back().faces).ptr != end)
+                return damaged;
+        }
     }
     if (depth != 0)
         return damaged;
     return out;
+}
+
+bool has_foam_directive(const fs::path& file) {
+    constexpr std::size_t at_most = 1 << 16;
+    const auto text = content(file, at_most);
+    if (!text)
+        return false;
+    const auto tokens = tokens_of(std::string_view(*text).substr(behind_header(*text)));
+    return std::any_of(tokens.begin(), tokens.end(), [](std::string_view token) {
+        return token.size() > 1 && token[0] == '#' &&
+               std::isalpha(static_cast<unsigned char>(token[1])) != 0;
+    });
 }
 
 bool same_foam_body(const fs::path& one, const fs::path& other) {

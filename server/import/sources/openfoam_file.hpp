@@ -20,7 +20,8 @@ struct FoamHeader {
 
 struct FoamPatch {
     std::string name;
-    std::string type; ///< wall, patch, empty, processor ...
+    std::string type;      ///< wall, patch, empty, processor ...
+    std::size_t faces = 0; ///< its `nFaces`
 };
 
 /// `file`, or `file` + ".gz" where only that exists.
@@ -32,6 +33,10 @@ std::optional<FoamHeader> read_foam_header(const std::filesystem::path& file);
 /// Reads polyMesh/boundary, called `name` in errors. Error: Io, Corrupt.
 core::Result<std::vector<FoamPatch>> read_foam_patches(const std::filesystem::path& file,
                                                        const std::string& name);
+
+/// Does it hold a directive (#includeEtc, #codeStream ...) behind its header? Reads the first 64 KiB, where those of
+/// a field written by hand stand. False where it cannot be read.
+bool has_foam_directive(const std::filesystem::path& file);
 
 /// Are they equal but for their headers? False where one cannot be read.
 bool same_foam_body(const std::filesystem::path& one, const std::filesystem::path& other);

@@ -302,6 +302,51 @@ TEST_F(OpenfoamSource, RefusesAMeshThatMovesButNotOneWrittenAgain) {
         "the mesh moves: 1e1/polyMesh/points of cavity.foam differs from 0.5/polyMesh/points");
 }
 
+TEST_F(OpenfoamSource, RefusesACaseComputedInAPlane) {
+    for (const std::string type : {"empty", "wedge"}) {
+        auto mesh = foam_block_mesh({});
+        mesh.patches.back().type = type;
+        put(mesh);
+        const auto refused = open_openfoam(at("cavity.foam"));
+        ASSERT_FALSE(refused.has_value());
+        EXPECT_EQ(refused.error().code, Error::Code::Unsupported);
+        EXPECT_NE(refused.error().message.find(
+                      "cavity.foam is not three-dimensional: its patch sides is"),
+                  std::string::npos)
+            << refused.error().message;
+    }
+    auto mesh = foam_block_mesh({});
+    mesh.patches.push_back({"defaultFaces", "empty", static_cast<int>(mesh.faces.size()), 0, -1});
+    put(mesh);
+    EXPECT_TRUE(open_openfoam(at("cavity.foam")).has_value());
+}
+
+TEST_F(OpenfoamSource, LeavesOutInitialFieldsWithDirectivesVtkDoesNotFollow) {
+    const auto mesh = foam_block_mesh({});
+    put(mesh);
+    const std::string sound = read_file(at("0/U"));
+    const std::string patches = "boundaryField";
+    auto by_hand = sound;
+    by_hand.insert(by_hand.find('{', by_hand.find(patches)) + 1,
+                   "\n#includeEtc \"caseDicts/setConstraintTypes\"\n");
+    write_file(at("0/U"), by_hand);
+    const auto source = open();
+    EXPECT_EQ(source->description().times, (std::vector<double>{0.5, 10}));
+    EXPECT_EQ(source->description().note,
+              "time 0 is left out, since 0/U has a directive VTK does not follow");
+    EXPECT_EQ(source->files(0)->front().name, "0.5/U");
+    for (const int index : {1, 2}) {
+        const auto step =
+            source->read(static_cast<std::size_t>(index) - 1, source->description().fields);
+        ASSERT_TRUE(step.has_value()) << step.error().message;
+        expect_values(*step, index, mesh.cells.size());
+    }
+    // Later times are a solver's: one that cannot be read fails when it is its turn.
+    write_file(at("0/U"), sound);
+    write_file(at("0.5/U"), by_hand);
+    EXPECT_EQ(open()->description().times.size(), 3u);
+}
+
 TEST_F(OpenfoamSource, AMissingOrWrongFileFailsItsTimeStepOnly) {
     const auto mesh = foam_block_mesh({});
     put(mesh);
