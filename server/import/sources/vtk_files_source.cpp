@@ -157,6 +157,7 @@ class VtkFilesSource final : public Source {
                                           part.name + ", which is not there");
                 if (!size)
                     return tl::unexpected(size.error());
+                // One behind the first may be about to be written: it fails when it is its turn.
                 if (*size == 0 && &part == &series_.entries.front().parts.front())
                     return core::fail(Error::Code::Corrupt, part.name + " is empty");
                 if (!is_vtk_file(part.path))

@@ -176,6 +176,34 @@ TEST_F(DamagedVtkFiles, TakesAFolderForTheOneDatasetInIt) {
     expect_known_series(**open_source(folder_.path()), {4, 5});
 }
 
+TEST_F(DamagedVtkFiles, OpensASeriesWhoseLaterFilesCannotBeRead) {
+    for (const bool timed : {false, true})
+        for (const std::string& torn : {std::string(), sample_vti().text().substr(0, 200)}) {
+            for (int step = 0; step < 4; ++step) {
+                auto image = sample_image();
+                if (timed)
+                    set_time(*image, 0.5 * step);
+                write_step("a" + std::to_string(step) + ".vti", *image, step);
+            }
+            // The last one: a simulation is writing it.
+            put("a3.vti", torn);
+            auto source = open_source(folder_ / "a0.vti");
+            ASSERT_TRUE(source.has_value()) << source.error().message;
+            const auto& description = (*source)->description();
+            const double step = timed ? 0.5 : 1.0;
+            EXPECT_EQ(description.times, (std::vector{0.0, step, 2 * step, 3 * step}));
+            EXPECT_TRUE((*source)->read(2, known_fields()).has_value());
+            expect_failure((*source)->read(3, known_fields()), Error::Code::Corrupt, "a3.vti");
+            // One in the middle as well.
+            put("a1.vti", torn);
+            source = open_source(folder_ / "a0.vti");
+            ASSERT_TRUE(source.has_value()) << source.error().message;
+            EXPECT_EQ((*source)->description().times[2], 2 * step);
+            expect_failure((*source)->read(1, known_fields()), Error::Code::Corrupt, "a1.vti");
+            EXPECT_TRUE((*source)->read(2, known_fields()).has_value());
+        }
+}
+
 TEST_F(DamagedVtkFiles, DoesNotGiveAnEarlierStepForADamagedOne) {
     for (int step = 0; step < 3; ++step)
         write_step(std::string("d") + std::to_string(step) + ".vtu", *sample_mesh(), step);
