@@ -20,7 +20,7 @@ constexpr int failed = 1;
 constexpr int wrong_usage = 2;
 
 void add_import_options(CLI::App& command, ImportOptions& options) {
-    command.add_option("DATASET", options.dataset, "A .pvd or .vti file, or a folder with one")
+    command.add_option("DATASET", options.dataset, "A file or folder of simulation results")
         ->required();
     command.add_option("STORE_DIR", options.store, "Folder to write the store to")->required();
     command
@@ -60,7 +60,7 @@ int run(int argc, char** argv) {
         command("info", "Say what a dataset is", [&] { return run_info(info); });
     info_command
         ->add_option("DATASET", info.dataset,
-                     "A .pvd or .vti file, a store, or flow:NAME[?k=v,...]")
+                     "A file or folder of simulation results, a store, or flow:NAME[?k=v,...]")
         ->required();
     info_command->add_flag("--json", info.json, "As JSON");
     ImportOptions import;
