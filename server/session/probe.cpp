@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 namespace wakesurf::server {
 
 using core::Error;
@@ -53,7 +55,8 @@ probe(const OpenDataset& dataset, const ProbeRequest& request, const std::stop_t
                     "choose `time` inside it");
     ProbeResult result;
     const std::vector<double> times(request.points.size(), request.time);
-    const auto wanted = request.fields.empty() ? std::vector{dataset.info.velocity} : request.fields;
+    const auto wanted =
+        request.fields.empty() ? std::vector{dataset.info.velocity} : request.fields;
     for (const std::string& name : wanted) {
         auto field = sample_field(dataset, request, name, times, stop);
         if (!field)
@@ -62,6 +65,11 @@ probe(const OpenDataset& dataset, const ProbeRequest& request, const std::stop_t
     }
     for (const core::Vec3& point : request.points)
         result.inside.push_back(dataset.flow->status(point) == core::PointStatus::Inside);
+    // A flow answers everywhere, outside with what it has at the nearest place; that is nobody's measurement.
+    for (ProbeField& field : result.fields)
+        for (std::size_t i = 0; i < field.vectors.size(); ++i)
+            if (!result.inside[i])
+                field.vectors[i] = core::Vec3(std::numeric_limits<double>::quiet_NaN());
     return result;
 }
 

@@ -22,7 +22,7 @@ struct ProbeRequest {
 
 struct ProbeField {
     std::string name;
-    std::vector<core::Vec3> vectors; ///< of the velocity, else empty
+    std::vector<core::Vec3> vectors; ///< of the velocity, NaN outside; else empty
     std::vector<float> scalars;      ///< NaN outside
 };
 
