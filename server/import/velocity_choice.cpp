@@ -227,7 +227,7 @@ std::string listed(const Fields& fields) {
         out += (out.empty() ? "" : ", ") + field.name + " (" + std::to_string(field.components) +
                (field.components == 1 ? " component, " : " components, ") +
                (field.source == FieldInfo::Source::Cell ? "cell)" : "point)");
-    return out.empty() ? "no arrays at all" : out;
+    return out.empty() ? "no array that all its parts have" : out;
 }
 
 core::Result<VelocityChoice> choose_velocity(const Fields& fields,

@@ -23,7 +23,7 @@ struct VelocityChoice {
 core::Result<VelocityChoice> choose_velocity(const std::vector<core::FieldInfo>& fields,
                                              const std::vector<std::string>& wanted);
 
-/// "p (1 component, point), U (3 components, cell)", or "no arrays at all".
+/// "p (1 component, point), U (3 components, cell)", or "no array that all its parts have".
 std::string listed(const std::vector<core::FieldInfo>& fields);
 
 } // namespace wakesurf::server

@@ -71,7 +71,7 @@ TEST_F(Import, ListsWhatThereIsWhenTheVelocityIsNotClear) {
     expect_refusal("none.vti", "no vector field; there is p (1 component, point)");
     file.points = "";
     put("nothing.vti", file.text());
-    expect_refusal("nothing.vti", "no arrays at all");
+    expect_refusal("nothing.vti", "there is no array that all its parts have");
     file.points =
         vti_array("wind", 3, file.point_count(), one) + vti_array("B", 3, file.point_count(), one);
     put("two.vti", file.text());
