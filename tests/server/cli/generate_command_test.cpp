@@ -125,8 +125,8 @@ TEST_F(GenerateCommand, WritesWhatTheFlowSaysAtEveryNodeAndTime) {
         const auto* velocity = reinterpret_cast<const float*>(bytes.data());
         const core::Vec3 middle(0.0);
         core::Vec3 expected;
-        ASSERT_TRUE(
-            flow->sample({&middle, 1}, {&store_manifest.layout.times[step], 1}, {&expected, 1}, {}));
+        ASSERT_TRUE(flow->sample({&middle, 1}, {&store_manifest.layout.times[step], 1},
+                                 {&expected, 1}, {}));
         const std::size_t node = 3U * ((3 * 5 + 2) * 9 + 4);
         EXPECT_EQ(velocity[node], static_cast<float>(expected.x));
         EXPECT_EQ(velocity[node + 1], static_cast<float>(expected.y));
@@ -138,8 +138,8 @@ TEST_F(GenerateCommand, WritesWhatTheFlowSaysAtEveryNodeAndTime) {
 
 TEST_F(GenerateCommand, MakesAStoreThatInfoAndSurfaceOpenAtOnce) {
     ASSERT_EQ(run("cylinder", {"--grid", "61,41,11"}).status, 0);
-    EXPECT_EQ(names(), (std::vector<std::string>{"checksums.u32", "mask.u8", "store.json", "store.lock",
-                                                 "velocity_000000.f32"}));
+    EXPECT_EQ(names(), (std::vector<std::string>{"checksums.u32", "mask.u8", "store.json",
+                                                 "store.lock", "velocity_000000.f32"}));
     const auto info = wakesurf({"info", store(), "--json"});
     ASSERT_EQ(info.status, 0) << info.errors;
     const auto description = nlohmann::json::parse(info.output);
@@ -151,6 +151,13 @@ TEST_F(GenerateCommand, MakesAStoreThatInfoAndSurfaceOpenAtOnce) {
     const auto surface = wakesurf({"surface", store(), "--kind", "stream", "--rake",
                                    "-4,0.3,-4 -4,0.3,2", "--to", "5", "-o", folder_ / "out.vtp"});
     EXPECT_EQ(surface.status, 0) << surface.errors;
+}
+
+TEST_F(GenerateCommand, InfoTellsTimesApartHoweverLate) {
+    ASSERT_EQ(run("abc", {"--grid", "8,8,8", "--times", "1000000000:1000000000.5:2"}).status, 0);
+    const auto info = wakesurf({"info", store()});
+    EXPECT_NE(info.output.find("2 from 1000000000 to 1000000000.5"), std::string::npos)
+        << info.output;
 }
 
 TEST_F(GenerateCommand, UsesTheFlowsOwnTimesAndTellsEveryTimeStep) {
