@@ -18,8 +18,7 @@ constexpr std::size_t range_bytes = 8;
 
 /// The header but for its own four bytes, then the body.
 std::uint32_t frame_crc(std::span<const std::byte> bytes) {
-    return core::crc32c(bytes.subspan(frame_header_bytes),
-                        core::crc32c(bytes.first(frame_crc_at)));
+    return core::crc32c(bytes.subspan(frame_header_bytes), core::crc32c(bytes.first(frame_crc_at)));
 }
 
 tl::unexpected<Error> corrupt(std::string message) {

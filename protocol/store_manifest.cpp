@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-
 namespace wakesurf::protocol {
 
 using core::Error;
@@ -80,7 +79,8 @@ core::Result<void> check_agreement(const StoreManifest& manifest) {
             core::step_file_size(layout.grid.nodes(), 3, core::Precision::Single) ||
         (is_uniform && info.dimensions != uniform.dimensions))
         return disagree("numbers of points");
-    if (is_uniform && (info.bounds.lo != uniform.bounds().lo || info.bounds.hi != uniform.bounds().hi))
+    if (is_uniform &&
+        (info.bounds.lo != uniform.bounds().lo || info.bounds.hi != uniform.bounds().hi))
         return disagree("bounds");
     return {};
 }

@@ -21,7 +21,8 @@ inline constexpr std::uint32_t beyond_wall = 0xfffffffeu; ///< a wall: particles
 /// Entries past the shape's own are `beyond_domain`. One cache line.
 struct alignas(64) MeshCell {
     std::array<std::uint32_t, 8> node;
-    std::array<std::uint32_t, 6> beyond; ///< the cell on the other side of each face, by number, or one of the two above
+    std::array<std::uint32_t, 6>
+        beyond; ///< the cell on the other side of each face, by number, or one of the two above
     CellShape shape;
 };
 
@@ -32,7 +33,8 @@ struct CellMesh {
 
 struct CellFace {
     std::uint8_t count = 0; ///< 3 or 4 nodes
-    std::array<std::uint8_t, 4> node{}; ///< indices into MeshCell::node; seen from outside, counterclockwise
+    std::array<std::uint8_t, 4>
+        node{}; ///< indices into MeshCell::node; seen from outside, counterclockwise
 };
 
 /// Faces of a shape in the order of MeshCell::beyond; those of a hexahedron are r = 0, r = 1, s = 0, s = 1, t = 0, t = 1.

@@ -33,8 +33,9 @@ struct DatasetInfo {
     std::string reader;  ///< what read it: vtkXMLImageDataReader, store, analytic ...
     GridKind grid = GridKind::Uniform;
     Box bounds;
-    std::array<std::uint32_t, 3> dimensions{0, 0, 0}; ///< nodes per axis of a uniform or rectilinear grid
-    Vec3 spacing{0.0};                                ///< of a uniform grid
+    std::array<std::uint32_t, 3> dimensions{0, 0,
+                                            0}; ///< nodes per axis of a uniform or rectilinear grid
+    Vec3 spacing{0.0};                          ///< of a uniform grid
     std::uint64_t points = 0;
     std::uint64_t cells = 0;
     std::vector<double> times; ///< strictly increasing
@@ -42,7 +43,7 @@ struct DatasetInfo {
     std::vector<FieldInfo> fields;
     std::string velocity; ///< name of the field taken as velocity
     std::string why;      ///< why that field was taken
-    std::string note; ///< what a user should know: cells left out, rounding; may be empty
+    std::string note;     ///< what a user should know: cells left out, rounding; may be empty
     Precision precision = Precision::Single;
     bool obstacle = false;
     std::uint64_t bytes_per_step = 0;

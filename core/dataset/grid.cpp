@@ -71,17 +71,16 @@ std::size_t cell_count(const Grid& grid) {
     const auto product = [](std::size_t x, std::size_t y, std::size_t z) {
         return (x - 1) * (y - 1) * (z - 1);
     };
-    return std::visit(Overloaded{[&](const UniformGrid& g) {
-                                     return product(g.dimensions[0], g.dimensions[1],
-                                                    g.dimensions[2]);
-                                 },
-                                 [&](const RectilinearGrid& g) {
-                                     return product(g.coordinates[0].size(),
-                                                    g.coordinates[1].size(),
-                                                    g.coordinates[2].size());
-                                 },
-                                 [](const CellMesh& g) { return g.cells.size(); }},
-                      grid);
+    return std::visit(
+        Overloaded{[&](const UniformGrid& g) {
+                       return product(g.dimensions[0], g.dimensions[1], g.dimensions[2]);
+                   },
+                   [&](const RectilinearGrid& g) {
+                       return product(g.coordinates[0].size(), g.coordinates[1].size(),
+                                      g.coordinates[2].size());
+                   },
+                   [](const CellMesh& g) { return g.cells.size(); }},
+        grid);
 }
 
 std::size_t memory_of(const Grid& grid) {

@@ -25,8 +25,10 @@ std::vector<std::byte> bytes_of(std::span<const T> values) {
 }
 
 template <class T>
-Result<std::vector<T>>
-read_values(const StoreLayout& layout, const std::string& name, std::uint64_t count, const Disk& disk) {
+Result<std::vector<T>> read_values(const StoreLayout& layout,
+                                   const std::string& name,
+                                   std::uint64_t count,
+                                   const Disk& disk) {
     return read_fixed_file(layout, name, count * sizeof(T), disk).map([&](const auto& bytes) {
         std::vector<T> values(static_cast<std::size_t>(count));
         std::memcpy(values.data(), bytes.data(), bytes.size());
@@ -41,7 +43,8 @@ tl::unexpected<Error> damaged(const std::string& what) {
 Result<Grid> read_rectilinear(const StoreLayout& layout, const Disk& disk) {
     RectilinearGrid grid;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        auto along = read_values<double>(layout, axis_files[axis], layout.grid.dimensions[axis], disk);
+        auto along =
+            read_values<double>(layout, axis_files[axis], layout.grid.dimensions[axis], disk);
         if (!along)
             return tl::unexpected(along.error());
         const bool sound =
@@ -78,7 +81,8 @@ Result<Grid> read_cells(const StoreLayout& layout, const Disk& disk) {
     CellMesh mesh;
     mesh.points.resize(points);
     for (std::size_t i = 0; i < points; ++i) {
-        mesh.points[i] = {(*coordinates)[3 * i], (*coordinates)[3 * i + 1], (*coordinates)[3 * i + 2]};
+        mesh.points[i] = {(*coordinates)[3 * i], (*coordinates)[3 * i + 1],
+                          (*coordinates)[3 * i + 2]};
         if (!finite(mesh.points[i]))
             return damaged(std::string(points_file) + " holds coordinates that are no numbers");
     }
@@ -91,7 +95,8 @@ Result<Grid> read_cells(const StoreLayout& layout, const Disk& disk) {
         std::copy_n(nodes->begin() + static_cast<std::ptrdiff_t>(8 * i), 8, cell.node.begin());
         std::copy_n(beyond->begin() + static_cast<std::ptrdiff_t>(6 * i), 6, cell.beyond.begin());
         if (!sound(cell, points, cells))
-            return damaged("cell " + std::to_string(i) + " has nodes or neighbours there are none of");
+            return damaged("cell " + std::to_string(i) +
+                           " has nodes or neighbours there are none of");
     }
     return mesh;
 }
@@ -99,7 +104,8 @@ Result<Grid> read_cells(const StoreLayout& layout, const Disk& disk) {
 std::vector<GridFile> files_of(const RectilinearGrid& grid) {
     std::vector<GridFile> files;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        files.push_back({axis_files[axis], bytes_of(std::span<const double>(grid.coordinates[axis]))});
+        files.push_back(
+            {axis_files[axis], bytes_of(std::span<const double>(grid.coordinates[axis]))});
     return files;
 }
 
@@ -144,7 +150,8 @@ StoredGrid stored_grid(const Grid& grid, bool curvilinear) {
     } else if (const auto* rectilinear = std::get_if<RectilinearGrid>(&grid)) {
         stored.kind = GridKind::Rectilinear;
         for (std::size_t axis = 0; axis < 3; ++axis)
-            stored.dimensions[axis] = static_cast<std::uint32_t>(rectilinear->coordinates[axis].size());
+            stored.dimensions[axis] =
+                static_cast<std::uint32_t>(rectilinear->coordinates[axis].size());
     } else {
         stored.kind = curvilinear ? GridKind::Curvilinear : GridKind::Unstructured;
         stored.points = node_count(grid);
@@ -161,8 +168,10 @@ std::vector<GridFile> grid_files(const Grid& grid) {
     return {};
 }
 
-Result<std::vector<std::byte>>
-read_fixed_file(const StoreLayout& layout, const std::string& name, std::uint64_t size, const Disk& disk) {
+Result<std::vector<std::byte>> read_fixed_file(const StoreLayout& layout,
+                                               const std::string& name,
+                                               std::uint64_t size,
+                                               const Disk& disk) {
     const auto checksum = layout.checksums.find(name);
     if (checksum == layout.checksums.end())
         return damaged("the store's manifest has no checksum of " + name);

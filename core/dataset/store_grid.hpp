@@ -24,8 +24,10 @@ std::vector<GridFile> grid_files(const Grid& grid);
 
 /// Reads a file that all time-steps share. Error: NotFound, Io, Corrupt for another size or
 /// checksum than the layout says, and without a checksum.
-Result<std::vector<std::byte>>
-read_fixed_file(const StoreLayout& layout, const std::string& name, std::uint64_t size, const Disk& disk);
+Result<std::vector<std::byte>> read_fixed_file(const StoreLayout& layout,
+                                               const std::string& name,
+                                               std::uint64_t size,
+                                               const Disk& disk);
 
 /// Error: as read_fixed_file; Corrupt for coordinates that are not finite or do not rise, and cells with nodes, shapes or
 /// neighbours that do not exist. Memory: the files and the grid at the same time.

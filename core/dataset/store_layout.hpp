@@ -23,9 +23,9 @@ inline constexpr std::string_view velocity_stem = "velocity";
 /// The grid without its big arrays, which have files of their own.
 struct StoredGrid {
     GridKind kind = GridKind::Uniform;
-    UniformGrid uniform;                            ///< of Uniform
+    UniformGrid uniform;                              ///< of Uniform
     std::array<std::uint32_t, 3> dimensions{0, 0, 0}; ///< nodes an axis, of Rectilinear
-    std::uint64_t points = 0;                       ///< of Curvilinear and Unstructured
+    std::uint64_t points = 0;                         ///< of Curvilinear and Unstructured
     std::uint64_t cells = 0;
 
     /// Nodes; 0 where they are too many to be counted.
@@ -48,7 +48,8 @@ struct StoreLayout {
     std::vector<StoredScalar> scalars;
     bool mask = false;  ///< mask.u8 is there
     bool walls = false; ///< walls.f32 and walls.u32 are there
-    std::map<std::string, std::uint32_t> checksums; ///< CRC-32C of the files that all time-steps share
+    std::map<std::string, std::uint32_t>
+        checksums; ///< CRC-32C of the files that all time-steps share
 };
 
 /// velocity_000000.f32 and so on.

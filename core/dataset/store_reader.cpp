@@ -202,9 +202,8 @@ Result<std::shared_ptr<const TimeStep>> StoreReader::load(std::size_t index,
         });
 }
 
-Result<Slab> StoreReader::load_scalar(std::size_t scalar,
-                                      std::size_t index,
-                                      const std::stop_token& stop) const {
+Result<Slab>
+StoreReader::load_scalar(std::size_t scalar, std::size_t index, const std::stop_token& stop) const {
     Slab slab(step_file_size(nodes_, 1, Precision::Single));
     return read(1 + scalar, index, slab.bytes(), stop).map([&](bool) { return std::move(slab); });
 }
@@ -231,7 +230,8 @@ Result<WallGeometry> StoreReader::load_walls() const {
     for (const auto& triangle : walls.triangles)
         for (const std::uint32_t point : triangle)
             if (point >= walls.points.size())
-                return fail(Error::Code::Corrupt, "walls.u32 names points there are none of", again);
+                return fail(Error::Code::Corrupt, "walls.u32 names points there are none of",
+                            again);
     return walls;
 }
 

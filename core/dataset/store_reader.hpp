@@ -51,7 +51,8 @@ class StoreReader final : public TimeStepSource {
                                                  std::stop_token stop) const override;
 
     /// One float a node. @param scalar  index into layout().scalars. Error: as load.
-    Result<Slab> load_scalar(std::size_t scalar, std::size_t index, const std::stop_token& stop) const;
+    Result<Slab>
+    load_scalar(std::size_t scalar, std::size_t index, const std::stop_token& stop) const;
 
     /// Empty where the store has none. Error: NotFound, Io, Corrupt.
     Result<WallGeometry> load_walls() const;
@@ -65,7 +66,9 @@ class StoreReader final : public TimeStepSource {
 
     StoreReader(StoreLayout layout, std::shared_ptr<const Disk> disk);
     Result<void> load_mask();
+
     std::size_t columns() const { return 1 + layout_.scalars.size(); }
+
     Result<FileIdentity> whole_file(std::size_t column, std::size_t index) const;
     /// @return true if some values are not finite. @param out  as large as the values are as floats
     Result<bool> read(std::size_t column,
@@ -75,6 +78,7 @@ class StoreReader final : public TimeStepSource {
     Result<std::uint32_t> checksum(std::size_t column, std::size_t index) const;
     std::optional<Seen> seen(std::size_t column, std::size_t index) const;
     std::string file_name(std::size_t column, std::size_t index) const;
+
     std::size_t components(std::size_t column) const { return column == 0 ? 3 : 1; }
 
     StoreLayout layout_;
@@ -82,8 +86,8 @@ class StoreReader final : public TimeStepSource {
     std::size_t nodes_;
     Grid grid_;
     SolidMask mask_;
-    std::shared_ptr<SlabPool> slabs_; ///< for velocities; time-steps give theirs back
-    mutable std::mutex mutex_; ///< guards seen_
+    std::shared_ptr<SlabPool> slabs_;               ///< for velocities; time-steps give theirs back
+    mutable std::mutex mutex_;                      ///< guards seen_
     mutable std::vector<std::optional<Seen>> seen_; ///< by time-step, then column
 };
 

@@ -28,8 +28,8 @@ class IntervalFlow final : public Flow {
                  std::shared_ptr<const Clock> clock,
                  std::unique_ptr<const Sampling> sampling)
         : cache_(std::move(cache)), intervals_(cache_), clock_(std::move(clock)),
-          source_(cache_->source()), sampling_(std::move(sampling)), domain_(bounds(source_.grid())),
-          finest_(core::finest_spacing(source_.grid())) {}
+          source_(cache_->source()), sampling_(std::move(sampling)),
+          domain_(bounds(source_.grid())), finest_(core::finest_spacing(source_.grid())) {}
 
     Box domain() const override { return domain_; }
 
@@ -160,12 +160,12 @@ class IntervalFlow final : public Flow {
             return tl::unexpected(held.error());
         sampling_->with_field(*held, smoothly, [&](const auto& field) {
             tbb::this_task_arena::isolate([&] {
-                tbb::parallel_for(
-                    tbb::blocked_range<std::size_t>(0, count, 4096), [&](const auto& range) {
-                        for (std::size_t i = range.begin(); i != range.end(); ++i)
-                            velocities[index(i)] =
-                                field.velocity(positions[index(i)], times[index(i)]);
-                    });
+                tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
+                                  [&](const auto& range) {
+                                      for (std::size_t i = range.begin(); i != range.end(); ++i)
+                                          velocities[index(i)] =
+                                              field.velocity(positions[index(i)], times[index(i)]);
+                                  });
             });
         });
         return {};
@@ -225,8 +225,8 @@ class IntervalFlow final : public Flow {
                                      std::size_t interval,
                                      int direction,
                                      const std::stop_token& stop) const {
-        const std::size_t near = std::min(direction > 0 ? interval : interval + 1,
-                                          source_.times().size() - 1);
+        const std::size_t near =
+            std::min(direction > 0 ? interval : interval + 1, source_.times().size() - 1);
         const bool broken = error.code == Error::Code::Corrupt || error.code == Error::Code::Io ||
                             error.code == Error::Code::NotFound;
         if (broken && intervals_.acquire(near, Intervals::Needs::First, stop))

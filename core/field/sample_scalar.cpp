@@ -69,8 +69,7 @@ double weighed(const NodeShares& shares, const float* values) {
 std::size_t scalar_memory(const StoreReader& store) {
     if (store.layout().scalars.empty())
         return 0;
-    return 2 *
-           Slab::reservation(step_file_size(store.layout().grid.nodes(), 1, Precision::Single));
+    return 2 * Slab::reservation(step_file_size(store.layout().grid.nodes(), 1, Precision::Single));
 }
 
 Result<std::size_t> find_scalar(const StoreLayout& layout, std::string_view name) {

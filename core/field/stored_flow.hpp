@@ -14,7 +14,7 @@ namespace wakesurf::core {
 /// @param simd  for tests, and for users who mistrust their processor: results are the same bits
 std::unique_ptr<Flow>
 make_stored_flow(std::shared_ptr<TimeStepCache> cache,
-               std::shared_ptr<const Clock> clock = std::make_shared<SteadyClock>(),
-               Simd simd = Simd::Best);
+                 std::shared_ptr<const Clock> clock = std::make_shared<SteadyClock>(),
+                 Simd simd = Simd::Best);
 
 } // namespace wakesurf::core

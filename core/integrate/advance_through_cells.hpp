@@ -230,8 +230,8 @@ bool advance_through_cells(const Field& field,
         if (!(t <= 1e3 * finest / speed)) // crawls round in its cell
             t = 1e3 * finest / speed;
         t = std::min(t, left);
-        auto shortened = series_step(path, cell.lo(), size, curve.last.arc,
-                                     options.tolerance * speed, t);
+        auto shortened =
+            series_step(path, cell.lo(), size, curve.last.arc, options.tolerance * speed, t);
         if (!shortened) {
             curve.end = CurveEnd::Stagnation;
             return true;

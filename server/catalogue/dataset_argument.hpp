@@ -12,9 +12,10 @@ namespace wakesurf::server {
 struct DatasetArgument {
     enum class Kind { Flow, Store, Source };
     Kind kind = Kind::Source;
-    std::string name;           ///< for people, without a path
-    std::string flow;           ///< what follows `flow:`
-    std::filesystem::path path; ///< canonical: the store's folder, or the file, folder or pattern to import
+    std::string name; ///< for people, without a path
+    std::string flow; ///< what follows `flow:`
+    std::filesystem::path
+        path; ///< canonical: the store's folder, or the file, folder or pattern to import
 };
 
 /// A folder that is no store stands for the one dataset in it, which the importer finds; a last part with * or % for the

@@ -23,10 +23,11 @@ struct DatasetStatus {
     std::string name;
     DatasetState state = DatasetState::Importing;
     std::size_t steps_ready = 0;
-    std::size_t steps_total = 0;      ///< 0 while unknown
-    double progress = 0.0;            ///< of the import, 0..1
-    std::optional<double> remaining;  ///< seconds the import will still take, once that can be told
-    std::optional<core::Error> error; ///< why it failed, or which time-step ended a dataset that is ready
+    std::size_t steps_total = 0;     ///< 0 while unknown
+    double progress = 0.0;           ///< of the import, 0..1
+    std::optional<double> remaining; ///< seconds the import will still take, once that can be told
+    std::optional<core::Error>
+        error; ///< why it failed, or which time-step ended a dataset that is ready
 };
 
 /// Thread safety: every call may come from any thread.

@@ -13,9 +13,9 @@ struct ImportProgress {
     std::string phase; ///< waiting, import (or what else is being done), or done
     std::size_t done = 0;
     std::size_t total = 0;
-    std::string file;  ///< the one just finished, without its folder
-    std::string note;  ///< for people; may be empty
-    double part = 0.0; ///< of the one being worked on, 0..1; on a terminal only
+    std::string file;                  ///< the one just finished, without its folder
+    std::string note;                  ///< for people; may be empty
+    double part = 0.0;                 ///< of the one being worked on, 0..1; on a terminal only
     std::optional<double> remaining{}; ///< seconds, as far as can be told
 };
 

@@ -29,7 +29,8 @@ constexpr double mebi = 1024.0 * 1024.0;
 /// what sampling a scalar takes.
 std::size_t fixed_bytes(const core::StoreReader& reader) {
     const auto* mesh = std::get_if<core::CellMesh>(&reader.grid());
-    constexpr std::size_t locator_bytes = 37; // a cell: core/field/cells/cell_locator.hpp, cell_walls.hpp
+    constexpr std::size_t locator_bytes =
+        37; // a cell: core/field/cells/cell_locator.hpp, cell_walls.hpp
     return core::memory_of(reader.grid()) + (mesh ? locator_bytes * mesh->cells.size() : 0) +
            2 * reader.mask().fluid.size() + core::scalar_memory(reader);
 }

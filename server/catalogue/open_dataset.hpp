@@ -20,8 +20,8 @@ namespace wakesurf::server {
 struct LoadedDataset {
     core::DatasetInfo info;
     std::shared_ptr<const core::Flow> flow;
-    std::shared_ptr<core::TimeStepCache> cache;      ///< null for a built-in flow
-    std::shared_ptr<const core::StoreReader> store;  ///< behind the cache; null for a built-in flow
+    std::shared_ptr<core::TimeStepCache> cache;     ///< null for a built-in flow
+    std::shared_ptr<const core::StoreReader> store; ///< behind the cache; null for a built-in flow
 };
 
 struct OpenOptions {

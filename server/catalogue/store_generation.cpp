@@ -26,7 +26,8 @@ constexpr std::uint64_t spare_bytes = std::uint64_t{64} << 20;
 
 protocol::StoreSource source_of(const GenerateRequest& request) {
     const auto& d = request.grid.dimensions;
-    return {{}, {},
+    return {{},
+            {},
             fmt::format("flow:{} grid {},{},{} times {}:{}:{}", request.flow, d[0], d[1], d[2],
                         request.times.front(), request.times.back(), request.times.size())};
 }
@@ -216,10 +217,9 @@ class Generation {
             return std::as_bytes(piece);
         };
         if (!kept(step))
-            return writer.write(velocity_file(step), next)
-                .and_then([&](std::uint32_t checksum) {
-                    return writer.finish_step(step, {&checksum, 1});
-                });
+            return writer.write(velocity_file(step), next).and_then([&](std::uint32_t checksum) {
+                return writer.finish_step(step, {&checksum, 1});
+            });
         for (;;) {
             const auto piece = next();
             if (!piece)
@@ -269,7 +269,8 @@ class Generation {
 core::Result<std::uint64_t> generated_bytes(const GenerateRequest& request) {
     if (auto sound = core::check_grid(core::stored_grid(request.grid)); !sound)
         return tl::unexpected(sound.error());
-    const std::uint64_t step = core::step_file_size(request.grid.nodes(), 3, core::Precision::Single);
+    const std::uint64_t step =
+        core::step_file_size(request.grid.nodes(), 3, core::Precision::Single);
     constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
     const std::uint64_t mask = request.grid.nodes();
     if (step > (most - mask) / request.times.size())

@@ -71,7 +71,8 @@ core::Result<void> write(const SurfaceOptions& options,
                                                       ? request.parameters.rake2->points
                                                       : std::vector<core::Vec3>{},
                                          .sweep = request.parameters.sweep};
-    auto written = write_whole_file(options.output, protocol::mesh_vtp(surface.mesh, metadata, scalars));
+    auto written =
+        write_whole_file(options.output, protocol::mesh_vtp(surface.mesh, metadata, scalars));
     if (!written || options.stats.empty())
         return written;
     const auto statistics = protocol::statistics_json(surface.statistics);

@@ -4,7 +4,7 @@
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
 #include "core/dataset/store_layout.hpp"
-#include "server/import/node_values.hpp"
+#include "server/import/assembly/node_values.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "server/import/first_step.hpp"
 
-#include "server/import/same_mesh.hpp"
-#include "server/import/wall_assembly.hpp"
+#include "server/import/assembly/same_mesh.hpp"
+#include "server/import/assembly/wall_assembly.hpp"
 
 namespace wakesurf::server {
 

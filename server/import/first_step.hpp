@@ -12,7 +12,8 @@ struct FirstStepReading {
     FirstStep first;
     SourceStep step; ///< with its values
     core::WallGeometry walls;
-    std::optional<SourceStep> last; ///< the last time-step, where it was read and has the mesh of the first
+    std::optional<SourceStep>
+        last; ///< the last time-step, where it was read and has the mesh of the first
 };
 
 /// @param with_last  reads the last time-step as well: boundary faces at rest at both are walls. Without it they are not.

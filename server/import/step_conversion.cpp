@@ -1,7 +1,7 @@
 #include "server/import/step_conversion.hpp"
 
 #include "core/base/half.hpp"
-#include "server/import/same_mesh.hpp"
+#include "server/import/assembly/same_mesh.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,9 @@
 
 #include "core/base/result.hpp"
 #include "server/catalogue/store_writer.hpp"
-#include "server/import/grid_assembly.hpp"
+#include "server/import/assembly/grid_assembly.hpp"
+#include "server/import/assembly/obstacle_mask.hpp"
 #include "server/import/import_plan.hpp"
-#include "server/import/obstacle_mask.hpp"
 
 #include <array>
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
-#include "server/import/node_values.hpp"
+#include "server/import/assembly/node_values.hpp"
 
 #include <string>
 #include <vector>

@@ -187,8 +187,8 @@ void Downloads::surface(const HttpRequest& request,
         return respond(http_error(dataset.error()));
     const std::string known(request.header("if-none-match"));
     (*live)->wait((*live)->epoch(), std::chrono::milliseconds(limits::wait_ms),
-                  [=, live = *live, state = state_,
-                   fields = record->fields, dataset = *dataset](const core::Result<SurfaceOutcome>& outcome) {
+                  [=, live = *live, state = state_, fields = record->fields,
+                   dataset = *dataset](const core::Result<SurfaceOutcome>& outcome) {
                       if (!outcome)
                           return respond(http_error(outcome.error()));
                       if (!outcome->complete)
@@ -200,8 +200,7 @@ void Downloads::surface(const HttpRequest& request,
                           return respond({304, {{"ETag", etag}}});
                       compute<File>(
                           state->loop, state->pool,
-                          [job = live->wanted(), dataset, fields,
-                           stop = state->stop.get_token()] {
+                          [job = live->wanted(), dataset, fields, stop = state->stop.get_token()] {
                               return surface_file(job, *dataset, fields, stop);
                           },
                           [respond, etag](const Body& body) {

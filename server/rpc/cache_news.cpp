@@ -27,8 +27,7 @@ struct CacheNews::Watched {
     std::shared_ptr<void> timer;
 };
 
-CacheNews::CacheNews(Loop& loop, Announce announce)
-    : loop_(loop), announce_(std::move(announce)) {}
+CacheNews::CacheNews(Loop& loop, Announce announce) : loop_(loop), announce_(std::move(announce)) {}
 
 CacheNews::~CacheNews() {
     for (const auto& [dataset, watched] : watched_)

@@ -39,7 +39,8 @@ void cache_status(const Call& call, Reply reply) {
     if (!open)
         return reply.fault(open.error());
     // A built-in flow has no time-steps, so none of them is anywhere.
-    reply.result(cache_json(id, open->cache ? open->cache->status() : core::TimeStepCache::Status()));
+    reply.result(
+        cache_json(id, open->cache ? open->cache->status() : core::TimeStepCache::Status()));
 }
 
 json field_values(const ProbeField& field) {
@@ -65,16 +66,15 @@ void probe_sample(const Call& call, Reply reply) {
     if (!open)
         return reply.fault(open.error());
     const auto answer = std::make_shared<Reply>(std::move(reply));
-    call.context.prober.ask(std::move(*open), std::move(request),
-                            [answer](const core::Result<ProbeResult>& result) {
-                                if (!result)
-                                    return answer->fault(result.error());
-                                json values = json::object();
-                                for (const ProbeField& field : result->fields)
-                                    values[field.name] = field_values(field);
-                                answer->result({{"values", std::move(values)},
-                                                {"inside", result->inside}});
-                            });
+    call.context.prober.ask(
+        std::move(*open), std::move(request), [answer](const core::Result<ProbeResult>& result) {
+            if (!result)
+                return answer->fault(result.error());
+            json values = json::object();
+            for (const ProbeField& field : result->fields)
+                values[field.name] = field_values(field);
+            answer->result({{"values", std::move(values)}, {"inside", result->inside}});
+        });
 }
 
 } // namespace
@@ -100,7 +100,8 @@ std::vector<Method> dataset_methods() {
         {"cache.status",
          "Which time-steps of a dataset are in memory.",
          {dataset},
-         "{dataset, steps: [resident, loading or cold, ...], bytes, budget}; no steps for a built-in "
+         "{dataset, steps: [resident, loading or cold, ...], bytes, budget}; no steps for a "
+         "built-in "
          "flow",
          false,
          cache_status},

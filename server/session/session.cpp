@@ -253,14 +253,14 @@ void Session::built(const SurfaceOutcome& outcome) {
     if (found == surfaces_.end() || !std::exchange(found->second.data_came, false))
         return;
     // Not from within the event: the surface is still telling others of it.
-    services_.loop.post([weak = std::weak_ptr(found->second.live), this, alive = alive_,
-                         id = outcome.surface] {
-        if (!*alive)
-            return;
-        const auto entry = surfaces_.find(id);
-        if (entry != surfaces_.end() && entry->second.live == weak.lock())
-            try_again(entry->second);
-    });
+    services_.loop.post(
+        [weak = std::weak_ptr(found->second.live), this, alive = alive_, id = outcome.surface] {
+            if (!*alive)
+                return;
+            const auto entry = surfaces_.find(id);
+            if (entry != surfaces_.end() && entry->second.live == weak.lock())
+                try_again(entry->second);
+        });
 }
 
 void Session::dataset_changed(const std::string& dataset) {

@@ -79,7 +79,7 @@ TEST(MeshDecoder, RefusesAFrameThatContinuesAnotherState) {
 Bytes sealed(Bytes frame) {
     if (frame.size() >= frame_header_bytes) {
         const std::uint32_t crc = core::crc32c(std::span(frame).subspan(frame_header_bytes),
-                                         core::crc32c(std::span(frame).first(48)));
+                                               core::crc32c(std::span(frame).first(48)));
         std::memcpy(frame.data() + 48, &crc, 4);
     }
     return frame;

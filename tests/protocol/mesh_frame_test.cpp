@@ -41,8 +41,8 @@ MeshFrame sample() {
 /// With the checksum made right again, so that the other checks are reached.
 Bytes with(Bytes bytes, std::size_t offset, std::uint32_t value, std::size_t size = 4) {
     std::memcpy(bytes.data() + offset, &value, size);
-    const std::uint32_t crc =
-        core::crc32c(std::span(bytes).subspan(frame_header_bytes), core::crc32c(std::span(bytes).first(48)));
+    const std::uint32_t crc = core::crc32c(std::span(bytes).subspan(frame_header_bytes),
+                                           core::crc32c(std::span(bytes).first(48)));
     std::memcpy(bytes.data() + 48, &crc, 4);
     return bytes;
 }

@@ -1,5 +1,5 @@
-#include "protocol/store_manifest.hpp"
 #include "core/dataset/store_grid.hpp"
+#include "protocol/store_manifest.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -112,8 +112,7 @@ TEST(StoreManifest, RefusesPartsThatDisagree) {
     EXPECT_EQ(with("/info/bytesPerStep", 719), Code::Corrupt);
     EXPECT_EQ(with("/grid/dimensions", {3, 4, 6}), Code::Corrupt);
     EXPECT_EQ(with("/grid/dimensions", {1, 4, 6}), Code::Corrupt);
-    EXPECT_EQ(with("/grid/dimensions", {4294967295, 4294967295, 4294967295}),
-              Code::Corrupt);
+    EXPECT_EQ(with("/grid/dimensions", {4294967295, 4294967295, 4294967295}), Code::Corrupt);
     EXPECT_EQ(with("/grid/spacing", {0, 1, 1}), Code::Corrupt);
     EXPECT_EQ(with("/grid/origin", {1e300, 0, 0}), Code::Corrupt);
     EXPECT_EQ(with("/info/bounds", {0, 1, 0, 1, 0, 1}), Code::Corrupt);

@@ -49,8 +49,8 @@ bool advance_through_cells(const CellSampler& sampler,
         // circles in its cell does not do so for ever.
         const double exit = leaves_cell(field.place().geometry().shape(), local);
         double t = std::min(std::min(std::max(exit, 1e-5 * crossing), 1e3 * crossing), left);
-        auto shortened = series_step(space, Vec3(0.0), unit, curve.last.arc,
-                                     options.tolerance * speed, t);
+        auto shortened =
+            series_step(space, Vec3(0.0), unit, curve.last.arc, options.tolerance * speed, t);
         if (!shortened) {
             curve.end = CurveEnd::Stagnation;
             return true;

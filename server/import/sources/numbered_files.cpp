@@ -1,6 +1,7 @@
 #include "server/import/sources/numbered_files.hpp"
 
 #include "server/import/sources/file_names.hpp"
+#include "server/import/sources/named_path.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -92,8 +93,15 @@ core::Result<NumberedFiles> find(const fs::path& given, const Shape& shape) {
                               " have the same number",
                           "take one of them away, or name the series by a pattern");
     NumberedFiles out{tidy_name(shape.prefix), {}};
-    for (auto& [number, path] : found)
+    for (auto& [number, path] : found) {
+        // The file that was asked for may be a link to anywhere; those found beside it may not.
+        if (path != given)
+            if (const auto inside = named_path(folder, path.filename().string(),
+                                               "the series of " + given.filename().string());
+                !inside)
+                return tl::unexpected(inside.error());
         out.files.push_back(std::move(path));
+    }
     return out;
 }
 

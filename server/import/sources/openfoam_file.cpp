@@ -141,16 +141,19 @@ core::Result<std::vector<FoamPatch>> read_foam_patches(const fs::path& file,
     return out;
 }
 
-bool has_foam_directive(const fs::path& file) {
+bool written_by_hand(const fs::path& file) {
     constexpr std::size_t at_most = 1 << 16;
     const auto text = content(file, at_most);
     if (!text)
         return false;
     const auto tokens = tokens_of(std::string_view(*text).substr(behind_header(*text)));
-    return std::any_of(tokens.begin(), tokens.end(), [](std::string_view token) {
+    const bool directive = std::any_of(tokens.begin(), tokens.end(), [](std::string_view token) {
         return token.size() > 1 && token[0] == '#' &&
                std::isalpha(static_cast<unsigned char>(token[1])) != 0;
     });
+    const auto inside = std::find(tokens.begin(), tokens.end(), "internalField");
+    return directive ||
+           (inside != tokens.end() && inside + 1 != tokens.end() && *(inside + 1) == "uniform");
 }
 
 bool same_foam_body(const fs::path& one, const fs::path& other) {

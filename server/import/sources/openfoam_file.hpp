@@ -34,9 +34,9 @@ std::optional<FoamHeader> read_foam_header(const std::filesystem::path& file);
 core::Result<std::vector<FoamPatch>> read_foam_patches(const std::filesystem::path& file,
                                                        const std::string& name);
 
-/// Does it hold a directive (#includeEtc, #codeStream ...) behind its header? Reads the first 64 KiB, where those of
-/// a field written by hand stand. False where it cannot be read.
-bool has_foam_directive(const std::filesystem::path& file);
+/// Does a field look as people write initial ones: with a directive (#includeEtc, #codeStream ...) behind its header, or one value
+/// for all cells? Then it may name its patches by groups as well. Reads the first 64 KiB. False where it cannot be read.
+bool written_by_hand(const std::filesystem::path& file);
 
 /// Are they equal but for their headers? False where one cannot be read.
 bool same_foam_body(const std::filesystem::path& one, const std::filesystem::path& other);

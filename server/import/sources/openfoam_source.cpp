@@ -37,9 +37,9 @@ class OpenfoamSource final : public Source {
 
     core::Result<void> find_ranges() {
         auto first = read(0, found_.fields);
-        // Initial fields written by hand may hold directives VTK does not know.
+        // Initial fields written by hand may hold directives and groups of patches VTK does not know.
         if (!first && found_.times.size() > 1 && found_.times.front().value == 0.0) {
-            leave_out_written_by_hand();
+            leave_out_written_by_hand(first.error());
             first = read(0, found_.fields);
         }
         if (!first)
@@ -97,18 +97,18 @@ class OpenfoamSource final : public Source {
 
   private:
     // A solver writes numbers only, so the times behind the first one are whole without it.
-    void leave_out_written_by_hand() {
+    void leave_out_written_by_hand(const Error& why) {
         for (const auto& part : found_.parts)
             for (const auto& region : found_.regions)
                 for (const auto& field : found_.fields) {
                     const auto file = found_.file_at(
                         found_.relative(part, found_.times.front().name, region.name, field.name));
-                    if (!region.fluid || !has_foam_directive(file.path))
+                    if (!region.fluid || !written_by_hand(file.path))
                         continue;
                     description_.note +=
                         (description_.note.empty() ? "" : "; ") +
-                        ("time " + found_.times.front().name + " is left out, since " + file.name +
-                         " has a directive VTK does not follow");
+                        ("time " + found_.times.front().name +
+                         " is left out: its fields are written by hand, and " + why.message);
                     found_.times.erase(found_.times.begin());
                     description_.times.erase(description_.times.begin());
                     return;

@@ -12,7 +12,8 @@ namespace wakesurf::server {
 struct TimedEntry {
     std::string name; ///< as messages say it
     std::optional<double> time;
-    bool unreadable = false; ///< whatever time it has is not known: one is made up between its neighbours'
+    bool unreadable =
+        false; ///< whatever time it has is not known: one is made up between its neighbours'
 };
 
 struct SeriesTimes {

@@ -1,7 +1,7 @@
 #include "server/import/sources/vtk_files_source.hpp"
 
 #include "core/base/disk.hpp"
-#include "server/import/same_mesh.hpp"
+#include "server/import/assembly/same_mesh.hpp"
 #include "server/import/sources/composite_file.hpp"
 #include "server/import/sources/file_names.hpp"
 #include "server/import/sources/fluid_blocks.hpp"

@@ -1,6 +1,5 @@
-#include "core/field/sample_scalar.hpp"
-
 #include "core/base/crc32c.hpp"
+#include "core/field/sample_scalar.hpp"
 #include "core/field/stored_flow.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,5 +1,5 @@
-#include "core/field/stored_flow.hpp"
 #include "core/field/grid_sampler.hpp"
+#include "core/field/stored_flow.hpp"
 #include "tests/support/sampled_source.hpp"
 
 #include <gtest/gtest.h>

@@ -14,9 +14,9 @@ using wakesurf::test::SampledSource;
 // Seven time-steps 0, 1, ... 6 of a uniform flow that takes 8 time units through the box.
 struct Series {
     explicit Series(std::size_t broken, std::size_t budget = std::size_t{1} << 30) {
-        source = std::make_shared<SampledSource>(
-            UniformGrid{{0, 0, 0}, {1, 1, 1}, {9, 5, 5}}, std::vector<double>{0, 1, 2, 3, 4, 5, 6},
-            [](const Vec3&, double) { return Vec3(1, 0, 0); });
+        source = std::make_shared<SampledSource>(UniformGrid{{0, 0, 0}, {1, 1, 1}, {9, 5, 5}},
+                                                 std::vector<double>{0, 1, 2, 3, 4, 5, 6},
+                                                 [](const Vec3&, double) { return Vec3(1, 0, 0); });
         source->broken = broken;
         flow = make_stored_flow(
             std::make_shared<TimeStepCache>(source, TimeStepCache::Options{budget, 1}));

@@ -144,8 +144,9 @@ TEST(DatasetCatalogue, TakesATimeStepThatIsStillBeingWrittenOnceItIsWhole) {
     EXPECT_NE(partly.error->message.find("u_1.vti"), std::string::npos) << partly.error->message;
     EXPECT_TRUE(bench.catalogue->find("u_0").value()->cache->acquire(0).has_value());
     write_file(folder / "u_1.vti", whole);
-    const auto complete = bench.wait_until(
-        "u_0", [](const DatasetStatus& status) { return !status.error && status.steps_ready == 2; });
+    const auto complete = bench.wait_until("u_0", [](const DatasetStatus& status) {
+        return !status.error && status.steps_ready == 2;
+    });
     EXPECT_EQ(complete.state, DatasetState::Ready);
     EXPECT_EQ(bench.catalogue->find("u_0").value()->cache->acquire(1).value()->velocity()[0], 1.0f);
 }

@@ -1,6 +1,6 @@
 #include "core/dataset/cell_neighbours.hpp"
-#include "server/import/cell_volume.hpp"
-#include "server/import/grid_assembly.hpp"
+#include "server/import/assembly/cell_volume.hpp"
+#include "server/import/assembly/grid_assembly.hpp"
 #include "tests/server/import/small_blocks.hpp"
 
 #include <gtest/gtest.h>

@@ -158,6 +158,9 @@ TEST_F(ImportSteps, AreNotReadFromOutsideOfTheCollectionsFolder) {
     put("l.vti.series",
         R"({"file-series-version": "1.0", "files": [{"name": "link.vti", "time": 0}]})");
     expect_refusal("l.vti.series", "which lies outside of its folder");
+    put("n_0.vti", sample_vti().text());
+    fs::create_symlink(elsewhere / "secret.vti", folder_ / "n_1.vti");
+    expect_refusal("n_0.vti", "the series of n_0.vti names n_1.vti, which lies outside");
     EXPECT_EQ(run("link.vti").status, 0); // whoever names a link knows where it leads
 }
 

@@ -145,7 +145,9 @@ TEST_F(Import, KeepsWhatIsNoNumberAsThat) {
     auto file = sample_vti();
     file.points = vti_array(
         "U", 3, file.point_count(),
-        [](std::size_t i) { return i == 10 ? std::nan("") : i == 20 ? 1e300 : 1.0; }, "Float64");
+        [](std::size_t i) { return i == 10   ? std::nan("")
+                                   : i == 20 ? 1e300
+                                             : 1.0; }, "Float64");
     put("nan.vti", file.text());
     ASSERT_EQ(run("nan.vti").status, 0);
     EXPECT_TRUE(reader()->load(0, {}).value()->gaps);

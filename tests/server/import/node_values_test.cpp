@@ -1,4 +1,4 @@
-#include "server/import/node_values.hpp"
+#include "server/import/assembly/node_values.hpp"
 #include "tests/server/import/small_blocks.hpp"
 
 #include <gtest/gtest.h>

@@ -3,13 +3,13 @@
 #include "tests/support/vti_text.hpp"
 
 #include <vtkCellData.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkDataSetWriter.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationStringKey.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkXMLDataSetWriter.h>
 #include <vtkXMLMultiBlockDataWriter.h>
 #include <vtkXMLPDataSetWriter.h>

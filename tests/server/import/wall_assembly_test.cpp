@@ -1,5 +1,5 @@
 #include "core/dataset/cell_neighbours.hpp"
-#include "server/import/wall_assembly.hpp"
+#include "server/import/assembly/wall_assembly.hpp"
 #include "tests/server/import/small_blocks.hpp"
 
 #include <gtest/gtest.h>

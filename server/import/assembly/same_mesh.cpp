@@ -1,4 +1,4 @@
-#include "server/import/same_mesh.hpp"
+#include "server/import/assembly/same_mesh.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

@@ -4,7 +4,7 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/grid.hpp"
-#include "server/import/added_nodes.hpp"
+#include "server/import/assembly/added_nodes.hpp"
 
 #include <vtkDataSet.h>
 #include <vtkSmartPointer.h>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/dataset/cell_mesh.hpp"
-#include "server/import/added_nodes.hpp"
+#include "server/import/assembly/added_nodes.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
-#include "server/import/wall_assembly.hpp"
+#include "server/import/assembly/wall_assembly.hpp"
 
-#include "server/import/boundary_polygons.hpp"
+#include "server/import/assembly/boundary_polygons.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCellType.h>

@@ -1,4 +1,4 @@
-#include "server/import/structured_grids.hpp"
+#include "server/import/assembly/structured_grids.hpp"
 
 #include "core/dataset/store_grid.hpp"
 

@@ -1,4 +1,4 @@
-#include "server/import/boundary_polygons.hpp"
+#include "server/import/assembly/boundary_polygons.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "server/import/point_merging.hpp"
+#include "server/import/assembly/point_merging.hpp"
 
 #include "core/base/box.hpp"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "server/import/assembly/grid_assembly.hpp"
 #include "server/import/field_choice.hpp"
-#include "server/import/grid_assembly.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "server/import/polyhedron_cutter.hpp"
+#include "server/import/assembly/polyhedron_cutter.hpp"
 
-#include "server/import/cell_volume.hpp"
+#include "server/import/assembly/cell_volume.hpp"
 
 #include <algorithm>
 #include <numeric>

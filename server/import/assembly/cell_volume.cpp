@@ -1,4 +1,4 @@
-#include "server/import/cell_volume.hpp"
+#include "server/import/assembly/cell_volume.hpp"
 
 #include <algorithm>
 #include <array>

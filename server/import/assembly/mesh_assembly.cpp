@@ -1,11 +1,11 @@
-#include "server/import/mesh_assembly.hpp"
+#include "server/import/assembly/mesh_assembly.hpp"
 
 #include "core/dataset/cell_neighbours.hpp"
-#include "server/import/block_cells.hpp"
-#include "server/import/boundary_polygons.hpp"
-#include "server/import/cell_volume.hpp"
-#include "server/import/point_merging.hpp"
-#include "server/import/polyhedron_cutter.hpp"
+#include "server/import/assembly/block_cells.hpp"
+#include "server/import/assembly/boundary_polygons.hpp"
+#include "server/import/assembly/cell_volume.hpp"
+#include "server/import/assembly/point_merging.hpp"
+#include "server/import/assembly/polyhedron_cutter.hpp"
 
 #include <vtkPointSet.h>
 #include <vtkPoints.h>

@@ -1,7 +1,7 @@
 // Whether two time-steps have one mesh: compared number by number, since a store has one grid.
 #pragma once
 
-#include "server/import/grid_assembly.hpp"
+#include "server/import/assembly/grid_assembly.hpp"
 
 #include <vector>
 

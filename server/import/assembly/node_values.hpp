@@ -3,7 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
-#include "server/import/grid_assembly.hpp"
+#include "server/import/assembly/grid_assembly.hpp"
 
 #include <span>
 #include <string>

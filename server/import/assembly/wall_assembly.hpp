@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/dataset/store_reader.hpp"
-#include "server/import/grid_assembly.hpp"
+#include "server/import/assembly/grid_assembly.hpp"
 #include "server/import/source.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
-#include "server/import/grid_assembly.hpp"
+#include "server/import/assembly/grid_assembly.hpp"
 
-#include "server/import/mesh_assembly.hpp"
-#include "server/import/structured_grids.hpp"
+#include "server/import/assembly/mesh_assembly.hpp"
+#include "server/import/assembly/structured_grids.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 
 #include "core/dataset/cell_mesh.hpp"
 #include "core/dataset/cell_neighbours.hpp"
-#include "server/import/grid_assembly.hpp"
+#include "server/import/assembly/grid_assembly.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "server/import/node_values.hpp"
+#include "server/import/assembly/node_values.hpp"
 
-#include "server/import/tuple_access.hpp"
+#include "server/import/assembly/tuple_access.hpp"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

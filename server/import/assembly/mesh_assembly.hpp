@@ -1,7 +1,7 @@
 // BlockList of cells -> one core::CellMesh: the part of grid_assembly.hpp that grids of their own need not go through.
 #pragma once
 
-#include "server/import/grid_assembly.hpp"
+#include "server/import/assembly/grid_assembly.hpp"
 
 namespace wakesurf::server {
 

@@ -1,7 +1,7 @@
-#include "server/import/obstacle_mask.hpp"
+#include "server/import/assembly/obstacle_mask.hpp"
 
-#include "server/import/block_cells.hpp"
-#include "server/import/tuple_access.hpp"
+#include "server/import/assembly/block_cells.hpp"
+#include "server/import/assembly/tuple_access.hpp"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

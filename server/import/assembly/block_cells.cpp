@@ -1,4 +1,4 @@
-#include "server/import/block_cells.hpp"
+#include "server/import/assembly/block_cells.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
