@@ -5,6 +5,7 @@
 #include "server/catalogue/source_stamp.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 
 namespace wakesurf::server {
@@ -87,14 +88,26 @@ void DatasetCatalogue::watch(const std::stop_token& stop) {
                 return;
             if (entry->argument.kind != DatasetArgument::Kind::Source || !due(*entry))
                 continue;
-            import_one(*entry, stop);
+            look_again(*entry, stop);
             listener_(entry->status.dataset);
         }
     }
 }
 
+// A solver's log beside its data changes all the time: where nothing new was found, looking takes a twentieth of the time at most.
+void DatasetCatalogue::look_again(Entry& entry, const std::stop_token& stop) {
+    const std::size_t known = entry.status.steps_ready;
+    const auto begun = std::chrono::steady_clock::now();
+    import_one(entry, stop);
+    const auto ended = std::chrono::steady_clock::now();
+    if (entry.status.steps_ready == known)
+        entry.rests_until = ended + 20 * (ended - begun);
+}
+
 // Changed since the last import began; or that one failed, perhaps at a file that was being written: then again, less and less often.
 bool DatasetCatalogue::due(Entry& entry) const {
+    if (std::chrono::steady_clock::now() < entry.rests_until)
+        return false;
     if (source_stamp(entry.argument.path) != entry.stamp) {
         entry.failures = 0;
         return true;

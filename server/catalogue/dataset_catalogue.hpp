@@ -4,6 +4,7 @@
 
 #include "server/catalogue/open_dataset.hpp"
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -65,6 +66,7 @@ class DatasetCatalogue {
         bool failed = false;     ///< that import
         unsigned failures = 0;   ///< in a row, of the same source
         unsigned looks = 0;      ///< since
+        std::chrono::steady_clock::time_point rests_until{}; ///< it is not looked at before
     };
 
     DatasetCatalogue(OpenOptions options, Listener listener)
@@ -76,6 +78,7 @@ class DatasetCatalogue {
     void import_all(const std::stop_token& stop);
     void import_one(Entry& entry, const std::stop_token& stop);
     void watch(const std::stop_token& stop);
+    void look_again(Entry& entry, const std::stop_token& stop);
     bool due(Entry& entry) const;
     core::Result<LoadedDataset> reopened(const Entry& entry,
                                          const std::filesystem::path& folder) const;
