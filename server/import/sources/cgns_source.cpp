@@ -83,13 +83,11 @@ class CgnsSource final : public Source {
     const SourceDescription& description() const override { return description_; }
 
     core::Result<std::vector<protocol::SourceFile>> shared_files() const override {
-        return series_.entries.size() > 1 ? core::Result<std::vector<protocol::SourceFile>>()
-                                          : fingerprint(series_.entries.front().parts);
+        return file_of_all(series_);
     }
 
     core::Result<std::vector<protocol::SourceFile>> files(std::size_t step) const override {
-        return series_.entries.size() > 1 ? fingerprint(series_.entries[steps_[step].file].parts)
-                                          : core::Result<std::vector<protocol::SourceFile>>();
+        return file_of_one(series_, steps_[step].file);
     }
 
     core::Result<SourceStep> read(std::size_t step, const std::vector<FieldInfo>& fields) override {

@@ -34,4 +34,15 @@ core::Result<std::vector<protocol::SourceFile>> fingerprint(const std::vector<Li
     return fingerprint(named);
 }
 
+core::Result<std::vector<protocol::SourceFile>> file_of_all(const FileSeries& series) {
+    return series.entries.size() > 1 ? core::Result<std::vector<protocol::SourceFile>>()
+                                     : fingerprint(series.entries.front().parts);
+}
+
+core::Result<std::vector<protocol::SourceFile>> file_of_one(const FileSeries& series,
+                                                            std::size_t entry) {
+    return series.entries.size() > 1 ? fingerprint(series.entries[entry].parts)
+                                     : core::Result<std::vector<protocol::SourceFile>>();
+}
+
 } // namespace wakesurf::server

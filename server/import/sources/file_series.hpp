@@ -36,4 +36,10 @@ core::Result<FileSeries> open_file_series(const std::filesystem::path& source);
 /// As of source_files.hpp.
 core::Result<std::vector<protocol::SourceFile>> fingerprint(const std::vector<ListedFile>& files);
 
+/// Of files that hold several time-steps each: a single one is shared by all of them, of several each time-step has its own.
+/// Error: as fingerprint.
+core::Result<std::vector<protocol::SourceFile>> file_of_all(const FileSeries& series);
+core::Result<std::vector<protocol::SourceFile>> file_of_one(const FileSeries& series,
+                                                            std::size_t entry);
+
 } // namespace wakesurf::server

@@ -1,6 +1,6 @@
 #include "server/import/sources/netcdf_file.hpp"
 
-#include "server/import/sources/classic_netcdf_size.hpp"
+#include "server/import/sources/netcdf_size.hpp"
 
 #include <algorithm>
 #include <array>
@@ -101,7 +101,7 @@ Packing packing_of(const NetcdfFile& file, const NetcdfVariable& variable) {
 } // namespace
 
 core::Result<NetcdfFile> NetcdfFile::open(const ListedFile& file) {
-    if (auto whole = check_classic_netcdf_size(file); !whole)
+    if (auto whole = check_netcdf_size({file.path, file.name}); !whole)
         return tl::unexpected(whole.error());
     NetcdfFile out;
     out.name_ = file.name;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -15,100 +17,139 @@ using core::Error;
 
 namespace {
 
-// Big-endian numbers one after the other; after the end all are 0 and `bad`.
-class HeaderReader {
+constexpr std::uint64_t most = std::uint64_t{1} << 60; // bytes: beyond, a header is damaged
+
+// What the header says, number by number; everything is big-endian and padded to four bytes.
+class Header {
   public:
-    HeaderReader(std::istream& in, int version) : in_(in), version_(version) {}
+    Header(std::istream& in, int version)
+        : in_(in), count_(version == 5 ? 8 : 4), offset_(version == 1 ? 4 : 8) {}
 
-    std::uint64_t number(int bytes) {
-        std::uint64_t out = 0;
-        for (int i = 0; i < bytes; ++i)
-            out = out << 8 | static_cast<std::uint8_t>(in_.get());
-        return in_ ? out : 0;
-    }
-
-    std::uint64_t count() { return number(version_ == 5 ? 8 : 4); }
-
-    std::uint64_t offset() { return number(version_ == 1 ? 4 : 8); }
-
-    void skip(std::uint64_t bytes) {
-        in_.seekg(static_cast<std::streamoff>((bytes + 3) / 4 * 4), std::ios::cur);
-    }
-
-    void skip_name() { skip(count()); }
-
-    bool bad() const { return !in_; }
-
-    void skip_attributes() {
-        number(4); // a tag, or zeros where there are none
-        for (auto left = count(); left > 0 && !bad(); --left) {
-            skip_name();
-            const auto size = size_of(number(4));
-            skip(count() * size);
-        }
-    }
-
-    static std::uint64_t size_of(std::uint64_t type) {
-        constexpr std::uint64_t sizes[] = {1, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
-        return type < std::size(sizes) ? sizes[type] : 1;
+    /// The end of the last value of the last variable; nothing where the header makes no sense.
+    std::optional<std::uint64_t> end_of_data() {
+        const auto records = number(count_);
+        if (!read_dimensions() || !skip_attributes())
+            return std::nullopt;
+        const auto tag = number(4);
+        const auto variables = number(count_);
+        if (!sound_ || (tag != 0 && tag != 11))
+            return std::nullopt;
+        for (std::uint64_t i = 0; i < variables; ++i)
+            if (!read_variable())
+                return std::nullopt;
+        // Streamed files do not say how many records they have.
+        const auto streaming = count_ == 4 ? std::numeric_limits<std::uint32_t>::max()
+                                           : std::numeric_limits<std::uint64_t>::max();
+        if (records == streaming || records == 0 || record_ends_ == 0)
+            return fixed_ends_;
+        if (record_bytes_ > 0 && records - 1 > most / record_bytes_)
+            return std::nullopt;
+        return std::max(fixed_ends_, record_ends_ + (records - 1) * record_size());
     }
 
   private:
-    std::istream& in_;
-    int version_;
-};
+    std::uint64_t number(std::size_t bytes) {
+        std::array<char, 8> text{};
+        in_.read(text.data(), static_cast<std::streamsize>(bytes));
+        sound_ = sound_ && in_.good();
+        std::uint64_t out = 0;
+        for (std::size_t i = 0; i < bytes; ++i)
+            out = out << 8 | static_cast<unsigned char>(text[i]);
+        return out;
+    }
 
-// Bytes up to the end of the last value, without the padding behind it; nothing where this is no header.
-std::optional<std::uint64_t> size_by_header(std::istream& in, int version) {
-    HeaderReader header(in, version);
-    const auto records = header.count();
-    constexpr std::uint32_t streaming = 0xffffffffu;
-    if (version != 5 && records == streaming)
-        return std::uint64_t{0};
-    header.number(4);
-    std::vector<std::uint64_t> dimensions;
-    for (auto left = header.count(); left > 0 && !header.bad(); --left) {
-        header.skip_name();
-        dimensions.push_back(header.count());
+    bool skip(std::uint64_t bytes) {
+        sound_ = sound_ && bytes < most;
+        if (sound_)
+            in_.seekg(static_cast<std::streamoff>((bytes + 3) / 4 * 4), std::ios::cur);
+        return sound_ && in_.good();
     }
-    header.skip_attributes();
-    header.number(4);
-    std::uint64_t end = 0;
-    std::uint64_t record = 0;
-    std::vector<std::pair<std::uint64_t, std::uint64_t>>
-        in_records; // where the first begins, its bytes
-    for (auto left = header.count(); left > 0 && !header.bad(); --left) {
-        header.skip_name();
+
+    static std::uint64_t bytes_of(std::uint64_t type) {
+        constexpr std::array<std::uint64_t, 12> sizes{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
+        return type < sizes.size() ? sizes[type] : 0;
+    }
+
+    bool read_dimensions() {
+        const auto tag = number(4);
+        const auto count = number(count_);
+        if (!sound_ || (tag != 0 && tag != 10))
+            return false;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            if (!skip(number(count_)))
+                return false;
+            lengths_.push_back(number(count_));
+        }
+        return sound_;
+    }
+
+    bool skip_attributes() {
+        const auto tag = number(4);
+        const auto count = number(count_);
+        if (!sound_ || (tag != 0 && tag != 12))
+            return false;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            if (!skip(number(count_)))
+                return false;
+            const auto bytes = bytes_of(number(4));
+            const auto values = number(count_);
+            if (bytes == 0 || values > most / 8 || !skip(bytes * values))
+                return false;
+        }
+        return sound_;
+    }
+
+    bool read_variable() {
+        if (!skip(number(count_)))
+            return false;
+        const auto rank = number(count_);
         std::uint64_t values = 1;
-        bool by_record = false;
-        const auto axes = header.count();
-        for (std::uint64_t axis = 0; axis < axes && !header.bad(); ++axis) {
-            const auto id = header.count();
-            if (id >= dimensions.size())
-                return std::nullopt;
-            by_record = by_record || dimensions[id] == 0;
-            values *= dimensions[id] == 0 ? 1 : dimensions[id];
+        bool record = false;
+        for (std::uint64_t d = 0; d < rank && sound_; ++d) {
+            const auto id = number(count_);
+            if (id >= lengths_.size())
+                return false;
+            if (d == 0 && lengths_[id] == 0)
+                record = true;
+            else if (lengths_[id] != 0 && values > most / lengths_[id])
+                return false;
+            else
+                values *= lengths_[id];
         }
-        header.skip_attributes();
-        const auto bytes = values * HeaderReader::size_of(header.number(4));
-        header.count(); // the size again, which large variables do not fit into
-        const auto begin = header.offset();
-        if (by_record) {
-            in_records.emplace_back(begin, bytes);
-            record += (bytes + 3) / 4 * 4;
-        } else {
-            end = std::max(end, begin + bytes);
+        if (!skip_attributes())
+            return false;
+        const auto bytes = bytes_of(number(4));
+        number(count_); // the size, wrong for large variables
+        const auto begin = number(offset_);
+        if (!sound_ || bytes == 0 || values > most / 8 || begin > most)
+            return false;
+        if (!record) {
+            fixed_ends_ = std::max(fixed_ends_, begin + values * bytes);
+            return true;
         }
+        ++record_variables_;
+        last_record_ = values * bytes;
+        record_bytes_ += (values * bytes + 3) / 4 * 4;
+        record_ends_ = std::max(record_ends_, begin + values * bytes);
+        return true;
     }
-    if (header.bad())
-        return std::nullopt;
-    if (in_records.size() == 1)
-        record = in_records.front().second;
-    for (const auto& [begin, bytes] : in_records)
-        if (records > 0)
-            end = std::max(end, begin + (records - 1) * record + bytes);
-    return end;
-}
+
+    // The records of a single variable are not padded.
+    std::uint64_t record_size() const {
+        return record_variables_ == 1 ? last_record_ : record_bytes_;
+    }
+
+    std::istream& in_;
+    std::size_t count_;
+    std::size_t offset_;
+    bool sound_ = true;
+    std::vector<std::uint64_t> lengths_;
+    std::uint64_t fixed_ends_ = 0;
+    std::uint64_t record_ends_ = 0;
+    std::uint64_t record_bytes_ = 0;
+    std::uint64_t last_record_ = 0;
+    std::uint64_t record_variables_ = 0;
+};
 
 // Of HDF5, version 0 to 3: what stands behind its signature. Format: HDF5 File Format Specification, II.A.
 std::optional<std::uint64_t> size_by_superblock(std::istream& in) {
@@ -143,7 +184,7 @@ core::Result<void> check_netcdf_size(const NamedFile& file) {
     if (!classic && start != "\x89HDF\r\n\x1a\n")
         return core::fail(Error::Code::Corrupt, file.name + " is no NetCDF file");
     in.seekg(classic ? 4 : 8);
-    const auto wanted = classic ? size_by_header(in, start[3]) : size_by_superblock(in);
+    const auto wanted = classic ? Header(in, start[3]).end_of_data() : size_by_superblock(in);
     if (!wanted)
         return core::fail(Error::Code::Corrupt,
                           file.name + " ends within its header, or its header is damaged");

@@ -1,4 +1,4 @@
-// Is a NetCDF file as long as its header says? The NetCDF library reads zeros behind the end of one that is not.
+// Is a NetCDF file as long as its header says? Asked before a library is trusted with one that was cut off.
 // Format: NetCDF Classic Format Specification (CDF-1, CDF-2 and CDF-5); NetCDF-4 is HDF5.
 #pragma once
 

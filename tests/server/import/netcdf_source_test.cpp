@@ -420,7 +420,8 @@ TEST_F(NetcdfSource, RefusesEveryTruncation) {
         expect_failure(open_source(folder_ / "cut.nc"), Error::Code::Corrupt, "cut.nc");
     }
     write_file(folder_ / "text.nc", "no NetCDF");
-    expect_failure(open_source(folder_ / "text.nc"), Error::Code::Corrupt, "text.nc is damaged");
+    expect_failure(open_source(folder_ / "text.nc"), Error::Code::Corrupt,
+                   "text.nc is no NetCDF file");
 }
 
 TEST_F(NetcdfSource, DoesNotGiveAnEarlierStepForADamagedOne) {
