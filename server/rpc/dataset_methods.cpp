@@ -87,7 +87,7 @@ std::vector<Method> dataset_methods() {
          {},
          "{datasets: [{dataset, name, state: ready, importing or failed, progress?, remaining?: "
          "seconds, steps: {ready, total}, error?}]}",
-         false,
+         any_viewer,
          [](const Call& call, Reply reply) {
              reply.result({{"datasets", call.context.list_datasets()}});
          }},
@@ -95,7 +95,7 @@ std::vector<Method> dataset_methods() {
          "Grid, times, fields and lattice of one dataset.",
          {dataset},
          "the shape of `wakesurf info --json`, and lattice: {origin, step, bits}",
-         false,
+         any_viewer,
          describe},
         {"cache.status",
          "Which time-steps of a dataset are in memory.",
@@ -103,7 +103,7 @@ std::vector<Method> dataset_methods() {
          "{dataset, steps: [resident, loading or cold, ...], bytes, budget}; no steps for a "
          "built-in "
          "flow",
-         false,
+         any_viewer,
          cache_status},
         {"probe.sample",
          "Fields at points and one time, interpolated as the surfaces' vertices are.",
@@ -115,7 +115,7 @@ std::vector<Method> dataset_methods() {
           {"fields", R"({"type":"array","items":{"type":"string"}})", false,
            "the velocity's name or scalars; left out: the velocity"}},
          "{values: {field: [number or [x, y, z] or null, ...]}, inside: [in the fluid?, ...]}",
-         false,
+         any_viewer,
          probe_sample},
     };
 }

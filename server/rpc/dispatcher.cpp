@@ -61,7 +61,7 @@ Dispatcher::Dispatcher(std::vector<Method> methods,
          "This document: every method with its parameters.",
          {},
          "an OpenRPC document",
-         false,
+         any_viewer,
          [this](const Call&, Reply reply) { reply.result(json::parse(document_)); }});
     document_ = openrpc_document(methods_);
 }
@@ -100,7 +100,7 @@ void Dispatcher::run(const RpcCall& call, Client* client, bool batched, Answer a
                             "rpc.discover lists the methods",
                             {},
                             {}});
-    if (method->websocket_only && client == nullptr)
+    if (method->traits.websocket_only && client == nullptr)
         return reply.fault({RpcCode::InvalidRequest,
                             method->name + " needs a WebSocket",
                             "connect to /ws with the subprotocol wakesurf.v1",

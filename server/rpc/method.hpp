@@ -5,6 +5,7 @@
 #include "protocol/json_rpc.hpp"
 #include "server/rpc/client.hpp"
 #include "server/session/datasets.hpp"
+#include "server/session/identity.hpp"
 #include "server/session/probe.hpp"
 #include "server/session/session_directory.hpp"
 
@@ -60,12 +61,25 @@ struct Parameter {
     std::string about;
 };
 
+/// Who may call a method, from where, and whether its answer waits for the disk.
+struct MethodTraits {
+    Role least = Role::Viewer; ///< the least role in the session that may
+    bool websocket_only = false;
+    bool edits = false; ///< changes records that are kept
+    const char* result_schema = R"({"type":"object"})";
+};
+
+inline constexpr MethodTraits any_viewer{};
+inline constexpr MethodTraits websocket_viewer{Role::Viewer, true, false};
+inline constexpr MethodTraits any_editor{Role::Editor, false, true};
+inline constexpr MethodTraits any_host{Role::Host, false, true};
+
 struct Method {
     std::string name;
     std::string about;
     std::vector<Parameter> parameters;
     std::string result; ///< in words
-    bool websocket_only = false;
+    MethodTraits traits;
     std::function<void(const Call&, Reply)> handler;
 };
 

@@ -19,14 +19,15 @@ json method_json(const Method& method) {
     json parameters = json::array();
     for (const Parameter& each : method.parameters)
         parameters.push_back(parameter_json(each));
-    return {
-        {"name", method.name},
-        {"summary", method.about},
-        {"paramStructure", "by-name"},
-        {"params", std::move(parameters)},
-        {"result",
-         {{"name", "result"}, {"description", method.result}, {"schema", {{"type", "object"}}}}},
-        {"x-websocketOnly", method.websocket_only}};
+    return {{"name", method.name},
+            {"summary", method.about},
+            {"paramStructure", "by-name"},
+            {"params", std::move(parameters)},
+            {"result",
+             {{"name", "result"},
+              {"description", method.result},
+              {"schema", json::parse(method.traits.result_schema)}}},
+            {"x-websocketOnly", method.traits.websocket_only}};
 }
 
 } // namespace

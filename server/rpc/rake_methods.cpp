@@ -91,15 +91,20 @@ std::vector<Method> rake_methods() {
           {"ifRev", R"({"type":"integer"})", false, "refuse if the rake is at another revision"}},
          "{rake, rev, clipped, points, surfaces: [{surface, epoch}]}: points as clipped to the "
          "domain",
-         false,
+         any_editor,
          set},
         {"rake.delete",
          "Deletes a rake and the surfaces that hang on it.",
          {session_parameter(), rake},
          "{}",
-         false,
+         any_editor,
          remove},
-        {"rake.list", "The rakes of a session.", {session_parameter()}, "{rakes}", false, list},
+        {"rake.list",
+         "The rakes of a session.",
+         {session_parameter()},
+         "{rakes}",
+         any_viewer,
+         list},
     };
 }
 

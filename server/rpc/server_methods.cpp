@@ -37,13 +37,13 @@ std::vector<Method> server_methods() {
          "What this server is, what it offers, and what it grants.",
          {},
          "{name, version, apiLevel, capabilities, limits}",
-         false,
+         any_viewer,
          [](const Call&, Reply reply) { reply.result(info()); }},
         {"server.ping",
          "Answers at once: a client's heartbeat.",
          {},
          "{}",
-         false,
+         any_viewer,
          [](const Call&, Reply reply) { reply.result(json::object()); }},
     };
 }

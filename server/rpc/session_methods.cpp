@@ -90,12 +90,12 @@ std::vector<Method> session_methods() {
     const char* text = R"({"type":"string"})";
     const Parameter name{"name", text, false, "for people"};
     return {
-        {"session.create", "Makes a new, empty session.", {name}, "{session}", false, create},
+        {"session.create", "Makes a new, empty session.", {name}, "{session}", any_editor, create},
         {"session.list",
          "The sessions of this server.",
          {},
          "{sessions: [{session, name, participants, surfaces}]}",
-         false,
+         any_viewer,
          list},
         {"session.join",
          "Enters a session: its changes are told to this WebSocket from now on.",
@@ -103,13 +103,13 @@ std::vector<Method> session_methods() {
           name,
           {"resumeToken", text, false, "of an earlier stay, to take up its place again"}},
          "{snapshot: {session, name, rakes, surfaces}, seq, participants, you, resumeToken}",
-         true,
+         websocket_viewer,
          join},
         {"session.leave",
          "Leaves the session joined; its changes are not told any more.",
          {},
          "{}",
-         true,
+         websocket_viewer,
          [](const Call& call, Reply reply) {
              call.client->leave();
              reply.result(json::object());
@@ -118,7 +118,7 @@ std::vector<Method> session_methods() {
          "Every record of a session.",
          {session_parameter()},
          "{session, name, seq, rakes, surfaces, participants}",
-         false,
+         any_viewer,
          state},
     };
 }

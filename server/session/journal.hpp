@@ -1,0 +1,36 @@
+// Where the records of sessions are kept beyond the server's life, as sessions see it: changes go in on the loop's thread
+// and are told of once they are on the disk.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// One record as it is now, or gone.
+struct JournalEntry {
+    std::string type; ///< `session`, `rake`, `surface`, `bookmark`, `annotation`, `grant`, ...
+    std::string id;
+    std::optional<std::string> record; ///< JSON text; nothing: deleted
+};
+
+/// Loop thread only; nothing here waits.
+class Journal {
+  public:
+    virtual ~Journal() = default;
+
+    /// Takes what one edit changed; it is kept as a whole or not at all.
+    virtual void write(const std::string& session, std::vector<JournalEntry> entries) = 0;
+
+    /// Forgets a session and all its records.
+    virtual void remove(const std::string& session) = 0;
+
+    /// Calls back on the loop once everything written so far is on the disk. Error: Io while that cannot be.
+    virtual void settled(std::function<void(core::Result<void>)> done) = 0;
+};
+
+} // namespace wakesurf::server
