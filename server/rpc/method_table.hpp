@@ -12,6 +12,7 @@ std::vector<Method> dataset_methods();
 std::vector<Method> session_methods();
 std::vector<Method> rake_methods();
 std::vector<Method> surface_methods();
+std::vector<Method> subscription_methods();
 
 /// All of the above.
 std::vector<Method> method_table();
