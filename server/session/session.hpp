@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "server/metrics/metrics.hpp"
 #include "server/session/datasets.hpp"
 #include "server/session/live_surface.hpp"
 #include "server/session/observer.hpp"
@@ -23,6 +24,7 @@ struct SessionServices {
     ComputePool& pool;
     const Datasets& datasets;
     Entropy& entropy;
+    Metrics* metrics = nullptr; ///< nobody counts without
 };
 
 struct RakeChange {

@@ -1,0 +1,38 @@
+// How the server stands at the moment it is asked: what is open, held and used. Gathered when somebody looks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct CacheStanding {
+    std::string dataset;
+    std::uint64_t hits = 0;  ///< time-steps asked for that were in memory
+    std::uint64_t loads = 0; ///< that were not
+    std::size_t bytes = 0;
+    std::size_t budget = 0;
+};
+
+struct Standing {
+    double uptime = 0.0; ///< seconds
+    std::size_t connections = 0;
+    std::size_t clients = 0; ///< WebSockets
+    std::size_t sessions = 0;
+    std::size_t surfaces = 0;
+    std::size_t participants = 0;
+    std::vector<CacheStanding> caches;
+};
+
+struct ProcessMemory {
+    std::uint64_t resident = 0; ///< bytes
+    std::uint64_t peak = 0;     ///< bytes, of `resident`
+    std::uint64_t descriptors = 0;
+};
+
+/// Of this process, from /proc; zeros where there is none. Cost: tens of microseconds.
+ProcessMemory process_memory();
+
+} // namespace wakesurf::server
