@@ -15,6 +15,9 @@ void register_surface_benchmarks(std::shared_ptr<const server::LoadedDataset> da
 /// From a rake edit at the socket of a server process to the first frame of the new surface.
 void register_edit_benchmark(const std::string& dataset);
 
+/// Many clients of one session: viewers at 10 Hz, among them slow ones; all coming back at once; idle ones.
+void register_load_benchmarks(const std::string& dataset);
+
 /// From a handle's move in Chromium to the drawn frame that shows its surface.
 void register_drag_benchmark(const std::string& dataset);
 

@@ -11,6 +11,9 @@
 #include <boost/beast/websocket/stream.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -34,6 +37,17 @@ ServerAddress parse_first_line(std::string_view line) {
             std::string(line.substr(slash + 8)), std::string(line.substr(scheme))};
 }
 
+/// The newest child of this process.
+pid_t newest_child() {
+    pid_t newest = -1;
+    for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+        std::ifstream children(task.path() / "children");
+        for (pid_t child = -1; children >> child;)
+            newest = std::max(newest, child);
+    }
+    return newest;
+}
+
 } // namespace
 
 LiveServer::LiveServer(const std::string& dataset) {
@@ -53,6 +67,7 @@ LiveServer::LiveServer(const std::string& dataset) {
                 std::runtime_error(outcome ? outcome->errors : outcome.error().message)));
     });
     address_ = ready.get();
+    pid_ = newest_child();
 }
 
 struct LiveClient::Socket {

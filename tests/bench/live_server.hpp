@@ -5,6 +5,7 @@
 #include "protocol/bytes.hpp"
 
 #include <nlohmann/json_fwd.hpp>
+#include <sys/types.h>
 
 #include <future>
 #include <memory>
@@ -26,8 +27,11 @@ class LiveServer {
 
     const ServerAddress& address() const { return address_; }
 
+    pid_t process() const { return pid_; }
+
   private:
     ServerAddress address_;
+    pid_t pid_ = -1;
     std::jthread process_;
 };
 

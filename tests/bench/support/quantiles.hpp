@@ -1,0 +1,20 @@
+// Quantiles of measured times.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace wakesurf::bench {
+
+/// The smallest value that at least `part` of all are not above; NaN of none.
+inline double quantile(std::vector<double> values, double part) {
+    if (values.empty())
+        return std::numeric_limits<double>::quiet_NaN();
+    std::sort(values.begin(), values.end());
+    const auto rank = static_cast<std::size_t>(part * static_cast<double>(values.size()));
+    return values[std::min(rank, values.size() - 1)];
+}
+
+} // namespace wakesurf::bench
