@@ -15,6 +15,9 @@ void register_surface_benchmarks(std::shared_ptr<const server::LoadedDataset> da
 /// From a rake edit at the socket of a server process to the first frame of the new surface.
 void register_edit_benchmark(const std::string& dataset);
 
+/// A drag at 60 Hz over a line with 100 ms of round trip.
+void register_remote_drag_benchmark(const std::string& dataset);
+
 /// Many clients of one session: viewers at 10 Hz, among them slow ones; all coming back at once; idle ones.
 void register_load_benchmarks(const std::string& dataset);
 

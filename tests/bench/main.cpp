@@ -68,6 +68,7 @@ int measure(const server::BenchOptions& options) {
     register_playing_benchmark();
     register_surface_benchmarks(*loaded);
     register_edit_benchmark(dataset);
+    register_remote_drag_benchmark(dataset);
     register_load_benchmarks(dataset);
     register_drag_benchmark(dataset);
     initialize(options);

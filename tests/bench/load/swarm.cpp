@@ -89,6 +89,12 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
 
     bool ready() const { return ready_; }
 
+    void call(const std::string& method, const json& parameters) {
+        send(
+            json{{"jsonrpc", "2.0"}, {"id", next_id_++}, {"method", method}, {"params", parameters}}
+                .dump());
+    }
+
   private:
     void shake_hands(std::uint32_t life) {
         stream_->async_handshake(common_.address.host + ":" + common_.address.port, "/ws",
@@ -215,6 +221,7 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
     beast::flat_buffer buffer_;
     std::deque<std::string> outgoing_;
     std::string resume_token_;
+    int next_id_ = 3;
     std::uint32_t life_ = 0; ///< handlers of an earlier connection do nothing
     bool ready_ = false;
 };
@@ -304,6 +311,12 @@ double Swarm::storm() {
             each->open();
     });
     return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void Swarm::send(std::size_t viewer, const std::string& method, const json& parameters) {
+    asio::post(state_->context, [state = state_.get(), viewer, method, parameters] {
+        state->viewers.at(viewer)->call(method, parameters);
+    });
 }
 
 std::vector<Arrival> Swarm::take_arrivals() {

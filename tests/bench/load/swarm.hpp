@@ -4,6 +4,8 @@
 
 #include "tests/bench/live_server.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -48,6 +50,9 @@ class Swarm {
     /// Cuts every connection without a goodbye and lets all come back at once with their resume tokens. Returns the seconds until
     /// the last one has joined and holds a whole state again.
     double storm();
+
+    /// Sends a call through a viewer's connection and does not wait for its answer.
+    void send(std::size_t viewer, const std::string& method, const nlohmann::json& parameters);
 
     /// What has arrived since the last call.
     std::vector<Arrival> take_arrivals();
