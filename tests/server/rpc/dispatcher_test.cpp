@@ -49,26 +49,26 @@ std::vector<Method> example_methods() {
     };
     const std::vector<Parameter> terms{{"minuend", "{}", true, ""}, {"subtrahend", "{}", true, ""}};
     return {
-        {"subtract", "", terms, "", false, subtract},
-        {"sum", "", {}, "", false, sum},
+        {"subtract", "", terms, "", any_viewer, subtract},
+        {"sum", "", {}, "", any_viewer, sum},
         {"update",
          "",
          {},
          "",
-         false,
+         any_viewer,
          [](const Call&, Reply reply) { reply.result(json::object()); }},
         {"notify_hello",
          "",
          {},
          "",
-         false,
+         any_viewer,
          [](const Call&, Reply reply) { reply.result(json::object()); }},
-        {"notify_sum", "", {}, "", false, sum},
+        {"notify_sum", "", {}, "", any_viewer, sum},
         {"get_data",
          "",
          {},
          "",
-         false,
+         any_viewer,
          [](const Call&, Reply reply) {
              reply.result({"hello", 5});
          }},
@@ -76,10 +76,10 @@ std::vector<Method> example_methods() {
          "",
          {},
          "",
-         false,
+         any_viewer,
          [](const Call&, Reply) { throw std::runtime_error("/secret/path"); }},
-        {"forgets", "", {}, "", false, [](const Call&, Reply) {}},
-        {"on_socket", "", {}, "", true, [](const Call&, Reply reply) { reply.result(1); }},
+        {"forgets", "", {}, "", any_viewer, [](const Call&, Reply) {}},
+        {"on_socket", "", {}, "", websocket_viewer, [](const Call&, Reply reply) { reply.result(1); }},
     };
 }
 
