@@ -23,10 +23,20 @@ inline constexpr std::size_t outbox_messages = 4096;
 inline constexpr std::size_t outbox_message_bytes = std::size_t{4} << 20;
 inline constexpr double wrong_tokens_per_second = 5.0;
 inline constexpr double wrong_tokens_at_once = 20.0;
+inline constexpr std::size_t cookies_of_one = 1024; ///< logins that one token or share link keeps
+inline constexpr std::size_t cookies = 16384;
+
+// Calls of one WebSocket, or of all HTTP requests with one token or share link.
+inline constexpr double edits_per_second = 200.0;
+inline constexpr double edits_at_once = 400.0;
+inline constexpr double calls_per_second = 2000.0;
+inline constexpr double calls_at_once = 4000.0;
 
 // Sessions.
 inline constexpr std::size_t sessions = 64;
 inline constexpr std::size_t participants = 64;
+inline constexpr std::size_t grants = 32; ///< share links of one session
+inline constexpr std::uint64_t grant_seconds = std::uint64_t{10} * 366 * 24 * 3600;
 inline constexpr std::size_t rakes = 256;
 inline constexpr std::size_t surfaces = 64;
 inline constexpr std::size_t waiters = 64; ///< unanswered surface.wait calls of one surface

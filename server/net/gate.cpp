@@ -2,8 +2,6 @@
 
 #include "server/limits.hpp"
 
-#include <openssl/crypto.h>
-
 #include <algorithm>
 #include <cctype>
 
@@ -33,7 +31,8 @@ std::optional<std::string_view> bearer(std::string_view header) {
 }
 
 /// Several cookies of our name may come: one of another wakesurf on this host, whatever its port.
-bool has_cookie(const HttpRequest& request, std::string_view secret) {
+std::vector<std::string_view> our_cookies(const HttpRequest& request) {
+    std::vector<std::string_view> found;
     for (std::string_view header : request.all("cookie"))
         while (!header.empty()) {
             const auto end = std::min(header.find(';'), header.size());
@@ -41,18 +40,13 @@ bool has_cookie(const HttpRequest& request, std::string_view secret) {
             header.remove_prefix(std::min(end + 1, header.size()));
             pair.remove_prefix(std::min(pair.find_first_not_of(' '), pair.size()));
             const auto equals = pair.find('=');
-            if (equals != std::string_view::npos && pair.substr(0, equals) == cookie_name &&
-                same_secret(pair.substr(equals + 1), secret))
-                return true;
+            if (equals != std::string_view::npos && pair.substr(0, equals) == cookie_name)
+                found.push_back(pair.substr(equals + 1));
         }
-    return false;
+    return found;
 }
 
 } // namespace
-
-bool same_secret(std::string_view a, std::string_view b) {
-    return a.size() == b.size() && CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
-}
 
 std::optional<std::string> host_name(std::string_view authority) {
     const auto bracket = authority.rfind(']');
@@ -83,9 +77,10 @@ bool is_loopback(std::string_view host) {
             name.find_first_not_of("0123456789.") == std::string::npos);
 }
 
-Gate::Gate(GateOptions options, Entropy& entropy, const core::Clock& clock)
-    : options_(std::move(options)), cookie_(random_hex(entropy, 32)), clock_(clock),
-      wrong_tokens_left_(limits::wrong_tokens_at_once), counted_at_(clock.now()) {
+Gate::Gate(GateOptions options, Entropy& entropy, const core::Clock& clock, const Grants& grants)
+    : options_(std::move(options)), token_(secret_digest(options_.token)), cookies_(entropy),
+      clock_(clock), grants_(grants), wrong_tokens_left_(limits::wrong_tokens_at_once),
+      counted_at_(clock.now()) {
     const bool v6 = options_.host.find(':') != std::string::npos && options_.host.front() != '[';
     hosts_ = {"localhost", "127.0.0.1", "[::1]",
               v6 ? "[" + options_.host + "]" : lower(options_.host)};
@@ -103,22 +98,31 @@ Gate::Gate(GateOptions options, Entropy& entropy, const core::Clock& clock)
     }
 }
 
-std::optional<Refusal> Gate::check(const HttpRequest& request, bool open_to_all) {
+std::optional<Refusal> Gate::check_open(const HttpRequest& request) const {
     if (auto refusal = check_host(request))
         return refusal;
-    if (auto refusal = check_origin(request))
-        return refusal;
-    if (open_to_all || options_.token.empty())
-        return std::nullopt;
-    if (auto refusal = check_token(request))
-        return refusal;
+    return check_origin(request);
+}
+
+tl::expected<Identity, Refusal> Gate::check(const HttpRequest& request) {
+    if (auto refusal = check_open(request))
+        return tl::unexpected(std::move(*refusal));
+    if (options_.token.empty())
+        return Identity{};
+    auto identity = check_token(request);
+    if (!identity)
+        return identity;
     // A browser says where a page that posts or opens a WebSocket comes from. Without that only the token itself will
     // do, because the cookie goes along with other pages' requests in browsers that do not know SameSite.
     const bool harmless = (request.method == "GET" || request.method == "HEAD") && !request.upgrade;
     if (!harmless && request.all("origin").empty() && request.all("authorization").empty())
-        return Refusal{403, "the request says no Origin",
-                       "send the token in an Authorization header"};
-    return std::nullopt;
+        return tl::unexpected(Refusal{403, "the request says no Origin",
+                                      "send the token in an Authorization header"});
+    return identity;
+}
+
+bool Gate::still(const Identity& identity) const {
+    return holder_of_grant(identity.grant).has_value();
 }
 
 std::optional<Refusal> Gate::check_host(const HttpRequest& request) const {
@@ -138,20 +142,35 @@ std::optional<Refusal> Gate::check_origin(const HttpRequest& request) const {
                    "open the page at the address wakesurf printed, or start it with --origin"};
 }
 
-std::optional<Refusal> Gate::check_token(const HttpRequest& request) {
+tl::expected<Identity, Refusal> Gate::check_token(const HttpRequest& request) {
     const auto authorization = request.all("authorization");
     if (authorization.size() > 1)
-        return wrong_token();
+        return tl::unexpected(wrong_token());
     if (authorization.size() == 1) {
         const auto token = bearer(authorization.front());
-        if (token && same_secret(*token, options_.token))
-            return std::nullopt;
-        return wrong_token();
+        const auto identity = token ? holder_of(*token) : std::nullopt;
+        if (identity)
+            return *identity;
+        return tl::unexpected(wrong_token());
     }
-    if (has_cookie(request, cookie_))
-        return std::nullopt;
-    return Refusal{401, "a token is needed",
-                   "send `Authorization: Bearer TOKEN` with the token wakesurf printed"};
+    for (const std::string_view cookie : our_cookies(request))
+        if (const auto grant = cookies_.grant_of(cookie))
+            if (const auto identity = holder_of_grant(*grant))
+                return *identity;
+    return tl::unexpected(
+        Refusal{401, "a token is needed",
+                "send `Authorization: Bearer TOKEN` with the token wakesurf printed, or "
+                "the key of a share link"});
+}
+
+/// Both are looked for whichever it is, so that the time tells nothing.
+std::optional<Identity> Gate::holder_of(std::string_view token) const {
+    const auto shared = grants_.find(token);
+    return same_digest(secret_digest(token), token_) ? Identity{} : shared;
+}
+
+std::optional<Identity> Gate::holder_of_grant(const std::string& grant) const {
+    return grant.empty() ? Identity{} : grants_.identity(grant);
 }
 
 Refusal Gate::wrong_token() {
@@ -163,14 +182,21 @@ Refusal Gate::wrong_token() {
     if (wrong_tokens_left_ < 1.0)
         return {429, "too many wrong tokens have been tried", "wait a few seconds"};
     wrong_tokens_left_ -= 1.0;
-    return {401, "the token is wrong", "use the one wakesurf printed when it was last started"};
+    return {401, "the token is wrong, or the share link has ended",
+            "use the token wakesurf printed when it was last started, or ask for a new link"};
 }
 
-std::optional<Refusal> Gate::login(std::string_view token, std::string& cookie) {
-    if (!options_.token.empty() && !same_secret(token, options_.token))
-        return wrong_token();
-    cookie = std::string(cookie_name) + "=" + cookie_ + "; HttpOnly; SameSite=Strict; Path=/";
-    return std::nullopt;
+tl::expected<std::string, Refusal> Gate::login(const HttpRequest& request, std::string_view token) {
+    const auto identity = options_.token.empty() ? Identity{} : holder_of(token);
+    if (!identity)
+        return tl::unexpected(wrong_token());
+    std::string value;
+    for (const std::string_view cookie : our_cookies(request))
+        if (cookies_.grant_of(cookie) == identity->grant)
+            value = cookie;
+    if (value.empty())
+        value = cookies_.make(identity->grant);
+    return std::string(cookie_name) + "=" + value + "; HttpOnly; SameSite=Strict; Path=/";
 }
 
 } // namespace wakesurf::server

@@ -1,10 +1,16 @@
-// Who may come in: Host against DNS rebinding, Origin against other pages in the user's browser, and the token.
-// Asked before anything else happens with a request, an upgrade above all. Threat model: README.md here.
+// Who may come in, and as whom: Host against DNS rebinding, Origin against other pages in the user's browser, and the token
+// or the key of a share link. Asked before anything else happens with a request, an upgrade above all. Threat model:
+// README.md here.
 #pragma once
 
 #include "core/base/clock.hpp"
 #include "server/net/http_message.hpp"
+#include "server/net/login_cookies.hpp"
 #include "server/session/entropy.hpp"
+#include "server/session/grants.hpp"
+#include "server/session/identity.hpp"
+
+#include <tl/expected.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -28,34 +34,42 @@ struct Refusal {
     std::string hint;
 };
 
-/// Loop thread only.
+/// Loop thread only. The grants outlive it.
 class Gate {
   public:
-    Gate(GateOptions options, Entropy& entropy, const core::Clock& clock);
+    Gate(GateOptions options, Entropy& entropy, const core::Clock& clock, const Grants& grants);
 
-    /// Nothing: come in. `open_to_all` requests need no token, but the same Host and Origin as all others.
-    std::optional<Refusal> check(const HttpRequest& request, bool open_to_all);
+    /// Of requests that need no token: the same Host and Origin as all others. Nothing: come in.
+    std::optional<Refusal> check_open(const HttpRequest& request) const;
 
-    /// Whoever shows the token gets `cookie`, the value of Set-Cookie.
-    std::optional<Refusal> login(std::string_view token, std::string& cookie);
+    /// Who comes. Without authentication everybody is a host.
+    tl::expected<Identity, Refusal> check(const HttpRequest& request);
+
+    /// Whether that is still so, for answers that took their time.
+    bool still(const Identity& identity) const;
+
+    /// Whoever shows the token or the key of a share link gets the value of Set-Cookie: the cookie that came with the request
+    /// if it is good for the same, else a new one.
+    tl::expected<std::string, Refusal> login(const HttpRequest& request, std::string_view token);
 
   private:
     std::optional<Refusal> check_host(const HttpRequest& request) const;
     std::optional<Refusal> check_origin(const HttpRequest& request) const;
-    std::optional<Refusal> check_token(const HttpRequest& request);
+    tl::expected<Identity, Refusal> check_token(const HttpRequest& request);
+    std::optional<Identity> holder_of(std::string_view token) const;
+    std::optional<Identity> holder_of_grant(const std::string& grant) const;
     Refusal wrong_token();
 
     GateOptions options_;
-    std::string cookie_;
+    SecretDigest token_;
+    LoginCookies cookies_;
     const core::Clock& clock_;
+    const Grants& grants_;
     std::vector<std::string> hosts_;
     std::vector<std::string> origins_;
     double wrong_tokens_left_;
     std::chrono::steady_clock::time_point counted_at_;
 };
-
-/// Compares in a time that depends on the lengths only.
-bool same_secret(std::string_view a, std::string_view b);
 
 /// The name in a Host header or an authority, in lower case, without the port and with the brackets of an IPv6 address;
 /// nothing for what is not one.

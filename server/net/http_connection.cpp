@@ -68,7 +68,7 @@ class HttpConnection final : public Connection,
     using Response = http::response<http::span_body<const char>>;
 
     void handle(Request request);
-    void upgrade(const HttpRequest& request);
+    void upgrade(const HttpRequest& request, const Identity& identity);
     void respond(const HttpResponse& response, bool keep_alive, bool head);
 
     beast::tcp_stream stream_;
@@ -115,9 +115,10 @@ void HttpConnection::handle(Request request) {
     stream_.expires_never(); // an answer may take its time; writing it sets the clock again
     const HttpRequest values = plain(request);
     if (values.upgrade) {
-        if (const auto refusal = services_.routes.refuse_upgrade(values))
-            return respond(*refusal, false, false);
-        return upgrade(values);
+        const auto identity = services_.routes.admit_upgrade(values);
+        if (!identity)
+            return respond(identity.error(), false, false);
+        return upgrade(values, *identity);
     }
     const bool keep_alive = request.keep_alive();
     const bool head = request.method() == http::verb::head;
@@ -127,12 +128,12 @@ void HttpConnection::handle(Request request) {
         });
 }
 
-void HttpConnection::upgrade(const HttpRequest& request) {
+void HttpConnection::upgrade(const HttpRequest& request, const Identity& identity) {
     if (services_.clients >= limits::clients)
         return respond(
             http_error(503, "the server has as many clients as it may have", "try again later"),
             false, false);
-    serve_websocket(stream_.release_socket(), request, services_);
+    serve_websocket(stream_.release_socket(), request, identity, services_);
 }
 
 void HttpConnection::respond(const HttpResponse& response, bool keep_alive, bool head) {

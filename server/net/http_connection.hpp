@@ -12,6 +12,7 @@ namespace wakesurf::server {
 struct NetServices {
     Routes& routes;
     Connections& connections;
+    Grants& grants;
     std::size_t& clients; ///< WebSockets open
 };
 

@@ -39,51 +39,80 @@ bool speaks_our_protocol(const HttpRequest& request) {
     return offers.empty();
 }
 
+/// Meshes of sessions a share link is not for.
+bool out_of_reach(std::string_view path, const Identity& identity) {
+    constexpr std::string_view sessions = "/api/v1/sessions/";
+    if (identity.session.empty() || !path.starts_with(sessions))
+        return false;
+    path.remove_prefix(sessions.size());
+    return path.substr(0, path.find('/')) != identity.session;
+}
+
 } // namespace
 
-std::optional<HttpResponse> Routes::refuse_upgrade(const HttpRequest& request) {
-    if (const auto refusal = gate_.check(request, false))
-        return http_error(*refusal);
+tl::expected<Identity, HttpResponse> Routes::admit_upgrade(const HttpRequest& request) {
+    auto identity = gate_.check(request);
+    if (!identity)
+        return tl::unexpected(http_error(identity.error()));
     if (request.path != "/ws")
-        return http_error(404, "there is no WebSocket at this path", "connect to /ws");
+        return tl::unexpected(
+            http_error(404, "there is no WebSocket at this path", "connect to /ws"));
     if (!speaks_our_protocol(request))
-        return http_error(400, "none of the subprotocols offered is spoken here",
-                          "offer wakesurf.v1");
-    return std::nullopt;
+        return tl::unexpected(http_error(400, "none of the subprotocols offered is spoken here",
+                                         "offer wakesurf.v1"));
+    return std::move(*identity);
 }
 
 void Routes::handle(const HttpRequest& request, Respond respond) {
-    const bool open =
-        files_.has(request.path) || request.path == "/healthz" || request.path == "/api/v1/login";
-    if (const auto refusal = gate_.check(request, open))
-        return respond(http_error(*refusal));
-    if (request.path == "/rpc" || request.path == "/api/v1/login")
-        return request.method == "POST" ? post(request, std::move(respond))
+    const bool file = files_.has(request.path);
+    if (file || request.path == "/healthz" || request.path == "/api/v1/login") {
+        if (const auto refusal = gate_.check_open(request))
+            return respond(http_error(*refusal));
+        if (request.path == "/api/v1/login")
+            return respond(request.method == "POST" ? login(request) : wrong_method("POST"));
+        if (!reads(request))
+            return respond(wrong_method("GET"));
+        return respond(file ? files_.respond(request) : healthy());
+    }
+    const auto identity = gate_.check(request);
+    if (!identity)
+        return respond(http_error(identity.error()));
+    // What took its time, a wait or a file, is not for those whose share link has ended meanwhile.
+    serve(
+        request, *identity,
+        [&gate = gate_, identity = *identity, respond = std::move(respond)](HttpResponse response) {
+            if (gate.still(identity))
+                return respond(std::move(response));
+            respond(http_error(Refusal{401, "the share link has ended", "ask for a new one"}));
+        });
+}
+
+void Routes::serve(const HttpRequest& request, const Identity& identity, Respond respond) {
+    if (request.path == "/rpc")
+        return request.method == "POST" ? call(request, identity, std::move(respond))
                                         : respond(wrong_method("POST"));
     if (!reads(request))
         return respond(wrong_method("GET"));
-    if (files_.has(request.path))
-        return respond(files_.respond(request));
-    if (request.path == "/healthz")
-        return respond(healthy());
     if (request.path == "/openrpc.json")
         return respond(http_json(dispatcher_.document()));
     if (request.path == "/ws")
         return respond(http_error(426, "this path is for WebSockets",
                                   "connect with the subprotocol wakesurf.v1"));
+    if (out_of_reach(request.path, identity))
+        return respond(http_error(403, "the share link is for another session",
+                                  "ask a host of that session for a link to it"));
     if (!downloads_.handle(request, respond))
         respond(http_error(404, "there is nothing at this path", "README.md lists the paths"));
 }
 
-void Routes::post(const HttpRequest& request, Respond respond) {
-    if (request.path == "/api/v1/login")
-        return respond(login(request));
-    dispatcher_.dispatch(request.body, nullptr, [respond = std::move(respond)](std::string text) {
-        if (text.empty())
-            respond({204, {{"Cache-Control", "no-store"}}});
-        else
-            respond(http_json(std::move(text)));
-    });
+void Routes::call(const HttpRequest& request, const Identity& identity, Respond respond) {
+    dispatcher_.dispatch(request.body, identity, nullptr,
+                         [respond = std::move(respond)](std::string text) {
+                             if (text.empty())
+                                 respond({204, {{"Cache-Control", "no-store"}}});
+                             else
+                                 respond(http_json(std::move(text)));
+                         });
 }
 
 HttpResponse Routes::login(const HttpRequest& request) {
@@ -95,10 +124,10 @@ HttpResponse Routes::login(const HttpRequest& request) {
     const std::string token = in.text("token", 512);
     if (const auto verdict = in.verdict(); !verdict)
         return http_error(400, verdict.error().message, R"(send {"token":"..."})");
-    std::string cookie;
-    if (const auto refusal = gate_.login(token, cookie))
-        return http_error(*refusal);
-    return {204, {{"Set-Cookie", cookie}, {"Cache-Control", "no-store"}}};
+    const auto cookie = gate_.login(request, token);
+    if (!cookie)
+        return http_error(cookie.error());
+    return {204, {{"Set-Cookie", *cookie}, {"Cache-Control", "no-store"}}};
 }
 
 } // namespace wakesurf::server

@@ -8,30 +8,31 @@
 #include "server/net/static_files.hpp"
 #include "server/rpc/dispatcher.hpp"
 
-#include <optional>
+#include <tl/expected.hpp>
 
 namespace wakesurf::server {
 
 /// Loop thread only. Everything it refers to outlives it.
 class Routes {
   public:
-    Routes(Gate& gate, const StaticFiles& files, const Dispatcher& dispatcher, Downloads& downloads)
+    Routes(Gate& gate, const StaticFiles& files, Dispatcher& dispatcher, Downloads& downloads)
         : gate_(gate), files_(files), dispatcher_(dispatcher), downloads_(downloads) {}
 
-    /// Nothing: the request may become a WebSocket.
-    std::optional<HttpResponse> refuse_upgrade(const HttpRequest& request);
+    /// Whose WebSocket the request may become, or why it may not.
+    tl::expected<Identity, HttpResponse> admit_upgrade(const HttpRequest& request);
 
     void handle(const HttpRequest& request, Respond respond);
 
-    const Dispatcher& dispatcher() const { return dispatcher_; }
+    Dispatcher& dispatcher() const { return dispatcher_; }
 
   private:
-    void post(const HttpRequest& request, Respond respond);
+    void serve(const HttpRequest& request, const Identity& identity, Respond respond);
+    void call(const HttpRequest& request, const Identity& identity, Respond respond);
     HttpResponse login(const HttpRequest& request);
 
     Gate& gate_;
     const StaticFiles& files_;
-    const Dispatcher& dispatcher_;
+    Dispatcher& dispatcher_;
     Downloads& downloads_;
 };
 

@@ -43,13 +43,13 @@ struct Server::Parts {
     void serve(const ServerOptions& options) {
         port = listener->port();
         gate.emplace(GateOptions{options.token, options.host, port, options.origins}, entropy,
-                     clock);
+                     clock, grants);
         datasets.emplace(*catalogue);
         sessions.emplace(SessionServices{loop, pool, *datasets, entropy});
         dispatcher.emplace(
             method_table(),
             MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); },
-                          prober},
+                          prober, grants, clock},
             protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
         downloads.emplace(loop, pool, *sessions, *catalogue);
         routes.emplace(*gate, files, *dispatcher, *downloads);
@@ -85,6 +85,7 @@ struct Server::Parts {
     StaticFiles files;
     std::uint16_t port = 0;
     std::unique_ptr<DatasetCatalogue> catalogue;
+    Grants grants{{loop, clock, entropy, unix_seconds}};
     std::optional<Gate> gate;
     std::optional<CatalogueDatasets> datasets;
     std::optional<SessionDirectory> sessions;
@@ -104,7 +105,8 @@ core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options)
     Parts* const all = parts.get();
     auto listener = Listener::open(
         all->context, options.host, options.port, [all](asio::ip::tcp::socket socket) {
-            serve_http(std::move(socket), {*all->routes, all->connections, all->clients});
+            serve_http(std::move(socket),
+                       {*all->routes, all->connections, all->grants, all->clients});
         });
     if (!listener)
         return tl::unexpected(listener.error());

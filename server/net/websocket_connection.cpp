@@ -42,7 +42,7 @@ class WebSocketConnection final : public Connection,
         --services_.clients;
     }
 
-    void accept(const HttpRequest& request);
+    void accept(const HttpRequest& request, const Identity& identity);
 
     void go_away() override { close(websocket::close_code::going_away, "the server is stopping"); }
 
@@ -52,6 +52,10 @@ class WebSocketConnection final : public Connection,
 
     void send(std::string message) override;
     void send(std::uint32_t surface, const std::shared_ptr<const SurfaceState>& state) override;
+
+    void close(Goodbye goodbye, const std::string& reason) override {
+        close(static_cast<websocket::close_code>(goodbye), reason.c_str());
+    }
 
     void drop_frames(std::uint32_t surface, std::uint32_t epoch) override {
         outbox_.drop_frames(surface, epoch);
@@ -75,7 +79,7 @@ class WebSocketConnection final : public Connection,
     std::optional<Client> client_;
 };
 
-void WebSocketConnection::accept(const HttpRequest& request) {
+void WebSocketConnection::accept(const HttpRequest& request, const Identity& identity) {
     http::request<http::empty_body> upgrade(http::verb::get, request.path, 11);
     for (const auto& [name, value] : request.headers)
         upgrade.insert(name, value);
@@ -95,11 +99,11 @@ void WebSocketConnection::accept(const HttpRequest& request) {
         }));
     stream_.auto_fragment(false);
     stream_.read_message_max(0); // read() limits it, with a reason in the close frame
-    stream_.async_accept(upgrade, [self = shared_from_this()](error_code error) {
+    stream_.async_accept(upgrade, [self = shared_from_this(), identity](error_code error) {
         if (error)
             return;
         self->open_ = true;
-        self->client_.emplace(*self);
+        self->client_.emplace(*self, identity, self->services_.grants);
         self->read();
     });
 }
@@ -125,7 +129,7 @@ void WebSocketConnection::received(bool text, bool whole) {
         return read();
     const std::string message = beast::buffers_to_string(buffer_.data());
     buffer_.clear();
-    services_.routes.dispatcher().dispatch(message, &*client_,
+    services_.routes.dispatcher().dispatch(message, client_->identity(), &*client_,
                                            [weak = weak_from_this()](std::string answer) {
                                                const auto self = weak.lock();
                                                if (self && !answer.empty())
@@ -204,8 +208,11 @@ void WebSocketConnection::end() {
 
 } // namespace
 
-void serve_websocket(tcp::socket socket, const HttpRequest& upgrade, NetServices services) {
-    std::make_shared<WebSocketConnection>(std::move(socket), services)->accept(upgrade);
+void serve_websocket(tcp::socket socket,
+                     const HttpRequest& upgrade,
+                     const Identity& identity,
+                     NetServices services) {
+    std::make_shared<WebSocketConnection>(std::move(socket), services)->accept(upgrade, identity);
 }
 
 } // namespace wakesurf::server

@@ -9,9 +9,10 @@
 
 namespace wakesurf::server {
 
-/// Answers the upgrade request, already let in, and serves the socket until it closes.
+/// Answers the upgrade request, already let in as `identity`, and serves the socket until it closes.
 void serve_websocket(boost::asio::ip::tcp::socket socket,
                      const HttpRequest& upgrade,
+                     const Identity& identity,
                      NetServices services);
 
 } // namespace wakesurf::server

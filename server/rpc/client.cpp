@@ -31,7 +31,17 @@ json patch_json(const DeletedRecord& record) {
 
 } // namespace
 
+Client::Client(Wire& wire, Identity identity, Grants& grants)
+    : wire_(wire), identity_(std::move(identity)), grants_(grants) {
+    if (identity_.grant.empty())
+        return;
+    grants_.attend(identity_.grant, *this);
+    if (!grants_.identity(identity_.grant)) // ended between the gate and the handshake
+        grant_ended("the share link has ended");
+}
+
 Client::~Client() {
+    grants_.leave(*this);
     for (const auto& [number, surface] : subscriptions_)
         if (const auto live = surface.lock())
             live->unsubscribe(*this);
@@ -46,6 +56,18 @@ Client::join(std::shared_ptr<Session> session, std::string name, const std::stri
     if (place)
         session_ = std::move(session);
     return place;
+}
+
+Role Client::role_in(const std::string&) const {
+    return identity_.role;
+}
+
+std::string Client::participant() const {
+    if (session_)
+        for (const Participant& each : session_->participants().present())
+            if (each.observer == this)
+                return each.id;
+    return {};
 }
 
 void Client::leave() {
@@ -103,6 +125,10 @@ void Client::frames(std::uint32_t number, const std::shared_ptr<const SurfaceSta
 
 void Client::superseded(std::uint32_t number, std::uint32_t epoch) {
     wire_.drop_frames(number, epoch);
+}
+
+void Client::grant_ended(const std::string& reason) {
+    wire_.close(Goodbye::LinkEnded, reason);
 }
 
 } // namespace wakesurf::server

@@ -2,7 +2,10 @@
 // follow from both. When it goes, nothing of it stays.
 #pragma once
 
+#include "server/rpc/call_rate.hpp"
 #include "server/rpc/wire.hpp"
+#include "server/session/grants.hpp"
+#include "server/session/identity.hpp"
 #include "server/session/observer.hpp"
 #include "server/session/session.hpp"
 
@@ -13,13 +16,24 @@
 namespace wakesurf::server {
 
 /// Loop thread only.
-class Client final : public Observer, public FrameSink {
+class Client final : public Observer, public FrameSink, public GrantHolder {
   public:
-    explicit Client(Wire& wire) : wire_(wire) {}
+    /// `identity` is what the connection was let in with. The grants outlive the client.
+    Client(Wire& wire, Identity identity, Grants& grants);
 
     ~Client() override;
     Client(const Client&) = delete;
     Client& operator=(const Client&) = delete;
+
+    const Identity& identity() const { return identity_; }
+
+    /// What it may do in a session: its identity's role, unless a host has set another there.
+    Role role_in(const std::string& session) const;
+
+    /// Its id in the session joined, or empty.
+    std::string participant() const;
+
+    CallRate& rate() { return rate_; }
 
     /// The session joined, or nothing.
     const std::shared_ptr<Session>& session() const { return session_; }
@@ -44,9 +58,13 @@ class Client final : public Observer, public FrameSink {
     void done(const SurfaceOutcome& outcome) override;
     void frames(std::uint32_t number, const std::shared_ptr<const SurfaceState>& state) override;
     void superseded(std::uint32_t number, std::uint32_t epoch) override;
+    void grant_ended(const std::string& reason) override;
 
   private:
     Wire& wire_;
+    Identity identity_;
+    Grants& grants_;
+    CallRate rate_;
     std::shared_ptr<Session> session_;
     std::map<std::uint32_t, std::weak_ptr<LiveSurface>> subscriptions_;
 };

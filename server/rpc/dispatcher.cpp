@@ -1,6 +1,8 @@
 #include "server/rpc/dispatcher.hpp"
 
+#include "server/limits.hpp"
 #include "server/rpc/openrpc.hpp"
+#include "server/rpc/permission.hpp"
 #include "server/session/log_text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -72,18 +74,39 @@ const Method* Dispatcher::find(std::string_view name) const {
     return found == methods_.end() ? nullptr : &*found;
 }
 
-void Dispatcher::dispatch(std::string_view text, Client* client, Answer answer) const {
+void Dispatcher::dispatch(std::string_view text,
+                          const Identity& identity,
+                          Client* client,
+                          Answer answer) {
+    const Caller caller{identity, client};
     const protocol::RpcMessage message = protocol::parse_rpc(text, limits_);
     if (!message.batch)
-        return run(message.calls.front(), client, false, std::move(answer));
+        return run(message.calls.front(), caller, false, std::move(answer));
     auto batch = std::make_shared<Batch>();
     batch->missing = message.calls.size();
     batch->done = std::move(answer);
     for (const RpcCall& call : message.calls)
-        run(call, client, true, [batch](std::string each) { batch->add(std::move(each)); });
+        run(call, caller, true, [batch](std::string each) { batch->add(std::move(each)); });
 }
 
-void Dispatcher::run(const RpcCall& call, Client* client, bool batched, Answer answer) const {
+std::optional<RpcFault> Dispatcher::too_fast(const Method& method, const Caller& caller) {
+    if (rates_.size() > limits::sessions * limits::grants)
+        std::erase_if(rates_, [this](const auto& each) {
+            return !each.first.empty() && !context_.grants.identity(each.first);
+        });
+    CallRate& rate =
+        caller.client != nullptr ? caller.client->rate() : rates_[caller.identity.grant];
+    const auto wait = rate.take(method.traits.edits, context_.clock.now());
+    if (!wait)
+        return std::nullopt;
+    return RpcFault{RpcCode::OverLimit,
+                    "calls come faster than they may",
+                    "wait for data.retryAfterMs milliseconds",
+                    {},
+                    std::make_shared<const json>(json{{"retryAfterMs", wait->count()}})};
+}
+
+void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, Answer answer) {
     Reply reply([id = call.id, answer = std::move(answer)](const json* result,
                                                            const RpcFault* fault) {
         if (!id)
@@ -100,7 +123,7 @@ void Dispatcher::run(const RpcCall& call, Client* client, bool batched, Answer a
                             "rpc.discover lists the methods",
                             {},
                             {}});
-    if (method->traits.websocket_only && client == nullptr)
+    if (method->traits.websocket_only && caller.client == nullptr)
         return reply.fault({RpcCode::InvalidRequest,
                             method->name + " needs a WebSocket",
                             "connect to /ws with the subprotocol wakesurf.v1",
@@ -110,8 +133,13 @@ void Dispatcher::run(const RpcCall& call, Client* client, bool batched, Answer a
     const json& parameters = given.is_array() && given.empty() ? no_parameters : given;
     if (const auto unknown = unknown_parameter(*method, parameters))
         return reply.fault(*unknown);
+    const Call made{context_, parameters, caller.identity, caller.client, batched};
+    if (const auto fault = refused(*method, made))
+        return reply.fault(*fault);
+    if (const auto fault = too_fast(*method, caller))
+        return reply.fault(*fault);
     try {
-        method->handler({context_, parameters, client, batched}, std::move(reply));
+        method->handler(made, std::move(reply));
     } catch (const std::exception&
                  error) { // the reply, moved into the handler, answers as it is destroyed
         spdlog::error("{} failed: {}", method->name, without_paths(error.what()));

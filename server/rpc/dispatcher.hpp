@@ -4,6 +4,8 @@
 #include "server/rpc/method.hpp"
 
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,21 +20,28 @@ class Dispatcher {
     Dispatcher(const Dispatcher&) = delete;
     Dispatcher& operator=(const Dispatcher&) = delete;
 
-    /// `answer` is called once, now or later, with the text to send back: empty when there is none (notifications).
+    /// `identity` is whose call it is, `client` its WebSocket, if it has one. `answer` is called once, now or later, with the text to send back: empty when there is none (notifications).
     using Answer = std::function<void(std::string)>;
-    void dispatch(std::string_view text, Client* client, Answer answer) const;
+    void dispatch(std::string_view text, const Identity& identity, Client* client, Answer answer);
 
     /// The OpenRPC document.
     const std::string& document() const { return document_; }
 
   private:
-    void run(const protocol::RpcCall& call, Client* client, bool batched, Answer answer) const;
+    struct Caller {
+        const Identity& identity;
+        Client* client;
+    };
+
+    void run(const protocol::RpcCall& call, const Caller& caller, bool batched, Answer answer);
+    std::optional<protocol::RpcFault> too_fast(const Method& method, const Caller& caller);
     const Method* find(std::string_view name) const;
 
     std::vector<Method> methods_;
     MethodContext context_;
     protocol::RpcLimits limits_;
     std::string document_;
+    std::map<std::string, CallRate> rates_; ///< of HTTP, by grant
 };
 
 } // namespace wakesurf::server

@@ -5,6 +5,7 @@
 #include "protocol/json_rpc.hpp"
 #include "server/rpc/client.hpp"
 #include "server/session/datasets.hpp"
+#include "server/session/grants.hpp"
 #include "server/session/identity.hpp"
 #include "server/session/probe.hpp"
 #include "server/session/session_directory.hpp"
@@ -45,11 +46,14 @@ struct MethodContext {
     const Datasets& datasets;
     std::function<nlohmann::json()> list_datasets; ///< entries of dataset.list
     Prober& prober;
+    Grants& grants;
+    const core::Clock& clock;
 };
 
 struct Call {
     const MethodContext& context;
     const nlohmann::json& parameters; ///< an object, valid until the handler returns
+    const Identity& identity;         ///< valid until the handler returns
     Client* client;                   ///< nothing over HTTP
     bool batched;                     ///< the answer will wait for others
 };
@@ -67,12 +71,15 @@ struct MethodTraits {
     bool websocket_only = false;
     bool edits = false; ///< changes records that are kept
     const char* result_schema = R"({"type":"object"})";
+    bool whole_server = false; ///< not for share links, which are for one session
 };
 
 inline constexpr MethodTraits any_viewer{};
 inline constexpr MethodTraits websocket_viewer{Role::Viewer, true, false};
 inline constexpr MethodTraits any_editor{Role::Editor, false, true};
 inline constexpr MethodTraits any_host{Role::Host, false, true};
+inline constexpr MethodTraits server_editor{Role::Editor, false, true, R"({"type":"object"})",
+                                            true};
 
 struct Method {
     std::string name;

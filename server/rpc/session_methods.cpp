@@ -45,11 +45,14 @@ void create(const Call& call, Reply reply) {
 
 void list(const Call& call, Reply reply) {
     json out = json::array();
-    for (const auto& [id, session] : call.context.sessions.all())
+    for (const auto& [id, session] : call.context.sessions.all()) {
+        if (!call.identity.session.empty() && id != call.identity.session)
+            continue;
         out.push_back({{"session", id},
                        {"name", session->name()},
                        {"participants", session->participants().present().size()},
                        {"surfaces", session->surfaces().size()}});
+    }
     reply.result({{"sessions", std::move(out)}});
 }
 
@@ -90,9 +93,14 @@ std::vector<Method> session_methods() {
     const char* text = R"({"type":"string"})";
     const Parameter name{"name", text, false, "for people"};
     return {
-        {"session.create", "Makes a new, empty session.", {name}, "{session}", any_editor, create},
+        {"session.create",
+         "Makes a new, empty session.",
+         {name},
+         "{session}",
+         server_editor,
+         create},
         {"session.list",
-         "The sessions of this server.",
+         "The sessions of this server; with a share link, its own.",
          {},
          "{sessions: [{session, name, participants, surfaces}]}",
          any_viewer,

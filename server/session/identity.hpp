@@ -2,8 +2,11 @@
 // before every method.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace wakesurf::server {
 
@@ -17,5 +20,19 @@ struct Identity {
 
     bool operator==(const Identity&) const = default;
 };
+
+inline constexpr std::array<std::string_view, 3> role_names{"viewer", "editor", "host"};
+
+constexpr std::string_view name(Role role) {
+    return role_names[static_cast<std::size_t>(role)];
+}
+
+/// Nothing for what is no role.
+constexpr std::optional<Role> role_named(std::string_view word) {
+    for (std::size_t i = 0; i < role_names.size(); ++i)
+        if (role_names[i] == word)
+            return static_cast<Role>(i);
+    return std::nullopt;
+}
 
 } // namespace wakesurf::server

@@ -1,4 +1,6 @@
+#include "server/limits.hpp"
 #include "server/net/gate.hpp"
+#include "tests/support/server/hand_clock.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,18 +16,11 @@ class CountingEntropy final : public Entropy {
   public:
     void fill(std::span<std::byte> out) override {
         for (std::byte& each : out)
-            each = std::byte{next_++};
+            each = static_cast<std::byte>(next_++ % 251); // no period of a secret's length
     }
 
   private:
-    unsigned char next_ = 0;
-};
-
-class HandClock final : public core::Clock {
-  public:
-    std::chrono::steady_clock::time_point now() const override { return time; }
-
-    std::chrono::steady_clock::time_point time{};
+    unsigned next_ = 0;
 };
 
 const std::string token(64, 'a');
@@ -33,8 +28,12 @@ const std::string token(64, 'a');
 struct GateTest : testing::Test {
     CountingEntropy entropy;
     HandClock clock;
-    Gate gate{
-        {token, "127.0.0.1", 8080, {"https://viewer.example", "http://lab:9000"}}, entropy, clock};
+    HandLoop loop{clock};
+    Grants grants{{loop, clock, entropy, [] { return std::int64_t{0}; }}};
+    Gate gate{{token, "127.0.0.1", 8080, {"https://viewer.example", "http://lab:9000"}},
+              entropy,
+              clock,
+              grants};
 
     static HttpRequest request(std::string method,
                                std::vector<std::pair<std::string, std::string>> headers) {
@@ -45,14 +44,22 @@ struct GateTest : testing::Test {
     }
 
     unsigned status(const HttpRequest& request, bool open = false) {
-        const auto refusal = gate.check(request, open);
-        return refusal ? refusal->status : 200;
+        if (open) {
+            const auto refusal = gate.check_open(request);
+            return refusal ? refusal->status : 200;
+        }
+        const auto identity = gate.check(request);
+        return identity ? 200 : identity.error().status;
     }
 
-    std::string cookie() {
-        std::string value;
-        EXPECT_FALSE(gate.login(token, value));
-        return value.substr(0, value.find(';'));
+    std::string cookie(const std::string& secret = token, const HttpRequest& from = {}) {
+        const auto value = gate.login(from, secret);
+        return value ? value->substr(0, value->find(';')) : "refused";
+    }
+
+    std::optional<Identity> who(const char* header, const std::string& value) {
+        const auto identity = gate.check(request("GET", {{"host", "localhost"}, {header, value}}));
+        return identity ? std::optional(*identity) : std::nullopt;
     }
 };
 
@@ -171,12 +178,69 @@ TEST_F(GateTest, LimitsWrongTokensButNeverTheRightOne) {
 }
 
 TEST_F(GateTest, GivesTheCookieForTheTokenOnly) {
-    std::string value;
-    EXPECT_EQ(gate.login("wrong", value)->status, 401u);
-    EXPECT_TRUE(value.empty());
-    EXPECT_FALSE(gate.login(token, value));
-    EXPECT_NE(value.find("HttpOnly; SameSite=Strict; Path=/"), std::string::npos);
-    EXPECT_EQ(value.find(token), std::string::npos);
+    EXPECT_EQ(gate.login({}, "wrong").error().status, 401u);
+    const auto value = gate.login({}, token);
+    ASSERT_TRUE(value);
+    EXPECT_NE(value->find("HttpOnly; SameSite=Strict; Path=/"), std::string::npos);
+    EXPECT_EQ(value->find(token), std::string::npos);
+}
+
+TEST_F(GateTest, KnowsWhoComesByTheTokenTheKeyOfAShareLinkOrTheirCookies) {
+    const Identity host;
+    const auto made = grants.make("session-1", Role::Editor, {});
+    const Identity editor{Role::Editor, "session-1", made->grant.id};
+    EXPECT_EQ(who("authorization", "Bearer " + token), host);
+    EXPECT_EQ(who("authorization", "Bearer " + made->key), editor);
+    EXPECT_EQ(who("cookie", cookie()), host);
+    EXPECT_EQ(who("cookie", cookie(made->key)), editor);
+    EXPECT_EQ(who("cookie", "wakesurf_session=" + made->key), std::nullopt);
+    EXPECT_EQ(who("authorization", "Bearer " + made->grant.id), std::nullopt);
+}
+
+TEST_F(GateTest, EndsAKeyAndItsCookiesWithTheShareLink) {
+    const auto taken_back = grants.make("main", Role::Viewer, {});
+    const auto expiring = grants.make("main", Role::Viewer, std::chrono::seconds(60));
+    const std::string first = cookie(taken_back->key);
+    const std::string second = cookie(expiring->key);
+    const Identity early = *who("cookie", second);
+    EXPECT_TRUE(gate.still(early));
+    ASSERT_TRUE(grants.revoke("main", taken_back->grant.id));
+    EXPECT_EQ(who("cookie", first), std::nullopt);
+    EXPECT_EQ(who("authorization", "Bearer " + taken_back->key), std::nullopt);
+    EXPECT_TRUE(who("cookie", second));
+    clock.time += std::chrono::seconds(60);
+    EXPECT_EQ(who("cookie", second), std::nullopt);
+    EXPECT_EQ(who("authorization", "Bearer " + expiring->key), std::nullopt);
+    EXPECT_FALSE(gate.still(early));
+    EXPECT_TRUE(gate.still({}));
+}
+
+TEST_F(GateTest, GivesABrowserThatLogsInAgainTheCookieItHas) {
+    const std::string mine = cookie();
+    EXPECT_EQ(cookie(token, request("POST", {{"cookie", mine}})), mine);
+    EXPECT_NE(cookie(), mine) << "another browser's is another one";
+    const auto made = grants.make("main", Role::Viewer, {});
+    const std::string viewer = cookie(made->key, request("POST", {{"cookie", mine}}));
+    EXPECT_NE(viewer, mine) << "a link never gives what the token gave";
+    EXPECT_EQ(who("cookie", viewer)->role, Role::Viewer);
+}
+
+TEST_F(GateTest, ForgetsTheOldestCookieOfWhoeverLogsInTooOften) {
+    const auto made = grants.make("main", Role::Viewer, {});
+    const std::string host = cookie();
+    const std::string oldest = cookie(made->key);
+    const std::string next = cookie(made->key);
+    for (std::size_t i = 1; i < limits::cookies_of_one; ++i)
+        cookie(made->key);
+    EXPECT_EQ(who("cookie", oldest), std::nullopt);
+    EXPECT_TRUE(who("cookie", next));
+    EXPECT_TRUE(who("cookie", host));
+}
+
+TEST_F(GateTest, TakesEverybodyForAHostWhereThereIsNoAuthentication) {
+    Gate open{{{}, "127.0.0.1", 8080, {}}, entropy, clock, grants};
+    EXPECT_EQ(open.check(request("GET", {{"host", "localhost"}})), Identity{});
+    EXPECT_FALSE(open.check(request("GET", {{"host", "evil.example"}})));
 }
 
 TEST(Loopback, IsWhatOnlyThisMachineReaches) {

@@ -79,7 +79,12 @@ std::vector<Method> example_methods() {
          any_viewer,
          [](const Call&, Reply) { throw std::runtime_error("/secret/path"); }},
         {"forgets", "", {}, "", any_viewer, [](const Call&, Reply) {}},
-        {"on_socket", "", {}, "", websocket_viewer, [](const Call&, Reply reply) { reply.result(1); }},
+        {"on_socket",
+         "",
+         {},
+         "",
+         websocket_viewer,
+         [](const Call&, Reply reply) { reply.result(1); }},
     };
 }
 
@@ -87,7 +92,7 @@ class DispatcherTest : public testing::Test {
   protected:
     std::string answer(const std::string& text) {
         std::optional<std::string> out;
-        dispatcher.dispatch(text, nullptr, [&](std::string given) {
+        dispatcher.dispatch(text, {}, nullptr, [&](std::string given) {
             EXPECT_FALSE(out) << "answered twice";
             out = std::move(given);
         });
@@ -116,8 +121,11 @@ class DispatcherTest : public testing::Test {
     NoDatasets datasets;
     SystemEntropy entropy;
     SessionDirectory sessions{{loop, pool, datasets, entropy}};
-    Dispatcher dispatcher{
-        example_methods(), {sessions, datasets, [] { return json::array(); }, prober}, {}};
+    core::SteadyClock clock;
+    Grants grants{{loop, clock, entropy, unix_seconds}};
+    Dispatcher dispatcher{example_methods(),
+                          {sessions, datasets, [] { return json::array(); }, prober, grants, clock},
+                          {}};
 };
 
 } // namespace
@@ -207,8 +215,12 @@ TEST(MethodTable, NamesEveryMethodOfTheContractOnceAndDocumentsIt) {
     NoDatasets datasets;
     SystemEntropy entropy;
     SessionDirectory sessions{{loop, pool, datasets, entropy}};
+    const core::SteadyClock clock;
+    Grants grants{{loop, clock, entropy, unix_seconds}};
     const Dispatcher dispatcher{
-        method_table(), {sessions, datasets, [] { return json::array(); }, prober}, {}};
+        method_table(),
+        {sessions, datasets, [] { return json::array(); }, prober, grants, clock},
+        {}};
     const json document = json::parse(dispatcher.document());
     std::map<std::string, json> methods;
     for (const json& each : document["methods"]) {

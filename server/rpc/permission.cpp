@@ -1,0 +1,55 @@
+#include "server/rpc/permission.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace wakesurf::server {
+
+using protocol::RpcCode;
+using protocol::RpcFault;
+
+namespace {
+
+RpcFault not_permitted(std::string message, std::string hint) {
+    return {RpcCode::NotPermitted, std::move(message), std::move(hint), {}, {}};
+}
+
+} // namespace
+
+std::string session_of(const Method& method, const Call& call) {
+    const bool about_one =
+        std::any_of(method.parameters.begin(), method.parameters.end(),
+                    [](const Parameter& each) { return each.name == "session"; });
+    if (!about_one)
+        return {};
+    if (const auto named = call.parameters.find("session");
+        named != call.parameters.end() && named->is_string() && *named != "")
+        return named->get<std::string>();
+    if (call.client != nullptr && call.client->session())
+        return call.client->session()->id();
+    return call.identity.session;
+}
+
+std::optional<RpcFault> refused(const Method& method, const Call& call) {
+    const Identity& identity = call.identity;
+    if (!identity.grant.empty() && !call.context.grants.identity(identity.grant))
+        return RpcFault{
+            RpcCode::Unauthenticated, "the share link has ended", "ask for a new one", {}, {}};
+    if (!identity.session.empty() && method.traits.whole_server)
+        return not_permitted("a share link is not enough for " + method.name,
+                             "use the token wakesurf printed when it was started");
+    const std::string session = session_of(method, call);
+    if (!identity.session.empty() && !session.empty() && session != identity.session)
+        return not_permitted("the share link is for another session",
+                             "use `" + identity.session + "`, or ask for a link to this one");
+    const Role role = call.client != nullptr ? call.client->role_in(session) : identity.role;
+    if (role < method.traits.least)
+        return not_permitted(
+            method.name + " needs the role " + std::string(name(method.traits.least)) +
+                ", and you are " + std::string(name(role)),
+            "ask a host of the session to make you " + std::string(name(method.traits.least)));
+    return std::nullopt;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,19 @@
+// Whether somebody may make a call: asked for each one, also within a batch, by what the method's entry in the table says.
+#pragma once
+
+#include "server/rpc/method.hpp"
+
+#include <optional>
+#include <string>
+
+namespace wakesurf::server {
+
+/// The session a call is about: the one it names, the one its WebSocket has joined, or the one its share link is for. Empty for
+/// none, and for methods that are about none.
+std::string session_of(const Method& method, const Call& call);
+
+/// Unauthenticated once the share link has ended; NotPermitted for another session than the link's and for a lesser role than
+/// the method's; else nothing. Whether there is such a session is not told.
+std::optional<protocol::RpcFault> refused(const Method& method, const Call& call);
+
+} // namespace wakesurf::server

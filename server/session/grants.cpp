@@ -1,0 +1,190 @@
+#include "server/session/grants.hpp"
+
+#include "server/limits.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::fail;
+
+namespace {
+
+// Long waits are cut, so that no timer is asked for more than it can count.
+constexpr std::chrono::milliseconds longest_wait = std::chrono::hours(24);
+
+/// g7 -> 7; ids are never given twice, also after a restart.
+std::optional<std::uint64_t> number_of(std::string_view id) {
+    std::uint64_t number = 0;
+    const auto [stop, error] = std::from_chars(id.data() + 1, id.data() + id.size(), number);
+    if (id.size() < 2 || id.front() != 'g' || error != std::errc{} || stop != id.data() + id.size())
+        return std::nullopt;
+    return number;
+}
+
+} // namespace
+
+std::int64_t unix_seconds() {
+    return std::chrono::duration_cast<std::chrono::seconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
+
+Grants::Grants(GrantServices services) : services_(std::move(services)) {}
+
+core::Result<Grants::Made> Grants::make(const std::string& session,
+                                        Role role,
+                                        std::optional<std::chrono::seconds> expires_in) {
+    if (of(session).size() >= limits::grants)
+        return fail(Error::Code::OverLimit,
+                    "a session may have at most " + std::to_string(limits::grants) + " share links",
+                    "take some back with session.unshare");
+    std::string key = random_hex(services_.entropy, 32);
+    const std::uint64_t number = next_++;
+    const std::string id = "g" + std::to_string(number);
+    Entry& entry = entries_[id];
+    entry = {{id, session, role, {}}, secret_digest(key), {}, number, {}};
+    if (expires_in) {
+        entry.grant.expires = services_.wall_clock() + expires_in->count();
+        entry.end = services_.clock.now() + *expires_in;
+    }
+    keep(entry);
+    schedule();
+    return Made{entry.grant, std::move(key)};
+}
+
+std::vector<Grant> Grants::of(const std::string& session) const {
+    std::vector<const Entry*> found;
+    for (const auto& [id, entry] : entries_)
+        if (entry.grant.session == session && in_force(entry))
+            found.push_back(&entry);
+    std::sort(found.begin(), found.end(),
+              [](const Entry* a, const Entry* b) { return a->number < b->number; });
+    std::vector<Grant> out;
+    for (const Entry* each : found)
+        out.push_back(each->grant);
+    return out;
+}
+
+core::Result<void> Grants::revoke(const std::string& session, const std::string& id) {
+    const auto found = entries_.find(id);
+    if (found == entries_.end() || found->second.grant.session != session)
+        return fail(Error::Code::NotFound,
+                    "the session has no share link `" + id.substr(0, 64) + "`",
+                    "list them with session.shares");
+    end(id, "the share link was taken back");
+    return {};
+}
+
+std::optional<Identity> Grants::find(std::string_view key) const {
+    const SecretDigest digest = secret_digest(key);
+    const Entry* match = nullptr;
+    for (const auto& [id, entry] : entries_)
+        if (same_digest(entry.digest, digest))
+            match = &entry;
+    if (match == nullptr || !in_force(*match))
+        return std::nullopt;
+    return Identity{match->grant.role, match->grant.session, match->grant.id};
+}
+
+std::optional<Identity> Grants::identity(const std::string& id) const {
+    const auto found = entries_.find(id);
+    if (found == entries_.end() || !in_force(found->second))
+        return std::nullopt;
+    return Identity{found->second.grant.role, found->second.grant.session, id};
+}
+
+void Grants::attend(const std::string& id, GrantHolder& holder) {
+    if (const auto found = entries_.find(id); found != entries_.end())
+        found->second.holders.insert(&holder);
+}
+
+void Grants::leave(GrantHolder& holder) {
+    for (auto& [id, entry] : entries_)
+        entry.holders.erase(&holder);
+}
+
+core::Result<void>
+Grants::restore(const std::string& session, const std::string& id, std::string_view record) {
+    const auto kept = protocol::read_grant(record);
+    if (!kept)
+        return tl::unexpected(kept.error());
+    const auto number = number_of(id);
+    const auto role = role_named(kept->role);
+    const auto digest = read_digest(kept->digest);
+    if (!number || !role || !digest)
+        return fail(Error::Code::Corrupt, "a share link that was kept is not one",
+                    "make a new one with session.share");
+    next_ = std::max(next_, *number + 1);
+    Entry entry{{id, session, *role, kept->expires}, *digest, {}, *number, {}};
+    if (kept->expires) {
+        const auto most = static_cast<std::int64_t>(limits::grant_seconds);
+        const std::int64_t now = services_.wall_clock();
+        const std::int64_t until = std::clamp(*kept->expires, now - 1, now + most);
+        entry.end = services_.clock.now() + std::chrono::seconds(until - now);
+    }
+    const bool over = !in_force(entry);
+    entries_[id] = std::move(entry);
+    if (over)
+        end(id, {});
+    schedule();
+    return {};
+}
+
+void Grants::forget(const std::string& session) {
+    std::vector<std::string> ids;
+    for (const auto& [id, entry] : entries_)
+        if (entry.grant.session == session)
+            ids.push_back(id);
+    for (const std::string& id : ids)
+        end(id, "the session is gone");
+}
+
+bool Grants::in_force(const Entry& entry) const {
+    return !entry.end || services_.clock.now() < *entry.end;
+}
+
+void Grants::end(const std::string& id, const std::string& reason) {
+    const auto node = entries_.extract(id);
+    if (services_.journal != nullptr)
+        services_.journal->write(node.mapped().grant.session, {{"grant", id, std::nullopt}});
+    for (GrantHolder* holder : node.mapped().holders)
+        holder->grant_ended(reason);
+}
+
+void Grants::end_expired() {
+    std::vector<std::string> ids;
+    for (const auto& [id, entry] : entries_)
+        if (!in_force(entry))
+            ids.push_back(id);
+    for (const std::string& id : ids)
+        end(id, "the share link has expired");
+    schedule();
+}
+
+void Grants::schedule() {
+    timer_.reset();
+    std::optional<Time> next;
+    for (const auto& [id, entry] : entries_)
+        if (entry.end && (!next || *entry.end < *next))
+            next = entry.end;
+    if (!next)
+        return;
+    const auto wait = std::chrono::ceil<std::chrono::milliseconds>(*next - services_.clock.now());
+    timer_ = services_.loop.after(std::clamp(wait, std::chrono::milliseconds::zero(), longest_wait),
+                                  [this] { end_expired(); });
+}
+
+void Grants::keep(const Entry& entry) {
+    if (services_.journal == nullptr)
+        return;
+    const Grant& grant = entry.grant;
+    services_.journal->write(grant.session,
+                             {{"grant", grant.id,
+                               protocol::grant_text({std::string(name(grant.role)),
+                                                     digest_text(entry.digest), grant.expires})}});
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,115 @@
+// Share links: keys that let people into one session, in one role, until they expire or are taken back. A key is told
+// once, to whoever asked for it; kept is only its digest, here and in the journal.
+#pragma once
+
+#include "core/base/clock.hpp"
+#include "core/base/result.hpp"
+#include "protocol/messages_grant.hpp"
+#include "server/session/entropy.hpp"
+#include "server/session/identity.hpp"
+#include "server/session/journal.hpp"
+#include "server/session/loop.hpp"
+#include "server/session/secret.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct Grant {
+    std::string id;
+    std::string session;
+    Role role = Role::Viewer;
+    std::optional<std::int64_t> expires; ///< seconds since 1970
+};
+
+/// Whoever came in by a share link and is to go when it ends.
+class GrantHolder {
+  public:
+    virtual ~GrantHolder() = default;
+    /// Must not attend or leave grants before it returns.
+    virtual void grant_ended(const std::string& reason) = 0;
+};
+
+struct GrantServices {
+    Loop& loop;
+    const core::Clock& clock;
+    Entropy& entropy;
+    std::function<std::int64_t()> wall_clock; ///< seconds since 1970: what survives a restart
+    Journal* journal = nullptr;               ///< nothing: not kept
+};
+
+/// The system's wall clock.
+std::int64_t unix_seconds();
+
+/// Loop thread only. While it runs, links expire by the steady clock: setting the wall clock neither prolongs nor ends them.
+class Grants {
+  public:
+    explicit Grants(GrantServices services);
+    Grants(const Grants&) = delete;
+    Grants& operator=(const Grants&) = delete;
+
+    struct Made {
+        Grant grant;
+        std::string key;
+    };
+
+    /// Error: OverLimit.
+    core::Result<Made>
+    make(const std::string& session, Role role, std::optional<std::chrono::seconds> expires_in);
+
+    /// Those in force, oldest first.
+    std::vector<Grant> of(const std::string& session) const;
+
+    /// Ends a link of this session; its holders are told. Error: NotFound.
+    core::Result<void> revoke(const std::string& session, const std::string& id);
+
+    /// What a key is good for; takes the same time whichever key it is, and whether it is one.
+    std::optional<Identity> find(std::string_view key) const;
+
+    /// What a link is good for, or nothing once it has ended.
+    std::optional<Identity> identity(const std::string& id) const;
+
+    /// Holders are told of the end of their link until they leave.
+    void attend(const std::string& id, GrantHolder& holder);
+    void leave(GrantHolder& holder);
+
+    /// A link out of the journal. One that has expired meanwhile is struck from the journal. Error: Corrupt.
+    core::Result<void>
+    restore(const std::string& session, const std::string& id, std::string_view record);
+
+    /// The session is gone for good.
+    void forget(const std::string& session);
+
+  private:
+    using Time = std::chrono::steady_clock::time_point;
+
+    struct Entry {
+        Grant grant;
+        SecretDigest digest{};
+        std::optional<Time> end; ///< of `expires`
+        std::uint64_t number = 0;
+        std::set<GrantHolder*> holders;
+    };
+
+    bool in_force(const Entry& entry) const;
+    void end(const std::string& id, const std::string& reason);
+    void end_expired();
+    void schedule();
+    void keep(const Entry& entry);
+
+    GrantServices services_;
+    std::map<std::string, Entry> entries_;
+    std::uint64_t next_ = 1;
+    std::shared_ptr<void> timer_;
+};
+
+} // namespace wakesurf::server
