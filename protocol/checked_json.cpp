@@ -1,5 +1,7 @@
 #include "protocol/checked_json.hpp"
 
+#include "protocol/json_text.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -94,6 +96,34 @@ std::string CheckedJson::text_or(std::string_view name, std::string fallback, st
         return fallback;
     }
     return text;
+}
+
+std::string CheckedJson::lines(std::string_view name, std::size_t longest) {
+    const json* value = need(name);
+    if (value == nullptr)
+        return {};
+    const auto control = [](char c) {
+        return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f;
+    };
+    if (value->is_string())
+        if (const auto& text = value->get_ref<const std::string&>();
+            text.size() <= longest && std::none_of(text.begin(), text.end(), control))
+            return text;
+    fault(name, fmt::format("must be text of at most {} bytes; of control characters it may only "
+                            "have line breaks and tabs",
+                            longest));
+    return {};
+}
+
+std::string CheckedJson::object_text(std::string_view name, std::size_t longest) {
+    const json* value = need(name);
+    if (value == nullptr)
+        return "{}";
+    if (value->is_object())
+        if (std::string text = json_text(*value); text.size() <= longest)
+            return text;
+    fault(name, fmt::format("must be an object of at most {} bytes of JSON text", longest));
+    return "{}";
 }
 
 bool CheckedJson::flag_or(std::string_view name, bool fallback) {
@@ -209,6 +239,12 @@ core::Result<void> CheckedJson::verdict() {
     if (!fault_.empty())
         return core::fail(core::Error::Code::InvalidArgument, fault_,
                           "see rpc.discover for the parameters of each method");
+    return {};
+}
+
+core::Result<void> CheckedJson::record_verdict() const {
+    if (!fault_.empty())
+        return core::fail(core::Error::Code::Corrupt, fault_);
     return {};
 }
 

@@ -15,6 +15,9 @@
 
 namespace wakesurf::protocol {
 
+/// Revisions are exact in every JSON reader.
+inline constexpr std::uint64_t most_rev = std::uint64_t{1} << 53;
+
 /// Numbers are finite after narrowing and in range, or a fault that names the parameter. A parameter that is null
 /// counts as left out. After a fault the getters give the fallback; verdict() tells.
 class CheckedJson {
@@ -26,6 +29,10 @@ class CheckedJson {
 
     std::string text(std::string_view name, std::size_t longest = 256);
     std::string text_or(std::string_view name, std::string fallback, std::size_t longest = 256);
+    /// Text of several lines: line breaks and tabs are no fault.
+    std::string lines(std::string_view name, std::size_t longest);
+    /// An object, as compact JSON text of at most `longest` bytes.
+    std::string object_text(std::string_view name, std::size_t longest);
     bool flag_or(std::string_view name, bool fallback);
     double number(std::string_view name, double lo, double hi);
     double number_or(std::string_view name, double lo, double hi, double fallback);
@@ -43,6 +50,9 @@ class CheckedJson {
 
     /// InvalidArgument with the first fault, or with the first parameter nobody asked for.
     core::Result<void> verdict();
+
+    /// The same for a record from a file: Corrupt; what nobody asked for is left to newer versions.
+    core::Result<void> record_verdict() const;
 
   private:
     const nlohmann::json* find(std::string_view name);

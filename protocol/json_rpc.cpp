@@ -74,6 +74,8 @@ std::string_view kind_of(RpcCode code) {
         return "notPermitted";
     case RpcCode::NotFound:
         return "notFound";
+    case RpcCode::Leased:
+        return "leased";
     case RpcCode::OutsideDomain:
         return "outsideDomain";
     case RpcCode::OutsideTimeRange:

@@ -32,6 +32,7 @@ enum class RpcCode : int {
     Unauthenticated = -32001,
     NotPermitted = -32003,
     NotFound = -32004,
+    Leased = -32011,
     OutsideDomain = -32012,
     OutsideTimeRange = -32013,
     OverLimit = -32014,

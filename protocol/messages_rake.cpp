@@ -24,26 +24,48 @@ std::string_view name(core::Rake::Kind kind) {
     return {};
 }
 
-RakeSetting read_rake_setting(CheckedJson& in, const RakeLimits& limits) {
-    RakeSetting setting;
-    if (in.has("rake"))
-        setting.rake = in.text("rake");
+namespace {
+
+core::Rake read_shape(CheckedJson& in, const RakeLimits& limits) {
+    core::Rake shape;
     const std::string kind = in.text("kind");
     bool known = false;
     for (const auto& [each, word] : kinds)
         if (word == kind) {
-            setting.shape.kind = each;
+            shape.kind = each;
             known = true;
         }
     if (!known)
         in.fault("kind", "must be line, polyline, circle or points");
-    setting.shape.points = in.points("points", limits.points);
-    setting.shape.seeds =
+    shape.points = in.points("points", limits.points);
+    shape.seeds =
         static_cast<std::uint32_t>(in.count("seeds", limits.seeds_least, limits.seeds_most));
+    return shape;
+}
+
+} // namespace
+
+RakeSetting read_rake_setting(CheckedJson& in, const RakeLimits& limits) {
+    RakeSetting setting;
+    if (in.has("rake"))
+        setting.rake = in.text("rake");
+    setting.shape = read_shape(in, limits);
     setting.name = in.text_or("name", {}, limits.name_bytes);
-    setting.dragging = in.flag_or("dragging", false);
-    setting.if_rev = in.count_if("ifRev", 0, std::uint64_t{1} << 53);
+    if (in.has("dragging"))
+        setting.dragging = in.flag_or("dragging", false);
+    setting.force = in.flag_or("force", false);
+    setting.if_rev = in.count_if("ifRev", 0, most_rev);
     return setting;
+}
+
+RakeRecord read_rake_record(CheckedJson& in, const RakeLimits& limits) {
+    RakeRecord record;
+    record.rake = in.text("rake");
+    record.rev = in.count("rev", 0, most_rev);
+    record.shape = read_shape(in, limits);
+    record.name = in.text_or("name", {}, limits.name_bytes);
+    record.clipped = in.flag_or("clipped", false);
+    return record;
 }
 
 nlohmann::json points_json(const std::vector<core::Vec3>& points) {
@@ -54,14 +76,17 @@ nlohmann::json points_json(const std::vector<core::Vec3>& points) {
 }
 
 nlohmann::json rake_json(const RakeRecord& record) {
-    return {{"rake", record.rake},
-            {"rev", record.rev},
-            {"kind", name(record.shape.kind)},
-            {"points", points_json(record.shape.points)},
-            {"seeds", record.shape.seeds},
-            {"name", record.name},
-            {"clipped", record.clipped},
-            {"dragging", record.dragging}};
+    nlohmann::json out{{"rake", record.rake},
+                       {"rev", record.rev},
+                       {"kind", name(record.shape.kind)},
+                       {"points", points_json(record.shape.points)},
+                       {"seeds", record.shape.seeds},
+                       {"name", record.name},
+                       {"clipped", record.clipped},
+                       {"dragging", record.dragging}};
+    if (!record.leased_by.empty())
+        out["leasedBy"] = record.leased_by;
+    return out;
 }
 
 } // namespace wakesurf::protocol

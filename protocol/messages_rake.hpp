@@ -1,4 +1,4 @@
-// Rakes in messages: what rake.set asks for, and the record everybody in the session sees.
+// Rakes in messages: what rake.set asks for, and the record everybody in the session sees and the server keeps.
 // Twin: web-client/src/protocol/messages.ts.
 #pragma once
 
@@ -28,7 +28,9 @@ struct RakeSetting {
     std::optional<std::string> rake; ///< nothing: create one
     core::Rake shape;
     std::string name;
-    bool dragging = false;               ///< more edits of this drag follow
+    std::optional<bool>
+        dragging;       ///< true takes or renews the lease, false ends it, nothing leaves it
+    bool force = false; ///< although somebody else has the lease
     std::optional<std::uint64_t> if_rev; ///< only if the record is still at this revision
 };
 
@@ -42,9 +44,16 @@ struct RakeRecord {
     std::string name;
     bool clipped = false;
     bool dragging = false; ///< somebody holds it just now
+    std::string leased_by; ///< who; empty where nobody does
+
+    bool operator==(const RakeRecord&) const = default;
 };
 
 nlohmann::json rake_json(const RakeRecord& record);
+
+/// What rake_json gave, without the lease; faults stay in `in`.
+RakeRecord read_rake_record(CheckedJson& in, const RakeLimits& limits);
+
 nlohmann::json points_json(const std::vector<core::Vec3>& points);
 
 } // namespace wakesurf::protocol

@@ -51,8 +51,23 @@ SurfaceSetting read_surface_setting(CheckedJson& in, const SurfaceLimits& limits
     setting.dataset = in.text("dataset");
     setting.parameters = read_parameters(in, limits);
     setting.fields = in.texts_or_none("fields", 16);
-    setting.if_rev = in.count_if("ifRev", 0, std::uint64_t{1} << 53);
+    setting.if_rev = in.count_if("ifRev", 0, most_rev);
     return setting;
+}
+
+SurfaceRecord read_surface_record(CheckedJson& in, const SurfaceLimits& limits) {
+    const SurfaceSetting setting = read_surface_setting(in, limits);
+    SurfaceRecord record;
+    record.surface = in.text("surface");
+    record.rev = in.count("rev", 0, most_rev);
+    record.epoch =
+        static_cast<std::uint32_t>(in.count("epoch", 0, std::numeric_limits<std::uint32_t>::max()));
+    record.rake = setting.rake;
+    record.rake2 = setting.rake2;
+    record.dataset = setting.dataset;
+    record.parameters = setting.parameters;
+    record.fields = setting.fields;
+    return record;
 }
 
 nlohmann::json surface_json(const SurfaceRecord& record) {

@@ -1,4 +1,4 @@
-// Surfaces in messages: what surface.set asks for, and the record everybody in the session sees.
+// Surfaces in messages: what surface.set asks for, and the record everybody in the session sees and the server keeps.
 // Twin: web-client/src/protocol/messages.ts.
 #pragma once
 
@@ -43,8 +43,13 @@ struct SurfaceRecord {
     std::vector<std::string> fields;
 
     bool hangs_on(const std::string& id) const { return rake == id || rake2 == id; }
+
+    bool operator==(const SurfaceRecord&) const = default;
 };
 
 nlohmann::json surface_json(const SurfaceRecord& record);
+
+/// What surface_json gave; faults stay in `in`.
+SurfaceRecord read_surface_record(CheckedJson& in, const SurfaceLimits& limits);
 
 } // namespace wakesurf::protocol

@@ -39,6 +39,14 @@ inline constexpr std::size_t grants = 32; ///< share links of one session
 inline constexpr std::uint64_t grant_seconds = std::uint64_t{10} * 366 * 24 * 3600;
 inline constexpr std::size_t rakes = 256;
 inline constexpr std::size_t surfaces = 64;
+inline constexpr std::size_t bookmarks = 256;
+inline constexpr std::size_t annotations = 512;
+inline constexpr std::size_t view_bytes = std::size_t{4} << 10;       ///< of a bookmark
+inline constexpr std::size_t annotation_bytes = std::size_t{4} << 10; ///< of its text
+inline constexpr std::chrono::milliseconds lease{5000};
+inline constexpr std::size_t undo_steps = 100;                         ///< of one participant
+inline constexpr std::size_t undo_authors = 128;                       ///< of one session
+inline constexpr std::size_t undo_bytes = std::size_t{4} << 20;        ///< of one session
 inline constexpr std::size_t waiters = 64; ///< unanswered surface.wait calls of one surface
 inline constexpr std::size_t name_bytes = 120;
 

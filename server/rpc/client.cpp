@@ -25,6 +25,20 @@ json patch_json(const protocol::SurfaceRecord& record) {
             {"record", protocol::surface_json(record)}};
 }
 
+json patch_json(const protocol::BookmarkRecord& record) {
+    return {{"op", "put"},
+            {"type", "bookmark"},
+            {"id", record.bookmark},
+            {"record", protocol::bookmark_json(record)}};
+}
+
+json patch_json(const protocol::AnnotationRecord& record) {
+    return {{"op", "put"},
+            {"type", "annotation"},
+            {"id", record.annotation},
+            {"record", protocol::annotation_json(record)}};
+}
+
 json patch_json(const DeletedRecord& record) {
     return {{"op", "delete"}, {"type", record.type}, {"id", record.id}};
 }
@@ -53,8 +67,10 @@ Client::join(std::shared_ptr<Session> session, std::string name, const std::stri
     if (session != session_)
         leave();
     auto place = session->participants().join(std::move(name), resume_token, *this);
-    if (place)
+    if (place) {
         session_ = std::move(session);
+        participant_ = place->id;
+    }
     return place;
 }
 
@@ -71,8 +87,10 @@ std::string Client::participant() const {
 }
 
 void Client::leave() {
-    if (session_)
+    if (session_) {
         session_->participants().leave(*this);
+        session_->end_leases(participant_);
+    }
     session_.reset();
 }
 

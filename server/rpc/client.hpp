@@ -66,6 +66,7 @@ class Client final : public Observer, public FrameSink, public GrantHolder {
     Grants& grants_;
     CallRate rate_;
     std::shared_ptr<Session> session_;
+    std::string participant_; ///< of that session
     std::map<std::uint32_t, std::weak_ptr<LiveSurface>> subscriptions_;
 };
 

@@ -13,6 +13,9 @@ std::vector<Method> session_methods();
 std::vector<Method> rake_methods();
 std::vector<Method> surface_methods();
 std::vector<Method> subscription_methods();
+std::vector<Method> bookmark_methods();
+std::vector<Method> annotation_methods();
+std::vector<Method> history_methods();
 
 /// All of the above.
 std::vector<Method> method_table();

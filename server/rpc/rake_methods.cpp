@@ -2,7 +2,10 @@
 #include "protocol/checked_json.hpp"
 #include "protocol/messages_rake.hpp"
 #include "server/limits.hpp"
+#include "server/rpc/author.hpp"
+#include "server/rpc/leased.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/rpc/records_json.hpp"
 #include "server/rpc/session_choice.hpp"
 #include "server/rpc/stale_revision.hpp"
 
@@ -15,6 +18,28 @@ using nlohmann::json;
 
 namespace {
 
+/// Why the author may not edit a rake as it is now: somebody else drags it, or it is at another revision.
+std::optional<protocol::RpcFault> refusal(Session& session,
+                                          const std::string& rake,
+                                          const Author& author,
+                                          std::optional<std::uint64_t> if_rev,
+                                          bool force,
+                                          const Call& call) {
+    const auto now = session.rake(rake);
+    if (!now)
+        return protocol::fault_of(now.error());
+    if (force && !is_host(call))
+        return protocol::RpcFault{protocol::RpcCode::NotPermitted,
+                                  "only a host of the session may use `force`",
+                                  "wait a few seconds: a lease ends by itself",
+                                  {},
+                                  {}};
+    if (!force)
+        if (auto held = leased(session, rake, author))
+            return held;
+    return stale_revision(if_rev, now->rev, protocol::rake_json(*now));
+}
+
 void set(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const auto setting = protocol::read_rake_setting(
@@ -22,12 +47,12 @@ void set(const Call& call, Reply reply) {
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
+    const Author author = author_of(call, **session);
     if (setting.rake)
-        if (const auto now = (*session)->rake(*setting.rake))
-            if (const auto stale =
-                    stale_revision(setting.if_rev, now->rev, protocol::rake_json(*now)))
-                return reply.fault(*stale);
-    const auto change = (*session)->set_rake(setting);
+        if (const auto refused =
+                refusal(**session, *setting.rake, author, setting.if_rev, setting.force, call))
+            return reply.fault(*refused);
+    const auto change = (*session)->set_rake(setting, author);
     if (!change)
         return reply.fault(change.error());
     json surfaces = json::array();
@@ -35,6 +60,7 @@ void set(const Call& call, Reply reply) {
         surfaces.push_back({{"surface", surface}, {"epoch", epoch}});
     reply.result({{"rake", change->record.rake},
                   {"rev", change->record.rev},
+                  {"seq", (*session)->seq()},
                   {"clipped", change->record.clipped},
                   {"points", protocol::points_json(change->record.shape.points)},
                   {"surfaces", std::move(surfaces)}});
@@ -43,12 +69,17 @@ void set(const Call& call, Reply reply) {
 void remove(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const std::string rake = in.text("rake");
+    const auto if_rev = in.count_if("ifRev", 0, protocol::most_rev);
+    const bool force = in.flag_or("force", false);
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    if (const auto done = (*session)->delete_rake(rake); !done)
+    const Author author = author_of(call, **session);
+    if (const auto refused = refusal(**session, rake, author, if_rev, force, call))
+        return reply.fault(*refused);
+    if (const auto done = (*session)->delete_rake(rake, author); !done)
         return reply.fault(done.error());
-    reply.result(json::object());
+    reply.result({{"seq", (*session)->seq()}});
 }
 
 void list(const Call& call, Reply reply) {
@@ -56,17 +87,17 @@ void list(const Call& call, Reply reply) {
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    json rakes = json::array();
-    for (const auto& each : (*session)->rakes())
-        rakes.push_back(protocol::rake_json(each));
-    reply.result({{"rakes", std::move(rakes)}});
+    reply.result({{"rakes", rakes_json(**session)}});
 }
 
 } // namespace
 
 std::vector<Method> rake_methods() {
     const char* text = R"({"type":"string"})";
+    const char* flag = R"({"type":"boolean"})";
     const Parameter rake{"rake", text, true, "an id from rake.list"};
+    const Parameter if_rev{"ifRev", R"({"type":"integer"})", false,
+                           "refuse if the rake is at another revision"};
     return {
         {"rake.set",
          "Creates a rake, or replaces one as a whole; the surfaces that hang on it are rebuilt at "
@@ -85,18 +116,24 @@ std::vector<Method> rake_methods() {
                        limits::seeds_most),
            true, "how many seeds lie on it"},
           {"name", text, false, "for people"},
-          {"dragging", R"({"type":"boolean"})", false,
-           "more edits of this drag follow; told to everybody in the record. Leases are not "
-           "offered yet"},
-          {"ifRev", R"({"type":"integer"})", false, "refuse if the rake is at another revision"}},
-         "{rake, rev, clipped, points, surfaces: [{surface, epoch}]}: points as clipped to the "
+          {"dragging", flag, false,
+           fmt::format("true: nobody else may edit the rake for {} s from now; false: they may "
+                       "again; left out: as it was",
+                       limits::lease.count() / 1000)},
+          {"force", flag, false, "a host's edit goes before somebody else's lease"},
+          if_rev},
+         "{rake, rev, seq, clipped, points, surfaces: [{surface, epoch}]}: points as clipped to "
+         "the "
          "domain",
          any_editor,
          set},
         {"rake.delete",
          "Deletes a rake and the surfaces that hang on it.",
-         {session_parameter(), rake},
-         "{}",
+         {session_parameter(),
+          rake,
+          {"force", flag, false, "although somebody else drags it"},
+          if_rev},
+         "{seq}",
          any_editor,
          remove},
         {"rake.list",

@@ -14,7 +14,9 @@ json info() {
     return {{"name", "wakesurf"},
             {"version", WAKESURF_VERSION},
             {"apiLevel", 1},
-            {"capabilities", {"stream", "path", "streak", "time", "mesh.vtp", "obstacle.bin"}},
+            {"capabilities",
+             {"stream", "path", "streak", "time", "mesh.vtp", "obstacle.bin", "lease", "history",
+              "bookmark", "annotation"}},
             {"limits",
              {{"messageBytes", limits::message_bytes},
               {"batch", limits::batch},
@@ -25,6 +27,9 @@ json info() {
               {"rakePoints", limits::rake_points},
               {"seeds", limits::seeds_most},
               {"surfaces", limits::surfaces},
+              {"bookmarks", limits::bookmarks},
+              {"annotations", limits::annotations},
+              {"undo", limits::undo_steps},
               {"quads", limits::quads_most},
               {"waitMs", limits::wait_ms}}}};
 }

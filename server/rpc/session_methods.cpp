@@ -2,6 +2,7 @@
 #include "protocol/checked_json.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/rpc/records_json.hpp"
 #include "server/rpc/session_choice.hpp"
 
 #include <nlohmann/json.hpp>
@@ -11,19 +12,6 @@ namespace wakesurf::server {
 using nlohmann::json;
 
 namespace {
-
-json records_json(const Session& session) {
-    json rakes = json::array();
-    for (const auto& each : session.rakes())
-        rakes.push_back(protocol::rake_json(each));
-    json surfaces = json::array();
-    for (const auto& each : session.surfaces())
-        surfaces.push_back(protocol::surface_json(each));
-    return {{"session", session.id()},
-            {"name", session.name()},
-            {"rakes", std::move(rakes)},
-            {"surfaces", std::move(surfaces)}};
-}
 
 json participants_json(Session& session) {
     json list = json::array();
@@ -110,7 +98,8 @@ std::vector<Method> session_methods() {
          {{"session", text, true, "an id from session.list or session.create"},
           name,
           {"resumeToken", text, false, "of an earlier stay, to take up its place again"}},
-         "{snapshot: {session, name, rakes, surfaces}, seq, participants, you, resumeToken}",
+         "{snapshot: {session, name, rakes, surfaces, bookmarks, annotations}, seq, participants, "
+         "you, resumeToken}",
          websocket_viewer,
          join},
         {"session.leave",
@@ -125,7 +114,7 @@ std::vector<Method> session_methods() {
         {"session.state",
          "Every record of a session.",
          {session_parameter()},
-         "{session, name, seq, rakes, surfaces, participants}",
+         "{session, name, seq, rakes, surfaces, bookmarks, annotations, participants}",
          any_viewer,
          state},
     };

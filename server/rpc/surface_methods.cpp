@@ -2,7 +2,9 @@
 #include "protocol/checked_json.hpp"
 #include "protocol/messages_surface.hpp"
 #include "server/limits.hpp"
+#include "server/rpc/author.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/rpc/records_json.hpp"
 #include "server/rpc/session_choice.hpp"
 #include "server/rpc/stale_revision.hpp"
 
@@ -27,21 +29,28 @@ void set(const Call& call, Reply reply) {
             if (const auto stale =
                     stale_revision(setting.if_rev, now->rev, protocol::surface_json(*now)))
                 return reply.fault(*stale);
-    const auto record = (*session)->set_surface(setting);
+    const auto record = (*session)->set_surface(setting, author_of(call, **session));
     if (!record)
         return reply.fault(record.error());
-    reply.result({{"surface", record->surface}, {"rev", record->rev}, {"epoch", record->epoch}});
+    reply.result({{"surface", record->surface},
+                  {"rev", record->rev},
+                  {"epoch", record->epoch},
+                  {"seq", (*session)->seq()}});
 }
 
 void remove(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const std::string surface = in.text("surface");
+    const auto if_rev = in.count_if("ifRev", 0, protocol::most_rev);
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    if (const auto done = (*session)->delete_surface(surface); !done)
+    if (const auto now = (*session)->surface(surface))
+        if (const auto stale = stale_revision(if_rev, now->rev, protocol::surface_json(*now)))
+            return reply.fault(*stale);
+    if (const auto done = (*session)->delete_surface(surface, author_of(call, **session)); !done)
         return reply.fault(done.error());
-    reply.result(json::object());
+    reply.result({{"seq", (*session)->seq()}});
 }
 
 void list(const Call& call, Reply reply) {
@@ -49,10 +58,7 @@ void list(const Call& call, Reply reply) {
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    json surfaces = json::array();
-    for (const auto& each : (*session)->surfaces())
-        surfaces.push_back(protocol::surface_json(each));
-    reply.result({{"surfaces", std::move(surfaces)}});
+    reply.result({{"surfaces", surfaces_json(**session)}});
 }
 
 std::vector<Parameter> set_parameters() {
@@ -95,8 +101,15 @@ std::vector<Method> surface_methods() {
     return {
         {"surface.set",
          "Creates a surface, or replaces its record as a whole, and starts building it.",
-         set_parameters(), "{surface, rev, epoch}", any_editor, set},
-        {"surface.delete", "Deletes a surface.", {session, surface}, "{}", any_editor, remove},
+         set_parameters(), "{surface, rev, epoch, seq}", any_editor, set},
+        {"surface.delete",
+         "Deletes a surface.",
+         {session,
+          surface,
+          {"ifRev", R"({"type":"integer"})", false, "refuse if it is at another revision"}},
+         "{seq}",
+         any_editor,
+         remove},
         {"surface.list", "The surfaces of a session.", {session}, "{surfaces}", any_viewer, list},
     };
 }

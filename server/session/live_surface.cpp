@@ -38,6 +38,25 @@ std::uint32_t LiveSurface::rebuild(SurfaceJob wanted) {
     return epoch_;
 }
 
+std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error) {
+    stop_.request_stop();
+    wanted_.parameters.kind = kind;
+    state_.reset();
+    error_ = std::move(error);
+    started_ = true;
+    ++epoch_;
+    for (FrameSink* sink : sinks_)
+        sink->superseded(number_, epoch_);
+    loop_.post([weak = weak_from_this(), epoch = epoch_] {
+        const auto self = weak.lock();
+        if (!self || self->epoch_ != epoch)
+            return;
+        self->events_.done(self->outcome());
+        self->settle();
+    });
+    return epoch_;
+}
+
 void LiveSurface::start() {
     started_ = true;
     running_ = true;

@@ -35,6 +35,12 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     /// Makes `wanted` (whose number, epoch and coarse budget are filled in here) the surface to build; returns its epoch.
     std::uint32_t rebuild(SurfaceJob wanted);
 
+    /// There is nothing to build just now: an epoch whose outcome is `error`, told from the loop. Returns the epoch.
+    std::uint32_t refuse(core::SurfaceKind kind, core::Error error);
+
+    /// Epochs will be above `epoch`, for a surface that has been before. Call it before the first is built.
+    void continue_after(std::uint32_t epoch) { epoch_ = epoch; }
+
     /// True while the wanted surface is not built yet.
     bool busy() const { return running_ || !started_; }
 

@@ -2,8 +2,7 @@
 // puts them into messages.
 #pragma once
 
-#include "protocol/messages_rake.hpp"
-#include "protocol/messages_surface.hpp"
+#include "server/session/session_records.hpp"
 #include "server/session/surface_job.hpp"
 
 #include <cstdint>
@@ -16,11 +15,15 @@
 namespace wakesurf::server {
 
 struct DeletedRecord {
-    std::string_view type; ///< `rake` or `surface`
+    std::string_view type; ///< `rake`, `surface`, ...
     std::string id;
 };
 
-using Patch = std::variant<protocol::RakeRecord, protocol::SurfaceRecord, DeletedRecord>;
+using Patch = std::variant<protocol::RakeRecord,
+                           protocol::SurfaceRecord,
+                           protocol::BookmarkRecord,
+                           protocol::AnnotationRecord,
+                           DeletedRecord>;
 
 /// How an epoch of a surface ended.
 struct SurfaceOutcome {

@@ -1,10 +1,10 @@
 #include "server/session/session.hpp"
 
-#include "core/surface/surface_request.hpp"
 #include "server/limits.hpp"
 #include "server/session/surface_rules.hpp"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace wakesurf::server {
@@ -14,17 +14,17 @@ using core::fail;
 
 namespace {
 
-tl::unexpected<Error> no_record(const char* type, const std::string& id) {
-    const std::string list = std::string(type) + ".list";
-    return fail(Error::Code::NotFound,
-                std::string("there is no ") + type + " `" + id.substr(0, 64) + "`",
-                "list them with " + list);
+tl::unexpected<Error> no_record(const RecordKey& key) {
+    const std::string type(name(key.type));
+    return fail(Error::Code::NotFound, "there is no " + type + " `" + key.id.substr(0, 64) + "`",
+                "list them with " + type + ".list");
 }
 
-tl::unexpected<Error> too_many(const char* what, std::size_t limit) {
-    return fail(Error::Code::OverLimit,
-                "a session may have at most " + std::to_string(limit) + " " + what,
-                "delete some, or use another session");
+template <class R>
+core::Result<R> found_or(const R* record, const RecordKey& key) {
+    if (record == nullptr)
+        return no_record(key);
+    return *record;
 }
 
 } // namespace
@@ -33,63 +33,76 @@ Session::Session(std::string id,
                  std::string name,
                  SessionServices services,
                  std::uint32_t& next_number)
-    : id_(std::move(id)), name_(std::move(name)), services_(services), next_number_(next_number),
-      participants_(services.entropy) {}
-
-Session::~Session() {
-    *alive_ = false;
-    for (const auto& [id, entry] : surfaces_)
-        entry.live->retire();
-}
+    : id_(std::move(id)), name_(std::move(name)), services_(services),
+      participants_(services.entropy),
+      leases_(services, [this](const std::string& rake) { lease_ended(rake); }),
+      builds_(services, records_, next_number, build_events()) {}
 
 std::vector<protocol::RakeRecord> Session::rakes() const {
-    std::vector<protocol::RakeRecord> out;
-    for (const auto& [id, record] : rakes_)
-        out.push_back(record);
-    return out;
+    const auto values = std::views::values(records_.all<protocol::RakeRecord>());
+    return {values.begin(), values.end()};
 }
 
 std::vector<protocol::SurfaceRecord> Session::surfaces() const {
-    std::vector<protocol::SurfaceRecord> out;
-    for (const auto& [id, entry] : surfaces_)
-        out.push_back(entry.record);
-    return out;
+    const auto values = std::views::values(records_.all<protocol::SurfaceRecord>());
+    return {values.begin(), values.end()};
 }
 
 core::Result<protocol::RakeRecord> Session::rake(const std::string& id) const {
-    const auto found = rakes_.find(id);
-    if (found == rakes_.end())
-        return no_record("rake", id);
-    return found->second;
+    return found_or(records_.find<protocol::RakeRecord>(id), {RecordType::Rake, id});
 }
 
 core::Result<protocol::SurfaceRecord> Session::surface(const std::string& id) const {
-    const auto found = surfaces_.find(id);
-    if (found == surfaces_.end())
-        return no_record("surface", id);
-    return found->second.record;
+    return found_or(records_.find<protocol::SurfaceRecord>(id), {RecordType::Surface, id});
+}
+
+core::Result<protocol::BookmarkRecord> Session::bookmark(const std::string& id) const {
+    return found_or(records_.find<protocol::BookmarkRecord>(id), {RecordType::Bookmark, id});
+}
+
+core::Result<protocol::AnnotationRecord> Session::annotation(const std::string& id) const {
+    return found_or(records_.find<protocol::AnnotationRecord>(id), {RecordType::Annotation, id});
 }
 
 core::Result<std::shared_ptr<LiveSurface>> Session::live(const std::string& id) const {
-    const auto found = surfaces_.find(id);
-    if (found == surfaces_.end())
-        return no_record("surface", id);
-    return found->second.live;
+    if (auto live = builds_.find(id))
+        return live;
+    return no_record({RecordType::Surface, id});
+}
+
+core::Result<void> Session::may_put(const RecordKey& key, bool is_new) const {
+    if (!is_new)
+        return records_.rev(key) != 0 ? core::Result<void>{} : no_record(key);
+    const std::size_t most = most_records(key.type);
+    if (records_.count(key.type) < most)
+        return {};
+    return fail(Error::Code::OverLimit,
+                "a session may have at most " + std::to_string(most) + " " +
+                    std::string(server::name(key.type)) + "s",
+                "delete some, or use another session");
+}
+
+RecordChange Session::change_to(Record after) const {
+    const RecordKey key = key_of(after);
+    const auto before = records_.find(key);
+    set_rev(after, (before ? rev_of(*before) : 0) + 1);
+    return {key, before, std::make_shared<const Record>(std::move(after))};
 }
 
 core::Result<core::ClippedRake> Session::clip_to(const core::Rake& shape,
                                                  const std::string& dataset) const {
-    return services_.datasets.open(dataset).and_then(
-        [&](const OpenDataset& open) { return core::clip_rake(shape, open.flow->domain()); });
+    const auto open = services_.datasets.open(dataset);
+    if (!open)
+        return core::ClippedRake{shape, false};
+    return core::clip_rake(shape, open->flow->domain());
 }
 
-/// A rake belongs to no dataset. It must lie in those its surfaces are built from, or, while it has none, in at least
-/// one of the catalogue's.
+// A rake in use must lie in the domains of its surfaces' datasets; a free one in any domain, whole if possible.
 core::Result<core::ClippedRake> Session::clip(const protocol::RakeSetting& setting) const {
     std::vector<std::string> used;
-    for (const auto& [id, entry] : surfaces_)
-        if (setting.rake && entry.record.hangs_on(*setting.rake))
-            used.push_back(entry.record.dataset);
+    if (setting.rake)
+        for (const std::string& id : records_.hanging_on(*setting.rake))
+            used.push_back(records_.find<protocol::SurfaceRecord>(id)->dataset);
     core::ClippedRake result{setting.shape, false};
     for (const std::string& dataset : used) {
         auto clipped = clip_to(result.rake, dataset);
@@ -112,94 +125,89 @@ core::Result<core::ClippedRake> Session::clip(const protocol::RakeSetting& setti
     return best == tries.end() ? tries.front() : *best;
 }
 
-core::Result<RakeChange> Session::set_rake(const protocol::RakeSetting& setting) {
-    if (setting.rake && !rakes_.contains(*setting.rake))
-        return no_record("rake", *setting.rake);
-    if (!setting.rake && rakes_.size() >= limits::rakes)
-        return too_many("rakes", limits::rakes);
+core::Result<RakeChange> Session::set_rake(const protocol::RakeSetting& setting,
+                                           const Author& author) {
+    const RecordKey asked{RecordType::Rake, setting.rake.value_or("")};
+    if (auto may = may_put(asked, !setting.rake); !may)
+        return tl::unexpected(may.error());
     auto clipped = clip(setting);
     if (!clipped)
         return tl::unexpected(clipped.error());
-    const std::string id = setting.rake ? *setting.rake : "r" + std::to_string(next_rake_++);
-    protocol::RakeRecord& record = rakes_[id];
-    record.rake = id;
-    ++record.rev;
+    protocol::RakeRecord record;
+    if (setting.rake)
+        record = *records_.find<protocol::RakeRecord>(*setting.rake);
+    else
+        record.rake = records_.new_id(RecordType::Rake);
     record.shape = std::move(clipped->rake);
     record.clipped = clipped->clipped;
-    record.dragging = setting.dragging;
     if (!setting.name.empty() || record.name.empty())
-        record.name = setting.name.empty() ? id : setting.name;
+        record.name = setting.name.empty() ? record.rake : setting.name;
 
-    RakeChange change{record, {}};
-    std::vector<Patch> patches{record};
-    for (auto& [surface, entry] : surfaces_) {
-        if (!entry.record.hangs_on(id))
-            continue;
-        auto job = job_for(entry.record);
-        if (!job) // its dataset has gone since; the surface keeps what it has
-            continue;
-        entry.record.epoch = entry.live->rebuild(std::move(*job));
-        change.surfaces.emplace_back(surface, entry.record.epoch);
-        patches.emplace_back(entry.record);
-    }
-    announce(patches);
-    return change;
+    const std::uint64_t drag = settle_lease(record, setting.dragging, author);
+    auto surfaces = edit({change_to(record)}, author, drag);
+    return RakeChange{*records_.find<protocol::RakeRecord>(record.rake), std::move(surfaces)};
 }
 
-core::Result<void> Session::delete_rake(const std::string& id) {
-    if (!rakes_.contains(id))
-        return no_record("rake", id);
-    std::vector<Patch> patches;
-    std::erase_if(surfaces_, [&](auto& each) {
-        auto& [surface, entry] = each;
-        if (!entry.record.hangs_on(id))
-            return false;
-        entry.live->retire();
-        patches.emplace_back(DeletedRecord{"surface", surface});
-        return true;
-    });
-    rakes_.erase(id);
-    patches.emplace_back(DeletedRecord{"rake", id});
-    announce(patches);
+// Whoever edits over somebody else's lease ends it.
+std::uint64_t Session::settle_lease(protocol::RakeRecord& record,
+                                    std::optional<bool> dragging,
+                                    const Author& author) {
+    if (leases_.drag(record.rake, author) == 0)
+        leases_.end(record.rake);
+    if (dragging == true)
+        leases_.take(record.rake, author);
+    const std::uint64_t drag = leases_.drag(record.rake, author);
+    if (dragging == false)
+        leases_.end(record.rake);
+    record.dragging = leases_.drag(record.rake, author) != 0;
+    record.leased_by = record.dragging ? author.participant : "";
+    return drag;
+}
+
+std::vector<RecordChange> Session::deletion(const RecordKey& key) const {
+    std::vector<RecordChange> changes;
+    if (key.type == RecordType::Rake)
+        for (const std::string& id : records_.hanging_on(key.id)) {
+            const RecordKey surface{RecordType::Surface, id};
+            changes.push_back({surface, records_.find(surface), nullptr});
+        }
+    changes.push_back({key, records_.find(key), nullptr});
+    return changes;
+}
+
+core::Result<void> Session::remove(const RecordKey& key, const Author& author) {
+    if (records_.rev(key) == 0)
+        return no_record(key);
+    edit(deletion(key), author);
     return {};
 }
 
-core::Result<SurfaceJob> Session::job_for(const protocol::SurfaceRecord& record) const {
-    auto open = services_.datasets.open(record.dataset);
-    if (!open)
-        return tl::unexpected(open.error());
-    auto rake = core::clip_rake(rakes_.at(record.rake).shape, open->flow->domain());
-    if (!rake)
-        return tl::unexpected(rake.error());
-    core::SurfaceParameters p = record.parameters;
-    if (record.rake2) {
-        auto second = core::clip_rake(rakes_.at(*record.rake2).shape, open->flow->domain());
-        if (!second)
-            return tl::unexpected(second.error());
-        p.rake2 = std::move(second->rake);
-    }
-    if (auto sound = core::check_request(p); !sound)
-        return tl::unexpected(sound.error());
-    // The engine's own checks of times and budget, now rather than when the job runs.
-    if (auto options = core::sheet_options(*open->flow, rake->rake, p, p.separation, 1.0); !options)
-        return tl::unexpected(options.error());
-    SurfaceJob job;
-    job.rake = std::move(rake->rake);
-    job.parameters = std::move(p);
-    job.flow = open->flow;
-    job.lattice = open->lattice;
-    return job;
+core::Result<void> Session::delete_rake(const std::string& id, const Author& author) {
+    return remove({RecordType::Rake, id}, author);
 }
 
-core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::SurfaceSetting& asked) {
-    if (asked.surface && !surfaces_.contains(*asked.surface))
-        return no_record("surface", *asked.surface);
-    if (!rakes_.contains(asked.rake))
-        return no_record("rake", asked.rake);
-    if (asked.rake2 && !rakes_.contains(*asked.rake2))
-        return no_record("rake", *asked.rake2);
-    if (!asked.surface && surfaces_.size() >= limits::surfaces)
-        return too_many("surfaces", limits::surfaces);
+core::Result<void> Session::delete_surface(const std::string& id, const Author& author) {
+    return remove({RecordType::Surface, id}, author);
+}
+
+core::Result<void> Session::delete_bookmark(const std::string& id, const Author& author) {
+    return remove({RecordType::Bookmark, id}, author);
+}
+
+core::Result<void> Session::delete_annotation(const std::string& id, const Author& author) {
+    return remove({RecordType::Annotation, id}, author);
+}
+
+core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::SurfaceSetting& asked,
+                                                           const Author& author) {
+    const RecordKey key{RecordType::Surface, asked.surface.value_or("")};
+    if (asked.surface && records_.rev(key) == 0)
+        return no_record(key);
+    for (const auto& rake : {std::optional(asked.rake), asked.rake2})
+        if (rake && records_.find<protocol::RakeRecord>(*rake) == nullptr)
+            return no_record({RecordType::Rake, *rake});
+    if (auto may = may_put(key, !asked.surface); !may)
+        return tl::unexpected(may.error());
     protocol::SurfaceSetting setting = asked;
     const auto open = services_.datasets.open(setting.dataset);
     if (!open)
@@ -208,91 +216,53 @@ core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::Surfa
         return tl::unexpected(complete.error());
     protocol::SurfaceRecord record{
         {}, 0, 0, setting.rake, setting.rake2, setting.dataset, setting.parameters, setting.fields};
-    auto job = job_for(record);
-    if (!job)
+    if (const auto job = builds_.job_for(record); !job)
         return tl::unexpected(job.error());
 
-    record.surface = setting.surface ? *setting.surface : "s" + std::to_string(next_surface_++);
-    SurfaceEntry& entry = surfaces_[record.surface];
-    if (!entry.live)
-        entry.live = make_live(record.surface);
-    record.rev = entry.record.rev + 1;
-    record.epoch = entry.live->rebuild(std::move(*job));
-    entry.record = record;
-    announce({record});
-    return record;
+    record.surface = setting.surface ? *setting.surface : records_.new_id(RecordType::Surface);
+    edit({change_to(record)}, author);
+    return *records_.find<protocol::SurfaceRecord>(record.surface);
 }
 
-std::shared_ptr<LiveSurface> Session::make_live(const std::string& id) {
-    LiveSurface::Events events;
-    events.progress = [this, id](std::uint32_t epoch, bool final) {
-        for (const Participant& each : participants_.present())
-            each.observer->progress(id, epoch, final);
-    };
-    events.done = [this](const SurfaceOutcome& outcome) {
-        for (const Participant& each : participants_.present())
-            each.observer->done(outcome);
-        built(outcome);
-    };
-    return std::make_shared<LiveSurface>(id, next_number_++, services_.loop, services_.pool,
-                                         std::move(events));
+core::Result<protocol::BookmarkRecord>
+Session::set_bookmark(const protocol::BookmarkSetting& setting, const Author& author) {
+    const RecordKey asked{RecordType::Bookmark, setting.bookmark.value_or("")};
+    if (auto may = may_put(asked, !setting.bookmark); !may)
+        return tl::unexpected(may.error());
+    protocol::BookmarkRecord record;
+    if (setting.bookmark)
+        record = *records_.find<protocol::BookmarkRecord>(*setting.bookmark);
+    else
+        record.bookmark = records_.new_id(RecordType::Bookmark);
+    if (!setting.name.empty() || record.name.empty())
+        record.name = setting.name.empty() ? record.bookmark : setting.name;
+    record.view = setting.view;
+    record.time = setting.time;
+    edit({change_to(record)}, author);
+    return *records_.find<protocol::BookmarkRecord>(record.bookmark);
 }
 
-core::Result<void> Session::delete_surface(const std::string& id) {
-    const auto found = surfaces_.find(id);
-    if (found == surfaces_.end())
-        return no_record("surface", id);
-    found->second.live->retire();
-    surfaces_.erase(found);
-    announce({DeletedRecord{"surface", id}});
-    return {};
-}
-
-void Session::built(const SurfaceOutcome& outcome) {
-    const auto found = surfaces_.find(outcome.surface);
-    if (found == surfaces_.end() || !std::exchange(found->second.data_came, false))
-        return;
-    // Not from within the event: the surface is still telling others of it.
-    services_.loop.post(
-        [weak = std::weak_ptr(found->second.live), this, alive = alive_, id = outcome.surface] {
-            if (!*alive)
-                return;
-            const auto entry = surfaces_.find(id);
-            if (entry != surfaces_.end() && entry->second.live == weak.lock())
-                try_again(entry->second);
-        });
-}
-
-void Session::dataset_changed(const std::string& dataset) {
-    for (auto& [id, entry] : surfaces_) {
-        if (entry.record.dataset != dataset)
-            continue;
-        if (entry.live->busy())
-            entry.data_came = true;
-        else
-            try_again(entry);
+core::Result<protocol::AnnotationRecord>
+Session::set_annotation(const protocol::AnnotationSetting& setting, const Author& author) {
+    const RecordKey asked{RecordType::Annotation, setting.annotation.value_or("")};
+    if (auto may = may_put(asked, !setting.annotation); !may)
+        return tl::unexpected(may.error());
+    protocol::AnnotationRecord record;
+    if (setting.annotation)
+        record = *records_.find<protocol::AnnotationRecord>(*setting.annotation);
+    // The surface may go and the annotation stay, so only a new choice has to be there.
+    if (setting.surface && setting.surface != record.surface &&
+        records_.find<protocol::SurfaceRecord>(*setting.surface) == nullptr)
+        return no_record({RecordType::Surface, *setting.surface});
+    if (!setting.annotation) {
+        record.annotation = records_.new_id(RecordType::Annotation);
+        record.author = author.name;
     }
-}
-
-// Where nothing was missing the surface stays what it is.
-void Session::try_again(SurfaceEntry& entry) {
-    const SurfaceOutcome outcome = entry.live->outcome();
-    const auto open = services_.datasets.open(entry.record.dataset);
-    if (!open)
-        return;
-    if (outcome.statistics.stopped.empty() && !outcome.error)
-        return entry.live->renew_flow(open->flow);
-    auto job = job_for(entry.record);
-    if (!job)
-        return;
-    entry.record.epoch = entry.live->rebuild(std::move(*job));
-    announce({entry.record});
-}
-
-void Session::announce(const std::vector<Patch>& patches) {
-    ++seq_;
-    for (const Participant& each : participants_.present())
-        each.observer->patched(id_, seq_, patches);
+    record.text = setting.text;
+    record.position = setting.position;
+    record.surface = setting.surface;
+    edit({change_to(record)}, author);
+    return *records_.find<protocol::AnnotationRecord>(record.annotation);
 }
 
 } // namespace wakesurf::server

@@ -1,31 +1,29 @@
-// A session: the rakes and surfaces several people look at and edit together. Edits are whole records, last writer
-// wins; each bumps seq and is told to every participant. Knows neither sockets nor JSON text.
+// A session: the records several people look at and edit together. Edits are whole records, the server puts them in
+// order and the last writer wins; each bumps seq, goes to the journal and is told to every participant. Knows neither
+// sockets nor JSON text.
 #pragma once
 
 #include "core/base/result.hpp"
-#include "server/metrics/metrics.hpp"
+#include "server/session/author.hpp"
 #include "server/session/datasets.hpp"
-#include "server/session/live_surface.hpp"
+#include "server/session/history.hpp"
+#include "server/session/leases.hpp"
 #include "server/session/observer.hpp"
 #include "server/session/participants.hpp"
+#include "server/session/record_entries.hpp"
+#include "server/session/session_records.hpp"
+#include "server/session/session_services.hpp"
+#include "server/session/surface_builds.hpp"
 
 #include <cstdint>
-#include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace wakesurf::server {
-
-/// What sessions need of the server. All outlive them.
-struct SessionServices {
-    Loop& loop;
-    ComputePool& pool;
-    const Datasets& datasets;
-    Entropy& entropy;
-    Metrics* metrics = nullptr; ///< nobody counts without
-};
 
 struct RakeChange {
     protocol::RakeRecord record;
@@ -33,12 +31,22 @@ struct RakeChange {
         surfaces; ///< recomputed, with their new epochs
 };
 
-/// Loop thread only.
+/// What came of undo or redo. With neither changes nor skipped there was nothing to turn.
+struct TurnResult {
+    struct Skip {
+        RecordKey key;
+        std::string why; ///< for people
+    };
+
+    std::vector<RecordChange> changes;
+    std::vector<Skip> skipped; ///< records somebody else has changed since: the edit is forgotten
+    History::Depth left;
+};
+
+/// Loop thread only. An author may be left out: then it is the server's own doing, which nobody can undo.
 class Session {
   public:
     Session(std::string id, std::string name, SessionServices services, std::uint32_t& next_number);
-    /// Retires its surfaces.
-    ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
@@ -50,57 +58,100 @@ class Session {
 
     Participants& participants() { return participants_; }
 
+    const SessionRecords& records() const { return records_; }
+
     std::vector<protocol::RakeRecord> rakes() const;
     std::vector<protocol::SurfaceRecord> surfaces() const;
 
     /// Error: NotFound.
     core::Result<protocol::RakeRecord> rake(const std::string& id) const;
     core::Result<protocol::SurfaceRecord> surface(const std::string& id) const;
+    core::Result<protocol::BookmarkRecord> bookmark(const std::string& id) const;
+    core::Result<protocol::AnnotationRecord> annotation(const std::string& id) const;
     core::Result<std::shared_ptr<LiveSurface>> live(const std::string& id) const;
 
-    /// Creates or replaces a rake and rebuilds the surfaces that hang on it, as rake or as rake2. Error: NotFound, OverLimit,
+    /// Creates or replaces a rake and rebuilds the surfaces that hang on it, as rake or as rake2; `dragging` takes, renews
+    /// or ends the lease. Whether somebody else has it is for the caller to ask. Error: NotFound, OverLimit,
     /// InvalidArgument, OutOfDomain by how much; nothing has changed then.
-    core::Result<RakeChange> set_rake(const protocol::RakeSetting& setting);
+    core::Result<RakeChange> set_rake(const protocol::RakeSetting& setting,
+                                      const Author& author = {});
 
     /// Deletes the surfaces that hang on it as well.
-    core::Result<void> delete_rake(const std::string& id);
+    core::Result<void> delete_rake(const std::string& id, const Author& author = {});
 
     /// Creates or replaces a surface and starts building it. Error: NotFound (surface, rake, dataset), Unsupported
     /// (kind), OutOfTime, OutOfDomain, InvalidArgument, OverLimit.
-    core::Result<protocol::SurfaceRecord> set_surface(const protocol::SurfaceSetting& setting);
-    core::Result<void> delete_surface(const std::string& id);
+    core::Result<protocol::SurfaceRecord> set_surface(const protocol::SurfaceSetting& setting,
+                                                      const Author& author = {});
+    core::Result<void> delete_surface(const std::string& id, const Author& author = {});
+
+    /// Error: NotFound, OverLimit.
+    core::Result<protocol::BookmarkRecord> set_bookmark(const protocol::BookmarkSetting& setting,
+                                                        const Author& author = {});
+    core::Result<void> delete_bookmark(const std::string& id, const Author& author = {});
+
+    /// A new one carries the author's name, and keeps it. Error: NotFound (annotation, surface), OverLimit.
+    core::Result<protocol::AnnotationRecord>
+    set_annotation(const protocol::AnnotationSetting& setting, const Author& author = {});
+    core::Result<void> delete_annotation(const std::string& id, const Author& author = {});
+
+    /// Turns the author's newest edit that can be, as an edit like any other. Where a record of it is no longer as the
+    /// author left it, nothing happens but that the edit is forgotten.
+    TurnResult turn(Turn turn, const Author& author);
+
+    /// Who drags a rake just now.
+    std::optional<Lease> lease(const std::string& rake) const { return leases_.find(rake); }
+
+    /// Of somebody who has left.
+    void end_leases(const std::string& participant);
 
     /// Builds what ended early for want of time-steps again, as soon as it is not being built already; lets go of a dataset that was
     /// replaced by a longer one.
-    void dataset_changed(const std::string& dataset);
+    void dataset_changed(const std::string& dataset) { builds_.dataset_changed(dataset); }
+
+    /// Brings back what a journal kept, into a session without records. Its epochs and seq are above all told before.
+    RestoreReport restore(std::span<const JournalEntry> entries);
+
+    /// Takes over another session's records as they are, into a session without records.
+    void copy(const Session& other);
+
+    /// Writes the session into the journal as it is, name and all.
+    void keep();
 
   private:
-    struct SurfaceEntry {
-        protocol::SurfaceRecord record;
-        std::shared_ptr<LiveSurface> live;
-        bool data_came = false; ///< since the present build began
-    };
+    using Epochs = std::vector<std::pair<std::string, std::uint32_t>>; ///< of surfaces
 
+    RecordChange change_to(Record after) const;
+    std::vector<RecordChange> deletion(const RecordKey& key) const;
+    core::Result<void> may_put(const RecordKey& key, bool is_new) const;
+    core::Result<void> remove(const RecordKey& key, const Author& author);
     core::Result<core::ClippedRake> clip(const protocol::RakeSetting& setting) const;
     core::Result<core::ClippedRake> clip_to(const core::Rake& shape,
                                             const std::string& dataset) const;
-    core::Result<SurfaceJob> job_for(const protocol::SurfaceRecord& record) const;
-    std::shared_ptr<LiveSurface> make_live(const std::string& id);
-    void built(const SurfaceOutcome& outcome);
-    void try_again(SurfaceEntry& entry);
+    std::uint64_t
+    settle_lease(protocol::RakeRecord& record, std::optional<bool> dragging, const Author& author);
+    void lease_ended(const std::string& rake);
+
+    Epochs edit(std::vector<RecordChange> changes, const Author& author, std::uint64_t drag = 0);
+    Epochs commit(const std::vector<RecordChange>& changes);
+    Epochs build(const std::vector<RecordChange>& changes);
+    void begin(std::uint32_t epochs_before);
+    protocol::SessionHead head() const;
     void announce(const std::vector<Patch>& patches);
+    SurfaceBuilds::Events build_events();
+
+    std::vector<TurnResult::Skip> obstacles(const Edit& edit, Turn turn) const;
+    std::string obstacle(const Edit& edit, const EditStep& step, Turn turn) const;
 
     std::string id_;
     std::string name_;
     SessionServices services_;
-    std::uint32_t& next_number_;
     std::uint64_t seq_ = 0;
-    std::uint64_t next_rake_ = 1;
-    std::uint64_t next_surface_ = 1;
-    std::map<std::string, protocol::RakeRecord> rakes_;
-    std::map<std::string, SurfaceEntry> surfaces_;
+    SessionRecords records_;
     Participants participants_;
-    std::shared_ptr<bool> alive_ = std::make_shared<bool>(true); ///< for what is posted to the loop
+    Leases leases_;
+    History history_;
+    SurfaceBuilds builds_; ///< last: its jobs' events use the rest
 };
 
 } // namespace wakesurf::server

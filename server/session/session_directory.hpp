@@ -7,6 +7,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,15 @@ class SessionDirectory {
   public:
     explicit SessionDirectory(SessionServices services);
 
-    /// Where there are too many, the oldest that nobody is in makes room. Error: OverLimit when all are in use.
+    /// Where there are too many, the oldest that nobody is in makes room, one without records first. Error: OverLimit when all are in use.
     core::Result<std::shared_ptr<Session>> create(std::string name);
+
+    /// A new session with the records of another. Error: NotFound, OverLimit.
+    core::Result<std::shared_ptr<Session>> fork(const std::string& id, std::string name);
+
+    /// Brings a session back from what the journal kept of it. Before anybody is served.
+    RestoreReport
+    restore(const std::string& id, std::string name, std::span<const JournalEntry> entries);
 
     /// Error: NotFound.
     core::Result<std::shared_ptr<Session>> find(const std::string& id) const;
@@ -30,6 +38,7 @@ class SessionDirectory {
 
   private:
     std::shared_ptr<Session> add(std::string id, std::string name);
+    core::Result<std::shared_ptr<Session>> add_new(std::string name);
     bool make_room();
 
     SessionServices services_;

@@ -16,7 +16,8 @@ core::Result<void> wrong(const std::string& message, const std::string& hint) {
     return fail(Error::Code::InvalidArgument, message, hint);
 }
 
-/// What only streak surfaces and only time surfaces have.
+} // namespace
+
 core::Result<void> check_kind(const protocol::SurfaceSetting& setting) {
     const core::SurfaceParameters& p = setting.parameters;
     const bool time = p.kind == core::SurfaceKind::Time;
@@ -43,8 +44,6 @@ core::Result<void> check_kind(const protocol::SurfaceSetting& setting) {
     }
     return {};
 }
-
-} // namespace
 
 core::Result<void> complete_surface(protocol::SurfaceSetting& setting, const OpenDataset& dataset) {
     core::SurfaceParameters& p = setting.parameters;

@@ -1,0 +1,98 @@
+// annotation.set, annotation.delete, annotation.list.
+#include "protocol/checked_json.hpp"
+#include "server/limits.hpp"
+#include "server/rpc/author.hpp"
+#include "server/rpc/method_table.hpp"
+#include "server/rpc/records_json.hpp"
+#include "server/rpc/session_choice.hpp"
+#include "server/rpc/stale_revision.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::server {
+
+using nlohmann::json;
+
+namespace {
+
+void set(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const auto setting =
+        protocol::read_annotation_setting(in, {limits::annotation_bytes, limits::name_bytes});
+    const auto session = read_session(in, call);
+    if (!session)
+        return reply.fault(session.error());
+    if (setting.annotation)
+        if (const auto now = (*session)->annotation(*setting.annotation))
+            if (const auto stale =
+                    stale_revision(setting.if_rev, now->rev, protocol::annotation_json(*now)))
+                return reply.fault(*stale);
+    const auto record = (*session)->set_annotation(setting, author_of(call, **session));
+    if (!record)
+        return reply.fault(record.error());
+    reply.result(
+        {{"annotation", record->annotation}, {"rev", record->rev}, {"seq", (*session)->seq()}});
+}
+
+void remove(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const std::string annotation = in.text("annotation");
+    const auto if_rev = in.count_if("ifRev", 0, protocol::most_rev);
+    const auto session = read_session(in, call);
+    if (!session)
+        return reply.fault(session.error());
+    if (const auto now = (*session)->annotation(annotation))
+        if (const auto stale = stale_revision(if_rev, now->rev, protocol::annotation_json(*now)))
+            return reply.fault(*stale);
+    const auto done = (*session)->delete_annotation(annotation, author_of(call, **session));
+    if (!done)
+        return reply.fault(done.error());
+    reply.result({{"seq", (*session)->seq()}});
+}
+
+void list(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const auto session = read_session(in, call);
+    if (!session)
+        return reply.fault(session.error());
+    reply.result({{"annotations", annotations_json(**session)}});
+}
+
+} // namespace
+
+std::vector<Method> annotation_methods() {
+    const char* text = R"({"type":"string"})";
+    const Parameter if_rev{"ifRev", R"({"type":"integer"})", false,
+                           "refuse if the annotation is at another revision"};
+    return {
+        {"annotation.set",
+         "Creates an annotation, a note at a point in space, or replaces one as a whole; it keeps "
+         "the name of who made it.",
+         {session_parameter(),
+          {"annotation", text, false, "left out: create one"},
+          {"text", text, true,
+           fmt::format("of one line or several, at most {} bytes", limits::annotation_bytes)},
+          {"position", R"({"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3})",
+           true, "where it points to, in the dataset's unit"},
+          {"surface", text, false, "the surface it speaks of"},
+          if_rev},
+         "{annotation, rev, seq}",
+         any_editor,
+         set},
+        {"annotation.delete",
+         "Deletes an annotation.",
+         {session_parameter(), {"annotation", text, true, "an id from annotation.list"}, if_rev},
+         "{seq}",
+         any_editor,
+         remove},
+        {"annotation.list",
+         "The annotations of a session.",
+         {session_parameter()},
+         "{annotations}",
+         any_viewer,
+         list},
+    };
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,16 @@
+// Who a caller is to a session.
+#pragma once
+
+#include "server/rpc/method.hpp"
+#include "server/session/author.hpp"
+
+namespace wakesurf::server {
+
+/// The participant, if the caller's WebSocket has joined this session; otherwise everybody with the same token or share
+/// link is one author, so that a script over HTTP can undo what it did itself.
+Author author_of(const Call& call, Session& session);
+
+/// May go before other people's leases.
+bool is_host(const Call& call);
+
+} // namespace wakesurf::server

@@ -1,0 +1,97 @@
+// bookmark.set, bookmark.delete, bookmark.list.
+#include "protocol/checked_json.hpp"
+#include "server/limits.hpp"
+#include "server/rpc/author.hpp"
+#include "server/rpc/method_table.hpp"
+#include "server/rpc/records_json.hpp"
+#include "server/rpc/session_choice.hpp"
+#include "server/rpc/stale_revision.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::server {
+
+using nlohmann::json;
+
+namespace {
+
+void set(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const auto setting =
+        protocol::read_bookmark_setting(in, {limits::name_bytes, limits::view_bytes});
+    const auto session = read_session(in, call);
+    if (!session)
+        return reply.fault(session.error());
+    if (setting.bookmark)
+        if (const auto now = (*session)->bookmark(*setting.bookmark))
+            if (const auto stale =
+                    stale_revision(setting.if_rev, now->rev, protocol::bookmark_json(*now)))
+                return reply.fault(*stale);
+    const auto record = (*session)->set_bookmark(setting, author_of(call, **session));
+    if (!record)
+        return reply.fault(record.error());
+    reply.result(
+        {{"bookmark", record->bookmark}, {"rev", record->rev}, {"seq", (*session)->seq()}});
+}
+
+void remove(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const std::string bookmark = in.text("bookmark");
+    const auto if_rev = in.count_if("ifRev", 0, protocol::most_rev);
+    const auto session = read_session(in, call);
+    if (!session)
+        return reply.fault(session.error());
+    if (const auto now = (*session)->bookmark(bookmark))
+        if (const auto stale = stale_revision(if_rev, now->rev, protocol::bookmark_json(*now)))
+            return reply.fault(*stale);
+    if (const auto done = (*session)->delete_bookmark(bookmark, author_of(call, **session)); !done)
+        return reply.fault(done.error());
+    reply.result({{"seq", (*session)->seq()}});
+}
+
+void list(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const auto session = read_session(in, call);
+    if (!session)
+        return reply.fault(session.error());
+    reply.result({{"bookmarks", bookmarks_json(**session)}});
+}
+
+} // namespace
+
+std::vector<Method> bookmark_methods() {
+    const char* text = R"({"type":"string"})";
+    const Parameter if_rev{"ifRev", R"({"type":"integer"})", false,
+                           "refuse if the bookmark is at another revision"};
+    return {
+        {"bookmark.set",
+         "Creates a bookmark, a view of the session with a name, or replaces one as a whole.",
+         {session_parameter(),
+          {"bookmark", text, false, "left out: create one"},
+          {"name", text, false, "for people"},
+          {"view", R"({"type":"object"})", true,
+           fmt::format("camera, colours and the like, as the client likes; at most {} bytes of "
+                       "JSON text",
+                       limits::view_bytes)},
+          {"time", R"({"type":"number"})", false, "the session's time the view belongs to"},
+          if_rev},
+         "{bookmark, rev, seq}",
+         any_editor,
+         set},
+        {"bookmark.delete",
+         "Deletes a bookmark.",
+         {session_parameter(), {"bookmark", text, true, "an id from bookmark.list"}, if_rev},
+         "{seq}",
+         any_editor,
+         remove},
+        {"bookmark.list",
+         "The bookmarks of a session.",
+         {session_parameter()},
+         "{bookmarks}",
+         any_viewer,
+         list},
+    };
+}
+
+} // namespace wakesurf::server

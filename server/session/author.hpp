@@ -1,0 +1,17 @@
+// Who makes an edit: what undo, leases and annotations need to know of a caller.
+#pragma once
+
+#include <string>
+
+namespace wakesurf::server {
+
+struct Author {
+    /// A participant's id; `script`, or `script:` and the share link's id, for a caller that has not joined the session.
+    /// Empty: the server itself, which has no history.
+    std::string participant;
+    std::string name; ///< for people
+
+    bool operator==(const Author&) const = default;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,139 @@
+#include "server/session/history.hpp"
+
+#include "server/limits.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace wakesurf::server {
+
+namespace {
+
+std::size_t bytes_of(const Edit& edit) {
+    std::size_t bytes = sizeof(Edit);
+    for (const EditStep& step : edit.steps)
+        for (const auto& record : {step.before, step.after})
+            bytes += record ? server::bytes_of(*record) : 0;
+    return bytes;
+}
+
+/// Makes `into`, of the same drag, the edit that did both. False where something else came between.
+bool merge(Edit& into, const Edit& next) {
+    if (next.drag == 0 || into.drag != next.drag || into.steps.size() != next.steps.size())
+        return false;
+    const auto follows = [](const EditStep& first, const EditStep& second) {
+        return first.key == second.key && first.after_rev == second.before_rev;
+    };
+    if (!std::equal(into.steps.begin(), into.steps.end(), next.steps.begin(), follows))
+        return false;
+    for (std::size_t i = 0; i < next.steps.size(); ++i) {
+        into.steps[i].after = next.steps[i].after;
+        into.steps[i].after_rev = next.steps[i].after_rev;
+    }
+    return true;
+}
+
+} // namespace
+
+void History::add(const std::string& author, Edit edit) {
+    Stacks& mine = authors_[author];
+    mine.used = next_age_;
+    clear(mine.redo);
+    if (!mine.undo.empty()) {
+        Kept& newest = mine.undo.back();
+        if (merge(newest.edit, edit)) {
+            bytes_ -= std::exchange(newest.bytes, bytes_of(newest.edit));
+            bytes_ += newest.bytes;
+            return make_room();
+        }
+    }
+    push(mine.undo, std::move(edit));
+    make_room();
+}
+
+std::optional<Edit> History::take(const std::string& author, Turn turn) {
+    const auto found = authors_.find(author);
+    if (found == authors_.end())
+        return std::nullopt;
+    Stack& stack = turn == Turn::Undo ? found->second.undo : found->second.redo;
+    if (stack.empty())
+        return std::nullopt;
+    Edit edit = std::move(stack.back().edit);
+    drop(stack, true);
+    return edit;
+}
+
+void History::turned(const std::string& author,
+                     Turn turn,
+                     Edit edit,
+                     std::span<const std::uint64_t> revs) {
+    Stacks& mine = authors_[author];
+    mine.used = next_age_;
+    // The edit before this one left what is there again, at a revision of now.
+    Stack& from = turn == Turn::Undo ? mine.undo : mine.redo;
+    for (std::size_t i = 0; i < edit.steps.size(); ++i) {
+        EditStep& step = edit.steps[i];
+        const std::uint64_t old =
+            std::exchange(turn == Turn::Undo ? step.before_rev : step.after_rev, revs[i]);
+        for (Kept& kept : from)
+            for (EditStep& each : kept.edit.steps) {
+                std::uint64_t& rev = turn == Turn::Undo ? each.after_rev : each.before_rev;
+                if (each.key == step.key && rev == old)
+                    rev = revs[i];
+            }
+    }
+    edit.drag = 0; // what follows is another edit
+    push(turn == Turn::Undo ? mine.redo : mine.undo, std::move(edit));
+    make_room();
+}
+
+History::Depth History::depth(const std::string& author) const {
+    const auto found = authors_.find(author);
+    if (found == authors_.end())
+        return {};
+    return {found->second.undo.size(), found->second.redo.size()};
+}
+
+void History::push(Stack& stack, Edit edit) {
+    const std::size_t bytes = bytes_of(edit);
+    stack.push_back({std::move(edit), next_age_++, bytes});
+    bytes_ += bytes;
+    if (stack.size() > limits::undo_steps)
+        drop(stack, false);
+}
+
+void History::drop(Stack& stack, bool newest) {
+    bytes_ -= newest ? stack.back().bytes : stack.front().bytes;
+    if (newest)
+        stack.pop_back();
+    else
+        stack.pop_front();
+}
+
+void History::clear(Stack& stack) {
+    while (!stack.empty())
+        drop(stack, true);
+}
+
+void History::make_room() {
+    while (authors_.size() > limits::undo_authors) {
+        const auto idlest =
+            std::min_element(authors_.begin(), authors_.end(), [](const auto& a, const auto& b) {
+                return a.second.used < b.second.used;
+            });
+        clear(idlest->second.undo);
+        clear(idlest->second.redo);
+        authors_.erase(idlest);
+    }
+    while (bytes_ > limits::undo_bytes) {
+        Stack* oldest = nullptr;
+        for (auto& [author, stacks] : authors_)
+            for (Stack* each : {&stacks.undo, &stacks.redo})
+                if (!each->empty() &&
+                    (oldest == nullptr || each->front().age < oldest->front().age))
+                    oldest = each;
+        drop(*oldest, false);
+    }
+}
+
+} // namespace wakesurf::server

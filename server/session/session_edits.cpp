@@ -1,0 +1,151 @@
+// What every edit of a session goes through: the records, the surfaces that follow from them, the journal, everybody who
+// looks on, the author's history.
+#include "server/session/session.hpp"
+
+#include <algorithm>
+#include <ranges>
+#include <set>
+#include <utility>
+
+namespace wakesurf::server {
+
+namespace {
+
+std::vector<Patch> patches_of(const std::vector<RecordChange>& changes,
+                              const SessionRecords& records,
+                              const std::set<std::string>& surfaces) {
+    std::vector<Patch> patches;
+    // Of what hangs together the dependent goes first and comes last.
+    for (const RecordType type : std::views::reverse(record_types))
+        for (const RecordChange& each : changes)
+            if (each.key.type == type && !each.after)
+                patches.emplace_back(DeletedRecord{name(type), each.key.id});
+    for (const RecordChange& each : changes)
+        if (each.after && each.key.type != RecordType::Surface)
+            std::visit([&](const auto& record) { patches.emplace_back(record); }, *each.after);
+    for (const std::string& id : surfaces)
+        patches.emplace_back(*records.find<protocol::SurfaceRecord>(id));
+    return patches;
+}
+
+JournalEntry entry_of_patch(const Patch& patch) {
+    return std::visit(
+        [](const auto& each) -> JournalEntry {
+            if constexpr (std::is_same_v<std::decay_t<decltype(each)>, DeletedRecord>)
+                return {std::string(each.type), each.id, std::nullopt};
+            else
+                return entry_of(Record(each));
+        },
+        patch);
+}
+
+} // namespace
+
+Session::Epochs
+Session::edit(std::vector<RecordChange> changes, const Author& author, std::uint64_t drag) {
+    Epochs epochs = commit(changes);
+    if (author.participant.empty())
+        return epochs;
+    Edit done{{}, drag};
+    for (const RecordChange& each : changes)
+        done.steps.push_back({each.key, each.before, each.after,
+                              each.before ? rev_of(*each.before) : 0,
+                              each.after ? rev_of(*each.after) : 0});
+    history_.add(author.participant, std::move(done));
+    return epochs;
+}
+
+Session::Epochs Session::commit(const std::vector<RecordChange>& changes) {
+    for (const RecordChange& each : changes) {
+        if (each.after) {
+            records_.put(*each.after);
+            continue;
+        }
+        records_.erase(each.key);
+        if (each.key.type == RecordType::Surface)
+            builds_.retire(each.key.id);
+        if (each.key.type == RecordType::Rake)
+            leases_.end(each.key.id);
+    }
+    Epochs epochs = build(changes);
+    std::set<std::string> surfaces;
+    for (const auto& [id, epoch] : epochs)
+        surfaces.insert(id);
+    announce(patches_of(changes, records_, surfaces));
+    return epochs;
+}
+
+Session::Epochs Session::build(const std::vector<RecordChange>& changes) {
+    std::set<std::string> set;
+    std::set<std::string> hanging;
+    for (const RecordChange& each : changes) {
+        if (each.after && each.key.type == RecordType::Surface)
+            set.insert(each.key.id);
+        if (each.after && each.key.type == RecordType::Rake)
+            for (std::string& id : records_.hanging_on(each.key.id))
+                hanging.insert(std::move(id));
+    }
+    Epochs epochs;
+    for (const auto& [id, record] : records_.all<protocol::SurfaceRecord>())
+        if (set.contains(id))
+            epochs.emplace_back(id, builds_.build(record));
+        else if (hanging.contains(id))
+            if (const auto epoch = builds_.rebuild(record))
+                epochs.emplace_back(id, *epoch);
+    for (const auto& [id, epoch] : epochs) {
+        protocol::SurfaceRecord record = *records_.find<protocol::SurfaceRecord>(id);
+        record.epoch = epoch;
+        records_.put(record);
+    }
+    return epochs;
+}
+
+void Session::announce(const std::vector<Patch>& patches) {
+    ++seq_;
+    if (services_.journal != nullptr) {
+        std::vector<JournalEntry> entries{entry_of(head())};
+        std::transform(patches.begin(), patches.end(), std::back_inserter(entries), entry_of_patch);
+        services_.journal->write(id_, std::move(entries));
+    }
+    for (const Participant& each : participants_.present())
+        each.observer->patched(id_, seq_, patches);
+}
+
+void Session::lease_ended(const std::string& rake) {
+    const auto* held = records_.find<protocol::RakeRecord>(rake);
+    if (held == nullptr || !held->dragging)
+        return;
+    protocol::RakeRecord record = *held; // its revision stays: nothing of it was edited
+    record.dragging = false;
+    record.leased_by.clear();
+    records_.put(record);
+    announce({record});
+}
+
+void Session::end_leases(const std::string& participant) {
+    for (const std::string& rake : leases_.of(participant)) {
+        leases_.end(rake);
+        lease_ended(rake);
+    }
+}
+
+SurfaceBuilds::Events Session::build_events() {
+    SurfaceBuilds::Events events;
+    events.progress = [this](const std::string& surface, std::uint32_t epoch, bool final) {
+        for (const Participant& each : participants_.present())
+            each.observer->progress(surface, epoch, final);
+    };
+    events.done = [this](const SurfaceOutcome& outcome) {
+        for (const Participant& each : participants_.present())
+            each.observer->done(outcome);
+    };
+    events.rebuilt = [this](const std::string& surface, std::uint32_t epoch) {
+        protocol::SurfaceRecord record = *records_.find<protocol::SurfaceRecord>(surface);
+        record.epoch = epoch;
+        records_.put(record);
+        announce({record});
+    };
+    return events;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,90 @@
+// Undo and redo: an author's own edits, turned where nobody has touched their records since.
+#include "server/session/session.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace wakesurf::server {
+
+namespace {
+
+bool sets(const Edit& edit, Turn turn, const RecordKey& key, bool there) {
+    return std::any_of(edit.steps.begin(), edit.steps.end(), [&](const EditStep& step) {
+        return step.key == key && (step.to(turn) != nullptr) == there;
+    });
+}
+
+/// The record to put, as a later revision than any of it before.
+std::shared_ptr<const Record> at_new_rev(const EditStep& step, Turn turn) {
+    if (!step.to(turn))
+        return nullptr;
+    Record record = *step.to(turn);
+    set_rev(record, std::max({step.before_rev, step.after_rev, rev_of(record)}) + 1);
+    if (auto* rake = std::get_if<protocol::RakeRecord>(&record)) {
+        rake->dragging = false;
+        rake->leased_by.clear();
+    }
+    return std::make_shared<const Record>(std::move(record));
+}
+
+} // namespace
+
+TurnResult Session::turn(Turn turn, const Author& author) {
+    TurnResult result;
+    if (auto edit = history_.take(author.participant, turn)) {
+        result.skipped = obstacles(*edit, turn);
+        if (result.skipped.empty()) {
+            std::vector<std::uint64_t> revs;
+            for (EditStep& step : edit->steps) {
+                const auto now = records_.find(step.key);
+                result.changes.push_back({step.key, now, at_new_rev(step, turn)});
+                revs.push_back(result.changes.back().after ? rev_of(*result.changes.back().after)
+                                                           : 0);
+                // Its epoch has gone on; if the record comes back, its epochs do too.
+                (turn == Turn::Undo ? step.after : step.before) = now;
+                if (step.key.type == RecordType::Rake)
+                    leases_.end(step.key.id);
+            }
+            commit(result.changes);
+            history_.turned(author.participant, turn, std::move(*edit), revs);
+        }
+    }
+    result.left = history_.depth(author.participant);
+    return result;
+}
+
+std::vector<TurnResult::Skip> Session::obstacles(const Edit& edit, Turn turn) const {
+    std::vector<TurnResult::Skip> out;
+    for (const EditStep& step : edit.steps)
+        if (std::string why = obstacle(edit, step, turn); !why.empty())
+            out.push_back({step.key, std::move(why)});
+    return out;
+}
+
+std::string Session::obstacle(const Edit& edit, const EditStep& step, Turn turn) const {
+    const std::string label = std::string(server::name(step.key.type)) + " " + step.key.id;
+    if (records_.rev(step.key) != step.from_rev(turn))
+        return label + " has been changed by somebody else since";
+    const auto& to = step.to(turn);
+    if (!to && step.key.type == RecordType::Rake)
+        for (const std::string& id : records_.hanging_on(step.key.id))
+            if (!sets(edit, turn, {RecordType::Surface, id}, false))
+                return "surface " + id + " hangs on " + label;
+    if (!to)
+        return {};
+    if (const auto* surface = std::get_if<protocol::SurfaceRecord>(to.get()))
+        for (const auto& rake : {std::optional(surface->rake), surface->rake2})
+            if (rake && records_.find<protocol::RakeRecord>(*rake) == nullptr &&
+                !sets(edit, turn, {RecordType::Rake, *rake}, true))
+                return "rake " + *rake + " of " + label + " has been deleted since";
+    const auto comes_back = [&](const EditStep& each) {
+        return each.key.type == step.key.type && each.from_rev(turn) == 0 && each.to(turn);
+    };
+    const auto more =
+        static_cast<std::size_t>(std::count_if(edit.steps.begin(), edit.steps.end(), comes_back));
+    if (comes_back(step) && records_.count(step.key.type) + more > most_records(step.key.type))
+        return "there is no room for " + label + " any more";
+    return {};
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,66 @@
+// A session beyond its life: to the journal, back from it, and as a copy.
+#include "server/session/session.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace wakesurf::server {
+
+namespace {
+
+/// What was told but had not reached the disk when the server ended is not known; numbers start well above it.
+constexpr std::uint32_t restart_gap = 1u << 16;
+
+} // namespace
+
+protocol::SessionHead Session::head() const {
+    return {name_,
+            seq_,
+            records_.next_number(RecordType::Rake),
+            records_.next_number(RecordType::Surface),
+            records_.next_number(RecordType::Bookmark),
+            records_.next_number(RecordType::Annotation)};
+}
+
+void Session::keep() {
+    if (services_.journal == nullptr)
+        return;
+    const auto records = records_.list();
+    std::vector<JournalEntry> entries{entry_of(head())};
+    std::transform(records.begin(), records.end(), std::back_inserter(entries),
+                   [](const Record& each) { return entry_of(each); });
+    services_.journal->write(id_, std::move(entries));
+}
+
+void Session::begin(std::uint32_t epochs_before) {
+    std::vector<RecordChange> changes;
+    for (Record record : records_.list()) {
+        if (auto* surface = std::get_if<protocol::SurfaceRecord>(&record))
+            surface->epoch = epochs_before == 0 ? 0 : surface->epoch + epochs_before;
+        if (auto* rake = std::get_if<protocol::RakeRecord>(&record)) {
+            rake->dragging = false;
+            rake->leased_by.clear();
+        }
+        records_.put(record);
+        changes.push_back({key_of(record), nullptr, std::make_shared<const Record>(record)});
+    }
+    build(changes);
+    keep();
+}
+
+RestoreReport Session::restore(std::span<const JournalEntry> entries) {
+    KeptRecords kept = read_entries(entries);
+    if (!kept.name.empty())
+        name_ = std::move(kept.name);
+    seq_ = kept.seq + restart_gap;
+    records_ = std::move(kept.records);
+    begin(restart_gap);
+    return std::move(kept.report);
+}
+
+void Session::copy(const Session& other) {
+    records_ = other.records_;
+    begin(0);
+}
+
+} // namespace wakesurf::server

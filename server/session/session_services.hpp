@@ -1,0 +1,32 @@
+// What sessions need of the server.
+#pragma once
+
+#include "core/base/clock.hpp"
+
+#include <chrono>
+
+namespace wakesurf::server {
+
+class ComputePool;
+class Datasets;
+class Entropy;
+class Journal;
+class Loop;
+class Metrics;
+
+/// All outlive the sessions.
+struct SessionServices {
+    Loop& loop;
+    ComputePool& pool;
+    const Datasets& datasets;
+    Entropy& entropy;
+    Metrics* metrics = nullptr;         ///< nobody counts without
+    Journal* journal = nullptr;         ///< nothing is kept without
+    const core::Clock* clock = nullptr; ///< the machine's without
+
+    std::chrono::steady_clock::time_point now() const {
+        return clock == nullptr ? std::chrono::steady_clock::now() : clock->now();
+    }
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,137 @@
+#include "server/session/surface_builds.hpp"
+
+#include "core/surface/surface_request.hpp"
+#include "server/session/datasets.hpp"
+#include "server/session/loop.hpp"
+
+#include <utility>
+
+namespace wakesurf::server {
+
+SurfaceBuilds::SurfaceBuilds(const SessionServices& services,
+                             const SessionRecords& records,
+                             std::uint32_t& next_number,
+                             Events events)
+    : services_(services), records_(records), next_number_(next_number),
+      events_(std::move(events)) {}
+
+SurfaceBuilds::~SurfaceBuilds() {
+    *alive_ = false;
+    for (const auto& [id, entry] : entries_)
+        entry.live->retire();
+}
+
+core::Result<SurfaceJob> SurfaceBuilds::job_for(const protocol::SurfaceRecord& record) const {
+    auto open = services_.datasets.open(record.dataset);
+    if (!open)
+        return tl::unexpected(open.error());
+    const auto& rakes = records_.all<protocol::RakeRecord>();
+    auto rake = core::clip_rake(rakes.at(record.rake).shape, open->flow->domain());
+    if (!rake)
+        return tl::unexpected(rake.error());
+    core::SurfaceParameters p = record.parameters;
+    if (record.rake2) {
+        auto second = core::clip_rake(rakes.at(*record.rake2).shape, open->flow->domain());
+        if (!second)
+            return tl::unexpected(second.error());
+        p.rake2 = std::move(second->rake);
+    }
+    if (auto sound = core::check_request(p); !sound)
+        return tl::unexpected(sound.error());
+    // The engine's own checks of times and budget, now rather than when the job runs.
+    if (auto options = core::sheet_options(*open->flow, rake->rake, p, p.separation, 1.0); !options)
+        return tl::unexpected(options.error());
+    SurfaceJob job;
+    job.rake = std::move(rake->rake);
+    job.parameters = std::move(p);
+    job.flow = open->flow;
+    job.lattice = open->lattice;
+    return job;
+}
+
+std::uint32_t SurfaceBuilds::build(const protocol::SurfaceRecord& record) {
+    LiveSurface& live = live_for(record);
+    auto job = job_for(record);
+    return job ? live.rebuild(std::move(*job))
+               : live.refuse(record.parameters.kind, std::move(job.error()));
+}
+
+std::optional<std::uint32_t> SurfaceBuilds::rebuild(const protocol::SurfaceRecord& record) {
+    auto job = job_for(record);
+    if (!job)
+        return std::nullopt;
+    return live_for(record).rebuild(std::move(*job));
+}
+
+LiveSurface& SurfaceBuilds::live_for(const protocol::SurfaceRecord& record) {
+    const std::string& id = record.surface;
+    Entry& entry = entries_[id];
+    if (entry.live)
+        return *entry.live;
+    LiveSurface::Events events;
+    events.progress = [this, id](std::uint32_t epoch, bool final) {
+        events_.progress(id, epoch, final);
+    };
+    events.done = [this](const SurfaceOutcome& outcome) {
+        events_.done(outcome);
+        built(outcome);
+    };
+    entry.live = std::make_shared<LiveSurface>(id, next_number_++, services_.loop, services_.pool,
+                                               std::move(events));
+    entry.live->continue_after(record.epoch);
+    return *entry.live;
+}
+
+void SurfaceBuilds::retire(const std::string& surface) {
+    const auto found = entries_.find(surface);
+    if (found == entries_.end())
+        return;
+    found->second.live->retire();
+    entries_.erase(found);
+}
+
+std::shared_ptr<LiveSurface> SurfaceBuilds::find(const std::string& surface) const {
+    const auto found = entries_.find(surface);
+    return found == entries_.end() ? nullptr : found->second.live;
+}
+
+void SurfaceBuilds::built(const SurfaceOutcome& outcome) {
+    const auto found = entries_.find(outcome.surface);
+    if (found == entries_.end() || !std::exchange(found->second.data_came, false))
+        return;
+    // Not from within the event: the surface is still telling others of it.
+    services_.loop.post(
+        [weak = std::weak_ptr(found->second.live), this, alive = alive_, id = outcome.surface] {
+            const auto live = weak.lock();
+            if (*alive && live && find(id) == live)
+                try_again(id, *live);
+        });
+}
+
+void SurfaceBuilds::dataset_changed(const std::string& dataset) {
+    for (auto& [id, entry] : entries_) {
+        const auto* record = records_.find<protocol::SurfaceRecord>(id);
+        if (record == nullptr || record->dataset != dataset)
+            continue;
+        if (entry.live->busy())
+            entry.data_came = true;
+        else
+            try_again(id, *entry.live);
+    }
+}
+
+// Where nothing was missing the surface stays what it is.
+void SurfaceBuilds::try_again(const std::string& surface, LiveSurface& live) {
+    const auto* record = records_.find<protocol::SurfaceRecord>(surface);
+    const SurfaceOutcome outcome = live.outcome();
+    const auto open = services_.datasets.open(record->dataset);
+    if (!open)
+        return;
+    if (outcome.statistics.stopped.empty() && !outcome.error)
+        return live.renew_flow(open->flow);
+    auto job = job_for(*record);
+    if (job)
+        events_.rebuilt(surface, live.rebuild(std::move(*job)));
+}
+
+} // namespace wakesurf::server
