@@ -1,0 +1,69 @@
+// SQLite as the rest of this room sees it: handles that close themselves, errors as values.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace wakesurf::server {
+
+/// One statement, to be bound and stepped any number of times. Must not outlive its database.
+class Statement {
+  public:
+    /// The `at`-th parameter, from 1. REQUIRES: the text stays until the next reset().
+    void bind(int at, std::string_view text);
+
+    /// True: there is a row. Error: as Database::run.
+    core::Result<bool> step();
+
+    /// The `at`-th column of the row, from 0.
+    std::string text(int at) const;
+    std::int64_t number(int at) const;
+
+    /// Ready for the next values.
+    void reset();
+
+  private:
+    friend class Database;
+
+    struct Finalize {
+        void operator()(sqlite3_stmt* statement) const;
+    };
+
+    explicit Statement(sqlite3_stmt* statement) : statement_(statement) {}
+
+    std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+};
+
+/// One connection; one thread at a time.
+class Database {
+  public:
+    /// Makes the file where there is none. `vfs`: SQLite's name of the file system to use; null: the usual one.
+    /// Error: Io; Corrupt where the file is no database.
+    static core::Result<Database> open(const std::string& file, const char* vfs);
+
+    /// Error: Io (full, read-only, failing disk; locked), Corrupt.
+    core::Result<void> run(const char* statements);
+    core::Result<Statement> prepare(const char* statement);
+
+    /// The first column of the first row. Error: as run(); Corrupt where there is no row.
+    core::Result<std::int64_t> number(const char* query);
+    core::Result<std::string> text(const char* query);
+
+  private:
+    struct Close {
+        void operator()(sqlite3* database) const;
+    };
+
+    core::Result<Statement> first_row(const char* query);
+
+    std::unique_ptr<sqlite3, Close> database_;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,42 @@
+#include "server/state/record_changes.hpp"
+
+#include <utility>
+
+namespace wakesurf::server {
+
+namespace {
+
+template <class Records>
+void erase_session(Records& records, const std::string& session) {
+    const auto first = records.lower_bound(RecordKey{session, {}, {}});
+    auto last = first;
+    while (last != records.end() && last->first.session == session)
+        ++last;
+    records.erase(first, last);
+}
+
+} // namespace
+
+void RecordChanges::write(const std::string& session, std::vector<JournalEntry> entries) {
+    for (JournalEntry& each : entries)
+        records[{session, std::move(each.type), std::move(each.id)}] = std::move(each.record);
+}
+
+void RecordChanges::remove(const std::string& session) {
+    erase_session(records, session);
+    removed.insert(session);
+}
+
+void RecordChanges::follow(RecordChanges older) {
+    for (const std::string& session : removed)
+        erase_session(older.records, session);
+    records.merge(older.records); // what is here already is newer
+    removed.merge(older.removed);
+}
+
+void RecordChanges::drop_needless(const std::set<RecordKey>& stored) {
+    std::erase_if(records,
+                  [&](const auto& each) { return !each.second && !stored.contains(each.first); });
+}
+
+} // namespace wakesurf::server

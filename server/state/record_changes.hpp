@@ -1,0 +1,40 @@
+// What has changed since the last commit: of every record the newest state only, however often it was edited.
+#pragma once
+
+#include "server/session/journal.hpp"
+
+#include <compare>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct RecordKey {
+    std::string session;
+    std::string type;
+    std::string id;
+
+    auto operator<=>(const RecordKey&) const = default;
+};
+
+/// A value; as large as the records it names, so that it stays bounded however long nothing can be written.
+struct RecordChanges {
+    std::set<std::string> removed; ///< sessions to forget, before `records` are written
+    std::map<RecordKey, std::optional<std::string>> records; ///< JSON text; nothing: deleted
+
+    bool empty() const { return removed.empty() && records.empty(); }
+
+    void write(const std::string& session, std::vector<JournalEntry> entries);
+    void remove(const std::string& session);
+
+    /// Takes up changes that were made before these and are not on the disk yet.
+    void follow(RecordChanges older);
+
+    /// Drops the deletions of records that `stored` does not have.
+    void drop_needless(const std::set<RecordKey>& stored);
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,94 @@
+#include "server/state/sqlite_journal.hpp"
+
+#include <utility>
+
+namespace wakesurf::server {
+
+SqliteJournal::SqliteJournal(Loop& loop,
+                             StateStore store,
+                             Turn turned,
+                             std::chrono::milliseconds retry)
+    : loop_(loop), store_(std::move(store)), turned_(std::move(turned)), retry_(retry),
+      thread_([this] { work(); }) {}
+
+SqliteJournal::~SqliteJournal() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+}
+
+void SqliteJournal::write(const std::string& session, std::vector<JournalEntry> entries) {
+    {
+        const std::lock_guard lock(mutex_);
+        changes_.write(session, std::move(entries));
+    }
+    wake_.notify_one();
+}
+
+void SqliteJournal::remove(const std::string& session) {
+    {
+        const std::lock_guard lock(mutex_);
+        changes_.remove(session);
+    }
+    wake_.notify_one();
+}
+
+void SqliteJournal::settled(std::function<void(core::Result<void>)> done) {
+    const std::lock_guard lock(mutex_);
+    if (refusal_)
+        loop_.post([done = std::move(done), error = *refusal_] { done(tl::unexpected(error)); });
+    else if (writing_ || !changes_.empty())
+        waiting_.push_back(std::move(done));
+    else
+        loop_.post([done = std::move(done)] { done({}); });
+}
+
+void SqliteJournal::wait_for_work(std::unique_lock<std::mutex>& lock) {
+    if (refusal_)
+        wake_.wait_for(lock, retry_, [this] { return stopping_; });
+    else
+        wake_.wait(lock, [this] { return stopping_ || !changes_.empty() || !waiting_.empty(); });
+}
+
+void SqliteJournal::work() {
+    std::unique_lock lock(mutex_);
+    for (bool last = false; !last;) {
+        wait_for_work(lock);
+        last = stopping_;
+        RecordChanges changes = std::exchange(changes_, {});
+        Waiting waiting = std::exchange(waiting_, {});
+        const bool try_disk = refusal_ || !changes.empty();
+        writing_ = true;
+        lock.unlock();
+        const core::Result<void> outcome = try_disk ? store_.apply(changes) : core::Result<void>{};
+        lock.lock();
+        writing_ = false;
+        finish(std::move(changes), outcome, std::move(waiting));
+    }
+}
+
+// With the lock held, so that nobody is told of a later state before an earlier one.
+void SqliteJournal::finish(RecordChanges tried, const core::Result<void>& outcome, Waiting waited) {
+    const bool turn = refusal_.has_value() == outcome.has_value();
+    if (outcome) {
+        refusal_.reset();
+    } else {
+        refusal_ = outcome.error();
+        changes_.follow(std::move(tried));
+        // Their edits came while this try was on its way: none is made for them before the next.
+        std::move(waiting_.begin(), waiting_.end(), std::back_inserter(waited));
+        waiting_.clear();
+    }
+    if (turn || !waited.empty())
+        loop_.post([turned = turned_, turn, outcome, waited = std::move(waited)] {
+            if (turn && turned)
+                turned(outcome);
+            for (const auto& done : waited)
+                done(outcome);
+        });
+}
+
+} // namespace wakesurf::server

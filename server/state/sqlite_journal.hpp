@@ -1,0 +1,66 @@
+// The journal on SQLite: a thread of its own writes what the loop's thread hands over. All that waits goes into one
+// transaction, so that a burst of edits costs one sync of the disk.
+#pragma once
+
+#include "server/session/journal.hpp"
+#include "server/session/loop.hpp"
+#include "server/state/record_changes.hpp"
+#include "server/state/state_store.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// While the disk refuses (full, read-only, failing), changes stay in memory, everybody who asks is told so at once, and
+/// a try is made every `retry`; the one that succeeds writes all of them.
+class SqliteJournal final : public Journal {
+  public:
+    /// Told on the loop when the disk starts to refuse (an error) and when it takes changes again.
+    using Turn = std::function<void(core::Result<void>)>;
+
+    /// REQUIRES: the loop outlives it.
+    SqliteJournal(Loop& loop,
+                  StateStore store,
+                  Turn turned,
+                  std::chrono::milliseconds retry = std::chrono::seconds(1));
+
+    /// Writes what is still to be written, if the disk takes it.
+    ~SqliteJournal() override;
+    SqliteJournal(const SqliteJournal&) = delete;
+    SqliteJournal& operator=(const SqliteJournal&) = delete;
+
+    void write(const std::string& session, std::vector<JournalEntry> entries) override;
+    void remove(const std::string& session) override;
+    void settled(std::function<void(core::Result<void>)> done) override;
+
+  private:
+    using Waiting = std::vector<std::function<void(core::Result<void>)>>;
+
+    void work();
+    void wait_for_work(std::unique_lock<std::mutex>& lock);
+    void finish(RecordChanges tried, const core::Result<void>& outcome, Waiting waited);
+
+    Loop& loop_;
+    StateStore store_; ///< the thread's own
+    Turn turned_;
+    std::chrono::milliseconds retry_;
+
+    std::mutex mutex_; ///< guards all below; never held while the disk is waited for
+    std::condition_variable wake_;
+    RecordChanges changes_;
+    Waiting waiting_;
+    std::optional<core::Error> refusal_; ///< of the last try
+    bool writing_ = false;
+    bool stopping_ = false;
+
+    std::thread thread_;
+};
+
+} // namespace wakesurf::server

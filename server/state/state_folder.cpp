@@ -1,0 +1,56 @@
+#include "server/state/state_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::fail;
+
+namespace {
+
+tl::unexpected<Error> unusable(int error) {
+    return fail(Error::Code::Io,
+                "--state: the folder cannot be used: " + std::generic_category().message(error),
+                "name one this user may make or write to");
+}
+
+} // namespace
+
+core::Result<StateFolder> StateFolder::hold(const std::filesystem::path& folder) {
+    std::error_code error;
+    if (std::filesystem::create_directories(folder, error))
+        std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
+    if (error)
+        return unusable(error.value());
+    // A lock on the folder itself needs no file, so that a full disk cannot refuse it.
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return unusable(errno);
+    StateFolder held(folder, descriptor);
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        return fail(Error::Code::OverLimit, "--state: another server keeps its sessions there",
+                    "stop it, or give this one a folder of its own");
+    // SQLite would make it readable for others; its log takes the same permissions.
+    const int made = ::open(held.file().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (made < 0)
+        return unusable(errno);
+    ::close(made);
+    return held;
+}
+
+StateFolder::~StateFolder() {
+    if (descriptor_ >= 0)
+        ::close(descriptor_);
+}
+
+StateFolder::StateFolder(StateFolder&& other) noexcept
+    : folder_(std::move(other.folder_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+} // namespace wakesurf::server

@@ -1,0 +1,33 @@
+// The folder of `--state`: one server at a time, and nobody else's business.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace wakesurf::server {
+
+/// Held until it is destroyed, and until the process ends at the latest.
+class StateFolder {
+  public:
+    /// Makes the folder (0700) and an empty database file (0600) where there is none. Error: Io; OverLimit where another server
+    /// holds the folder.
+    static core::Result<StateFolder> hold(const std::filesystem::path& folder);
+
+    ~StateFolder();
+    StateFolder(StateFolder&& other) noexcept;
+    StateFolder& operator=(StateFolder&&) = delete;
+
+    /// Path of the database.
+    std::string file() const { return (folder_ / "sessions.sqlite").string(); }
+
+  private:
+    StateFolder(std::filesystem::path folder, int descriptor)
+        : folder_(std::move(folder)), descriptor_(descriptor) {}
+
+    std::filesystem::path folder_;
+    int descriptor_;
+};
+
+} // namespace wakesurf::server
