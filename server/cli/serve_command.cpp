@@ -13,6 +13,7 @@
 #include <spdlog/spdlog.h>
 
 #include <charconv>
+#include <csignal>
 #include <cstdio>
 
 namespace wakesurf::server {
@@ -91,6 +92,7 @@ core::Result<ServerOptions> server_options(const ServeOptions& options) {
     server.port = address->port;
     server.store_root =
         options.store.empty() ? default_store_root() : std::filesystem::path(options.store);
+    server.state = options.state;
     server.memory = options.memory;
     server.threads = options.threads;
     server.token = *token;
@@ -119,6 +121,8 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
         ->capture_default_str();
     command.add_option("--store", options.store,
                        "folder imports are kept in (default: ~/.cache/wakesurf)");
+    command.add_option("--state", options.state,
+                       "folder sessions are kept in (default: none, they end with the server)");
     command.add_option("--memory", options.memory, "for time-steps, for example 4GiB")
         ->transform(as_memory_size())
         ->default_str("4GiB");
@@ -140,6 +144,7 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
 int run_serve(const ServeOptions& options) {
     spdlog::set_default_logger(spdlog::stderr_color_mt("wakesurf"));
     spdlog::set_level(spdlog::level::from_str(options.log_level));
+    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is an error to the writer
     const auto server = server_options(options);
     if (!server) {
         const int status = report_failure(server.error());

@@ -15,6 +15,7 @@ struct ServeOptions {
     std::vector<std::string> datasets;
     std::string listen = "127.0.0.1:8080";
     std::string store;
+    std::string state;
     std::uint64_t memory = std::uint64_t{4} << 30;
     unsigned threads = 0;
     std::string token_file;

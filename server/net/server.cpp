@@ -9,6 +9,8 @@
 #include "server/rpc/dataset_entry.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/session/catalogue_datasets.hpp"
+#include "server/state/kept_sessions.hpp"
+#include "server/state/sqlite_journal.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -49,10 +51,32 @@ struct Server::Parts {
         dispatcher.emplace(
             method_table(),
             MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); },
-                          prober, grants, clock},
+                          prober, grants, clock, journal.get()},
             protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
         downloads.emplace(loop, pool, *sessions, *catalogue);
         routes.emplace(*gate, files, *dispatcher, *downloads);
+    }
+
+    core::Result<void> open_state(const std::filesystem::path& path) {
+        auto found = KeptSessions::open(path);
+        if (!found)
+            return tl::unexpected(found.error());
+        state.emplace(std::move(found->folder));
+        kept = std::move(found->sessions);
+        journal = std::make_unique<SqliteJournal>(
+            loop, std::move(found->store),
+            [this](const core::Result<void>& turn) { tell_durability(turn); });
+        return {};
+    }
+
+    void tell_durability(const core::Result<void>& turn) {
+        const std::string text = turn ? "edits are kept again, and so are all made meanwhile"
+                                      : "edits are not kept for now: " + turn.error().message;
+        spdlog::log(turn ? spdlog::level::info : spdlog::level::warn, text);
+        connections.announce(protocol::rpc_notification(
+            "server.notice", {{"kind", turn ? "durableAgain" : "notDurable"},
+                              {"level", turn ? "info" : "warning"},
+                              {"text", text}}));
     }
 
     void tell_all(const std::string& dataset) {
@@ -73,6 +97,12 @@ struct Server::Parts {
                              [this, deadline] { stop_when_alone(deadline); });
     }
 
+    void run_what_is_left() {
+        context.restart();
+        for (int round = 0; round < 16; ++round)
+            context.poll();
+    }
+
     Connections connections;
     std::size_t clients = 0;
     SystemEntropy entropy;
@@ -84,6 +114,9 @@ struct Server::Parts {
     CacheNews news{loop, [this](const std::string& message) { connections.announce(message); }};
     StaticFiles files;
     std::uint16_t port = 0;
+    std::optional<StateFolder> state;
+    std::map<std::string, std::vector<JournalEntry>> kept; ///< until the sessions are there
+    std::unique_ptr<SqliteJournal> journal;                ///< nothing without `--state`
     std::unique_ptr<DatasetCatalogue> catalogue;
     Grants grants{{loop, clock, entropy, unix_seconds}};
     std::optional<Gate> gate;
@@ -103,6 +136,9 @@ Server::~Server() = default;
 core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
     auto parts = std::make_unique<Parts>(options);
     Parts* const all = parts.get();
+    if (!options.state.empty())
+        if (auto opened = all->open_state(options.state); !opened)
+            return tl::unexpected(opened.error());
     auto listener = Listener::open(
         all->context, options.host, options.port, [all](asio::ip::tcp::socket socket) {
             serve_http(std::move(socket),
@@ -133,6 +169,8 @@ void Server::run() {
     Parts& all = *parts_;
     if (all.files.empty())
         spdlog::warn("the web client is not built; scripts can connect all the same");
+    if (!all.journal)
+        spdlog::info("sessions end with the server; --state DIR keeps them");
     asio::signal_set signals(all.context, SIGINT, SIGTERM);
     signals.async_wait([&](boost::system::error_code error, int) {
         if (error)
@@ -146,9 +184,11 @@ void Server::run() {
     all.context.run();
     // The sockets' handlers hold the connections; they must run while there are sessions to leave.
     all.connections.abandon();
-    all.context.restart();
-    for (int round = 0; round < 16; ++round)
-        all.context.poll();
+    all.run_what_is_left();
+    if (!all.journal)
+        return;
+    all.journal->finish();
+    all.run_what_is_left();
 }
 
 } // namespace wakesurf::server

@@ -17,6 +17,7 @@ struct ServerOptions {
     std::string host = "127.0.0.1";
     std::uint16_t port = 8080; ///< 0: any free one
     std::filesystem::path store_root;
+    std::filesystem::path state; ///< folder sessions are kept in; empty: they end with the server
     std::size_t memory = std::size_t{4} << 30;
     unsigned threads = 0; ///< that compute; 0: one a core
     std::string token;    ///< empty: no authentication
@@ -26,7 +27,7 @@ struct ServerOptions {
 
 class Server {
   public:
-    /// Opens the datasets and listens. Error: what they and the address report.
+    /// Opens the datasets, brings sessions back and listens. Error: what they and the address report.
     static core::Result<std::unique_ptr<Server>> open(const ServerOptions& options);
     ~Server();
     Server(const Server&) = delete;

@@ -1,6 +1,7 @@
 #include "server/rpc/dispatcher.hpp"
 
 #include "server/limits.hpp"
+#include "server/rpc/held_answer.hpp"
 #include "server/rpc/openrpc.hpp"
 #include "server/rpc/permission.hpp"
 #include "server/session/log_text.hpp"
@@ -139,7 +140,9 @@ void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, An
     if (const auto fault = too_fast(*method, caller))
         return reply.fault(*fault);
     try {
-        method->handler(made, std::move(reply));
+        const bool held = method->traits.edits && context_.journal != nullptr;
+        method->handler(made, held ? held_until_settled(std::move(reply), *context_.journal)
+                                   : std::move(reply));
     } catch (const std::exception&
                  error) { // the reply, moved into the handler, answers as it is destroyed
         spdlog::error("{} failed: {}", method->name, without_paths(error.what()));

@@ -7,6 +7,7 @@
 #include "server/session/datasets.hpp"
 #include "server/session/grants.hpp"
 #include "server/session/identity.hpp"
+#include "server/session/journal.hpp"
 #include "server/session/probe.hpp"
 #include "server/session/session_directory.hpp"
 
@@ -48,6 +49,7 @@ struct MethodContext {
     Prober& prober;
     Grants& grants;
     const core::Clock& clock;
+    Journal* journal = nullptr; ///< answers to edits wait for it
 };
 
 struct Call {

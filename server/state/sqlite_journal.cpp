@@ -12,6 +12,12 @@ SqliteJournal::SqliteJournal(Loop& loop,
       thread_([this] { work(); }) {}
 
 SqliteJournal::~SqliteJournal() {
+    finish();
+}
+
+void SqliteJournal::finish() {
+    if (!thread_.joinable())
+        return;
     {
         const std::lock_guard lock(mutex_);
         stopping_ = true;
@@ -38,7 +44,11 @@ void SqliteJournal::remove(const std::string& session) {
 
 void SqliteJournal::settled(std::function<void(core::Result<void>)> done) {
     const std::lock_guard lock(mutex_);
-    if (refusal_)
+    if (stopping_)
+        loop_.post([done = std::move(done)] {
+            done(core::fail(core::Error::Code::Io, "the server is ending", "try again"));
+        });
+    else if (refusal_)
         loop_.post([done = std::move(done), error = *refusal_] { done(tl::unexpected(error)); });
     else if (writing_ || !changes_.empty())
         waiting_.push_back(std::move(done));
@@ -66,12 +76,12 @@ void SqliteJournal::work() {
         const core::Result<void> outcome = try_disk ? store_.apply(changes) : core::Result<void>{};
         lock.lock();
         writing_ = false;
-        finish(std::move(changes), outcome, std::move(waiting));
+        tell(std::move(changes), outcome, std::move(waiting));
     }
 }
 
 // With the lock held, so that nobody is told of a later state before an earlier one.
-void SqliteJournal::finish(RecordChanges tried, const core::Result<void>& outcome, Waiting waited) {
+void SqliteJournal::tell(RecordChanges tried, const core::Result<void>& outcome, Waiting waited) {
     const bool turn = refusal_.has_value() == outcome.has_value();
     if (outcome) {
         refusal_.reset();

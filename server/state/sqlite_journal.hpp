@@ -31,7 +31,7 @@ class SqliteJournal final : public Journal {
                   Turn turned,
                   std::chrono::milliseconds retry = std::chrono::seconds(1));
 
-    /// Writes what is still to be written, if the disk takes it.
+    /// As finish().
     ~SqliteJournal() override;
     SqliteJournal(const SqliteJournal&) = delete;
     SqliteJournal& operator=(const SqliteJournal&) = delete;
@@ -40,12 +40,16 @@ class SqliteJournal final : public Journal {
     void remove(const std::string& session) override;
     void settled(std::function<void(core::Result<void>)> done) override;
 
+    /// Writes what is still to be written, if the disk takes it, and posts the last callbacks. Waits for the disk. What comes after it
+    /// is not kept.
+    void finish();
+
   private:
     using Waiting = std::vector<std::function<void(core::Result<void>)>>;
 
     void work();
     void wait_for_work(std::unique_lock<std::mutex>& lock);
-    void finish(RecordChanges tried, const core::Result<void>& outcome, Waiting waited);
+    void tell(RecordChanges tried, const core::Result<void>& outcome, Waiting waited);
 
     Loop& loop_;
     StateStore store_; ///< the thread's own
