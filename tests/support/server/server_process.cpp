@@ -82,11 +82,15 @@ bool ServerProcess::running() const {
 }
 
 ServerProcess::End ServerProcess::stop() {
+    return end_with(SIGTERM);
+}
+
+ServerProcess::End ServerProcess::end_with(int signal) {
     End end;
     if (pid_ <= 0)
         return end;
     const auto start = std::chrono::steady_clock::now();
-    ::kill(pid_, SIGTERM);
+    ::kill(pid_, signal);
     int status = 0;
     ::waitpid(std::exchange(pid_, -1), &status, 0);
     end.took = std::chrono::duration_cast<std::chrono::milliseconds>(

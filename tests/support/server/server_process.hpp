@@ -3,6 +3,7 @@
 
 #include "tests/support/server/raw_socket.hpp"
 
+#include <signal.h>
 #include <sys/types.h>
 
 #include <chrono>
@@ -49,7 +50,12 @@ class ServerProcess {
     /// SIGTERM, and what became of it.
     End stop();
 
+    /// SIGKILL: it gets no chance to finish anything.
+    void kill() { end_with(SIGKILL); }
+
   private:
+    End end_with(int signal);
+
     pid_t pid_ = -1;
     int log_ = -1;
     std::uint16_t port_ = 0;
