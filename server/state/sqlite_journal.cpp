@@ -68,7 +68,7 @@ void SqliteJournal::work() {
     for (bool last = false; !last;) {
         wait_for_work(lock);
         last = stopping_;
-        RecordChanges changes = std::exchange(changes_, {});
+        PendingWrites changes = std::exchange(changes_, {});
         Waiting waiting = std::exchange(waiting_, {});
         const bool try_disk = refusal_ || !changes.empty();
         writing_ = true;
@@ -81,7 +81,7 @@ void SqliteJournal::work() {
 }
 
 // With the lock held, so that nobody is told of a later state before an earlier one.
-void SqliteJournal::tell(RecordChanges tried, const core::Result<void>& outcome, Waiting waited) {
+void SqliteJournal::tell(PendingWrites tried, const core::Result<void>& outcome, Waiting waited) {
     const bool turn = refusal_.has_value() == outcome.has_value();
     if (outcome) {
         refusal_.reset();

@@ -4,7 +4,7 @@
 
 #include "server/session/journal.hpp"
 #include "server/session/loop.hpp"
-#include "server/state/record_changes.hpp"
+#include "server/state/pending_writes.hpp"
 #include "server/state/state_store.hpp"
 
 #include <chrono>
@@ -49,7 +49,7 @@ class SqliteJournal final : public Journal {
 
     void work();
     void wait_for_work(std::unique_lock<std::mutex>& lock);
-    void tell(RecordChanges tried, const core::Result<void>& outcome, Waiting waited);
+    void tell(PendingWrites tried, const core::Result<void>& outcome, Waiting waited);
 
     Loop& loop_;
     StateStore store_; ///< the thread's own
@@ -58,7 +58,7 @@ class SqliteJournal final : public Journal {
 
     std::mutex mutex_; ///< guards all below; never held while the disk is waited for
     std::condition_variable wake_;
-    RecordChanges changes_;
+    PendingWrites changes_;
     Waiting waiting_;
     std::optional<core::Error> refusal_; ///< of the last try
     bool writing_ = false;

@@ -90,7 +90,7 @@ core::Result<void> StateStore::connect() {
 }
 
 core::Result<void> StateStore::read_keys() {
-    std::set<RecordKey> keys;
+    std::set<StoredKey> keys;
     auto query = database_->prepare("SELECT session, type, id FROM records");
     if (!query)
         return tl::unexpected(query.error());
@@ -116,7 +116,7 @@ core::Result<std::map<std::string, std::vector<JournalEntry>>> StateStore::load(
     return sessions;
 }
 
-core::Result<void> StateStore::apply(RecordChanges& changes) {
+core::Result<void> StateStore::apply(PendingWrites& changes) {
     core::Result<void> done;
     if (!database_)
         done = connect();
@@ -147,7 +147,7 @@ void StateStore::erase_session_keys(const std::string& session) {
     stored_.erase(first, last);
 }
 
-core::Result<void> StateStore::write(const RecordChanges& changes) {
+core::Result<void> StateStore::write(const PendingWrites& changes) {
     auto forget = database_->prepare("DELETE FROM records WHERE session=?1");
     auto erase = database_->prepare("DELETE FROM records WHERE session=?1 AND type=?2 AND id=?3");
     auto put = database_->prepare("INSERT INTO records VALUES(?1, ?2, ?3, ?4)"

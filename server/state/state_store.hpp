@@ -3,7 +3,7 @@
 #pragma once
 
 #include "server/state/database.hpp"
-#include "server/state/record_changes.hpp"
+#include "server/state/pending_writes.hpp"
 
 #include <map>
 #include <optional>
@@ -28,7 +28,7 @@ class StateStore {
 
     /// All of it or, with an error (Io, Corrupt), none. After an error the next call opens the file anew; deletions that are needless have
     /// been dropped from `changes` then. A change reported as failed may be found on the disk all the same.
-    core::Result<void> apply(RecordChanges& changes);
+    core::Result<void> apply(PendingWrites& changes);
 
   private:
     StateStore(std::string file, const char* vfs) : file_(std::move(file)), vfs_(vfs) {}
@@ -37,13 +37,13 @@ class StateStore {
     core::Result<void> read_keys();
     core::Result<void> begin_log();
     void erase_session_keys(const std::string& session);
-    core::Result<void> write(const RecordChanges& changes);
+    core::Result<void> write(const PendingWrites& changes);
 
     std::string file_;
     const char* vfs_;
     std::optional<Database> database_; ///< nothing after a failure
     bool log_is_new_ = false;          ///< since the file was opened
-    std::set<RecordKey> stored_;       ///< all that may be on the disk
+    std::set<StoredKey> stored_;       ///< all that may be on the disk
 };
 
 } // namespace wakesurf::server

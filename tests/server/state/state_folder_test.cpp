@@ -29,7 +29,7 @@ TEST(StateFolder, IsForTheUserAlone) {
     ASSERT_TRUE(held);
     auto store = server::StateStore::open(held->file());
     ASSERT_TRUE(store);
-    server::RecordChanges changes;
+    server::PendingWrites changes;
     changes.write("main", {{"rake", "r1", "{}"}});
     ASSERT_TRUE(store->apply(changes));
     const auto mode = [](const std::filesystem::path& path) {

@@ -13,7 +13,7 @@
 namespace wakesurf::tests {
 
 using core::Error;
-using server::RecordChanges;
+using server::PendingWrites;
 using server::StateStore;
 
 namespace {
@@ -22,7 +22,7 @@ constexpr const char* file = "sessions.sqlite";
 constexpr int edits = 25;
 constexpr std::array refusals{SQLITE_FULL, SQLITE_IOERR_WRITE, SQLITE_IOERR_FSYNC, SQLITE_READONLY};
 
-void add(RecordChanges& changes, const ScriptedEdit& edit) {
+void add(PendingWrites& changes, const ScriptedEdit& edit) {
     if (edit.entries.empty())
         changes.remove(edit.session);
     else
@@ -49,7 +49,7 @@ RecordMap content(const FaultyDisk& disk) {
 std::size_t run(RecordScript& script, const FaultyDisk& disk) {
     std::size_t acknowledged = 0;
     auto store = StateStore::open(file, disk.name());
-    RecordChanges changes;
+    PendingWrites changes;
     for (int edit = 0; edit < edits; ++edit) {
         add(changes, script.next());
         if (!store)
@@ -80,7 +80,7 @@ TEST(StateStore, HoldsWhatWasAppliedWhenItIsOpenedAgain) {
         ASSERT_TRUE(store) << store.error().message;
         ASSERT_EQ(records_of(*store->load()), script.now());
         for (std::uint64_t edit = script.random()() % 10; edit > 0; --edit) {
-            RecordChanges changes;
+            PendingWrites changes;
             add(changes, script.next());
             ASSERT_TRUE(store->apply(changes));
         }
@@ -145,7 +145,7 @@ TEST(StateStore, TellsADamagedFileAndLeavesItAlone) {
         RecordScript script(3);
         auto store = StateStore::open(path);
         ASSERT_TRUE(store);
-        RecordChanges changes;
+        PendingWrites changes;
         for (int edit = 0; edit < 200; ++edit)
             add(changes, script.next());
         ASSERT_TRUE(store->apply(changes));

@@ -12,18 +12,18 @@
 
 namespace wakesurf::server {
 
-struct RecordKey {
+struct StoredKey {
     std::string session;
     std::string type;
     std::string id;
 
-    auto operator<=>(const RecordKey&) const = default;
+    auto operator<=>(const StoredKey&) const = default;
 };
 
 /// A value; as large as the records it names, so that it stays bounded however long nothing can be written.
-struct RecordChanges {
+struct PendingWrites {
     std::set<std::string> removed; ///< sessions to forget, before `records` are written
-    std::map<RecordKey, std::optional<std::string>> records; ///< JSON text; nothing: deleted
+    std::map<StoredKey, std::optional<std::string>> records; ///< JSON text; nothing: deleted
 
     bool empty() const { return removed.empty() && records.empty(); }
 
@@ -31,10 +31,10 @@ struct RecordChanges {
     void remove(const std::string& session);
 
     /// Takes up changes that were made before these and are not on the disk yet.
-    void follow(RecordChanges older);
+    void follow(PendingWrites older);
 
     /// Drops the deletions of records that `stored` does not have.
-    void drop_needless(const std::set<RecordKey>& stored);
+    void drop_needless(const std::set<StoredKey>& stored);
 };
 
 } // namespace wakesurf::server

@@ -1,4 +1,4 @@
-#include "server/state/record_changes.hpp"
+#include "server/state/pending_writes.hpp"
 
 #include <utility>
 
@@ -8,7 +8,7 @@ namespace {
 
 template <class Records>
 void erase_session(Records& records, const std::string& session) {
-    const auto first = records.lower_bound(RecordKey{session, {}, {}});
+    const auto first = records.lower_bound(StoredKey{session, {}, {}});
     auto last = first;
     while (last != records.end() && last->first.session == session)
         ++last;
@@ -17,24 +17,24 @@ void erase_session(Records& records, const std::string& session) {
 
 } // namespace
 
-void RecordChanges::write(const std::string& session, std::vector<JournalEntry> entries) {
+void PendingWrites::write(const std::string& session, std::vector<JournalEntry> entries) {
     for (JournalEntry& each : entries)
         records[{session, std::move(each.type), std::move(each.id)}] = std::move(each.record);
 }
 
-void RecordChanges::remove(const std::string& session) {
+void PendingWrites::remove(const std::string& session) {
     erase_session(records, session);
     removed.insert(session);
 }
 
-void RecordChanges::follow(RecordChanges older) {
+void PendingWrites::follow(PendingWrites older) {
     for (const std::string& session : removed)
         erase_session(older.records, session);
     records.merge(older.records); // what is here already is newer
     removed.merge(older.removed);
 }
 
-void RecordChanges::drop_needless(const std::set<RecordKey>& stored) {
+void PendingWrites::drop_needless(const std::set<StoredKey>& stored) {
     std::erase_if(records,
                   [&](const auto& each) { return !each.second && !stored.contains(each.first); });
 }

@@ -1,5 +1,5 @@
 // Changes in memory against their definition: applied to a map, coalesced ones do what one after the other did.
-#include "server/state/record_changes.hpp"
+#include "server/state/pending_writes.hpp"
 #include "tests/support/server/record_script.hpp"
 
 #include <gtest/gtest.h>
@@ -8,11 +8,11 @@
 
 namespace wakesurf::tests {
 
-using server::RecordChanges;
+using server::PendingWrites;
 
 namespace {
 
-void carry_out(const RecordChanges& changes, RecordMap& records) {
+void carry_out(const PendingWrites& changes, RecordMap& records) {
     std::erase_if(records, [&](const auto& each) {
         return changes.removed.contains(std::get<0>(each.first));
     });
@@ -23,7 +23,7 @@ void carry_out(const RecordChanges& changes, RecordMap& records) {
             records.erase({key.session, key.type, key.id});
 }
 
-void add(RecordChanges& changes, const ScriptedEdit& edit) {
+void add(PendingWrites& changes, const ScriptedEdit& edit) {
     if (edit.entries.empty())
         changes.remove(edit.session);
     else
@@ -32,11 +32,11 @@ void add(RecordChanges& changes, const ScriptedEdit& edit) {
 
 } // namespace
 
-TEST(RecordChanges, DoWhatTheEditsDidOneAfterTheOther) {
+TEST(PendingWrites, DoWhatTheEditsDidOneAfterTheOther) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         RecordScript script(seed);
         RecordMap records;
-        RecordChanges changes;
+        PendingWrites changes;
         for (int edit = 0; edit < 60; ++edit) {
             add(changes, script.next());
             if (script.random()() % 4 == 0)
@@ -47,11 +47,11 @@ TEST(RecordChanges, DoWhatTheEditsDidOneAfterTheOther) {
     }
 }
 
-TEST(RecordChanges, TakeUpOlderOnesThatWereNotWritten) {
+TEST(PendingWrites, TakeUpOlderOnesThatWereNotWritten) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         RecordScript script(seed);
-        RecordChanges older;
-        RecordChanges newer;
+        PendingWrites older;
+        PendingWrites newer;
         for (int edit = 0; edit < 30; ++edit)
             add(edit < 15 ? older : newer, script.next());
         newer.follow(std::move(older));
@@ -61,9 +61,9 @@ TEST(RecordChanges, TakeUpOlderOnesThatWereNotWritten) {
     }
 }
 
-TEST(RecordChanges, AreAsLargeAsTheRecordsHoweverManyEdits) {
+TEST(PendingWrites, AreAsLargeAsTheRecordsHoweverManyEdits) {
     RecordScript script(7);
-    RecordChanges changes;
+    PendingWrites changes;
     for (int edit = 0; edit < 10'000; ++edit)
         add(changes, script.next());
     EXPECT_LE(changes.records.size(), 4u * (3 * 8 + 1));
