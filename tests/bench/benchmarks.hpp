@@ -21,6 +21,9 @@ void register_remote_drag_benchmark(const std::string& dataset);
 /// Many clients of one session: viewers at 10 Hz, among them slow ones; all coming back at once; idle ones.
 void register_load_benchmarks(const std::string& dataset);
 
+/// A server killed under edits: what is lost, and how fast it is back.
+void register_kill_benchmarks();
+
 /// From a handle's move in Chromium to the drawn frame that shows its surface.
 void register_drag_benchmark(const std::string& dataset);
 

@@ -39,6 +39,8 @@ FORBIDDEN = [
     (r"server/session/", r"server/net/|boost/beast|boost/asio/ip/|nlohmann/json\.hpp",
      "a session knows neither sockets nor JSON text"),
     (r"server/(catalogue|import)/", r"server/(net|rpc|session)/", "datasets know no clients"),
+    (r"server/state/", r"server/(net|rpc|catalogue)/|nlohmann/", "what keeps records knows neither clients nor JSON"),
+    (r"(core|protocol|server/(?!state/))", r"sqlite3\.h", "only server/state knows SQLite"),
     # Inside the engine.
     (r"core/base/", r"core/(dataset|integrate|field|surface)/", "base stands below the rest of core"),
     (r"core/dataset/", r"core/(integrate|field|surface)/", "dataset knows no flow"),
@@ -192,6 +194,8 @@ BAD = [
     (wrong_includes, "tests/core/surface/peer_test.cpp", "#include <vtkStreamSurface.h>\n"),
     (wrong_includes, "server/session/session.cpp", "#include <nlohmann/json.hpp>\n"),
     (wrong_includes, "server/session/session.cpp", '#include "listener.hpp"\n'),
+    (wrong_includes, "server/session/session.cpp", "#include <sqlite3.h>\n"),
+    (wrong_includes, "server/state/state_store.cpp", "#include <nlohmann/json.hpp>\n"),
     (wrong_imports, "web-client/src/scene/scene.ts", 'import { Socket } from "../connection/socket";\n'),
     (wrong_imports, "web-client/src/scene/scene.ts", 'const m = await import("../worker/draco");\n'),
     (wrong_imports, "web-client/src/protocol/frame.ts", "import {\n  Scene,\n} from '../scene/scene';\n"),
@@ -206,6 +210,7 @@ BAD = [
     (any_in_typescript, "web-client/src/a.ts", "function f(a: any) {}\n"),
 ]
 GOOD = [
+    (wrong_includes, "server/state/database.cpp", "#include <sqlite3.h>\n"),
     (wrong_includes, "protocol/frame.cpp", '#include "core/surface/rake.hpp"\n#include <draco/mesh/mesh.h>\n'),
     (wrong_includes, "protocol/frame.hpp", "#include <nlohmann/json_fwd.hpp>\n"),
     (wrong_includes, "server/import/reader.cpp", "#include <vtkImageData.h>\n"),

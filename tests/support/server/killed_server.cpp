@@ -20,6 +20,23 @@ constexpr std::size_t most_edits = 60;
 constexpr std::size_t window = 8;         ///< unanswered edits
 constexpr std::size_t latest_kill = 4000; ///< microseconds after the last edit
 
+/// A server that has said what it brought back.
+struct Life {
+    explicit Life(const std::filesystem::path& state)
+        : server({"flow:lamb-oseen", "--state", state.string(), "--log-level", "error"}),
+          found(
+              json::parse(
+                  server.rpc(
+                      R"({"jsonrpc":"2.0","id":1,"method":"session.state","params":{"session":"main"}})"))
+                  .at("result")) {}
+
+    steady_clock::time_point start = steady_clock::now();
+    ServerProcess server;
+    json found;
+    double ready_ms =
+        std::chrono::duration<double, std::milli>(steady_clock::now() - start).count();
+};
+
 /// False when the connection has ended.
 bool take_answer(WebSocketClient& client, EditLedger& ledger, std::size_t& open) {
     for (;;) {
@@ -66,22 +83,55 @@ KillReport kill_under_edits(const std::filesystem::path& state, std::uint64_t se
     KillReport report;
     EditLedger ledger(seed);
     for (int life = 0; life <= kills; ++life) {
-        const auto start = steady_clock::now();
-        ServerProcess server(
-            {"flow:lamb-oseen", "--state", state.string(), "--log-level", "error"});
-        const json answer = json::parse(server.rpc(
-            R"({"jsonrpc":"2.0","id":1,"method":"session.state","params":{"session":"main"}})"));
-        const std::chrono::duration<double, std::milli> ready = steady_clock::now() - start;
-        report.ready_ms.push_back(ready.count());
-        auto wrong = ledger.settle(answer.at("result"));
+        Life now(state);
+        report.ready_ms.push_back(now.ready_ms);
+        auto wrong = ledger.settle(now.found);
         std::move(wrong.begin(), wrong.end(), std::back_inserter(report.wrong));
         if (life == kills)
             break;
-        edit_and_kill(server, ledger);
+        edit_and_kill(now.server, ledger);
         ++report.kills;
     }
     report.answered = ledger.answers();
     return report;
+}
+
+std::vector<double> restart_with_sessions(const std::filesystem::path& state,
+                                          int sessions,
+                                          int surfaces,
+                                          int restarts) {
+    {
+        Life first(state);
+        WebSocketClient client(first.server, "");
+        for (int session = 0; session < sessions; ++session) {
+            const json id = client.result("session.create")["session"];
+            for (int each = 0; each < surfaces; ++each) {
+                const double x = 0.1 * each;
+                const json rake = client.result("rake.set", {{"session", id},
+                                                             {"kind", "line"},
+                                                             {"points", {{x, -1, 0}, {x, 1, 0}}},
+                                                             {"seeds", 16}});
+                client.result("surface.set", {{"session", id},
+                                              {"rake", rake["rake"]},
+                                              {"kind", "stream"},
+                                              {"dataset", "lamb-oseen"},
+                                              {"from", 0},
+                                              {"to", 5}});
+            }
+        }
+        first.server.kill();
+    }
+    std::vector<double> times;
+    for (int restart = 0; restart < restarts; ++restart) {
+        Life again(state);
+        times.push_back(again.ready_ms);
+        const json list = json::parse(
+            again.server.rpc(R"({"jsonrpc":"2.0","id":1,"method":"session.list"})"))["result"];
+        if (list["sessions"].size() < static_cast<std::size_t>(sessions))
+            throw std::runtime_error("sessions are missing");
+        again.server.kill();
+    }
+    return times;
 }
 
 } // namespace wakesurf::tests

@@ -20,4 +20,8 @@ struct KillReport {
 /// `state`: a folder of its own. Throws where the server does not start or refuses what it must not.
 KillReport kill_under_edits(const std::filesystem::path& state, std::uint64_t seed, int kills);
 
+/// Milliseconds as in KillReport::ready_ms of `restarts` after kills, with `sessions` of `surfaces` rakes and surfaces each.
+std::vector<double>
+restart_with_sessions(const std::filesystem::path& state, int sessions, int surfaces, int restarts);
+
 } // namespace wakesurf::tests
