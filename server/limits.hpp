@@ -35,6 +35,13 @@ inline constexpr double calls_at_once = 4000.0;
 // Sessions.
 inline constexpr std::size_t sessions = 64;
 inline constexpr std::size_t participants = 64;
+inline constexpr std::chrono::seconds absence{10}; ///< how long a lost connection is shown
+inline constexpr std::chrono::milliseconds presence_rest{50}; ///< between two tellings, at least
+inline constexpr std::size_t presence_bytes_per_ms =
+    4000;                                           ///< of a session, to all its participants
+inline constexpr std::size_t presence_points = 256; ///< of a rake being dragged
+inline constexpr std::size_t changes =
+    1024; ///< records whose newest change is kept for those who come back
 inline constexpr std::size_t grants = 32; ///< share links of one session
 inline constexpr std::uint64_t grant_seconds = std::uint64_t{10} * 366 * 24 * 3600;
 inline constexpr std::size_t rakes = 256;
@@ -44,9 +51,9 @@ inline constexpr std::size_t annotations = 512;
 inline constexpr std::size_t view_bytes = std::size_t{4} << 10;       ///< of a bookmark
 inline constexpr std::size_t annotation_bytes = std::size_t{4} << 10; ///< of its text
 inline constexpr std::chrono::milliseconds lease{5000};
-inline constexpr std::size_t undo_steps = 100;                         ///< of one participant
-inline constexpr std::size_t undo_authors = 128;                       ///< of one session
-inline constexpr std::size_t undo_bytes = std::size_t{4} << 20;        ///< of one session
+inline constexpr std::size_t undo_steps = 100;                  ///< of one participant
+inline constexpr std::size_t undo_authors = 128;                ///< of one session
+inline constexpr std::size_t undo_bytes = std::size_t{4} << 20; ///< of one session
 inline constexpr std::size_t waiters = 64; ///< unanswered surface.wait calls of one surface
 inline constexpr std::size_t name_bytes = 120;
 

@@ -48,6 +48,7 @@ struct Server::Parts {
                      clock, grants);
         datasets.emplace(*catalogue);
         sessions.emplace(SessionServices{loop, pool, *datasets, entropy});
+        sessions->on_removed([this](const std::string& id) { grants.forget(id); });
         dispatcher.emplace(
             method_table(),
             MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); },

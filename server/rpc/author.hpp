@@ -11,6 +11,6 @@ namespace wakesurf::server {
 Author author_of(const Call& call, Session& session);
 
 /// May go before other people's leases.
-bool is_host(const Call& call);
+bool is_host(const Call& call, const Session& session);
 
 } // namespace wakesurf::server

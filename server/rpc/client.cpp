@@ -2,48 +2,13 @@
 
 #include "protocol/json_rpc.hpp"
 #include "server/rpc/outcome_json.hpp"
+#include "server/rpc/patch_json.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace wakesurf::server {
 
 using nlohmann::json;
-
-namespace {
-
-json patch_json(const protocol::RakeRecord& record) {
-    return {{"op", "put"},
-            {"type", "rake"},
-            {"id", record.rake},
-            {"record", protocol::rake_json(record)}};
-}
-
-json patch_json(const protocol::SurfaceRecord& record) {
-    return {{"op", "put"},
-            {"type", "surface"},
-            {"id", record.surface},
-            {"record", protocol::surface_json(record)}};
-}
-
-json patch_json(const protocol::BookmarkRecord& record) {
-    return {{"op", "put"},
-            {"type", "bookmark"},
-            {"id", record.bookmark},
-            {"record", protocol::bookmark_json(record)}};
-}
-
-json patch_json(const protocol::AnnotationRecord& record) {
-    return {{"op", "put"},
-            {"type", "annotation"},
-            {"id", record.annotation},
-            {"record", protocol::annotation_json(record)}};
-}
-
-json patch_json(const DeletedRecord& record) {
-    return {{"op", "delete"}, {"type", record.type}, {"id", record.id}};
-}
-
-} // namespace
 
 Client::Client(Wire& wire, Identity identity, Grants& grants)
     : wire_(wire), identity_(std::move(identity)), grants_(grants) {
@@ -59,36 +24,40 @@ Client::~Client() {
     for (const auto& [number, surface] : subscriptions_)
         if (const auto live = surface.lock())
             live->unsubscribe(*this);
-    leave();
+    part(&Participants::lose);
 }
 
-core::Result<Participant>
-Client::join(std::shared_ptr<Session> session, std::string name, const std::string& resume_token) {
+core::Result<Joined> Client::join(std::shared_ptr<Session> session, Arrival arrival) {
     if (session != session_)
         leave();
-    auto place = session->participants().join(std::move(name), resume_token, *this);
-    if (place) {
+    arrival.identity = identity_;
+    auto joined = session->participants().join(arrival, *this);
+    if (joined) {
         session_ = std::move(session);
-        participant_ = place->id;
+        participant_ = joined->you.id;
     }
-    return place;
+    return joined;
 }
 
-Role Client::role_in(const std::string&) const {
+Role Client::role_in(const std::string& session) const {
+    if (session_ && session_->id() == session)
+        if (const Participant* me = session_->participants().find(*this))
+            return me->role;
     return identity_.role;
 }
 
 std::string Client::participant() const {
-    if (session_)
-        for (const Participant& each : session_->participants().present())
-            if (each.observer == this)
-                return each.id;
-    return {};
+    const Participant* me = session_ ? session_->participants().find(*this) : nullptr;
+    return me != nullptr ? me->id : std::string{};
 }
 
 void Client::leave() {
+    part(&Participants::leave);
+}
+
+void Client::part(void (Participants::*how)(const Observer&)) {
     if (session_) {
-        session_->participants().leave(*this);
+        (session_->participants().*how)(*this);
         session_->end_leases(participant_);
     }
     session_.reset();
@@ -115,11 +84,9 @@ bool Client::unsubscribe(std::uint32_t number) {
 void Client::patched(const std::string& session,
                      std::uint64_t seq,
                      std::span<const Patch> patches) {
-    json list = json::array();
-    for (const Patch& patch : patches)
-        list.push_back(std::visit([](const auto& each) { return patch_json(each); }, patch));
     wire_.send(protocol::rpc_notification(
-        "session.patched", {{"session", session}, {"seq", seq}, {"patches", std::move(list)}}));
+        "session.patched",
+        {{"session", session}, {"seq", seq}, {"patches", patches_json(patches)}}));
 }
 
 void Client::progress(const std::string& surface, std::uint32_t epoch, bool final) {
@@ -145,8 +112,28 @@ void Client::superseded(std::uint32_t number, std::uint32_t epoch) {
     wire_.drop_frames(number, epoch);
 }
 
+void Client::presence(const std::string& message) {
+    wire_.send(message);
+}
+
+void Client::sent_away(Farewell why) {
+    if (why == Farewell::Removed)
+        session_->end_leases(participant_);
+    session_.reset();
+    if (why == Farewell::Displaced)
+        say_goodbye(Goodbye::Displaced, "displaced", "a newer connection has taken this place");
+    else
+        say_goodbye(Goodbye::Removed, "removed", "a host has ended your stay in the session");
+}
+
 void Client::grant_ended(const std::string& reason) {
-    wire_.close(Goodbye::LinkEnded, reason);
+    leave();
+    say_goodbye(Goodbye::LinkEnded, "linkEnded", reason);
+}
+
+void Client::say_goodbye(Goodbye goodbye, const char* kind, const std::string& reason) {
+    wire_.send(protocol::rpc_notification("server.notice", {{"kind", kind}, {"text", reason}}));
+    wire_.close(goodbye, reason);
 }
 
 } // namespace wakesurf::server

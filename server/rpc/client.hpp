@@ -38,9 +38,8 @@ class Client final : public Observer, public FrameSink, public GrantHolder {
     /// The session joined, or nothing.
     const std::shared_ptr<Session>& session() const { return session_; }
 
-    /// Leaves the session joined before. Error: OverLimit.
-    core::Result<Participant>
-    join(std::shared_ptr<Session> session, std::string name, const std::string& resume_token);
+    /// Leaves the session joined before; arrives with the client's own identity. Error: OverLimit.
+    core::Result<Joined> join(std::shared_ptr<Session> session, Arrival arrival);
     void leave();
 
     /// Sends the current state and every later one.
@@ -58,9 +57,14 @@ class Client final : public Observer, public FrameSink, public GrantHolder {
     void done(const SurfaceOutcome& outcome) override;
     void frames(std::uint32_t number, const std::shared_ptr<const SurfaceState>& state) override;
     void superseded(std::uint32_t number, std::uint32_t epoch) override;
+    void presence(const std::string& message) override;
+    void sent_away(Farewell why) override;
     void grant_ended(const std::string& reason) override;
 
   private:
+    void part(void (Participants::*how)(const Observer&));
+    void say_goodbye(Goodbye goodbye, const char* kind, const std::string& reason);
+
     Wire& wire_;
     Identity identity_;
     Grants& grants_;

@@ -10,6 +10,8 @@ namespace wakesurf::server {
 std::vector<Method> server_methods();
 std::vector<Method> dataset_methods();
 std::vector<Method> session_methods();
+std::vector<Method> share_methods();
+std::vector<Method> presence_methods();
 std::vector<Method> rake_methods();
 std::vector<Method> surface_methods();
 std::vector<Method> subscription_methods();

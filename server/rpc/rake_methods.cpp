@@ -28,7 +28,7 @@ std::optional<protocol::RpcFault> refusal(Session& session,
     const auto now = session.rake(rake);
     if (!now)
         return protocol::fault_of(now.error());
-    if (force && !is_host(call))
+    if (force && !is_host(call, session))
         return protocol::RpcFault{protocol::RpcCode::NotPermitted,
                                   "only a host of the session may use `force`",
                                   "wait a few seconds: a lease ends by itself",

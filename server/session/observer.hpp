@@ -35,6 +35,12 @@ struct SurfaceOutcome {
     std::optional<core::Error> error;
 };
 
+/// Why a participant is sent away.
+enum class Farewell : std::uint8_t {
+    Displaced, ///< a newer connection has taken its place
+    Removed    ///< by a host
+};
+
 /// Who has joined a session. Calls come on the loop's thread and must not change the session.
 class Observer {
   public:
@@ -43,6 +49,12 @@ class Observer {
     patched(const std::string& session, std::uint64_t seq, std::span<const Patch> patches) = 0;
     virtual void progress(const std::string& surface, std::uint32_t epoch, bool final) = 0;
     virtual void done(const SurfaceOutcome& outcome) = 0;
+
+    /// Others came, went or moved: a notification, as text.
+    virtual void presence(const std::string& /*message*/) {}
+
+    /// It is no participant any more.
+    virtual void sent_away(Farewell /*why*/) {}
 };
 
 /// Who has subscribed to a surface's mesh.

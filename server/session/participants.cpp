@@ -1,41 +1,116 @@
 #include "server/session/participants.hpp"
 
 #include "server/limits.hpp"
+#include "server/session/colours.hpp"
+#include "server/session/display_name.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
 
 namespace wakesurf::server {
 
-core::Result<Participant>
-Participants::join(std::string name, const std::string& resume_token, Observer& observer) {
-    leave(observer);
-    Participant place = place_for(resume_token);
-    if (present_.size() >= limits::participants)
-        return core::fail(core::Error::Code::OverLimit,
-                          "the session has as many participants as it may have",
-                          "wait until somebody leaves, or create another session");
-    if (!name.empty())
-        place.name = std::move(name);
-    place.observer = &observer;
+using core::Error;
+using core::fail;
+namespace member = protocol::member;
+
+namespace {
+
+protocol::ParticipantRecord record_of(const Participant& place) {
+    return {place.id,
+            place.name,
+            place.colour,
+            std::string(name(place.role)),
+            place.observer != nullptr,
+            place.presence};
+}
+
+/// Takes over `value` where it was given and is another; the bit of what changed.
+template <class T>
+unsigned take(T& mine, const T& value, unsigned given, unsigned bit) {
+    if ((given & bit) == 0 || mine == value)
+        return 0;
+    mine = value;
+    return bit;
+}
+
+} // namespace
+
+Participants::Participants(std::string session, Loop& loop, Entropy& entropy, Journal* journal)
+    : session_(std::move(session)), loop_(loop), entropy_(entropy), journal_(journal),
+      news_(loop, [this](const PresenceNews::Batch& batch) { return tell(batch); }) {}
+
+core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observer) {
+    const SecretDigest token = secret_digest(arrival.resume_token);
+    const auto same = [&](const Participant& each) { return same_digest(each.token, token); };
+    if (const Participant* mine = find(observer); mine != nullptr && !same(*mine))
+        leave(observer);
+    const bool here = std::any_of(present_.begin(), present_.end(), same);
+    if (!here && present_.size() >= limits::participants)
+        return fail(Error::Code::OverLimit, "the session has as many participants as it may have",
+                    "wait until somebody leaves, or create another session");
+    Joined joined{take_place(token), arrival.resume_token, false};
+    Participant& place = joined.you;
+    joined.returned = !place.id.empty();
+    if (place.id.empty()) {
+        joined.resume_token = random_hex(entropy_, 16);
+        place.token = secret_digest(joined.resume_token);
+        place.id = "p" + std::to_string(next_++);
+        place.name = "guest " + place.id.substr(1);
+        place.colour = free_colour();
+    }
+    // A role a host has set is for whoever came by that link, not for another who learnt the resume token.
+    place.role_set = place.role_set && place.grant == arrival.identity.grant;
+    place.grant = arrival.identity.grant;
+    if (!place.role_set)
+        place.role = arrival.identity.role;
+    const std::string wanted = display_name(arrival.name, limits::name_bytes);
+    place.name = free_name(wanted.empty() ? place.name : wanted, limits::name_bytes,
+                           [this](const std::string& each) { return taken(each); });
+    if (!arrival.colour.empty())
+        place.colour = arrival.colour;
+    Observer* const before = std::exchange(place.observer, &observer);
     present_.push_back(place);
+    if (before != nullptr && before != &observer)
+        before->sent_away(Farewell::Displaced);
+    news_.changed(place.id, member::all);
+    return joined;
+}
+
+/// Out of the lists; a place without an id where there is none.
+Participant Participants::take_place(const SecretDigest& token) {
+    Participant place;
+    const auto same = [&](const Participant& each) { return same_digest(each.token, token); };
+    if (const auto here = std::find_if(present_.begin(), present_.end(), same);
+        here != present_.end()) {
+        place = std::move(*here);
+        present_.erase(here);
+    }
+    const auto away = std::find_if(absent_.begin(), absent_.end(),
+                                   [&](const Absent& each) { return same(each.place); });
+    if (away != absent_.end()) {
+        place = std::move(away->place);
+        absent_.erase(away);
+    }
     return place;
 }
 
-Participant Participants::place_for(const std::string& resume_token) {
-    const auto same = [&](const Participant& each) { return each.resume_token == resume_token; };
-    if (const auto found = std::find_if(present_.begin(), present_.end(), same);
-        found != present_.end()) {
-        Participant place = *found;
-        present_.erase(found);
-        return place;
-    }
-    if (const auto found = std::find_if(gone_.begin(), gone_.end(), same); found != gone_.end()) {
-        Participant place = *found;
-        gone_.erase(found);
-        return place;
-    }
-    const std::string number = std::to_string(next_++);
-    return {"p" + number, "guest " + number, random_hex(entropy_, 16), nullptr};
+bool Participants::taken(const std::string& name) const {
+    return std::any_of(present_.begin(), present_.end(),
+                       [&](const Participant& each) { return each.name == name; }) ||
+           std::any_of(absent_.begin(), absent_.end(),
+                       [&](const Absent& each) { return each.shown && each.place.name == name; });
+}
+
+/// The one of the palette that the fewest have.
+std::string Participants::free_colour() const {
+    std::array<std::size_t, participant_colours.size()> users{};
+    for (const auto& each : shown())
+        for (std::size_t i = 0; i < users.size(); ++i)
+            users[i] += each.colour == participant_colours[i] ? 1 : 0;
+    const auto least = std::min_element(users.begin(), users.end()) - users.begin();
+    return std::string(participant_colours[static_cast<std::size_t>(least)]);
 }
 
 void Participants::leave(const Observer& observer) {
@@ -44,11 +119,202 @@ void Participants::leave(const Observer& observer) {
     });
     if (found == present_.end())
         return;
-    gone_.push_back(*found);
-    gone_.back().observer = nullptr;
+    Participant place = std::move(*found);
     present_.erase(found);
-    if (gone_.size() > limits::participants)
-        gone_.pop_front();
+    const std::string id = place.id;
+    put_away(std::move(place), false);
+    news_.left(id);
+}
+
+void Participants::lose(const Observer& observer) {
+    const auto found = std::find_if(present_.begin(), present_.end(), [&](const Participant& each) {
+        return each.observer == &observer;
+    });
+    if (found == present_.end())
+        return;
+    Participant place = std::move(*found);
+    present_.erase(found);
+    const std::string id = place.id;
+    put_away(std::move(place), true);
+    news_.changed(id, member::connected);
+}
+
+void Participants::put_away(Participant place, bool show) {
+    place.observer = nullptr;
+    if (!show)
+        place.presence = {};
+    Absent absent{std::move(place), nullptr};
+    if (show)
+        absent.shown = loop_.after(limits::absence, [this, id = absent.place.id] { hide(id); });
+    absent_.push_back(std::move(absent));
+    trim();
+}
+
+void Participants::hide(const std::string& id) {
+    const auto found = std::find_if(absent_.begin(), absent_.end(),
+                                    [&](const Absent& each) { return each.place.id == id; });
+    if (found == absent_.end() || !found->shown)
+        return;
+    found->shown.reset();
+    found->place.presence = {};
+    news_.left(id);
+}
+
+/// The oldest places that nobody sees any more.
+void Participants::trim() {
+    while (absent_.size() > limits::participants) {
+        const auto oldest = std::find_if(absent_.begin(), absent_.end(),
+                                         [](const Absent& each) { return !each.shown; });
+        const auto going = oldest == absent_.end() ? absent_.begin() : oldest;
+        const std::string id = going->place.id;
+        const bool shown = going->shown != nullptr;
+        strike(going->place);
+        absent_.erase(going);
+        if (shown)
+            news_.left(id);
+    }
+}
+
+void Participants::update(const Observer& observer, const protocol::PresenceUpdate& update) {
+    for (Participant& each : present_) {
+        if (each.observer != &observer)
+            continue;
+        protocol::Presence& mine = each.presence;
+        const protocol::Presence& now = update.values;
+        const unsigned changed = take(mine.pointer, now.pointer, update.given, member::pointer) |
+                                 take(mine.camera, now.camera, update.given, member::camera) |
+                                 take(mine.dragging, now.dragging, update.given, member::dragging) |
+                                 take(mine.selected, now.selected, update.given, member::selected);
+        if (changed != 0)
+            news_.changed(each.id, changed);
+        return;
+    }
+}
+
+const Participant* Participants::find(const Observer& observer) const {
+    for (const Participant& each : present_)
+        if (each.observer == &observer)
+            return &each;
+    return nullptr;
+}
+
+core::Result<Participant> Participants::find(const std::string& id) const {
+    for (const Participant& each : present_)
+        if (each.id == id)
+            return each;
+    for (const Absent& each : absent_)
+        if (each.place.id == id)
+            return each.place;
+    return fail(Error::Code::NotFound, "the session has no participant `" + id.substr(0, 64) + "`",
+                "session.state lists them");
+}
+
+Participant* Participants::known(const std::string& id) {
+    for (Participant& each : present_)
+        if (each.id == id)
+            return &each;
+    for (Absent& each : absent_)
+        if (each.place.id == id)
+            return &each.place;
+    return nullptr;
+}
+
+void Participants::set_role(const std::string& id, Role role) {
+    Participant* const place = known(id);
+    place->role = role;
+    place->role_set = true;
+    keep(*place);
+    const auto seen = shown();
+    if (std::any_of(seen.begin(), seen.end(),
+                    [&](const auto& each) { return each.participant == id; }))
+        news_.changed(id, member::role);
+}
+
+void Participants::remove(const std::string& id) {
+    const Participant place = take_place(known(id)->token);
+    strike(place);
+    news_.left(id);
+    if (place.observer != nullptr)
+        place.observer->sent_away(Farewell::Removed);
+}
+
+std::vector<protocol::ParticipantRecord> Participants::shown() const {
+    std::vector<protocol::ParticipantRecord> out;
+    for (const Participant& each : present_)
+        out.push_back(record_of(each));
+    for (const Absent& each : absent_)
+        if (each.shown)
+            out.push_back(record_of(each.place));
+    return out;
+}
+
+/// Nobody is told of themselves.
+std::size_t Participants::tell(const PresenceNews::Batch& batch) const {
+    std::vector<std::string> ids;
+    std::vector<std::string> entries;
+    for (const auto& record : shown())
+        if (const auto found = batch.changed.find(record.participant);
+            found != batch.changed.end()) {
+            ids.push_back(record.participant);
+            entries.push_back(protocol::participant_text(record, found->second));
+        }
+    std::string for_all;
+    std::size_t bytes = 0;
+    for (const Participant& each : present_) {
+        const auto own = std::find(ids.begin(), ids.end(), each.id);
+        if (own == ids.end()) {
+            if (for_all.empty())
+                for_all = protocol::presence_patched(session_, entries, batch.left);
+            each.observer->presence(for_all);
+            bytes += for_all.size();
+        } else if (entries.size() > 1 || !batch.left.empty()) {
+            auto others = entries;
+            others.erase(others.begin() + (own - ids.begin()));
+            const std::string message = protocol::presence_patched(session_, others, batch.left);
+            each.observer->presence(message);
+            bytes += message.size();
+        }
+    }
+    return bytes;
+}
+
+void Participants::keep(const Participant& place) {
+    if (journal_ != nullptr)
+        journal_->write(
+            session_,
+            {{"participant", place.id,
+              protocol::place_text({place.name, place.colour, std::string(name(place.role)),
+                                    place.grant, digest_text(place.token)})}});
+}
+
+void Participants::strike(const Participant& place) {
+    if (journal_ != nullptr && place.role_set)
+        journal_->write(session_, {{"participant", place.id, std::nullopt}});
+}
+
+core::Result<void> Participants::restore(const std::string& id, std::string_view record) {
+    const auto kept = protocol::read_place(record);
+    if (!kept)
+        return tl::unexpected(kept.error());
+    const auto role = role_named(kept->role);
+    const auto token = read_digest(kept->digest);
+    std::size_t number = 0;
+    const auto [stop, error] = std::from_chars(id.data() + 1, id.data() + id.size(), number);
+    if (!role || !token || !is_colour(kept->colour) || id.size() < 2 || id.front() != 'p' ||
+        error != std::errc{} || stop != id.data() + id.size())
+        return fail(Error::Code::Corrupt, "a place that was kept is not one",
+                    "join the session anew");
+    next_ = std::max(next_, number + 1);
+    Participant place;
+    place.id = id;
+    place.name = display_name(kept->name, limits::name_bytes);
+    place.colour = kept->colour;
+    place.role = *role;
+    place.grant = kept->grant;
+    place.role_set = true;
+    place.token = *token;
+    put_away(std::move(place), false);
+    return {};
 }
 
 } // namespace wakesurf::server

@@ -1,14 +1,22 @@
-// Who is in a session. A lost connection comes back with its resume token and keeps its place.
+// Who is in a session: name, colour, role and presence. A lost connection is shown for ten seconds more, so that a quick
+// return is no news; with its resume token it keeps its place for longer.
 #pragma once
 
 #include "core/base/result.hpp"
+#include "protocol/messages_presence.hpp"
 #include "server/session/entropy.hpp"
+#include "server/session/identity.hpp"
+#include "server/session/journal.hpp"
+#include "server/session/loop.hpp"
 #include "server/session/observer.hpp"
+#include "server/session/presence_news.hpp"
+#include "server/session/secret.hpp"
 
 #include <cstddef>
 #include <deque>
-#include <functional>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wakesurf::server {
@@ -16,31 +24,95 @@ namespace wakesurf::server {
 struct Participant {
     std::string id;
     std::string name;
-    std::string resume_token;
-    Observer* observer = nullptr;
+    std::string colour;
+    Role role = Role::Viewer;
+    std::string grant;            ///< the share link it came by; empty: the server's own token
+    bool role_set = false;        ///< by a host, and so not the link's
+    SecretDigest token{};         ///< of its resume token
+    Observer* observer = nullptr; ///< nothing: its connection is lost
+    protocol::Presence presence;
 };
 
-/// Loop thread only. Observers leave before they end.
+/// What somebody asks for who joins.
+struct Arrival {
+    std::string name;         ///< empty: one is found
+    std::string colour;       ///< #rrggbb; empty: one is found
+    std::string resume_token; ///< of an earlier stay, or empty
+    Identity identity;
+};
+
+struct Joined {
+    Participant you;
+    std::string resume_token;
+    bool returned = false; ///< to a place of an earlier stay
+};
+
+/// Loop thread only. Observers leave before they end; the loop outlives the participants.
 class Participants {
   public:
-    explicit Participants(Entropy& entropy) : entropy_(entropy) {}
+    Participants(std::string session, Loop& loop, Entropy& entropy, Journal* journal = nullptr);
+    Participants(const Participants&) = delete;
+    Participants& operator=(const Participants&) = delete;
 
     /// With the token of an earlier stay the participant gets that place again; a connection that still holds it is
-    /// no longer told anything. Error: OverLimit.
-    core::Result<Participant>
-    join(std::string name, const std::string& resume_token, Observer& observer);
+    /// sent away. Error: OverLimit.
+    core::Result<Joined> join(const Arrival& arrival, Observer& observer);
 
+    /// Goodbye: the others are told at once.
     void leave(const Observer& observer);
 
+    /// The connection is lost: shown for a while longer.
+    void lose(const Observer& observer);
+
+    /// New presence, told to the others. Does nothing for who is not in here.
+    void update(const Observer& observer, const protocol::PresenceUpdate& update);
+
+    /// Sets somebody's role, which stays with the place. REQUIRES: find(id).
+    void set_role(const std::string& id, Role role);
+
+    /// Sends somebody away for good; the place is gone. REQUIRES: find(id).
+    void remove(const std::string& id);
+
+    /// A place out of the journal. Error: Corrupt.
+    core::Result<void> restore(const std::string& id, std::string_view record);
+
+    /// Those connected.
     const std::vector<Participant>& present() const { return present_; }
 
-  private:
-    Participant place_for(const std::string& resume_token);
+    /// Nothing for who is not connected here.
+    const Participant* find(const Observer& observer) const;
 
+    /// Somebody who is here, or may come back. Error: NotFound.
+    core::Result<Participant> find(const std::string& id) const;
+
+    /// As others see them: those connected, and those lost a moment ago.
+    std::vector<protocol::ParticipantRecord> shown() const;
+
+  private:
+    struct Absent {
+        Participant place;
+        std::shared_ptr<void> shown; ///< runs while it is shown; nothing: not shown any more
+    };
+
+    Participant take_place(const SecretDigest& token);
+    bool taken(const std::string& name) const;
+    std::string free_colour() const;
+    Participant* known(const std::string& id);
+    void put_away(Participant place, bool show);
+    void hide(const std::string& id);
+    void trim();
+    std::size_t tell(const PresenceNews::Batch& batch) const;
+    void keep(const Participant& place);
+    void strike(const Participant& place);
+
+    std::string session_;
+    Loop& loop_;
     Entropy& entropy_;
+    Journal* journal_;
     std::vector<Participant> present_;
-    std::deque<Participant> gone_; ///< newest last
+    std::deque<Absent> absent_; ///< newest last
     std::size_t next_ = 1;
+    PresenceNews news_;
 };
 
 } // namespace wakesurf::server

@@ -34,7 +34,7 @@ Session::Session(std::string id,
                  SessionServices services,
                  std::uint32_t& next_number)
     : id_(std::move(id)), name_(std::move(name)), services_(services),
-      participants_(services.entropy),
+      participants_(id_, services.loop, services.entropy, services.journal),
       leases_(services, [this](const std::string& rake) { lease_ended(rake); }),
       builds_(services, records_, next_number, build_events()) {}
 

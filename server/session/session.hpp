@@ -5,6 +5,7 @@
 
 #include "core/base/result.hpp"
 #include "server/session/author.hpp"
+#include "server/session/change_log.hpp"
 #include "server/session/datasets.hpp"
 #include "server/session/history.hpp"
 #include "server/session/leases.hpp"
@@ -59,6 +60,11 @@ class Session {
     Participants& participants() { return participants_; }
 
     const SessionRecords& records() const { return records_; }
+
+    /// As ChangeLog::since.
+    std::optional<std::vector<Patch>> changes_since(std::uint64_t seq) const {
+        return changes_.since(seq);
+    }
 
     std::vector<protocol::RakeRecord> rakes() const;
     std::vector<protocol::SurfaceRecord> surfaces() const;
@@ -149,6 +155,7 @@ class Session {
     std::uint64_t seq_ = 0;
     SessionRecords records_;
     Participants participants_;
+    ChangeLog changes_;
     Leases leases_;
     History history_;
     SurfaceBuilds builds_; ///< last: its jobs' events use the rest

@@ -97,9 +97,12 @@ bool SessionDirectory::make_room() {
         going = std::find_if(created_.begin(), created_.end(), alone);
     if (going == created_.end())
         return false;
+    const std::string id = *going;
+    if (removed_)
+        removed_(id);
     if (services_.journal != nullptr)
-        services_.journal->remove(*going);
-    sessions_.erase(*going);
+        services_.journal->remove(id);
+    sessions_.erase(id);
     created_.erase(going);
     return true;
 }

@@ -5,6 +5,7 @@
 #include "server/session/session.hpp"
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -34,6 +35,9 @@ class SessionDirectory {
     /// Tells every session that more time-steps of a dataset can be read, or that it was opened again.
     void dataset_changed(const std::string& dataset);
 
+    /// Called with the id of a session that had to make room.
+    void on_removed(std::function<void(const std::string&)> tell) { removed_ = std::move(tell); }
+
     const std::map<std::string, std::shared_ptr<Session>>& all() const { return sessions_; }
 
   private:
@@ -46,6 +50,7 @@ class SessionDirectory {
     std::size_t next_session_ = 1;
     std::map<std::string, std::shared_ptr<Session>> sessions_;
     std::deque<std::string> created_; ///< ids, oldest first; without `main`
+    std::function<void(const std::string&)> removed_;
 };
 
 } // namespace wakesurf::server

@@ -101,7 +101,7 @@ Session::Epochs Session::build(const std::vector<RecordChange>& changes) {
 }
 
 void Session::announce(const std::vector<Patch>& patches) {
-    ++seq_;
+    changes_.add(++seq_, patches);
     if (services_.journal != nullptr) {
         std::vector<JournalEntry> entries{entry_of(head())};
         std::transform(patches.begin(), patches.end(), std::back_inserter(entries), entry_of_patch);

@@ -53,6 +53,7 @@ RestoreReport Session::restore(std::span<const JournalEntry> entries) {
     if (!kept.name.empty())
         name_ = std::move(kept.name);
     seq_ = kept.seq + restart_gap;
+    changes_.start(seq_);
     records_ = std::move(kept.records);
     begin(restart_gap);
     return std::move(kept.report);

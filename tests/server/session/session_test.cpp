@@ -126,7 +126,7 @@ class SessionTest : public testing::Test {
 } // namespace
 
 TEST_F(SessionTest, TellsEveryChangeInOrderWithTheNewRecords) {
-    ASSERT_TRUE(session->participants().join("me", "", me));
+    ASSERT_TRUE(session->participants().join({"me", "", "", {}}, me));
     const auto rake = session->set_rake(rake_at(0.0));
     ASSERT_TRUE(rake);
     EXPECT_EQ(rake->record.rev, 1u);
@@ -145,7 +145,7 @@ TEST_F(SessionTest, TellsEveryChangeInOrderWithTheNewRecords) {
 }
 
 TEST_F(SessionTest, BuildsTheSurfaceOfTheNewestEditAndDropsTheOthers) {
-    ASSERT_TRUE(session->participants().join("me", "", me));
+    ASSERT_TRUE(session->participants().join({"me", "", "", {}}, me));
     const std::string rake = session->set_rake(rake_at(0.0))->record.rake;
     const auto live = build(rake);
     live->subscribe(me);
@@ -164,7 +164,7 @@ TEST_F(SessionTest, BuildsTheSurfaceOfTheNewestEditAndDropsTheOthers) {
 }
 
 TEST_F(SessionTest, HangsATimeSurfaceOnBothItsRakes) {
-    ASSERT_TRUE(session->participants().join("me", "", me));
+    ASSERT_TRUE(session->participants().join({"me", "", "", {}}, me));
     const std::string one = session->set_rake(rake_at(0.0))->record.rake;
     const std::string two = session->set_rake(rake_at(1.0))->record.rake;
     const std::string other = session->set_rake(rake_at(2.0))->record.rake;
@@ -253,22 +253,23 @@ TEST_F(SessionTest, RefusesWhatItHasNotAndWhatIsTooMuch) {
 
 TEST_F(SessionTest, GivesAParticipantItsPlaceAgainForItsToken) {
     Recorder other;
-    const auto first = session->participants().join("Ada", "", me);
+    const auto first = session->participants().join({"Ada", "", "", {}}, me);
     session->participants().leave(me);
     EXPECT_TRUE(session->participants().present().empty());
-    const auto again = session->participants().join("", first->resume_token, other);
-    EXPECT_EQ(again->id, first->id);
-    EXPECT_EQ(again->name, "Ada");
-    const auto taken_over = session->participants().join("", first->resume_token, me);
-    EXPECT_EQ(taken_over->id, first->id);
+    const auto again = session->participants().join({"", "", first->resume_token, {}}, other);
+    EXPECT_EQ(again->you.id, first->you.id);
+    EXPECT_EQ(again->you.name, "Ada");
+    const auto taken_over = session->participants().join({"", "", first->resume_token, {}}, me);
+    EXPECT_EQ(taken_over->you.id, first->you.id);
     EXPECT_EQ(session->participants().present().size(), 1u)
         << "the old connection's place is the new one's";
-    EXPECT_NE(session->participants().join("", "no token of ours", other)->id, first->id);
+    EXPECT_NE(session->participants().join({"", "", "no token of ours", {}}, other)->you.id,
+              first->you.id);
 }
 
 TEST_F(SessionTest, MakesRoomAmongSessionsNobodyIsIn) {
     const std::string used = (*sessions.create("used"))->id();
-    ASSERT_TRUE((*sessions.find(used))->participants().join("me", "", me));
+    ASSERT_TRUE((*sessions.find(used))->participants().join({"me", "", "", {}}, me));
     const std::string oldest = (*sessions.create(""))->id();
     for (std::size_t i = 0; i < limits::sessions; ++i)
         ASSERT_TRUE(sessions.create(""));

@@ -1,0 +1,191 @@
+// Share links: how long they are good for, who is told of their end, and what of them is kept.
+#include "server/limits.hpp"
+#include "server/session/grants.hpp"
+#include "tests/support/server/hand_clock.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+class Disk final : public Journal {
+  public:
+    void write(const std::string&, std::vector<JournalEntry> entries) override {
+        for (JournalEntry& each : entries)
+            if (each.record)
+                records[each.id] = *each.record;
+            else
+                records.erase(each.id);
+    }
+
+    void remove(const std::string&) override {}
+
+    void settled(std::function<void(core::Result<void>)> done) override { done({}); }
+
+    std::map<std::string, std::string> records;
+};
+
+struct Holder final : GrantHolder {
+    void grant_ended(const std::string& reason) override { reasons.push_back(reason); }
+
+    std::vector<std::string> reasons;
+};
+
+struct GrantsTest : testing::Test {
+    GrantServices services() {
+        return {loop, clock, entropy, [this] { return wall; }, &disk};
+    }
+
+    std::int64_t wall = 1'800'000'000;
+    HandClock clock;
+    HandLoop loop{clock};
+    SystemEntropy entropy;
+    Disk disk;
+    Grants grants{services()};
+    Holder holder;
+};
+
+} // namespace
+
+TEST_F(GrantsTest, LetsInByItsKeyOnlyAndInItsRoleAndSessionOnly) {
+    const auto viewer = grants.make("main", Role::Viewer, {});
+    const auto host = grants.make("session-1", Role::Host, {});
+    EXPECT_EQ(viewer->key.size(), 64u) << "256 random bits";
+    EXPECT_EQ(grants.find(viewer->key), (Identity{Role::Viewer, "main", viewer->grant.id}));
+    EXPECT_EQ(grants.find(host->key), (Identity{Role::Host, "session-1", host->grant.id}));
+    for (const std::string& wrong : {std::string(), viewer->grant.id, viewer->key.substr(1),
+                                     viewer->key + "0", digest_text(secret_digest(viewer->key))})
+        EXPECT_EQ(grants.find(wrong), std::nullopt) << wrong;
+}
+
+TEST_F(GrantsTest, EndsALinkWhenItExpiresAndTellsWhoeverCameByIt) {
+    const auto made = grants.make("main", Role::Editor, seconds(60));
+    EXPECT_EQ(made->grant.expires, wall + 60);
+    grants.attend(made->grant.id, holder);
+    loop.advance(milliseconds(59'999));
+    EXPECT_TRUE(grants.find(made->key));
+    EXPECT_TRUE(holder.reasons.empty());
+    loop.advance(milliseconds(1));
+    EXPECT_EQ(grants.find(made->key), std::nullopt);
+    EXPECT_EQ(grants.identity(made->grant.id), std::nullopt);
+    EXPECT_EQ(holder.reasons, std::vector<std::string>{"the share link has expired"});
+    EXPECT_TRUE(grants.of("main").empty());
+    EXPECT_TRUE(disk.records.empty());
+}
+
+TEST_F(GrantsTest, LetsNobodyInAfterTheEndEvenWhereTheTimerIsLate) {
+    const auto made = grants.make("main", Role::Editor, seconds(60));
+    clock.time += seconds(60);
+    EXPECT_EQ(grants.find(made->key), std::nullopt);
+    EXPECT_EQ(grants.identity(made->grant.id), std::nullopt);
+    EXPECT_TRUE(grants.of("main").empty());
+}
+
+TEST_F(GrantsTest, KeepsLinksOfManyDaysUntilTheirTime) {
+    const auto made = grants.make("main", Role::Viewer, std::chrono::hours(24 * 40));
+    grants.attend(made->grant.id, holder);
+    loop.advance(std::chrono::hours(24 * 40 - 1));
+    EXPECT_TRUE(holder.reasons.empty());
+    loop.advance(std::chrono::hours(1));
+    EXPECT_EQ(holder.reasons.size(), 1u);
+}
+
+TEST_F(GrantsTest, TakesALinkBackForItsOwnSessionOnly) {
+    const auto made = grants.make("main", Role::Viewer, {});
+    const auto other = grants.make("main", Role::Viewer, {});
+    grants.attend(made->grant.id, holder);
+    EXPECT_EQ(grants.revoke("session-1", made->grant.id).error().code, core::Error::Code::NotFound);
+    EXPECT_TRUE(grants.find(made->key));
+    EXPECT_TRUE(grants.revoke("main", made->grant.id));
+    EXPECT_EQ(holder.reasons, std::vector<std::string>{"the share link was taken back"});
+    EXPECT_EQ(grants.find(made->key), std::nullopt);
+    EXPECT_TRUE(grants.find(other->key));
+    EXPECT_FALSE(grants.revoke("main", made->grant.id));
+}
+
+TEST_F(GrantsTest, TellsNobodyWhoHasLeft) {
+    const auto made = grants.make("main", Role::Viewer, {});
+    grants.attend(made->grant.id, holder);
+    grants.leave(holder);
+    ASSERT_TRUE(grants.revoke("main", made->grant.id));
+    EXPECT_TRUE(holder.reasons.empty());
+}
+
+TEST_F(GrantsTest, LimitsTheLinksOfASessionAndMakesRoomAsTheyEnd) {
+    for (std::size_t i = 0; i < limits::grants; ++i)
+        ASSERT_TRUE(grants.make("main", Role::Viewer, seconds(10)));
+    EXPECT_EQ(grants.make("main", Role::Viewer, {}).error().code, core::Error::Code::OverLimit);
+    EXPECT_TRUE(grants.make("session-1", Role::Viewer, {}));
+    loop.advance(seconds(10));
+    EXPECT_TRUE(grants.make("main", Role::Viewer, {}));
+}
+
+TEST_F(GrantsTest, ComesBackFromTheJournalWhichNeverHoldsAKey) {
+    const auto forever = grants.make("main", Role::Host, {});
+    const auto an_hour = grants.make("main", Role::Viewer, std::chrono::hours(1));
+    const auto a_minute = grants.make("main", Role::Editor, seconds(60));
+    for (const auto& [id, record] : disk.records)
+        for (const std::string& key : {forever->key, an_hour->key, a_minute->key})
+            EXPECT_EQ(record.find(key), std::string::npos) << id;
+    const auto kept = disk.records;
+    wall += 600; // the server was down, and its steady clock starts anew
+    Grants after(services());
+    for (const auto& [id, record] : kept)
+        EXPECT_TRUE(after.restore("main", id, record)) << record;
+    EXPECT_EQ(after.find(forever->key), (Identity{Role::Host, "main", forever->grant.id}));
+    EXPECT_EQ(after.find(an_hour->key)->role, Role::Viewer);
+    EXPECT_EQ(after.find(a_minute->key), std::nullopt);
+    EXPECT_FALSE(disk.records.contains(a_minute->grant.id)) << "struck: it expired meanwhile";
+    clock.time += std::chrono::minutes(50);
+    EXPECT_EQ(after.find(an_hour->key), std::nullopt);
+    const auto next = after.make("main", Role::Viewer, {});
+    EXPECT_FALSE(kept.contains(next->grant.id)) << "no id is given twice";
+}
+
+TEST_F(GrantsTest, RefusesRecordsThatAreNoLinks) {
+    const std::string digest(64, 'a');
+    const auto record = [&](const std::string& members) { return "{" + members + "}"; };
+    const std::string good = R"("role":"viewer","sha256":")" + digest + "\"";
+    EXPECT_TRUE(grants.restore("main", "g4", record(good)));
+    EXPECT_TRUE(grants.restore("main", "g5", record(good + R"(,"expires":9223372036854775807)")));
+    EXPECT_TRUE(grants.identity("g5")) << "cut to what times can hold";
+    for (const std::string& bad :
+         {std::string(), std::string("[]"), record(""), record(R"("role":"viewer")"),
+          record(R"("role":"owner","sha256":")" + digest + "\""),
+          record(R"("role":"viewer","sha256":")" + digest + "0\""),
+          record(R"("role":"viewer","sha256":"short")"), record(good + R"(,"expires":"soon")"),
+          record(good + R"(,"expires":1e99)")})
+        EXPECT_EQ(grants.restore("main", "g6", bad).error().code, core::Error::Code::Corrupt)
+            << bad;
+    for (const char* id : {"", "g", "7", "x7", "g7x", "g-7"})
+        EXPECT_FALSE(grants.restore("main", id, record(good))) << id;
+}
+
+TEST_F(GrantsTest, ForgetsTheLinksOfASessionThatIsGone) {
+    const auto made = grants.make("session-1", Role::Viewer, {});
+    const auto other = grants.make("main", Role::Viewer, {});
+    grants.attend(made->grant.id, holder);
+    grants.forget("session-1");
+    EXPECT_EQ(holder.reasons.size(), 1u);
+    EXPECT_EQ(grants.find(made->key), std::nullopt);
+    EXPECT_TRUE(grants.find(other->key));
+}
+
+TEST(Secrets, AreComparedByTheirSha256) {
+    EXPECT_EQ(digest_text(secret_digest("abc")),
+              "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(read_digest(digest_text(secret_digest("abc"))), secret_digest("abc"));
+    EXPECT_TRUE(same_digest(secret_digest("abc"), secret_digest("abc")));
+    EXPECT_FALSE(same_digest(secret_digest("abc"), secret_digest("abd")));
+    EXPECT_EQ(read_digest(std::string(64, 'g')), std::nullopt);
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,320 @@
+// Who is in a session: places that outlive connections, and presence that reaches the others gathered, at most every 50 ms.
+#include "server/limits.hpp"
+#include "server/session/colours.hpp"
+#include "server/session/participants.hpp"
+#include "tests/support/server/hand_clock.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <deque>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+using nlohmann::json;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+namespace member = protocol::member;
+
+namespace {
+
+/// A client that keeps what it is told the way the page does.
+class Watcher final : public Observer {
+  public:
+    explicit Watcher(HandClock& clock) : clock_(clock) {}
+
+    void patched(const std::string&, std::uint64_t, std::span<const Patch>) override {}
+
+    void progress(const std::string&, std::uint32_t, bool) override {}
+
+    void done(const SurfaceOutcome&) override {}
+
+    void presence(const std::string& message) override {
+        const json told = json::parse(message);
+        EXPECT_EQ(told["method"], "presence.patched");
+        for (const json& each : told["params"]["participants"])
+            others[each["participant"]].update(each);
+        for (const json& each : told["params"]["left"])
+            others.erase(each.get<std::string>());
+        told_at.push_back(clock_.time);
+        messages.push_back(told["params"]);
+    }
+
+    void sent_away(Farewell why) override { farewells.push_back(why); }
+
+    std::map<std::string, json> others;
+    std::vector<json> messages;
+    std::vector<std::chrono::steady_clock::time_point> told_at;
+    std::vector<Farewell> farewells;
+
+  private:
+    HandClock& clock_;
+};
+
+class Disk final : public Journal {
+  public:
+    void write(const std::string&, std::vector<JournalEntry> entries) override {
+        for (const JournalEntry& each : entries)
+            records[each.id] = each.record;
+    }
+
+    void remove(const std::string&) override {}
+
+    void settled(std::function<void(core::Result<void>)> done) override { done({}); }
+
+    std::map<std::string, std::optional<std::string>> records;
+};
+
+struct ParticipantsTest : testing::Test {
+    Joined join(Watcher& who,
+                const std::string& name = {},
+                const std::string& token = {},
+                const Identity& identity = {}) {
+        return *people.join({name, {}, token, identity}, who);
+    }
+
+    static protocol::PresenceUpdate pointing(double x) {
+        protocol::PresenceUpdate update;
+        update.values.pointer = core::Vec3{x, 0.0, 0.0};
+        update.given = member::pointer;
+        return update;
+    }
+
+    HandClock clock;
+    HandLoop loop{clock};
+    SystemEntropy entropy;
+    Disk disk;
+    Participants people{"main", loop, entropy, &disk};
+    Watcher ada{clock}, bob{clock}, eve{clock};
+};
+
+} // namespace
+
+TEST_F(ParticipantsTest, GivesEverybodyANameAndAColourOfTheirOwn) {
+    std::deque<Watcher> watchers;
+    std::set<std::string> names;
+    std::set<std::string> colours;
+    for (std::size_t i = 0; i < participant_colours.size(); ++i) {
+        const Joined joined = join(watchers.emplace_back(clock), i % 2 == 0 ? "Ada" : "");
+        names.insert(joined.you.name);
+        colours.insert(joined.you.colour);
+        EXPECT_TRUE(is_colour(joined.you.colour));
+    }
+    EXPECT_EQ(names.size(), participant_colours.size());
+    EXPECT_EQ(colours.size(), participant_colours.size());
+    EXPECT_TRUE(names.contains("Ada"));
+    EXPECT_TRUE(names.contains("Ada 2"));
+    people.leave(watchers.front());
+    EXPECT_EQ(join(ada, "Ada").you.name, "Ada");
+}
+
+TEST_F(ParticipantsTest, TellsTheOthersOfComingAndGoingAndNobodyOfThemselves) {
+    const Joined first = join(ada, "Ada");
+    const Joined second = join(bob, "Bob", {}, {Role::Viewer, "main", "g1"});
+    EXPECT_TRUE(bob.others.empty());
+    loop.advance(limits::presence_rest);
+    ASSERT_TRUE(ada.others.contains(second.you.id));
+    EXPECT_EQ(ada.others[second.you.id]["name"], "Bob");
+    EXPECT_EQ(ada.others[second.you.id]["role"], "viewer");
+    EXPECT_EQ(ada.others[second.you.id]["connected"], true);
+    people.leave(bob);
+    loop.advance(limits::presence_rest);
+    EXPECT_TRUE(ada.others.empty());
+    EXPECT_FALSE(ada.others.contains(first.you.id));
+}
+
+TEST_F(ParticipantsTest, TellsTheNewestPresenceAtMostEveryFiftyMilliseconds) {
+    join(ada);
+    const std::string bob_id = join(bob).you.id;
+    loop.advance(seconds(1));
+    ada.messages.clear();
+    ada.told_at.clear();
+    const std::size_t told_to_bob = bob.messages.size();
+    for (int i = 1; i <= 1000; ++i) { // a second of a thousand updates
+        people.update(bob, pointing(i));
+        loop.advance(milliseconds(1));
+    }
+    loop.advance(limits::presence_rest);
+    EXPECT_EQ(ada.others[bob_id]["pointer"], (json{1000.0, 0.0, 0.0}));
+    EXPECT_LE(ada.messages.size(), 21u);
+    EXPECT_GE(ada.messages.size(), 20u) << "and no less often than it may";
+    for (std::size_t i = 1; i < ada.told_at.size(); ++i)
+        EXPECT_GE(ada.told_at[i] - ada.told_at[i - 1], limits::presence_rest);
+    EXPECT_EQ(bob.messages.size(), told_to_bob) << "no echo";
+    EXPECT_EQ(ada.messages.back()["participants"][0].size(), 2u) << "only what changed";
+}
+
+TEST_F(ParticipantsTest, SaysAtOnceWhatComesAfterASilence) {
+    join(ada);
+    const std::string bob_id = join(bob).you.id;
+    loop.advance(seconds(1));
+    people.update(bob, pointing(7.0));
+    EXPECT_EQ(ada.others[bob_id]["pointer"][0], 7.0);
+    ada.messages.clear();
+    people.update(bob, pointing(7.0));
+    loop.advance(seconds(1));
+    EXPECT_TRUE(ada.messages.empty()) << "the same again is no news";
+}
+
+TEST_F(ParticipantsTest, KeepsEverybodysViewOfTheOthersTheSame) {
+    std::deque<Watcher> watchers;
+    std::map<Watcher*, std::string> ids;
+    std::mt19937 random(7);
+    for (int round = 0; round < 2000; ++round) {
+        const unsigned what = random() % 10;
+        if (ids.size() < 2 || (what == 0 && ids.size() < 12)) {
+            Watcher& fresh = watchers.emplace_back(clock);
+            ids[&fresh] = join(fresh, "w").you.id;
+            for (const auto& each : people.shown()) // as the answer to session.join does
+                if (each.participant != ids[&fresh])
+                    fresh.others[each.participant] = protocol::participant_json(each, member::all);
+        } else {
+            auto one = ids.begin();
+            std::advance(one, random() % ids.size());
+            if (what == 1) {
+                random() % 2 == 0 ? people.leave(*one->first) : people.lose(*one->first);
+                ids.erase(one);
+            } else {
+                people.update(*one->first, pointing(random() % 5));
+            }
+        }
+        loop.advance(milliseconds(random() % 40));
+    }
+    loop.advance(seconds(11));
+    for (const auto& [watcher, id] : ids) {
+        std::map<std::string, json> others;
+        for (const auto& each : people.shown())
+            if (each.participant != id)
+                others[each.participant] = protocol::participant_json(each, member::all);
+        EXPECT_EQ(watcher->others, others) << id;
+    }
+}
+
+TEST_F(ParticipantsTest, ShowsALostConnectionForTenSecondsAndAQuickReturnIsNoNews) {
+    join(ada);
+    const Joined before = join(bob, "Bob");
+    people.update(bob, pointing(3.0));
+    loop.advance(seconds(1));
+    people.lose(bob);
+    loop.advance(milliseconds(9'900));
+    EXPECT_EQ(ada.others.at(before.you.id)["connected"], false);
+    EXPECT_EQ(people.present().size(), 1u);
+    EXPECT_EQ(people.shown().size(), 2u);
+    const Joined again = join(eve, {}, before.resume_token);
+    EXPECT_TRUE(again.returned);
+    EXPECT_EQ(again.you.id, before.you.id);
+    EXPECT_EQ(again.you.name, "Bob");
+    EXPECT_EQ(again.you.colour, before.you.colour);
+    loop.advance(seconds(1));
+    EXPECT_EQ(ada.others.at(before.you.id)["connected"], true);
+    EXPECT_EQ(ada.others.at(before.you.id)["pointer"][0], 3.0);
+    people.lose(eve);
+    loop.advance(milliseconds(10'100));
+    EXPECT_TRUE(ada.others.empty());
+    EXPECT_TRUE(join(bob, {}, before.resume_token).returned) << "its place is kept for longer";
+    EXPECT_FALSE(people.shown().back().presence.pointer);
+}
+
+TEST_F(ParticipantsTest, LetsTheNewerOfTwoConnectionsWinAndTellsTheOlder) {
+    join(ada);
+    const Joined before = join(bob);
+    loop.advance(seconds(1));
+    const Joined again = join(eve, {}, before.resume_token);
+    EXPECT_EQ(again.you.id, before.you.id);
+    EXPECT_EQ(bob.farewells, std::vector{Farewell::Displaced});
+    people.lose(bob); // its connection closes now; that is not the end of the newer one
+    EXPECT_EQ(people.present().size(), 2u);
+    loop.advance(seconds(20));
+    EXPECT_EQ(ada.others.at(before.you.id)["connected"], true);
+    join(eve, {}, again.resume_token);
+    EXPECT_TRUE(eve.farewells.empty()) << "nobody displaces themselves";
+}
+
+TEST_F(ParticipantsTest, SetsARoleThatStaysWithThePlaceButNotWithAnotherLink) {
+    const Identity link{Role::Viewer, "main", "g1"};
+    const Joined before = join(bob, {}, {}, link);
+    join(ada);
+    people.set_role(before.you.id, Role::Editor);
+    loop.advance(seconds(1));
+    EXPECT_EQ(ada.others.at(before.you.id)["role"], "editor");
+    EXPECT_EQ(people.find(bob)->role, Role::Editor);
+    people.lose(bob);
+    EXPECT_EQ(join(bob, {}, before.resume_token, link).you.role, Role::Editor);
+    people.lose(bob);
+    const Identity another{Role::Viewer, "main", "g2"};
+    EXPECT_EQ(join(eve, {}, before.resume_token, another).you.role, Role::Viewer);
+}
+
+TEST_F(ParticipantsTest, BringsARoleThatWasSetThroughARestart) {
+    const Identity link{Role::Viewer, "main", "g1"};
+    const Joined before = join(bob, "Bob", {}, link);
+    join(ada);
+    people.set_role(before.you.id, Role::Editor);
+    ASSERT_EQ(disk.records.size(), 1u);
+    const std::string kept = *disk.records.at(before.you.id);
+    EXPECT_EQ(kept.find(before.resume_token), std::string::npos);
+    Participants after("main", loop, entropy, &disk);
+    ASSERT_TRUE(after.restore(before.you.id, kept));
+    EXPECT_TRUE(after.shown().empty());
+    const Joined again = *after.join({{}, {}, before.resume_token, link}, eve);
+    EXPECT_EQ(again.you.id, before.you.id);
+    EXPECT_EQ(again.you.name, "Bob");
+    EXPECT_EQ(again.you.role, Role::Editor);
+    Watcher fresh(clock);
+    EXPECT_NE(after.join({}, fresh)->you.id, before.you.id);
+    EXPECT_FALSE(after.restore("p9", "{}"));
+    EXPECT_FALSE(after.restore("nine", kept));
+}
+
+TEST_F(ParticipantsTest, RemovesSomebodyForGood) {
+    join(ada);
+    const Joined before = join(bob);
+    people.set_role(before.you.id, Role::Viewer);
+    loop.advance(seconds(1));
+    people.remove(before.you.id);
+    EXPECT_EQ(bob.farewells, std::vector{Farewell::Removed});
+    EXPECT_EQ(disk.records.at(before.you.id), std::nullopt);
+    loop.advance(seconds(1));
+    EXPECT_TRUE(ada.others.empty());
+    EXPECT_EQ(people.find(before.you.id).error().code, core::Error::Code::NotFound);
+    EXPECT_NE(join(bob, {}, before.resume_token).you.id, before.you.id);
+}
+
+TEST_F(ParticipantsTest, LimitsHowManyThereAreAndLetsThoseWhoAreHereComeBackAllTheSame) {
+    std::deque<Watcher> watchers;
+    Joined last;
+    for (std::size_t i = 0; i < limits::participants; ++i)
+        last = join(watchers.emplace_back(clock));
+    EXPECT_EQ(people.join({}, ada).error().code, core::Error::Code::OverLimit);
+    EXPECT_TRUE(people.join({{}, {}, last.resume_token, {}}, ada));
+    EXPECT_EQ(people.present().size(), limits::participants);
+}
+
+TEST_F(ParticipantsTest, TellsLessOftenWhereManyWouldHaveToBeToldOfMany) {
+    std::deque<Watcher> watchers;
+    for (std::size_t i = 0; i < limits::participants; ++i)
+        join(watchers.emplace_back(clock));
+    loop.advance(seconds(2));
+    for (Watcher& each : watchers)
+        each.messages.clear();
+    for (int step = 0; step < 100; ++step) {
+        for (Watcher& each : watchers)
+            people.update(each, pointing(step));
+        loop.advance(milliseconds(10));
+    }
+    std::size_t bytes = 0;
+    for (const Watcher& each : watchers)
+        for (const json& message : each.messages)
+            bytes += message.dump().size();
+    EXPECT_LT(bytes, 2 * 1000 * limits::presence_bytes_per_ms);
+    loop.advance(seconds(2));
+    for (const auto& [id, seen] : watchers.front().others)
+        EXPECT_EQ(seen["pointer"][0], 99.0) << id;
+}
+
+} // namespace wakesurf::server
