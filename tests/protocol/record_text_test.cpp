@@ -95,8 +95,8 @@ TEST(RecordText, DamageIsAnErrorOrAnotherSoundRecord) {
     std::mt19937_64 random(2);
     std::size_t refused = 0;
     for (int i = 0; i < 4000; ++i) {
-        std::string text = i % 2 == 0 ? record_text(some_rake(random))
-                                      : record_text(some_surface(random));
+        std::string text =
+            i % 2 == 0 ? record_text(some_rake(random)) : record_text(some_surface(random));
         for (std::uint64_t n = 1 + random() % 3; n > 0; --n)
             text[random() % text.size()] = static_cast<char>(random());
         if (random() % 4 == 0)
@@ -117,22 +117,27 @@ TEST(RecordText, DamageIsAnErrorOrAnotherSoundRecord) {
 }
 
 TEST(RecordText, RefusesWhatASetterWouldRefuse) {
-    for (const char* text : {
-             "", "null", "[]", "{}", "{\"rake\":\"r1\"}",
-             R"({"rake":"r1","rev":1,"kind":"line","points":[[0,0,0]],"seeds":5,"name":""})",
-             R"({"rake":"r1","rev":1,"kind":"line","points":[[0,0,0],[0,0,0]],"seeds":5,"name":""})",
-             R"({"rake":"r1","rev":1,"kind":"line","points":[[0,0,0],[1e39,0,0]],"seeds":5})",
-             R"({"rake":"r1","rev":1,"kind":"line","points":[[0,0,0],[1,0,0]],"seeds":5000})",
-             R"({"rake":"r1","rev":-1,"kind":"line","points":[[0,0,0],[1,0,0]],"seeds":5})",
-             R"({"rake":"r1","rev":1,"kind":"knot","points":[[0,0,0],[1,0,0]],"seeds":5})",
-             R"({"rake":7,"rev":1,"kind":"line","points":[[0,0,0],[1,0,0]],"seeds":5})",
-         })
+    for (
+        const char* text : {
+            "",
+            "null",
+            "[]",
+            "{}",
+            "{\"rake\":\"r1\"}",
+            R"({"rake":"r1","rev":1,"kind":"line","points":[[0,0,0]],"seeds":5,"name":""})",
+            R"({"rake":"r1","rev":1,"kind":"line","points":[[0,0,0],[0,0,0]],"seeds":5,"name":""})",
+            R"({"rake":"r1","rev":1,"kind":"line","points":[[0,0,0],[1e39,0,0]],"seeds":5})",
+            R"({"rake":"r1","rev":1,"kind":"line","points":[[0,0,0],[1,0,0]],"seeds":5000})",
+            R"({"rake":"r1","rev":-1,"kind":"line","points":[[0,0,0],[1,0,0]],"seeds":5})",
+            R"({"rake":"r1","rev":1,"kind":"knot","points":[[0,0,0],[1,0,0]],"seeds":5})",
+            R"({"rake":7,"rev":1,"kind":"line","points":[[0,0,0],[1,0,0]],"seeds":5})",
+        })
         EXPECT_FALSE(parse_rake(text, {})) << text;
     const std::string deep = std::string(R"({"bookmark":"b1","rev":1,"name":"n","view":{"a":)") +
                              std::string(100, '[') + std::string(100, ']') + "}}";
     EXPECT_FALSE(parse_bookmark(deep, {}));
-    const std::string long_view = R"({"bookmark":"b1","rev":1,"name":"n","view":{"a":")" +
-                                  std::string(5000, 'x') + "\"}}";
+    const std::string long_view =
+        R"({"bookmark":"b1","rev":1,"name":"n","view":{"a":")" + std::string(5000, 'x') + "\"}}";
     EXPECT_FALSE(parse_bookmark(long_view, {}));
 }
 

@@ -104,12 +104,20 @@ struct SessionBench {
     OneFlow datasets;
     server::SystemEntropy entropy;
     MemoryJournal journal;
-    server::SessionDirectory sessions{{loop, pool, datasets, entropy, &journal, &loop}};
+    server::SessionDirectory sessions{services()};
     std::shared_ptr<server::Session> session = *sessions.find("main");
 
     const server::Author ada{"p1", "Ada"};
     const server::Author bob{"p2", "Bob"};
     const server::Author script{"script", "a script"};
+
+  private:
+    server::SessionServices services() {
+        server::SessionServices out{loop, pool, datasets, entropy};
+        out.journal = &journal;
+        out.clock = &loop;
+        return out;
+    }
 };
 
 inline protocol::RakeSetting rake_at(double x, std::optional<std::string> id = {}) {
@@ -120,7 +128,8 @@ inline protocol::RakeSetting rake_at(double x, std::optional<std::string> id = {
     return setting;
 }
 
-inline protocol::RakeSetting dragged(double x, std::string id, std::optional<bool> dragging = true) {
+inline protocol::RakeSetting
+dragged(double x, std::string id, std::optional<bool> dragging = true) {
     auto setting = rake_at(x, std::move(id));
     setting.dragging = dragging;
     return setting;
@@ -152,11 +161,12 @@ inline protocol::AnnotationSetting note(std::string text, std::optional<std::str
 }
 
 /// The records without what restoring and undoing may change.
-inline std::vector<server::Record> content(const server::SessionRecords& records, bool revs = true) {
+inline std::vector<server::Record> content(const server::SessionRecords& records,
+                                           bool revs = true) {
     std::vector<server::Record> out = records.list();
     for (server::Record& each : out) {
         if (!revs)
-            set_rev(each, 0);
+            server::set_rev(each, 0);
         if (auto* rake = std::get_if<protocol::RakeRecord>(&each)) {
             rake->dragging = false;
             rake->leased_by.clear();

@@ -1,0 +1,232 @@
+// The records of a session under edits of several people: what onlookers fold and what the journal keeps is what the
+// session has.
+#include "server/limits.hpp"
+#include "tests/support/server/random_edits.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wakesurf::tests {
+
+using core::Error;
+using server::RecordType;
+
+namespace {
+
+bool sound(const server::SessionRecords& records) {
+    for (const auto& [id, surface] : records.all<protocol::SurfaceRecord>())
+        if (!records.holds_rakes_of(surface) || surface.epoch == 0)
+            return false;
+    return true;
+}
+
+} // namespace
+
+TEST(Document, OnlookersThatFoldThePatchesHaveTheSessionsRecords) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        SessionBench bench;
+        RandomEdits edits(bench, seed);
+        Onlooker onlooker;
+        ASSERT_TRUE(bench.session->participants().join("onlooker", "", onlooker));
+        std::map<server::RecordKey, std::uint64_t> revs;
+        for (int i = 0; i < 150; ++i) {
+            edits.step();
+            const server::SessionRecords& records = bench.session->records();
+            ASSERT_EQ(onlooker.records.list(), records.list()) << "seed " << seed << ", edit " << i;
+            ASSERT_TRUE(sound(records)) << "seed " << seed << ", edit " << i;
+            for (const server::Record& each : records.list()) {
+                std::uint64_t& before = revs[server::key_of(each)];
+                ASSERT_GE(server::rev_of(each), before) << "a revision goes back: seed " << seed;
+                before = server::rev_of(each);
+            }
+        }
+        EXPECT_TRUE(onlooker.in_order);
+        EXPECT_EQ(onlooker.seq, bench.session->seq());
+        EXPECT_GT(revs.size(), 10u);
+        bench.session->participants().leave(onlooker);
+    }
+}
+
+TEST(Document, RestoredFromTheJournalAfterAnyEditItIsTheSameSession) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        SessionBench before;
+        RandomEdits edits(before, seed);
+        for (int round = 0; round < 5; ++round) {
+            for (int i = 0; i < 25; ++i)
+                edits.step();
+            SessionBench after;
+            const auto report =
+                after.sessions.restore("main", "main", before.journal.entries("main"));
+            EXPECT_TRUE(report.refused.empty());
+            const server::SessionRecords& old = before.session->records();
+            const server::SessionRecords& now = after.session->records();
+            EXPECT_EQ(report.restored, old.list().size());
+            ASSERT_EQ(content(now), content(old)) << "seed " << seed;
+            for (const RecordType type : server::record_types)
+                EXPECT_EQ(now.next_number(type), old.next_number(type)) << server::name(type);
+            EXPECT_GT(after.session->seq(), before.session->seq());
+            for (const auto& [id, surface] : now.all<protocol::SurfaceRecord>())
+                EXPECT_GT(surface.epoch, old.find<protocol::SurfaceRecord>(id)->epoch);
+            EXPECT_EQ(content(after.session->records()), content(now));
+            SessionBench again; // restored twice without an edit between
+            again.sessions.restore("main", "main", after.journal.entries("main"));
+            EXPECT_EQ(content(again.session->records()), content(old));
+            for (const auto& [id, surface] :
+                 again.session->records().all<protocol::SurfaceRecord>())
+                EXPECT_GT(surface.epoch, now.find<protocol::SurfaceRecord>(id)->epoch);
+        }
+    }
+}
+
+TEST(Document, EveryEditIsOneBatchOfTheJournal) {
+    SessionBench bench;
+    const auto rake = bench.session->set_rake(rake_at(0), bench.ada)->record.rake;
+    EXPECT_EQ(bench.journal.batches, 1u);
+    ASSERT_TRUE(bench.session->set_surface(surface_on(rake), bench.ada));
+    ASSERT_TRUE(bench.session->set_surface(surface_on(rake), bench.ada));
+    EXPECT_EQ(bench.journal.batches, 3u);
+    EXPECT_EQ(bench.journal.entries("main").size(), 4u) << "session, rake, two surfaces";
+    ASSERT_TRUE(bench.session->delete_rake(rake, bench.ada));
+    EXPECT_EQ(bench.journal.batches, 4u);
+    EXPECT_EQ(bench.journal.entries("main").size(), 1u);
+    EXPECT_FALSE(bench.session->delete_rake(rake, bench.ada));
+    EXPECT_EQ(bench.journal.batches, 4u) << "what was refused is not written";
+}
+
+TEST(Document, IdsAreNotGivenTwiceAcrossARestart) {
+    SessionBench before;
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(before.session->set_bookmark(bookmark_of("{}"), before.ada));
+    ASSERT_TRUE(before.session->delete_bookmark("b3", before.ada));
+    SessionBench after;
+    after.sessions.restore("main", "main", before.journal.entries("main"));
+    EXPECT_EQ(after.session->set_bookmark(bookmark_of("{}"), after.ada)->bookmark, "b4");
+    const auto other = *after.sessions.create("one");
+    SessionBench third;
+    third.sessions.restore(other->id(), "", after.journal.entries(other->id()));
+    EXPECT_NE((*third.sessions.create("two"))->id(), other->id());
+    EXPECT_EQ((*third.sessions.find(other->id()))->name(), "one");
+}
+
+TEST(Document, ASurfaceWhoseDatasetIsNotThereSaysSoAndIsBuiltOnceItIs) {
+    SessionBench before;
+    const auto rake = before.session->set_rake(rake_at(0), before.ada)->record.rake;
+    auto streak = surface_on(rake);
+    streak.parameters.kind = core::SurfaceKind::Streak;
+    const auto surface = before.session->set_surface(streak, before.ada);
+    ASSERT_TRUE(surface);
+    SessionBench after;
+    after.datasets.there = false;
+    Onlooker onlooker;
+    ASSERT_TRUE(after.session->participants().join("onlooker", "", onlooker));
+    EXPECT_EQ(after.sessions.restore("main", "main", before.journal.entries("main")).restored, 2u);
+    const auto live = *after.session->live(surface->surface);
+    ASSERT_TRUE(live->outcome().error);
+    EXPECT_EQ(live->outcome().error->code, Error::Code::NotFound);
+    EXPECT_EQ(live->outcome().statistics.kind, core::SurfaceKind::Streak);
+    after.loop.turn_until([&] { return !onlooker.outcomes.empty(); });
+    EXPECT_TRUE(onlooker.outcomes[0].error);
+    const std::uint32_t told = after.session->surface(surface->surface)->epoch;
+    after.datasets.there = true;
+    after.sessions.dataset_changed("abc");
+    EXPECT_GT(after.session->surface(surface->surface)->epoch, told);
+    after.loop.turn_until([&] { return onlooker.outcomes.size() > 1; });
+    EXPECT_FALSE(onlooker.outcomes[1].error);
+    EXPECT_TRUE(onlooker.outcomes[1].complete);
+    after.session->participants().leave(onlooker);
+}
+
+TEST(Document, OfADamagedJournalTheSoundRecordsComeBack) {
+    SessionBench before;
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(before.session->set_rake(rake_at(i), before.ada));
+    ASSERT_TRUE(before.session->set_surface(surface_on("r2"), before.ada));
+    ASSERT_TRUE(before.session->set_surface(surface_on("r3"), before.ada));
+    auto entries = before.journal.entries("main");
+    for (auto& each : entries)
+        if (each.type == "rake" && each.id == "r2")
+            each.record = each.record->substr(0, 20);
+    entries.push_back({"rake", "../r9", R"({"rake":"../r9"})"});
+    entries.push_back({"bookmark", "b1", R"({"bookmark":"b2","rev":1,"name":"","view":{}})"});
+    entries.push_back({"participant", "p1", "not ours"});
+    SessionBench after;
+    const auto report = after.sessions.restore("main", "main", entries);
+    EXPECT_EQ(report.restored, 3u) << "r1, r3, s2";
+    EXPECT_EQ(report.refused.size(), 4u) << "r2, the surface on it, two that are no records";
+    EXPECT_EQ(after.session->rakes().size(), 2u);
+    EXPECT_EQ(after.session->surfaces().front().surface, "s2");
+}
+
+TEST(Document, AForkHasTheRecordsAndGoesItsOwnWay) {
+    SessionBench bench;
+    const auto rake = bench.session->set_rake(dragged(1, "", std::nullopt), bench.ada);
+    EXPECT_FALSE(rake) << "no such rake";
+    const auto first = bench.session->set_rake(rake_at(1), bench.ada)->record.rake;
+    ASSERT_TRUE(bench.session->set_surface(surface_on(first), bench.ada));
+    ASSERT_TRUE(bench.session->set_rake(dragged(2, first), bench.ada));
+    ASSERT_TRUE(bench.session->set_annotation(note("here"), bench.ada));
+    const auto fork = bench.sessions.fork("main", "mine");
+    ASSERT_TRUE(fork);
+    EXPECT_EQ((*fork)->name(), "mine");
+    EXPECT_EQ(content((*fork)->records()), content(bench.session->records()));
+    EXPECT_FALSE((*fork)->rakes().front().dragging) << "a lease is nobody's in the fork";
+    EXPECT_EQ((*fork)->surfaces().front().epoch, 1u);
+    EXPECT_NE((*(*fork)->live("s1"))->number(), (*bench.session->live("s1"))->number());
+    const auto before = bench.session->records().list();
+    ASSERT_TRUE((*fork)->delete_rake(first, bench.bob));
+    EXPECT_EQ(bench.session->records().list(), before);
+    EXPECT_TRUE(bench.session->turn(server::Turn::Undo, bench.bob).changes.empty());
+    SessionBench after;
+    after.sessions.restore((*fork)->id(), "", bench.journal.entries((*fork)->id()));
+    EXPECT_EQ(content((*after.sessions.find((*fork)->id()))->records()),
+              content((*fork)->records()));
+    EXPECT_EQ(bench.sessions.fork("none", "").error().code, Error::Code::NotFound);
+}
+
+TEST(Document, SessionsWithoutRecordsMakeRoomFirstAndAreForgotten) {
+    SessionBench bench;
+    const auto full = *bench.sessions.create("full");
+    ASSERT_TRUE(full->set_bookmark(bookmark_of("{}"), bench.ada));
+    const auto empty = (*bench.sessions.create("empty"))->id();
+    for (std::size_t i = 3; i < server::limits::sessions; ++i)
+        ASSERT_TRUE(bench.sessions.create(""));
+    EXPECT_TRUE(bench.journal.sessions.contains(empty));
+    ASSERT_TRUE(bench.sessions.create("one more"));
+    EXPECT_TRUE(bench.sessions.find(full->id()));
+    EXPECT_FALSE(bench.sessions.find(empty));
+    EXPECT_FALSE(bench.journal.sessions.contains(empty));
+}
+
+TEST(Document, BookmarksAndAnnotationsAreLimitedInNumber) {
+    SessionBench bench;
+    for (std::size_t i = 0; i < server::limits::bookmarks; ++i)
+        ASSERT_TRUE(bench.session->set_bookmark(bookmark_of("{}"), bench.ada));
+    EXPECT_EQ(bench.session->set_bookmark(bookmark_of("{}"), bench.ada).error().code,
+              Error::Code::OverLimit);
+    EXPECT_TRUE(bench.session->set_bookmark(bookmark_of("{}", "b1"), bench.ada));
+    for (std::size_t i = 0; i < server::limits::annotations; ++i)
+        ASSERT_TRUE(bench.session->set_annotation(note("n"), bench.ada));
+    EXPECT_EQ(bench.session->set_annotation(note("n"), bench.ada).error().code,
+              Error::Code::OverLimit);
+}
+
+TEST(Document, AnAnnotationKeepsItsAuthorAndOutlivesItsSurface) {
+    SessionBench bench;
+    const auto rake = bench.session->set_rake(rake_at(0), bench.ada)->record.rake;
+    const auto surface = bench.session->set_surface(surface_on(rake), bench.ada)->surface;
+    auto text = note("a vortex");
+    text.surface = "s99";
+    EXPECT_EQ(bench.session->set_annotation(text, bench.ada).error().code, Error::Code::NotFound);
+    text.surface = surface;
+    const auto made = bench.session->set_annotation(text, bench.ada);
+    ASSERT_TRUE(made);
+    EXPECT_EQ(made->author, "Ada");
+    ASSERT_TRUE(bench.session->delete_surface(surface, bench.bob));
+    text.annotation = made->annotation;
+    text.text = "was a vortex";
+    const auto edited = bench.session->set_annotation(text, bench.bob);
+    ASSERT_TRUE(edited) << edited.error().message;
+    EXPECT_EQ(edited->author, "Ada");
+    EXPECT_EQ(edited->rev, 2u);
+}
+
+} // namespace wakesurf::tests

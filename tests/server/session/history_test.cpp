@@ -1,0 +1,244 @@
+// Undo and redo: each author's own edits, one drag at a time, and never somebody else's.
+#include "server/limits.hpp"
+#include "tests/support/server/random_edits.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wakesurf::tests {
+
+using server::Turn;
+using server::TurnResult;
+
+class HistoryTest : public testing::Test {
+  protected:
+    SessionBench bench;
+    server::Session& session = *bench.session;
+
+    std::string make_rake(const server::Author& author, double x = 0) {
+        return session.set_rake(rake_at(x), author)->record.rake;
+    }
+
+    void move(const server::Author& author, const std::string& rake, double x) {
+        ASSERT_TRUE(session.set_rake(rake_at(x, rake), author));
+    }
+
+    double x_of(const std::string& rake) const { return session.rake(rake)->shape.points[0].x; }
+
+    TurnResult undo(const server::Author& author) { return session.turn(Turn::Undo, author); }
+
+    TurnResult redo(const server::Author& author) { return session.turn(Turn::Redo, author); }
+};
+
+TEST_F(HistoryTest, WalksBackAndForthThroughAChainOfEdits) {
+    const auto rake = make_rake(bench.ada, 0);
+    for (int x = 1; x <= 5; ++x)
+        move(bench.ada, rake, x);
+    for (int round = 0; round < 3; ++round) {
+        for (int x = 4; x >= 0; --x) {
+            EXPECT_EQ(undo(bench.ada).changes.size(), 1u);
+            EXPECT_EQ(x_of(rake), x);
+        }
+        EXPECT_EQ(undo(bench.ada).left.undo, 0u);
+        EXPECT_TRUE(session.rakes().empty());
+        EXPECT_TRUE(undo(bench.ada).changes.empty()) << "nothing left";
+        for (int x = 0; x <= 5; ++x) {
+            EXPECT_EQ(redo(bench.ada).changes.size(), 1u);
+            EXPECT_EQ(x_of(rake), x);
+        }
+        EXPECT_TRUE(redo(bench.ada).changes.empty());
+    }
+    undo(bench.ada);
+    undo(bench.ada);
+    move(bench.ada, rake, 9);
+    EXPECT_EQ(redo(bench.ada).left.redo, 0u) << "a new edit leaves nothing to do again";
+    EXPECT_EQ(x_of(rake), 9);
+    undo(bench.ada);
+    EXPECT_EQ(x_of(rake), 3);
+}
+
+TEST_F(HistoryTest, ADeletedRakeComesBackWithItsSurfaces) {
+    const auto rake = make_rake(bench.ada);
+    const auto surface = session.set_surface(surface_on(rake), bench.ada)->surface;
+    for (int i = 0; i < 7; ++i)
+        move(bench.bob, rake, i);
+    const auto before = content(session.records(), false);
+    const auto epoch = session.surface(surface)->epoch;
+    const auto number = (*session.live(surface))->number();
+    ASSERT_TRUE(session.delete_rake(rake, bench.ada));
+    EXPECT_TRUE(session.records().empty());
+    EXPECT_EQ(undo(bench.ada).changes.size(), 2u);
+    EXPECT_EQ(content(session.records(), false), before);
+    EXPECT_GT(session.surface(surface)->epoch, epoch) << "an epoch never comes again";
+    EXPECT_NE((*session.live(surface))->number(), number) << "nor a number on the wire";
+    redo(bench.ada);
+    EXPECT_TRUE(session.records().empty());
+    undo(bench.ada);
+    EXPECT_EQ(content(session.records(), false), before);
+}
+
+TEST_F(HistoryTest, EpochsGoOnWhenACreationIsUndoneAndDoneAgain) {
+    const auto rake = make_rake(bench.bob);
+    const auto surface = session.set_surface(surface_on(rake), bench.ada)->surface;
+    for (int i = 0; i < 9; ++i)
+        move(bench.bob, rake, i);
+    const auto epoch = session.surface(surface)->epoch;
+    undo(bench.ada);
+    EXPECT_TRUE(session.surfaces().empty());
+    redo(bench.ada);
+    EXPECT_GT(session.surface(surface)->epoch, epoch);
+}
+
+TEST_F(HistoryTest, ADragIsOneStep) {
+    const auto rake = make_rake(bench.ada, 0);
+    for (int x = 1; x <= 60; ++x) {
+        ASSERT_TRUE(session.set_rake(dragged(0.1 * x, rake), bench.ada));
+        bench.loop.pass(std::chrono::milliseconds(16));
+    }
+    ASSERT_TRUE(session.set_rake(dragged(7, rake, false), bench.ada));
+    EXPECT_EQ(undo(bench.ada).left.undo, 1u);
+    EXPECT_EQ(x_of(rake), 0);
+    redo(bench.ada);
+    EXPECT_EQ(x_of(rake), 7);
+    // A lease that ran out between makes two of it.
+    ASSERT_TRUE(session.set_rake(dragged(1, rake), bench.ada));
+    bench.loop.pass(2 * server::limits::lease);
+    ASSERT_TRUE(session.set_rake(dragged(2, rake), bench.ada));
+    undo(bench.ada);
+    EXPECT_EQ(x_of(rake), 1);
+    EXPECT_FALSE(session.rake(rake)->dragging);
+}
+
+TEST_F(HistoryTest, SkipsWhatSomebodyElseHasChangedSince) {
+    const auto rake = make_rake(bench.ada, 0);
+    move(bench.ada, rake, 1);
+    move(bench.bob, rake, 2);
+    const auto skipped = undo(bench.ada);
+    EXPECT_TRUE(skipped.changes.empty());
+    ASSERT_EQ(skipped.skipped.size(), 1u);
+    EXPECT_EQ(skipped.skipped[0].key.id, rake);
+    EXPECT_EQ(skipped.left.undo, 1u) << "the edit is forgotten, the one before is not";
+    EXPECT_EQ(x_of(rake), 2);
+    EXPECT_EQ(undo(bench.ada).skipped.size(), 1u) << "nor is a rake Bob has moved undone";
+    EXPECT_EQ(undo(bench.bob).changes.size(), 1u);
+    EXPECT_EQ(x_of(rake), 1);
+}
+
+TEST_F(HistoryTest, EvenWhereSomebodyElsePutItBackAsItWas) {
+    const auto rake = make_rake(bench.ada, 0);
+    move(bench.ada, rake, 1);
+    move(bench.bob, rake, 2);
+    move(bench.bob, rake, 1);
+    EXPECT_TRUE(undo(bench.ada).changes.empty());
+    EXPECT_EQ(x_of(rake), 1);
+}
+
+TEST_F(HistoryTest, DoesNotTakeARakeFromUnderSomebodyElsesSurface) {
+    const auto rake = make_rake(bench.ada);
+    const auto surface = session.set_surface(surface_on(rake), bench.bob)->surface;
+    const auto skipped = undo(bench.ada);
+    ASSERT_EQ(skipped.skipped.size(), 1u);
+    EXPECT_NE(skipped.skipped[0].why.find(surface), std::string::npos);
+    EXPECT_TRUE(session.surface(surface));
+    undo(bench.bob);
+    EXPECT_TRUE(session.surfaces().empty());
+    EXPECT_TRUE(session.rake(rake));
+}
+
+TEST_F(HistoryTest, DoesNotHangASurfaceOnARakeThatIsGone) {
+    const auto one = make_rake(bench.ada, 0);
+    const auto two = make_rake(bench.ada, 1);
+    const auto surface = session.set_surface(surface_on(one), bench.ada)->surface;
+    ASSERT_TRUE(session.set_surface(surface_on(two, surface), bench.ada));
+    ASSERT_TRUE(session.delete_rake(one, bench.bob));
+    EXPECT_EQ(undo(bench.ada).skipped.size(), 1u);
+    EXPECT_EQ(session.surface(surface)->rake, two);
+}
+
+TEST_F(HistoryTest, IsBoundedInSteps) {
+    const auto rake = make_rake(bench.ada, 0);
+    for (int i = 0; i < 250; ++i)
+        move(bench.ada, rake, 0.01 * i);
+    std::size_t undone = 0;
+    while (!undo(bench.ada).changes.empty())
+        ++undone;
+    EXPECT_EQ(undone, server::limits::undo_steps);
+    EXPECT_DOUBLE_EQ(x_of(rake), 0.01 * (249 - 100));
+}
+
+TEST_F(HistoryTest, IsBoundedInBytesAndAuthors) {
+    std::vector<server::Author> authors;
+    for (std::size_t i = 0; i < server::limits::undo_authors + 50; ++i)
+        authors.push_back({"p" + std::to_string(i), ""});
+    const std::string view = "{\"v\":\"" + std::string(4000, 'x') + "\"}";
+    const auto id = session.set_bookmark(bookmark_of(view), authors[0])->bookmark;
+    for (int round = 0; round < 20; ++round)
+        for (const auto& author : authors)
+            ASSERT_TRUE(session.set_bookmark(bookmark_of(view, id), author));
+    std::size_t kept = 0;
+    for (const auto& author : authors)
+        for (TurnResult result; (result = undo(author)).left.undo > 0;)
+            ++kept;
+    EXPECT_GT(kept, 100u);
+    EXPECT_LE(kept * 2 * view.size(), server::limits::undo_bytes);
+}
+
+TEST_F(HistoryTest, TheServersOwnDoingIsNobodysToUndo) {
+    ASSERT_TRUE(session.set_rake(rake_at(0)));
+    EXPECT_TRUE(session.turn(Turn::Undo, {}).changes.empty());
+    EXPECT_EQ(session.rakes().size(), 1u);
+}
+
+TEST_F(HistoryTest, AfterAnyEditUndoGivesTheRecordsBeforeIt) {
+    std::size_t compared = 0;
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        SessionBench other;
+        RandomEdits edits(other, seed);
+        for (int i = 0; i < 60; ++i) {
+            const server::Author& author = edits.some_author();
+            for (int j = 0; j < 3; ++j)
+                edits.step();
+            const auto before = content(other.session->records(), false);
+            const auto made = other.session->set_rake(rake_at(0.1 * i), author);
+            ASSERT_TRUE(made);
+            const auto after = content(other.session->records(), false);
+            ASSERT_EQ(other.session->turn(Turn::Undo, author).changes.size(), 1u);
+            ASSERT_EQ(content(other.session->records(), false), before) << "seed " << seed;
+            ASSERT_EQ(other.session->turn(Turn::Redo, author).changes.size(), 1u);
+            ASSERT_EQ(content(other.session->records(), false), after);
+            ASSERT_TRUE(other.session->delete_rake(made->record.rake, author));
+            ASSERT_EQ(content(other.session->records(), false), before);
+            other.session->turn(Turn::Undo, author);
+            ASSERT_EQ(content(other.session->records(), false), after);
+            ++compared;
+        }
+    }
+    EXPECT_EQ(compared, 1800u);
+}
+
+// Each author has rakes of their own; whatever the others do, an undo changes no record that is not the author's.
+TEST_F(HistoryTest, UndoChangesOnlyWhatItsAuthorChangedLast) {
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        std::mt19937_64 random(seed);
+        SessionBench other;
+        server::Session& shared = *other.session;
+        const server::Author* authors[] = {&other.ada, &other.bob, &other.script};
+        std::vector<std::string> rakes;
+        std::map<std::string, std::string> last;
+        for (int i = 0; i < 4; ++i)
+            rakes.push_back(shared.set_rake(rake_at(i))->record.rake);
+        for (int i = 0; i < 200; ++i) {
+            const server::Author& author = *authors[random() % 3];
+            const std::string& rake = rakes[random() % rakes.size()];
+            if (random() % 3 != 0) {
+                ASSERT_TRUE(shared.set_rake(rake_at(0.01 * i, rake), author));
+                last[rake] = author.participant;
+                continue;
+            }
+            const auto turned = shared.turn(random() % 3 == 0 ? Turn::Redo : Turn::Undo, author);
+            for (const server::RecordChange& each : turned.changes)
+                ASSERT_EQ(last[each.key.id], author.participant) << "seed " << seed;
+        }
+    }
+}
+
+} // namespace wakesurf::tests

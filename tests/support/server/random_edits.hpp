@@ -1,0 +1,101 @@
+// Any edits by three people, one after the other: the same seed gives the same ones.
+#pragma once
+
+#include "tests/support/server/session_bench.hpp"
+
+#include <random>
+
+namespace wakesurf::tests {
+
+class RandomEdits {
+  public:
+    RandomEdits(SessionBench& bench, std::uint64_t seed) : bench_(bench), random_(seed) {}
+
+    /// One edit, or one refused.
+    void step() {
+        server::Session& session = *bench_.session;
+        const server::Author& author = some_author();
+        switch (random_() % 16) {
+        case 0:
+        case 1:
+            (void)session.set_rake(rake_at(coordinate()), author);
+            break;
+        case 2:
+        case 3:
+        case 4:
+            (void)session.set_rake(
+                dragged(coordinate(), some(server::RecordType::Rake), some_flag()), author);
+            break;
+        case 5:
+            (void)session.delete_rake(some(server::RecordType::Rake), author);
+            break;
+        case 6:
+            (void)session.set_surface(surface_on(some(server::RecordType::Rake)), author);
+            break;
+        case 7:
+            (void)session.set_surface(
+                surface_on(some(server::RecordType::Rake), some(server::RecordType::Surface)),
+                author);
+            break;
+        case 8:
+            (void)session.delete_surface(some(server::RecordType::Surface), author);
+            break;
+        case 9:
+            (void)session.set_bookmark(
+                bookmark_of("{\"n\":" + std::to_string(random_() % 9) + "}", some_or_new("b")),
+                author);
+            break;
+        case 10:
+            (void)session.delete_bookmark(some(server::RecordType::Bookmark), author);
+            break;
+        case 11:
+            (void)session.set_annotation(note(std::to_string(random_() % 9), some_or_new("a")),
+                                         author);
+            break;
+        case 12:
+            (void)session.delete_annotation(some(server::RecordType::Annotation), author);
+            break;
+        case 13:
+            (void)session.turn(server::Turn::Undo, author);
+            break;
+        case 14:
+            (void)session.turn(server::Turn::Redo, author);
+            break;
+        default:
+            bench_.loop.pass(std::chrono::milliseconds(random_() % 4000));
+        }
+    }
+
+    const server::Author& some_author() {
+        const server::Author* authors[] = {&bench_.ada, &bench_.bob, &bench_.script};
+        return *authors[random_() % 3];
+    }
+
+  private:
+    double coordinate() { return std::uniform_real_distribution<double>(-9, 9)(random_); }
+
+    std::optional<bool> some_flag() {
+        const std::uint64_t choice = random_() % 3;
+        return choice == 0 ? std::nullopt : std::optional(choice == 1);
+    }
+
+    /// Of a record that is there, or one that is not.
+    std::string some(server::RecordType type) {
+        std::vector<std::string> ids{"r999"};
+        for (const server::Record& each : bench_.session->records().list())
+            if (server::key_of(each).type == type)
+                ids.push_back(server::key_of(each).id);
+        return ids[random_() % ids.size()];
+    }
+
+    std::optional<std::string> some_or_new(const std::string& letter) {
+        if (random_() % 2 == 0)
+            return std::nullopt;
+        return letter + std::to_string(1 + random_() % 9);
+    }
+
+    SessionBench& bench_;
+    std::mt19937_64 random_;
+};
+
+} // namespace wakesurf::tests
