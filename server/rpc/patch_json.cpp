@@ -22,6 +22,20 @@ json patch_json(const protocol::SurfaceRecord& record) {
             {"record", protocol::surface_json(record)}};
 }
 
+json patch_json(const protocol::BookmarkRecord& record) {
+    return {{"op", "put"},
+            {"type", "bookmark"},
+            {"id", record.bookmark},
+            {"record", protocol::bookmark_json(record)}};
+}
+
+json patch_json(const protocol::AnnotationRecord& record) {
+    return {{"op", "put"},
+            {"type", "annotation"},
+            {"id", record.annotation},
+            {"record", protocol::annotation_json(record)}};
+}
+
 json patch_json(const DeletedRecord& record) {
     return {{"op", "delete"}, {"type", record.type}, {"id", record.id}};
 }
