@@ -92,6 +92,21 @@ TEST(Document, EveryEditIsOneBatchOfTheJournal) {
     EXPECT_EQ(bench.journal.batches, 4u) << "what was refused is not written";
 }
 
+TEST(Document, AJournalThatKeepsNothingHoldsUpNobody) {
+    SessionBench sound;
+    SessionBench broken;
+    broken.journal.broken = true;
+    RandomEdits here(sound, 7);
+    RandomEdits there(broken, 7);
+    for (int i = 0; i < 200; ++i) {
+        here.step();
+        there.step();
+        ASSERT_EQ(broken.session->records().list(), sound.session->records().list());
+    }
+    EXPECT_EQ(broken.journal.batches, sound.journal.batches);
+    EXPECT_TRUE(broken.journal.sessions.empty());
+}
+
 TEST(Document, IdsAreNotGivenTwiceAcrossARestart) {
     SessionBench before;
     for (int i = 0; i < 3; ++i)

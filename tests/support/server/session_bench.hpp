@@ -40,6 +40,8 @@ class MemoryJournal final : public server::Journal {
   public:
     void write(const std::string& session, std::vector<server::JournalEntry> entries) override {
         ++batches;
+        if (broken)
+            return;
         for (server::JournalEntry& each : entries) {
             auto& kept = sessions[session];
             const std::pair key{each.type, each.id};
@@ -52,7 +54,12 @@ class MemoryJournal final : public server::Journal {
 
     void remove(const std::string& session) override { sessions.erase(session); }
 
-    void settled(std::function<void(core::Result<void>)> done) override { done({}); }
+    void settled(std::function<void(core::Result<void>)> done) override {
+        if (broken)
+            done(core::fail(core::Error::Code::Io, "the disk is full"));
+        else
+            done({});
+    }
 
     std::vector<server::JournalEntry> entries(const std::string& session) const {
         std::vector<server::JournalEntry> out;
@@ -64,6 +71,7 @@ class MemoryJournal final : public server::Journal {
 
     std::map<std::string, std::map<std::pair<std::string, std::string>, std::string>> sessions;
     std::size_t batches = 0;
+    bool broken = false;
 };
 
 /// Folds patches, as a client does.
