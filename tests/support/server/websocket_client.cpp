@@ -31,8 +31,13 @@ unsigned WebSocketClient::Message::close_code() const {
 }
 
 WebSocketClient::WebSocketClient(const ServerProcess& server, const std::string& session)
+    : WebSocketClient(server, session, server.bearer()) {}
+
+WebSocketClient::WebSocketClient(const ServerProcess& server,
+                                 const std::string& session,
+                                 Headers headers)
     : socket_(server.port()) {
-    if (handshake(socket_, server.port(), server.bearer()).status != 101)
+    if (handshake(socket_, server.port(), std::move(headers)).status != 101)
         throw std::runtime_error("the server refused the WebSocket");
     if (!session.empty())
         result("session.join", {{"session", session}});

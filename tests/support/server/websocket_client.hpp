@@ -22,8 +22,11 @@ handshake(RawSocket& socket, std::uint16_t port, Headers headers, std::string_vi
 
 class WebSocketClient {
   public:
-    /// With the token, and joined to `session` unless that is empty.
+    /// With the server's token, and joined to `session` unless that is empty.
     explicit WebSocketClient(const ServerProcess& server, const std::string& session = "main");
+
+    /// With these headers instead of the token.
+    WebSocketClient(const ServerProcess& server, const std::string& session, Headers headers);
 
     struct Message {
         int opcode = 0; ///< 1 text, 2 binary, 8 close; 0 when the connection has ended

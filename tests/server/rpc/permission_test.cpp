@@ -1,0 +1,311 @@
+// Who may call what: every method of the table, by every role, about the own session and about another one.
+#include "server/rpc/dispatcher.hpp"
+#include "server/rpc/method_table.hpp"
+#include "tests/support/server/hand_clock.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace wakesurf::server {
+
+using nlohmann::json;
+
+namespace {
+
+class NoDatasets final : public Datasets {
+  public:
+    std::vector<std::string> ids() const override { return {}; }
+
+    core::Result<OpenDataset> open(const std::string&) const override {
+        return core::fail(core::Error::Code::NotFound, "there are none");
+    }
+};
+
+class Line final : public Wire {
+  public:
+    void send(std::string message) override { sent.push_back(json::parse(message)); }
+
+    void send(std::uint32_t, const std::shared_ptr<const SurfaceState>&) override {}
+
+    void drop_frames(std::uint32_t, std::uint32_t) override {}
+
+    void close(Goodbye goodbye, const std::string&) override { closed = goodbye; }
+
+    std::vector<json> sent;
+    std::optional<Goodbye> closed;
+};
+
+/// What a call is about, and so what a share link is good for.
+enum class About { Nothing, Session, Server };
+
+struct Row {
+    Role least;
+    About about;
+};
+
+/// A new method gets its row here, or the test below fails: think about who may call it.
+const std::map<std::string, Row> rows{
+    {"rpc.discover", {Role::Viewer, About::Nothing}},
+    {"server.info", {Role::Viewer, About::Nothing}},
+    {"server.ping", {Role::Viewer, About::Nothing}},
+    {"dataset.list", {Role::Viewer, About::Nothing}},
+    {"dataset.describe", {Role::Viewer, About::Nothing}},
+    {"cache.status", {Role::Viewer, About::Nothing}},
+    {"probe.sample", {Role::Viewer, About::Nothing}},
+    {"session.create", {Role::Editor, About::Server}},
+    {"session.fork", {Role::Editor, About::Server}},
+    {"session.list", {Role::Viewer, About::Nothing}},
+    {"session.join", {Role::Viewer, About::Session}},
+    {"session.leave", {Role::Viewer, About::Nothing}},
+    {"session.state", {Role::Viewer, About::Session}},
+    {"session.share", {Role::Host, About::Session}},
+    {"session.shares", {Role::Host, About::Session}},
+    {"session.unshare", {Role::Host, About::Session}},
+    {"session.setRole", {Role::Host, About::Session}},
+    {"session.kick", {Role::Host, About::Session}},
+    {"presence.update", {Role::Viewer, About::Session}},
+    {"rake.set", {Role::Editor, About::Session}},
+    {"rake.delete", {Role::Editor, About::Session}},
+    {"rake.list", {Role::Viewer, About::Session}},
+    {"surface.set", {Role::Editor, About::Session}},
+    {"surface.delete", {Role::Editor, About::Session}},
+    {"surface.list", {Role::Viewer, About::Session}},
+    {"surface.stats", {Role::Viewer, About::Session}},
+    {"surface.wait", {Role::Viewer, About::Session}},
+    {"surface.subscribe", {Role::Viewer, About::Session}},
+    {"surface.unsubscribe", {Role::Viewer, About::Nothing}},
+    {"bookmark.set", {Role::Editor, About::Session}},
+    {"bookmark.delete", {Role::Editor, About::Session}},
+    {"bookmark.list", {Role::Viewer, About::Session}},
+    {"annotation.set", {Role::Editor, About::Session}},
+    {"annotation.delete", {Role::Editor, About::Session}},
+    {"annotation.list", {Role::Viewer, About::Session}},
+    {"history.undo", {Role::Editor, About::Session}},
+    {"history.redo", {Role::Editor, About::Session}},
+};
+
+struct PermissionTest : testing::Test {
+    PermissionTest() { other = (*sessions.create("other"))->id(); }
+
+    json answer(const json& message, const Identity& identity, Client* client) {
+        std::optional<std::string> out;
+        dispatcher.dispatch(message.dump(), identity, client,
+                            [&](std::string text) { out = std::move(text); });
+        return json::parse(out.value_or(R"({"result":"later"})"));
+    }
+
+    /// The code of the answer to a call over a WebSocket of its own, 0 for none.
+    int code(const std::string& method, const Identity& identity, const json& parameters) {
+        Line line;
+        Client client(line, identity, grants);
+        return code_of(answer(call(method, parameters), identity, &client));
+    }
+
+    static json call(const std::string& method, const json& parameters = json::object()) {
+        return {{"jsonrpc", "2.0"}, {"id", 1}, {"method", method}, {"params", parameters}};
+    }
+
+    static int code_of(const json& answer) {
+        return answer.contains("error") ? answer["error"]["code"].get<int>() : 0;
+    }
+
+    Identity link(Role role, std::optional<std::chrono::seconds> expires_in = {}) {
+        const auto made = grants.make("main", role, expires_in);
+        return *grants.find(made->key);
+    }
+
+    std::vector<std::string> methods() const {
+        std::vector<std::string> names;
+        for (const json& each : json::parse(dispatcher.document())["methods"])
+            names.push_back(each["name"]);
+        return names;
+    }
+
+    HandClock clock;
+    HandLoop loop{clock};
+    ComputePool pool{1};
+    Prober prober{loop, pool};
+    NoDatasets datasets;
+    SystemEntropy entropy;
+    Grants grants{{loop, clock, entropy, [] { return std::int64_t{0}; }}};
+    SessionDirectory sessions{{loop, pool, datasets, entropy}};
+    Dispatcher dispatcher{method_table(),
+                          {sessions, datasets, [] { return json::array(); }, prober, grants, clock},
+                          {}};
+    std::string other;
+};
+
+constexpr int not_permitted = -32003;
+constexpr int unauthenticated = -32001;
+
+} // namespace
+
+TEST_F(PermissionTest, IsAskedForEveryMethodEveryRoleAndEverySession) {
+    std::size_t checked = 0;
+    for (const std::string& method : methods()) {
+        ASSERT_TRUE(rows.contains(method)) << method << " has no row: who may call it?";
+        const Row row = rows.at(method);
+        for (const Role role : {Role::Viewer, Role::Editor, Role::Host})
+            for (const std::string& session :
+                 {std::string("main"), other, std::string("nowhere")}) {
+                const json parameters =
+                    row.about == About::Nothing ? json::object() : json{{"session", session}};
+                const bool allowed = role >= row.least && row.about != About::Server &&
+                                     (row.about == About::Nothing || session == "main");
+                const Identity identity = link(role);
+                // What is allowed may still lack parameters.
+                EXPECT_EQ(code(method, identity, parameters) == not_permitted, !allowed)
+                    << name(role) << " calls " << method << " about " << session;
+                ASSERT_TRUE(grants.revoke("main", identity.grant));
+                ++checked;
+            }
+        for (const std::string& session : {std::string("main"), other})
+            EXPECT_NE(
+                code(method, {},
+                     row.about == About::Nothing ? json::object() : json{{"session", session}}),
+                not_permitted)
+                << "the server's own token calls " << method;
+    }
+    EXPECT_EQ(checked, 9 * rows.size()) << "a row without a method";
+}
+
+TEST_F(PermissionTest, SaysWhichRoleIsNeeded) {
+    const Identity viewer = link(Role::Viewer);
+    Line line;
+    Client client(line, viewer, grants);
+    const json error = answer(call("rake.set", {{"session", "main"}}), viewer, &client)["error"];
+    EXPECT_EQ(error["data"]["kind"], "notPermitted");
+    EXPECT_NE(error["data"]["hint"].get<std::string>().find("editor"), std::string::npos);
+}
+
+TEST_F(PermissionTest, NeverTellsALinkWhetherThereIsAnotherSession) {
+    const Identity host = link(Role::Host);
+    const auto refusal = [&](const std::string& session) {
+        Line line;
+        Client client(line, host, grants);
+        return answer(call("session.state", {{"session", session}}), host, &client);
+    };
+    EXPECT_EQ(refusal(other), refusal("nowhere"));
+    const json list = answer(call("session.list"), host, nullptr)["result"]["sessions"];
+    ASSERT_EQ(list.size(), 1u);
+    EXPECT_EQ(list[0]["session"], "main");
+    EXPECT_EQ(answer(call("session.list"), {}, nullptr)["result"]["sessions"].size(), 2u);
+}
+
+TEST_F(PermissionTest, IsAskedAgainForEachCallOfABatch) {
+    const Identity host = link(Role::Host);
+    json batch = json::array();
+    for (const json& each :
+         {call("rake.list"), call("session.unshare", {{"grant", host.grant}}), call("rake.list")})
+        batch.push_back(each);
+    const json answers = answer(batch, host, nullptr);
+    EXPECT_EQ(code_of(answers[0]), 0) << "a link needs not say its session";
+    EXPECT_EQ(code_of(answers[1]), 0);
+    EXPECT_EQ(code_of(answers[2]), unauthenticated);
+}
+
+TEST_F(PermissionTest, EndsWithTheLinkAndClosesItsConnections) {
+    const Identity taken_back = link(Role::Editor);
+    const Identity expiring = link(Role::Editor, std::chrono::seconds(5));
+    Line first_line;
+    Line second_line;
+    Client first(first_line, taken_back, grants);
+    Client second(second_line, expiring, grants);
+    const json join = call("session.join", {{"session", "main"}});
+    EXPECT_EQ(code_of(answer(join, taken_back, &first)), 0);
+    EXPECT_EQ(code_of(answer(join, expiring, &second)), 0);
+    EXPECT_EQ(
+        code_of(answer(call("session.unshare", {{"session", "main"}, {"grant", taken_back.grant}}),
+                       {}, nullptr)),
+        0);
+    EXPECT_EQ(first_line.closed, Goodbye::LinkEnded);
+    EXPECT_EQ(first_line.sent.back()["method"], "server.notice");
+    EXPECT_EQ(code_of(answer(call("rake.list"), taken_back, &first)), unauthenticated);
+    EXPECT_EQ(second_line.closed, std::nullopt);
+    loop.advance(std::chrono::seconds(5));
+    EXPECT_EQ(second_line.closed, Goodbye::LinkEnded);
+    EXPECT_TRUE((*sessions.find("main"))->participants().present().empty());
+    Line late_line;
+    const Client late(late_line, expiring, grants); // let in before, upgraded after the end
+    EXPECT_EQ(late_line.closed, Goodbye::LinkEnded);
+}
+
+TEST_F(PermissionTest, FollowsTheRoleAHostSetsForAParticipant) {
+    const Identity viewer = link(Role::Viewer);
+    Line line;
+    Client client(line, viewer, grants);
+    const json joined =
+        answer(call("session.join", {{"session", "main"}}), viewer, &client)["result"];
+    EXPECT_EQ(joined["role"], "viewer");
+    const auto make = [&](const char* role) {
+        return code_of(
+            answer(call("session.setRole",
+                        {{"session", "main"}, {"participant", joined["you"]}, {"role", role}}),
+                   {}, nullptr));
+    };
+    EXPECT_EQ(code_of(answer(call("history.undo"), viewer, &client)), not_permitted);
+    EXPECT_EQ(make("editor"), 0);
+    EXPECT_EQ(code_of(answer(call("history.undo"), viewer, &client)), 0);
+    EXPECT_EQ(code_of(answer(call("session.state", {{"session", other}}), viewer, &client)),
+              not_permitted);
+    EXPECT_EQ(make("viewer"), 0);
+    EXPECT_EQ(code_of(answer(call("history.undo"), viewer, &client)), not_permitted);
+    EXPECT_EQ(make("king"), -32602);
+}
+
+TEST_F(PermissionTest, KeepsLinksFromLordingItOverTheServersOwnToken) {
+    const Identity host = link(Role::Host);
+    Line owners_line;
+    Line guests_line;
+    Client owner(owners_line, {}, grants);
+    Client guest(guests_line, host, grants);
+    const json join = call("session.join", {{"session", "main"}});
+    const json owner_id = answer(join, {}, &owner)["result"]["you"];
+    const json guest_id = answer(join, host, &guest)["result"]["you"];
+    const auto kick = [&](const json& who, const Identity& by, Client& from) {
+        return code_of(answer(call("session.kick", {{"participant", who}}), by, &from));
+    };
+    EXPECT_EQ(kick(owner_id, host, guest), not_permitted);
+    EXPECT_EQ(
+        code_of(answer(call("session.setRole", {{"participant", owner_id}, {"role", "viewer"}}),
+                       host, &guest)),
+        not_permitted);
+    EXPECT_EQ(kick("p99", {}, owner), -32004);
+    EXPECT_EQ(kick(guest_id, {}, owner), 0);
+    EXPECT_EQ(guests_line.closed, Goodbye::Removed);
+    EXPECT_EQ(owners_line.closed, std::nullopt);
+}
+
+TEST_F(PermissionTest, TakesCallsNoFasterThanItMaySeparatelyForEachConnectionAndLink) {
+    const json edit = call("rake.delete", {{"session", "main"}, {"rake", "r9"}});
+    const Identity editor = link(Role::Editor);
+    const auto limited = [&](const Identity& identity, Client* client) {
+        int count = 0;
+        json last;
+        for (int i = 0; i < 500; ++i) {
+            const json out = answer(edit, identity, client);
+            if (code_of(out) != -32014)
+                continue;
+            ++count;
+            EXPECT_EQ(out["error"]["data"]["retryAfterMs"], 5);
+        }
+        return count;
+    };
+    Line line;
+    Client client(line, {}, grants);
+    EXPECT_EQ(limited({}, &client), 100);
+    EXPECT_EQ(limited({}, nullptr), 100);
+    EXPECT_EQ(limited(editor, nullptr), 100);
+    EXPECT_EQ(code_of(answer(call("rake.list", {{"session", "main"}}), {}, nullptr)), 0);
+    clock.time += std::chrono::milliseconds(5);
+    EXPECT_EQ(code_of(answer(edit, {}, &client)), -32004);
+}
+
+} // namespace wakesurf::server
