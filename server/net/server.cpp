@@ -9,6 +9,7 @@
 #include "server/rpc/dataset_entry.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/session/catalogue_datasets.hpp"
+#include "server/session/session_restoring.hpp"
 #include "server/state/kept_sessions.hpp"
 #include "server/state/sqlite_journal.hpp"
 
@@ -38,8 +39,8 @@ nlohmann::json dataset_entries(const DatasetCatalogue& catalogue) {
 
 /// In order of need: what goes first is declared last. Connections end with the context's handlers, jobs with the pool.
 struct Server::Parts {
-    explicit Parts(const ServerOptions& options)
-        : pool(options.threads),
+    Parts(const ServerOptions& options, std::optional<KeptSessions> found)
+        : kept(std::move(found)), pool(options.threads),
           files(StaticFiles::load(options.web.empty() ? find_web_client() : options.web)) {}
 
     void serve(const ServerOptions& options) {
@@ -47,7 +48,8 @@ struct Server::Parts {
         gate.emplace(GateOptions{options.token, options.host, port, options.origins}, entropy,
                      clock, grants);
         datasets.emplace(*catalogue);
-        sessions.emplace(SessionServices{loop, pool, *datasets, entropy});
+        sessions.emplace(
+            SessionServices{loop, pool, *datasets, entropy, nullptr, journal.get(), &clock});
         sessions->on_removed([this](const std::string& id) { grants.forget(id); });
         dispatcher.emplace(
             method_table(),
@@ -56,18 +58,24 @@ struct Server::Parts {
             protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
         downloads.emplace(loop, pool, *sessions, *catalogue);
         routes.emplace(*gate, files, *dispatcher, *downloads);
+        if (kept)
+            restore();
     }
 
-    core::Result<void> open_state(const std::filesystem::path& path) {
-        auto found = KeptSessions::open(path);
-        if (!found)
-            return tl::unexpected(found.error());
-        state.emplace(std::move(found->folder));
-        kept = std::move(found->sessions);
-        journal = std::make_unique<SqliteJournal>(
-            loop, std::move(found->store),
+    std::unique_ptr<SqliteJournal> start_journal() {
+        if (!kept)
+            return nullptr;
+        return std::make_unique<SqliteJournal>(
+            loop, std::move(kept->store),
             [this](const core::Result<void>& turn) { tell_durability(turn); });
-        return {};
+    }
+
+    void restore() {
+        const RestoredSessions restored =
+            restore_sessions(std::exchange(kept->sessions, {}), *sessions, grants);
+        for (const core::Error& each : restored.refused)
+            spdlog::warn("not brought back: {}", each.message);
+        spdlog::info("{} records of {} sessions brought back", restored.records, restored.sessions);
     }
 
     void tell_durability(const core::Result<void>& turn) {
@@ -106,6 +114,7 @@ struct Server::Parts {
 
     Connections connections;
     std::size_t clients = 0;
+    std::optional<KeptSessions> kept;
     SystemEntropy entropy;
     core::SteadyClock clock;
     asio::io_context context{1};
@@ -115,11 +124,9 @@ struct Server::Parts {
     CacheNews news{loop, [this](const std::string& message) { connections.announce(message); }};
     StaticFiles files;
     std::uint16_t port = 0;
-    std::optional<StateFolder> state;
-    std::map<std::string, std::vector<JournalEntry>> kept; ///< until the sessions are there
-    std::unique_ptr<SqliteJournal> journal;                ///< nothing without `--state`
+    std::unique_ptr<SqliteJournal> journal = start_journal(); ///< nothing without `--state`
     std::unique_ptr<DatasetCatalogue> catalogue;
-    Grants grants{{loop, clock, entropy, unix_seconds}};
+    Grants grants{{loop, clock, entropy, unix_seconds, journal.get()}};
     std::optional<Gate> gate;
     std::optional<CatalogueDatasets> datasets;
     std::optional<SessionDirectory> sessions;
@@ -135,11 +142,15 @@ Server::Server(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Server::~Server() = default;
 
 core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
-    auto parts = std::make_unique<Parts>(options);
+    std::optional<KeptSessions> kept;
+    if (!options.state.empty()) {
+        auto found = KeptSessions::open(options.state);
+        if (!found)
+            return tl::unexpected(found.error());
+        kept.emplace(std::move(*found));
+    }
+    auto parts = std::make_unique<Parts>(options, std::move(kept));
     Parts* const all = parts.get();
-    if (!options.state.empty())
-        if (auto opened = all->open_state(options.state); !opened)
-            return tl::unexpected(opened.error());
     auto listener = Listener::open(
         all->context, options.host, options.port, [all](asio::ip::tcp::socket socket) {
             serve_http(std::move(socket),
