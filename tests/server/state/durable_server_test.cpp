@@ -111,6 +111,28 @@ TEST_F(DurableServer, BringsSessionsBackByNameAndForgetsNone) {
     EXPECT_NE(fresh, ids[1]);
 }
 
+TEST_F(DurableServer, LetsPeopleInByAShareLinkThatWasMadeBefore) {
+    std::string key;
+    {
+        ServerProcess server(arguments());
+        WebSocketClient client(server);
+        key = client.result("session.share", {{"role", "viewer"}})["key"];
+        server.kill();
+    }
+    const ServerProcess server(arguments());
+    const Headers link{{"Authorization", "Bearer " + key}};
+    const auto call = [&](const char* text) {
+        return json::parse(http(server.port(), "POST", "/rpc", link, text).body);
+    };
+    EXPECT_TRUE(
+        call(R"({"jsonrpc":"2.0","id":1,"method":"session.state","params":{"session":"main"}})")
+            .contains("result"));
+    const json edit = call(
+        R"({"jsonrpc":"2.0","id":1,"method":"rake.set","params":{"session":"main","kind":"line",
+            "points":[[1,0,0],[2,0,0]],"seeds":4}})");
+    EXPECT_EQ(edit["error"]["code"], -32003);
+}
+
 TEST_F(DurableServer, GoesOnWhereNothingCanBeWrittenAndCatchesUpWithoutARestart) {
     json rakes;
     {

@@ -102,8 +102,8 @@ std::vector<double> restart_with_sessions(const std::filesystem::path& state,
                                           int restarts) {
     {
         Life first(state);
-        WebSocketClient client(first.server, "");
         for (int session = 0; session < sessions; ++session) {
+            WebSocketClient client(first.server, ""); // each has its own allowance of edits
             const json id = client.result("session.create")["session"];
             for (int each = 0; each < surfaces; ++each) {
                 const double x = 0.1 * each;
