@@ -85,6 +85,8 @@ struct TimeStepCache::State {
         bool closing = false;
         std::uint64_t clock = 0;    ///< order of use
         std::uint64_t progress = 0; ///< counts loads ended and leases given back
+        std::uint64_t hits = 0;
+        std::uint64_t loads = 0;
 
         std::shared_ptr<const TimeStep> lend(const std::shared_ptr<Window>& self,
                                              std::size_t index);
@@ -238,6 +240,7 @@ void TimeStepCache::State::Window::finish(std::size_t index,
     Entry& entry = entries[index];
     ++progress;
     if (loaded) {
+        ++loads;
         entry.step = std::move(*loaded);
         entry.state = StepState::Resident;
         entry.last_use = ++clock;
@@ -340,8 +343,10 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
     if (index >= window.entries.size())
         return fail(Error::Code::InvalidArgument, "there is no time-step " + std::to_string(index));
     Entry& entry = window.entries[index];
-    if (entry.state == StepState::Resident)
+    if (entry.state == StepState::Resident) {
+        ++window.hits;
         return window.lend(state_->window, index);
+    }
 
     const auto failures = entry.failures;
     const auto done = [&] {
@@ -418,6 +423,8 @@ TimeStepCache::Status TimeStepCache::status() const {
     status.budget = state_->budget_bytes;
     const std::scoped_lock lock(state_->window->mutex);
     status.bytes = window.used * state_->step_bytes;
+    status.hits = window.hits;
+    status.loads = window.loads;
     status.steps.reserve(window.entries.size());
     for (const Entry& entry : window.entries)
         status.steps.push_back(entry.state);

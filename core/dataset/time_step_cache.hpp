@@ -7,6 +7,7 @@
 #include "core/dataset/time_step_source.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <stop_token>
@@ -29,6 +30,8 @@ class TimeStepCache {
         std::vector<StepState> steps;
         std::size_t bytes = 0; ///< accounted: resident, handed out and in flight
         std::size_t budget = 0;
+        std::uint64_t hits = 0;  ///< acquire() calls that found their time-step resident
+        std::uint64_t loads = 0; ///< time-steps read, demanded and ahead
     };
 
     /// Room for one caller who interpolates by cubics in time: 4 time-steps, or all where they are fewer.

@@ -177,6 +177,10 @@ TEST(TimeStepCache, TwoCallersOfOneColdStepCauseOneLoad) {
     }
     EXPECT_EQ(got[0].get(), got[1].get());
     EXPECT_EQ(bench.source->order().size(), 1u);
+    EXPECT_EQ(bench.cache.status().hits, 0u);
+    (void)bench.cache.acquire(5);
+    EXPECT_EQ(bench.cache.status().hits, 1u);
+    EXPECT_EQ(bench.cache.status().loads, 1u);
 }
 
 TEST(TimeStepCache, ShowsWhatIsColdLoadingAndResident) {
