@@ -14,11 +14,17 @@ inline constexpr std::size_t batch = 64;
 inline constexpr std::uint32_t http_header_bytes = 8u << 10;
 
 // Connections.
-inline constexpr std::size_t connections = 1024;
-inline constexpr std::size_t clients = 256; ///< WebSockets
-inline constexpr std::chrono::seconds handshake{10};
-inline constexpr std::chrono::seconds idle{40}; ///< a ping goes out at half of it
-inline constexpr std::chrono::seconds stalled{30};
+inline constexpr std::size_t connections = 4096;
+inline constexpr std::size_t clients = 2048; ///< WebSockets
+inline constexpr std::size_t pending = 256;  ///< connections of one address that are no WebSocket
+inline constexpr std::size_t pending_loopback = 2048; ///< of this machine
+inline constexpr std::chrono::seconds handshake{
+    10}; ///< of TLS, of a whole header, of a whole body: each
+inline constexpr std::chrono::seconds idle{40};    ///< a WebSocket's ping goes out at half of it
+inline constexpr std::chrono::seconds stalled{30}; ///< taking no data at all
+inline constexpr double messages_per_second =
+    4000.0; ///< of one WebSocket; what comes faster is read later
+inline constexpr double messages_at_once = 8000.0;
 inline constexpr std::size_t outbox_messages = 4096;
 inline constexpr std::size_t outbox_message_bytes = std::size_t{4} << 20;
 inline constexpr double wrong_tokens_per_second = 5.0;
@@ -34,7 +40,7 @@ inline constexpr double calls_at_once = 4000.0;
 
 // Sessions.
 inline constexpr std::size_t sessions = 64;
-inline constexpr std::size_t participants = 64;
+inline constexpr std::size_t participants = 1536;
 inline constexpr std::chrono::seconds absence{10}; ///< how long a lost connection is shown
 inline constexpr std::chrono::milliseconds presence_rest{50}; ///< between two tellings, at least
 inline constexpr std::size_t presence_bytes_per_ms =

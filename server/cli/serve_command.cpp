@@ -97,6 +97,8 @@ core::Result<ServerOptions> server_options(const ServeOptions& options) {
     server.threads = options.threads;
     server.token = *token;
     server.origins = options.origins;
+    server.certificate = options.certificate;
+    server.key = options.key;
     server.web = options.web;
     return server;
 }
@@ -105,9 +107,14 @@ core::Result<void> serve(const ServerOptions& options) {
     auto running = Server::open(options);
     if (!running)
         return tl::unexpected(running.error());
-    fmt::print("wakesurf: http://{}:{}/{}{}\n", shown_host(options.host), (*running)->port(),
-               options.token.empty() ? "" : "#token=", options.token);
+    const bool tls = !options.certificate.empty();
+    fmt::print("wakesurf: {}://{}:{}/{}{}\n", tls ? "https" : "http", shown_host(options.host),
+               (*running)->port(), options.token.empty() ? "" : "#token=", options.token);
     std::fflush(stdout);
+    if (!tls && !is_loopback(options.host))
+        spdlog::warn(
+            "event=no_tls message=\"everybody on the way can read the token and the data\" "
+            "hint=\"give --tls-cert and --tls-key\"");
     (*running)->run();
     return {};
 }
@@ -134,6 +141,11 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
         ->excludes(file);
     command.add_option("--origin", options.origins,
                        "a further page address that may connect, exactly as in the browser");
+    auto* const certificate =
+        command.add_option("--tls-cert", options.certificate, "speak TLS: PEM certificate chain");
+    auto* const key = command.add_option("--tls-key", options.key, "PEM key of the certificate");
+    certificate->needs(key);
+    key->needs(certificate);
     command.add_option("--web", options.web, "folder of the built web client")
         ->check(CLI::ExistingDirectory);
     command.add_option("--log-level", options.log_level, "what to log on standard error")
@@ -143,6 +155,7 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
 
 int run_serve(const ServeOptions& options) {
     spdlog::set_default_logger(spdlog::stderr_color_mt("wakesurf"));
+    spdlog::set_pattern("time=%Y-%m-%dT%H:%M:%S.%e%z level=%l %v");
     spdlog::set_level(spdlog::level::from_str(options.log_level));
     std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is an error to the writer
     const auto server = server_options(options);

@@ -21,6 +21,8 @@ struct ServeOptions {
     std::string token_file;
     bool no_auth = false;
     std::vector<std::string> origins;
+    std::string certificate;
+    std::string key;
     std::string web;
     std::string log_level = "info";
 };

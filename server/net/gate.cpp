@@ -84,16 +84,17 @@ Gate::Gate(GateOptions options, Entropy& entropy, const core::Clock& clock, cons
     const bool v6 = options_.host.find(':') != std::string::npos && options_.host.front() != '[';
     hosts_ = {"localhost", "127.0.0.1", "[::1]",
               v6 ? "[" + options_.host + "]" : lower(options_.host)};
+    const std::string scheme = options_.tls ? "https://" : "http://";
     for (const std::string& host : hosts_) {
-        origins_.push_back("http://" + host + ":" + std::to_string(options_.port));
-        if (options_.port == 80) // browsers leave the default port out
-            origins_.push_back("http://" + host);
+        origins_.push_back(scheme + host + ":" + std::to_string(options_.port));
+        if (options_.port == (options_.tls ? 443 : 80)) // browsers leave the default port out
+            origins_.push_back(scheme + host);
     }
     for (const std::string& origin : options_.origins) {
         origins_.push_back(lower(origin));
-        const auto scheme = origin.find("://");
-        if (scheme != std::string::npos)
-            if (const auto name = host_name(origin.substr(scheme + 3)))
+        const auto end = origin.find("://");
+        if (end != std::string::npos)
+            if (const auto name = host_name(origin.substr(end + 3)))
                 hosts_.push_back(*name);
     }
 }
@@ -196,7 +197,8 @@ tl::expected<std::string, Refusal> Gate::login(const HttpRequest& request, std::
             value = cookie;
     if (value.empty())
         value = cookies_.make(identity->grant);
-    return std::string(cookie_name) + "=" + value + "; HttpOnly; SameSite=Strict; Path=/";
+    return std::string(cookie_name) + "=" + value + "; HttpOnly; SameSite=Strict; Path=/" +
+           (options_.tls ? "; Secure" : "");
 }
 
 } // namespace wakesurf::server

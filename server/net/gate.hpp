@@ -25,6 +25,7 @@ struct GateOptions {
     std::string host;  ///< as listened on
     std::uint16_t port = 0;
     std::vector<std::string> origins; ///< further ones, exact: https://viewer.example
+    bool tls = false;                 ///< the server's own origins are https, its cookie Secure
 };
 
 /// Why a request was refused.

@@ -1,18 +1,23 @@
 #include "server/net/http_connection.hpp"
 
 #include "server/limits.hpp"
+#include "server/net/byte_stream.hpp"
+#include "server/net/gate.hpp"
 #include "server/net/http_error.hpp"
+#include "server/net/security_headers.hpp"
 #include "server/net/websocket_connection.hpp"
 
+#include <boost/asio/ssl/error.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/read.hpp>
+#include <boost/beast/http/serializer.hpp>
 #include <boost/beast/http/span_body.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
+#include <spdlog/spdlog.h>
 
 #include <cctype>
 #include <memory>
@@ -27,35 +32,63 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr const char* content_policy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; "
-                                       "worker-src 'self'; connect-src 'self'; "
-                                       "style-src 'self'; img-src 'self' data: blob:; object-src "
-                                       "'none'; base-uri 'none'; form-action 'none'; "
-                                       "frame-ancestors 'none'";
+/// What is read while a connection has not asked for anything yet.
+constexpr std::size_t first_bytes = 1024;
 
 /// Errors of reading that deserve an answer before the connection closes.
 std::optional<HttpResponse> answer_to(error_code error) {
     if (error == http::error::body_limit)
-        return http_error(413, "the body is longer than 65536 bytes", "send less at once");
+        return http_over_limit(413, limits::message_bytes, "the body is longer than 65536 bytes",
+                               "send less at once");
     if (error == http::error::header_limit)
-        return http_error(431, "the header is longer than 8192 bytes", "send fewer headers");
+        return http_over_limit(431, limits::http_header_bytes,
+                               "the header is longer than 8192 bytes", "send fewer headers");
     if (error.category() == http::make_error_code(http::error::bad_method).category() &&
         error != http::error::end_of_stream && error != http::error::partial_message)
         return http_error(400, "this is not an HTTP request", "speak HTTP/1.1");
     return std::nullopt;
 }
 
+/// Where two readings of a body's length are possible, a proxy before us may have taken the other one, and somebody's
+/// body would become the next request.
+bool ambiguous(const http::request_header<>& header) {
+    const auto codings = header.count(http::field::transfer_encoding);
+    const auto lengths = header.count(http::field::content_length);
+    return codings + lengths > 1 ||
+           (codings == 1 && !beast::iequals(header[http::field::transfer_encoding], "chunked"));
+}
+
+std::optional<Rejection> rejection_of(unsigned status) {
+    switch (status) {
+    case 400:
+        return Rejection::Malformed;
+    case 401:
+        return Rejection::Unauthenticated;
+    case 403:
+        return Rejection::Forbidden;
+    case 413:
+    case 431:
+        return Rejection::TooLarge;
+    case 429:
+        return Rejection::RateLimited;
+    default:
+        return std::nullopt;
+    }
+}
+
 class HttpConnection final : public Connection,
                              public std::enable_shared_from_this<HttpConnection> {
   public:
-    HttpConnection(tcp::socket socket, NetServices services)
-        : stream_(std::move(socket)), services_(services) {
+    HttpConnection(tcp::socket socket,
+                   std::unique_ptr<Admission::Place> place,
+                   NetServices services)
+        : stream_(std::move(socket), services.tls), services_(services), place_(std::move(place)) {
         services_.connections.add(*this);
     }
 
     ~HttpConnection() override { services_.connections.remove(*this); }
 
-    void read();
+    void start();
 
     void go_away() override { stream_.close(); }
 
@@ -67,16 +100,25 @@ class HttpConnection final : public Connection,
     using Request = http::request<http::string_body>;
     using Response = http::response<http::span_body<const char>>;
 
+    void await_request(std::chrono::seconds patience);
+    void read_header();
+    void read_body();
+    void failed(error_code error);
     void handle(Request request);
     void upgrade(const HttpRequest& request, const Identity& identity);
     void respond(const HttpResponse& response, bool keep_alive, bool head);
+    void write();
+    void end();
 
-    beast::tcp_stream stream_;
-    beast::flat_buffer buffer_;
+    ByteStream stream_;
+    beast::flat_buffer buffer_{limits::message_bytes}; ///< chunks' extensions have no other limit
     NetServices services_;
+    std::unique_ptr<Admission::Place> place_;
     std::optional<http::request_parser<http::string_body>> parser_;
     std::shared_ptr<const std::string> body_; ///< of the response under way
     std::optional<Response> response_;
+    std::optional<http::response_serializer<http::span_body<const char>>> serializer_;
+    bool named_ = false; ///< came over TLS, under a name that others know this machine by
 };
 
 HttpRequest plain(const http::request<http::string_body>& request) {
@@ -95,25 +137,78 @@ HttpRequest plain(const http::request<http::string_body>& request) {
     return out;
 }
 
-void HttpConnection::read() {
+void HttpConnection::start() {
+    stream_.expires_after(limits::handshake);
+    stream_.async_accept([self = shared_from_this()](error_code error) {
+        if (!error)
+            return self->await_request(limits::handshake);
+        self->failed(error);
+    });
+}
+
+/// Nothing has to come while a connection is kept; once something has, the whole header must follow.
+void HttpConnection::await_request(std::chrono::seconds patience) {
+    if (buffer_.size() > 0)
+        return read_header();
+    stream_.expires_after(patience);
+    stream_.async_read_some(buffer_.prepare(first_bytes),
+                            [self = shared_from_this()](error_code error, std::size_t bytes) {
+                                if (error)
+                                    return self->failed(error);
+                                self->buffer_.commit(bytes);
+                                self->read_header();
+                            });
+}
+
+void HttpConnection::read_header() {
     parser_.emplace();
     parser_->header_limit(limits::http_header_bytes);
     parser_->body_limit(limits::message_bytes);
     stream_.expires_after(limits::handshake);
+    http::async_read_header(stream_, buffer_, *parser_,
+                            [self = shared_from_this()](error_code error, std::size_t) {
+                                if (error)
+                                    return self->failed(error);
+                                self->read_body();
+                            });
+}
+
+void HttpConnection::read_body() {
+    if (ambiguous(parser_->get()))
+        return respond(http_error(400, "the length of the body is said in more than one way",
+                                  "send one Content-Length, or one Transfer-Encoding: chunked"),
+                       false, false);
+    if (parser_->is_done())
+        return handle(parser_->release());
+    stream_.expires_after(limits::handshake);
     http::async_read(stream_, buffer_, *parser_,
                      [self = shared_from_this()](error_code error, std::size_t) {
-                         if (!error)
-                             return self->handle(self->parser_->release());
-                         if (const auto answer = answer_to(error))
-                             self->respond(*answer, false, false);
-                         else
-                             self->stream_.close();
+                         if (error)
+                             return self->failed(error);
+                         self->handle(self->parser_->release());
                      });
+}
+
+void HttpConnection::failed(error_code error) {
+    if (stream_.timed_out()) {
+        services_.metrics.reject(Rejection::HandshakeTimeout);
+        return stream_.close();
+    }
+    if (const auto answer = answer_to(error))
+        return respond(*answer, false, false);
+    if (error.category() == boost::asio::error::get_ssl_category() ||
+        error == boost::asio::error::no_protocol_option) {
+        services_.metrics.reject(Rejection::Malformed);
+        return end();
+    }
+    stream_.close();
 }
 
 void HttpConnection::handle(Request request) {
     stream_.expires_never(); // an answer may take its time; writing it sets the clock again
     const HttpRequest values = plain(request);
+    const auto host = host_name(values.header("host"));
+    named_ = stream_.encrypted() && host && !is_loopback(*host);
     if (values.upgrade) {
         const auto identity = services_.routes.admit_upgrade(values);
         if (!identity)
@@ -129,24 +224,32 @@ void HttpConnection::handle(Request request) {
 }
 
 void HttpConnection::upgrade(const HttpRequest& request, const Identity& identity) {
-    if (services_.clients >= limits::clients)
-        return respond(
-            http_error(503, "the server has as many clients as it may have", "try again later"),
-            false, false);
-    serve_websocket(stream_.release_socket(), request, identity, services_);
+    if (!place_->promote())
+        return respond(http_over_limit(503, limits::clients,
+                                       "the server has as many clients as it may have",
+                                       "try again later"),
+                       false, false);
+    services_.connections.remove(*this);
+    serve_websocket(std::move(stream_), request, identity, services_, std::move(place_));
 }
 
 void HttpConnection::respond(const HttpResponse& response, bool keep_alive, bool head) {
+    if (const auto reason = rejection_of(response.status)) {
+        services_.metrics.reject(*reason);
+        spdlog::debug("event=refused client={} status={}", place_->number(), response.status);
+    }
     body_ = response.body;
     response_.emplace();
     response_->result(response.status);
     response_->version(11);
     response_->set(http::field::server, "wakesurf");
-    response_->set("X-Content-Type-Options", "nosniff");
-    response_->set("X-Frame-Options", "DENY");
-    response_->set("Referrer-Policy", "no-referrer");
-    response_->set("Cross-Origin-Resource-Policy", "same-origin");
-    response_->set("Content-Security-Policy", content_policy);
+    const auto view = [](std::string_view text) {
+        return beast::string_view(text.data(), text.size());
+    };
+    for (const auto& [name, value] : security_headers())
+        response_->set(view(name), view(value));
+    if (named_)
+        response_->set(http::field::strict_transport_security, view(transport_security));
     for (const auto& [name, value] : response.headers)
         response_->insert(name, value);
     const bool bodiless = response.status == 204 || response.status == 304;
@@ -155,27 +258,44 @@ void HttpConnection::respond(const HttpResponse& response, bool keep_alive, bool
     if (!bodiless && !head)
         response_->body() = {body_->data(), body_->size()};
     response_->keep_alive(keep_alive);
+    serializer_.emplace(*response_);
+    write();
+}
+
+/// A large file may take long; only taking nothing for a while ends the connection.
+void HttpConnection::write() {
     stream_.expires_after(limits::stalled);
-    http::async_write(stream_, *response_,
-                      [self = shared_from_this()](error_code error, std::size_t) {
-                          if (!error && self->response_->keep_alive())
-                              return self->read();
-                          error_code ignored;
-                          self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
-                          self->stream_.close();
-                      });
+    http::async_write_some(stream_, *serializer_,
+                           [self = shared_from_this()](error_code error, std::size_t) {
+                               if (error && self->stream_.timed_out())
+                                   self->services_.metrics.reject(Rejection::Stalled);
+                               if (error)
+                                   return self->stream_.close();
+                               if (!self->serializer_->is_done())
+                                   return self->write();
+                               self->body_.reset();
+                               if (self->response_->keep_alive())
+                                   return self->await_request(limits::idle);
+                               self->end();
+                           });
+}
+
+void HttpConnection::end() {
+    stream_.async_end([self = shared_from_this()](error_code) {});
 }
 
 } // namespace
 
 void serve_http(tcp::socket socket, NetServices services) {
-    error_code ignored;
-    if (services.connections.count() >= limits::connections) {
-        socket.close(ignored);
+    error_code error;
+    const auto from = socket.remote_endpoint(error);
+    if (error)
+        return; // gone already
+    auto place = services.admission.admit(from.address());
+    if (!place)
         return;
-    }
-    socket.set_option(tcp::no_delay(true), ignored);
-    std::make_shared<HttpConnection>(std::move(socket), services)->read();
+    socket.set_option(tcp::no_delay(true), error);
+    std::make_shared<HttpConnection>(std::move(socket), std::move(place), services)->start();
 }
 
 } // namespace wakesurf::server

@@ -1,8 +1,12 @@
-// One accepted TCP connection: HTTP requests, one after the other, until it closes or becomes a WebSocket.
+// One accepted connection: TLS if the server speaks it, then HTTP requests, one after the other, until it closes or
+// becomes a WebSocket.
 #pragma once
 
+#include "server/metrics/metrics.hpp"
+#include "server/net/admission.hpp"
 #include "server/net/connections.hpp"
 #include "server/net/routes.hpp"
+#include "server/net/tls_context.hpp"
 
 #include <boost/asio/ip/tcp.hpp>
 
@@ -13,10 +17,12 @@ struct NetServices {
     Routes& routes;
     Connections& connections;
     Grants& grants;
-    std::size_t& clients; ///< WebSockets open
+    Admission& admission;
+    Metrics& metrics;
+    TlsContext* tls; ///< nothing: plain TCP
 };
 
-/// Serves the socket until it closes; keeps itself alive meanwhile.
+/// Serves the socket until it closes; keeps itself alive meanwhile. Closes it at once where there is no room.
 void serve_http(boost::asio::ip::tcp::socket socket, NetServices services);
 
 } // namespace wakesurf::server

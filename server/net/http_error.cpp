@@ -2,6 +2,8 @@
 
 #include "protocol/json_rpc.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace wakesurf::server {
 
 namespace {
@@ -18,8 +20,6 @@ RpcCode code_for(unsigned status) {
     case 404:
     case 405:
         return RpcCode::NotFound;
-    case 413:
-        return RpcCode::OverLimit;
     default:
         return RpcCode::InvalidRequest;
     }
@@ -53,6 +53,16 @@ HttpResponse http_error(const core::Error& error) {
                             : error.code == Code::Corrupt || error.code == Code::Io ? 500
                                                                                     : 400;
     return fault_response(status, protocol::fault_of(error));
+}
+
+HttpResponse
+http_over_limit(unsigned status, std::uint64_t limit, std::string message, std::string hint) {
+    return fault_response(
+        status, {protocol::RpcCode::OverLimit,
+                 std::move(message),
+                 std::move(hint),
+                 {},
+                 std::make_shared<const nlohmann::json>(nlohmann::json{{"limit", limit}})});
 }
 
 HttpResponse http_error(const Refusal& refusal) {

@@ -5,12 +5,16 @@
 #include "server/net/gate.hpp"
 #include "server/net/http_message.hpp"
 
+#include <cstdint>
 #include <string>
 
 namespace wakesurf::server {
 
 HttpResponse http_error(unsigned status, std::string message, std::string hint);
 HttpResponse http_error(const core::Error& error);
+/// Over a limit: code -32014, whatever the status.
+HttpResponse
+http_over_limit(unsigned status, std::uint64_t limit, std::string message, std::string hint);
 HttpResponse http_error(const Refusal& refusal);
 
 HttpResponse http_json(std::string text);

@@ -1,7 +1,11 @@
 #include "server/net/listener.hpp"
 
+#include "server/session/log_text.hpp"
+
 #include <boost/asio/io_context.hpp>
 #include <spdlog/spdlog.h>
+
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -49,10 +53,12 @@ void Listener::start() {
             if (!self->acceptor_.is_open())
                 return;
             if (!error) {
+                self->paused_ = false;
                 self->accepted_(std::move(socket));
                 return self->start();
             }
-            spdlog::warn("accepting a connection failed: {}; trying again", error.message());
+            if (!std::exchange(self->paused_, true)) // once, not ten times a second
+                spdlog::warn("event=accept_paused reason={}", log_value(error.message()));
             self->pause_.expires_after(std::chrono::milliseconds(100));
             self->pause_.async_wait([self](boost::system::error_code stopped) {
                 if (!stopped && self->acceptor_.is_open())

@@ -34,6 +34,7 @@ class Listener : public std::enable_shared_from_this<Listener> {
     boost::asio::ip::tcp::acceptor acceptor_;
     boost::asio::steady_timer pause_;
     Accepted accepted_;
+    bool paused_ = false; ///< the last accept failed
 };
 
 } // namespace wakesurf::server

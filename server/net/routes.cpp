@@ -30,6 +30,14 @@ HttpResponse healthy() {
     return response;
 }
 
+HttpResponse counted(std::string text) {
+    HttpResponse response;
+    response.headers = {{"Content-Type", "text/plain; version=0.0.4; charset=utf-8"},
+                        {"Cache-Control", "no-store"}};
+    response.body = std::make_shared<const std::string>(std::move(text));
+    return response;
+}
+
 /// The subprotocols a client offers; one that offers none is a script and gets ours.
 bool speaks_our_protocol(const HttpRequest& request) {
     const auto offers = request.all("sec-websocket-protocol");
@@ -95,6 +103,10 @@ void Routes::serve(const HttpRequest& request, const Identity& identity, Respond
         return respond(wrong_method("GET"));
     if (request.path == "/openrpc.json")
         return respond(http_json(dispatcher_.document()));
+    if (request.path == "/metrics")
+        return respond(identity.grant.empty() ? counted(metrics_())
+                                              : http_error(403, "a share link does not open this",
+                                                           "send the token wakesurf printed"));
     if (request.path == "/ws")
         return respond(http_error(426, "this path is for WebSockets",
                                   "connect with the subprotocol wakesurf.v1"));

@@ -10,13 +10,22 @@
 
 #include <tl/expected.hpp>
 
+#include <functional>
+#include <string>
+
 namespace wakesurf::server {
 
 /// Loop thread only. Everything it refers to outlives it.
 class Routes {
   public:
-    Routes(Gate& gate, const StaticFiles& files, Dispatcher& dispatcher, Downloads& downloads)
-        : gate_(gate), files_(files), dispatcher_(dispatcher), downloads_(downloads) {}
+    /// @param metrics  gives the text of /metrics
+    Routes(Gate& gate,
+           const StaticFiles& files,
+           Dispatcher& dispatcher,
+           Downloads& downloads,
+           std::function<std::string()> metrics)
+        : gate_(gate), files_(files), dispatcher_(dispatcher), downloads_(downloads),
+          metrics_(std::move(metrics)) {}
 
     /// Whose WebSocket the request may become, or why it may not.
     tl::expected<Identity, HttpResponse> admit_upgrade(const HttpRequest& request);
@@ -34,6 +43,7 @@ class Routes {
     const StaticFiles& files_;
     Dispatcher& dispatcher_;
     Downloads& downloads_;
+    std::function<std::string()> metrics_;
 };
 
 } // namespace wakesurf::server

@@ -45,21 +45,45 @@ struct Server::Parts {
 
     void serve(const ServerOptions& options) {
         port = listener->port();
-        gate.emplace(GateOptions{options.token, options.host, port, options.origins}, entropy,
-                     clock, grants);
+        if (journal)
+            metrics.durable(true);
+        gate.emplace(
+            GateOptions{options.token, options.host, port, options.origins, tls != nullptr},
+            entropy, clock, grants);
         datasets.emplace(*catalogue);
         sessions.emplace(
-            SessionServices{loop, pool, *datasets, entropy, nullptr, journal.get(), &clock});
+            SessionServices{loop, pool, *datasets, entropy, &metrics, journal.get(), &clock});
         sessions->on_removed([this](const std::string& id) { grants.forget(id); });
         dispatcher.emplace(
             method_table(),
             MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); },
-                          prober, grants, clock, journal.get()},
+                          prober, grants, clock, journal.get(), [this] { return standing(); },
+                          &metrics},
             protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
         downloads.emplace(loop, pool, *sessions, *catalogue);
-        routes.emplace(*gate, files, *dispatcher, *downloads);
+        routes.emplace(*gate, files, *dispatcher, *downloads,
+                       [this] { return metrics.text(standing()); });
         if (kept)
             restore();
+    }
+
+    Standing standing() const {
+        Standing out;
+        out.uptime = std::chrono::duration<double>(clock.now() - started).count();
+        out.connections = admission.connections();
+        out.clients = admission.clients();
+        out.sessions = sessions->all().size();
+        for (const auto& [id, session] : sessions->all()) {
+            out.surfaces += session->surfaces().size();
+            out.participants += session->participants().present().size();
+        }
+        for (const DatasetStatus& each : catalogue->list())
+            if (const auto open = catalogue->find(each.dataset); open && (*open)->cache) {
+                const auto status = (*open)->cache->status();
+                out.caches.push_back(
+                    {each.dataset, status.hits, status.loads, status.bytes, status.budget});
+            }
+        return out;
     }
 
     std::unique_ptr<SqliteJournal> start_journal() {
@@ -81,7 +105,9 @@ struct Server::Parts {
     void tell_durability(const core::Result<void>& turn) {
         const std::string text = turn ? "edits are kept again, and so are all made meanwhile"
                                       : "edits are not kept for now: " + turn.error().message;
-        spdlog::log(turn ? spdlog::level::info : spdlog::level::warn, text);
+        metrics.durable(turn.has_value());
+        spdlog::log(turn ? spdlog::level::info : spdlog::level::warn, "event=durable yes={}",
+                    turn.has_value());
         connections.announce(protocol::rpc_notification(
             "server.notice", {{"kind", turn ? "durableAgain" : "notDurable"},
                               {"level", turn ? "info" : "warning"},
@@ -112,11 +138,14 @@ struct Server::Parts {
             context.poll();
     }
 
-    Connections connections;
-    std::size_t clients = 0;
     std::optional<KeptSessions> kept;
     SystemEntropy entropy;
     core::SteadyClock clock;
+    const std::chrono::steady_clock::time_point started = clock.now();
+    Metrics metrics{clock};
+    Admission admission{limits_for_descriptors(), metrics};
+    std::unique_ptr<TlsContext> tls;
+    Connections connections;
     asio::io_context context{1};
     IoLoop loop{context};
     ComputePool pool;
@@ -151,10 +180,16 @@ core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options)
     }
     auto parts = std::make_unique<Parts>(options, std::move(kept));
     Parts* const all = parts.get();
+    if (!options.certificate.empty()) {
+        auto tls = TlsContext::load(options.certificate, options.key);
+        if (!tls)
+            return tl::unexpected(tls.error());
+        all->tls = std::move(*tls);
+    }
     auto listener = Listener::open(
         all->context, options.host, options.port, [all](asio::ip::tcp::socket socket) {
-            serve_http(std::move(socket),
-                       {*all->routes, all->connections, all->grants, all->clients});
+            serve_http(std::move(socket), {*all->routes, all->connections, all->grants,
+                                           all->admission, all->metrics, all->tls.get()});
         });
     if (!listener)
         return tl::unexpected(listener.error());
@@ -180,18 +215,20 @@ std::uint16_t Server::port() const {
 void Server::run() {
     Parts& all = *parts_;
     if (all.files.empty())
-        spdlog::warn("the web client is not built; scripts can connect all the same");
+        spdlog::warn("event=no_web_client hint=\"scripts can connect all the same\"");
     if (!all.journal)
-        spdlog::info("sessions end with the server; --state DIR keeps them");
+        spdlog::info("event=sessions_not_kept hint=\"--state DIR keeps them\"");
     asio::signal_set signals(all.context, SIGINT, SIGTERM);
     signals.async_wait([&](boost::system::error_code error, int) {
         if (error)
             return;
-        spdlog::info("stopping");
+        spdlog::info("event=stopping clients={}", all.admission.clients());
         all.listener->stop();
         all.connections.go_away();
         all.stop_when_alone(std::chrono::steady_clock::now() + goodbye);
     });
+    spdlog::info("event=listening port={} tls={} connections={}", all.port, all.tls != nullptr,
+                 limits_for_descriptors().connections);
     all.listener->start();
     all.context.run();
     // The sockets' handlers hold the connections; they must run while there are sessions to leave.

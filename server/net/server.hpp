@@ -22,7 +22,9 @@ struct ServerOptions {
     unsigned threads = 0; ///< that compute; 0: one a core
     std::string token;    ///< empty: no authentication
     std::vector<std::string> origins;
-    std::filesystem::path web; ///< the built client; empty: where it was built or installed
+    std::filesystem::path certificate; ///< empty: plain HTTP
+    std::filesystem::path key;         ///< the certificate's
+    std::filesystem::path web;         ///< the built client; empty: where it was built or installed
 };
 
 class Server {

@@ -2,17 +2,20 @@
 
 #include "server/limits.hpp"
 #include "server/net/outbox.hpp"
+#include "server/net/security_headers.hpp"
+#include "server/net/token_bucket.hpp"
 #include "server/rpc/client.hpp"
 
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/websocket.hpp>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,25 +25,26 @@ namespace wakesurf::server {
 namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
-using boost::asio::ip::tcp;
 using boost::system::error_code;
 
 namespace {
+
+constexpr std::size_t small_message = 1024;
+constexpr std::size_t large_part = std::size_t{16} << 10;
 
 class WebSocketConnection final : public Connection,
                                   public Wire,
                                   public std::enable_shared_from_this<WebSocketConnection> {
   public:
-    WebSocketConnection(tcp::socket socket, NetServices services)
-        : stream_(std::move(socket)), stall_(stream_.get_executor()), services_(services) {
+    WebSocketConnection(ByteStream stream,
+                        NetServices services,
+                        std::unique_ptr<Admission::Place> place)
+        : stream_(std::move(stream)), stall_(stream_.get_executor()), services_(services),
+          place_(std::move(place)), pause_(stream_.get_executor()) {
         services_.connections.add(*this);
-        ++services_.clients;
     }
 
-    ~WebSocketConnection() override {
-        services_.connections.remove(*this);
-        --services_.clients;
-    }
+    ~WebSocketConnection() override { services_.connections.remove(*this); }
 
     void accept(const HttpRequest& request, const Identity& identity);
 
@@ -64,13 +68,20 @@ class WebSocketConnection final : public Connection,
   private:
     void read();
     void received(bool text, bool whole);
+    void read_after(std::size_t bytes);
     void write();
+    void count(std::size_t bytes, std::chrono::steady_clock::time_point begun);
     void close(websocket::close_code code, const char* reason);
     void end();
 
-    websocket::stream<beast::tcp_stream> stream_;
+    websocket::stream<ByteStream> stream_;
     boost::asio::steady_timer stall_; ///< runs while a message is being written
     NetServices services_;
+    std::unique_ptr<Admission::Place> place_;
+    boost::asio::steady_timer
+        pause_; ///< runs while a client that talks too fast is not listened to
+    TokenBucket messages_{limits::messages_per_second, limits::messages_at_once,
+                          std::chrono::steady_clock::now()};
     beast::flat_buffer buffer_;
     Outbox outbox_;
     Outbox::Item writing_;
@@ -87,6 +98,7 @@ void WebSocketConnection::accept(const HttpRequest& request, const Identity& ide
     timeouts.handshake_timeout = limits::handshake;
     timeouts.idle_timeout = limits::idle;
     timeouts.keep_alive_pings = true;
+    stream_.next_layer().expires_never();
     stream_.set_option(timeouts);
     stream_.set_option(
         websocket::permessage_deflate{}); // off: Draco's bytes do not shrink any further
@@ -94,6 +106,9 @@ void WebSocketConnection::accept(const HttpRequest& request, const Identity& ide
     stream_.set_option(
         websocket::stream_base::decorator([named](websocket::response_type& response) {
             response.set(http::field::server, "wakesurf");
+            for (const auto& [name, value] : security_headers())
+                response.set(beast::string_view(name.data(), name.size()),
+                             beast::string_view(value.data(), value.size()));
             if (named)
                 response.set(http::field::sec_websocket_protocol, "wakesurf.v1");
         }));
@@ -103,13 +118,17 @@ void WebSocketConnection::accept(const HttpRequest& request, const Identity& ide
         if (error)
             return;
         self->open_ = true;
+        spdlog::debug("event=client_opened client={}", self->place_->number());
         self->client_.emplace(*self, identity, self->services_.grants);
         self->read();
     });
 }
 
+/// What an idle client's buffer takes is what a thousand of them cost: it grows only while a message does.
 void WebSocketConnection::read() {
-    const std::size_t room = limits::message_bytes + 1 - buffer_.size();
+    const std::size_t room = buffer_.size() == 0
+                                 ? small_message
+                                 : std::min(large_part, limits::message_bytes + 1 - buffer_.size());
     stream_.async_read_some(
         buffer_, room, [self = shared_from_this()](error_code error, std::size_t) {
             if (error)
@@ -129,21 +148,41 @@ void WebSocketConnection::received(bool text, bool whole) {
         return read();
     const std::string message = beast::buffers_to_string(buffer_.data());
     buffer_.clear();
+    if (buffer_.capacity() > small_message)
+        buffer_.shrink_to_fit();
+    services_.metrics.message_received(message.size());
     services_.routes.dispatcher().dispatch(message, client_->identity(), &*client_,
                                            [weak = weak_from_this()](std::string answer) {
                                                const auto self = weak.lock();
                                                if (self && !answer.empty())
                                                    self->send(std::move(answer));
                                            });
-    if (open_)
-        read();
+    read_after(message.size());
+}
+
+/// A message counts for one, and for one more a KiB.
+void WebSocketConnection::read_after(std::size_t bytes) {
+    if (!open_)
+        return;
+    const auto wait =
+        messages_.take(std::chrono::steady_clock::now(), 1.0 + static_cast<double>(bytes) / 1024.0);
+    if (wait.count() == 0)
+        return read();
+    services_.metrics.reject(Rejection::RateLimited);
+    pause_.expires_after(wait);
+    pause_.async_wait([self = shared_from_this()](error_code error) {
+        if (!error && self->open_)
+            self->read();
+    });
 }
 
 void WebSocketConnection::send(std::string message) {
     if (!open_)
         return;
-    if (!outbox_.push(std::move(message)))
+    if (!outbox_.push(std::move(message))) {
+        services_.metrics.reject(Rejection::Overflow);
         return close(websocket::close_code::try_again_later, "the client reads too slowly");
+    }
     write();
 }
 
@@ -167,7 +206,9 @@ void WebSocketConnection::write() {
     stall_.async_wait([weak = weak_from_this()](error_code error) {
         const auto self = weak.lock();
         if (!error && self) {
-            spdlog::info("a client that took no data for 30 s was disconnected");
+            spdlog::info("event=client_stalled client={} seconds={}", self->place_->number(),
+                         limits::stalled.count());
+            self->services_.metrics.reject(Rejection::Stalled);
             self->end();
         }
     });
@@ -177,13 +218,24 @@ void WebSocketConnection::write() {
                            ? boost::asio::buffer(*text)
                            : boost::asio::buffer(std::get<Outbox::Frame>(writing_)->data(),
                                                  std::get<Outbox::Frame>(writing_)->size());
-    stream_.async_write(bytes, [self = shared_from_this()](error_code error, std::size_t) {
-        self->busy_ = false;
-        self->stall_.cancel();
-        if (error)
-            return self->end();
-        self->write();
-    });
+    const auto begun = std::chrono::steady_clock::now();
+    stream_.async_write(bytes,
+                        [self = shared_from_this(), begun](error_code error, std::size_t sent) {
+                            self->busy_ = false;
+                            self->stall_.cancel();
+                            if (error)
+                                return self->end();
+                            self->count(sent, begun);
+                            self->write();
+                        });
+}
+
+void WebSocketConnection::count(std::size_t bytes, std::chrono::steady_clock::time_point begun) {
+    if (std::holds_alternative<std::string>(writing_))
+        return services_.metrics.message_sent(bytes);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    services_.metrics.observe(Stage::Send, took.count());
+    services_.metrics.frame_sent(bytes);
 }
 
 /// Leaves the session at once; the close frame, and waiting for the client's, follow.
@@ -191,14 +243,19 @@ void WebSocketConnection::close(websocket::close_code code, const char* reason) 
     if (!open_)
         return;
     open_ = false;
+    spdlog::debug("event=client_closed client={} code={}", place_->number(),
+                  static_cast<unsigned>(code)); // the reason may be somebody's words
     boost::asio::post(stream_.get_executor(),
                       [self = shared_from_this()] { self->client_.reset(); });
     stream_.async_close({code, reason}, [self = shared_from_this()](error_code) { self->end(); });
 }
 
 void WebSocketConnection::end() {
+    if (open_)
+        spdlog::debug("event=client_gone client={}", place_->number());
     open_ = false;
     stall_.cancel();
+    pause_.cancel();
     // A session may be telling its participants something just now; it must not lose one while it does.
     boost::asio::post(stream_.get_executor(), [self = shared_from_this()] {
         self->client_.reset();
@@ -208,11 +265,13 @@ void WebSocketConnection::end() {
 
 } // namespace
 
-void serve_websocket(tcp::socket socket,
+void serve_websocket(ByteStream stream,
                      const HttpRequest& upgrade,
                      const Identity& identity,
-                     NetServices services) {
-    std::make_shared<WebSocketConnection>(std::move(socket), services)->accept(upgrade, identity);
+                     NetServices services,
+                     std::unique_ptr<Admission::Place> place) {
+    std::make_shared<WebSocketConnection>(std::move(stream), services, std::move(place))
+        ->accept(upgrade, identity);
 }
 
 } // namespace wakesurf::server

@@ -2,17 +2,19 @@
 // at a time, so a slow client delays nobody else.
 #pragma once
 
+#include "server/net/byte_stream.hpp"
 #include "server/net/http_connection.hpp"
 #include "server/net/http_message.hpp"
 
-#include <boost/asio/ip/tcp.hpp>
+#include <memory>
 
 namespace wakesurf::server {
 
-/// Answers the upgrade request, already let in as `identity`, and serves the socket until it closes.
-void serve_websocket(boost::asio::ip::tcp::socket socket,
+/// Answers the upgrade request, already let in as `identity`, and serves the stream until it closes.
+void serve_websocket(ByteStream stream,
                      const HttpRequest& upgrade,
                      const Identity& identity,
-                     NetServices services);
+                     NetServices services,
+                     std::unique_ptr<Admission::Place> place);
 
 } // namespace wakesurf::server

@@ -1,9 +1,11 @@
 #include "server/rpc/dispatcher.hpp"
 
 #include "server/limits.hpp"
+#include "server/rpc/call_log.hpp"
 #include "server/rpc/held_answer.hpp"
 #include "server/rpc/openrpc.hpp"
 #include "server/rpc/permission.hpp"
+#include "server/rpc/quota.hpp"
 #include "server/session/log_text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -100,20 +102,28 @@ std::optional<RpcFault> Dispatcher::too_fast(const Method& method, const Caller&
     const auto wait = rate.take(method.traits.edits, context_.clock.now());
     if (!wait)
         return std::nullopt;
-    return RpcFault{RpcCode::OverLimit,
-                    "calls come faster than they may",
-                    "wait for data.retryAfterMs milliseconds",
-                    {},
-                    std::make_shared<const json>(json{{"retryAfterMs", wait->count()}})};
+    return RpcFault{
+        RpcCode::OverLimit,
+        "calls come faster than they may",
+        "wait for data.retryAfterMs milliseconds",
+        {},
+        std::make_shared<const json>(json{
+            {"retryAfterMs", wait->count()},
+            {"limit", method.traits.edits ? limits::edits_per_second : limits::calls_per_second}})};
 }
 
 void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, Answer answer) {
-    Reply reply([id = call.id, answer = std::move(answer)](const json* result,
-                                                           const RpcFault* fault) {
+    Reply reply([id = call.id, name = call.method, metrics = context_.metrics,
+                 answer = std::move(answer)](const json* result, const RpcFault* fault) {
+        if (fault != nullptr && metrics != nullptr)
+            metrics->error(static_cast<int>(fault->code));
         if (!id)
             answer({});
+        else if (result != nullptr)
+            answer(protocol::rpc_result(*id, *result));
         else
-            answer(result ? protocol::rpc_result(*id, *result) : protocol::rpc_error(*id, *fault));
+            answer(protocol::rpc_error(
+                *id, fault->code == RpcCode::OverLimit ? with_limit(*fault, name) : *fault));
     });
     if (call.refused)
         return reply.fault(*call.refused);
@@ -139,13 +149,15 @@ void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, An
         return reply.fault(*fault);
     if (const auto fault = too_fast(*method, caller))
         return reply.fault(*fault);
+    log_call(*method, made);
     try {
         const bool held = method->traits.edits && context_.journal != nullptr;
         method->handler(made, held ? held_until_settled(std::move(reply), *context_.journal)
                                    : std::move(reply));
     } catch (const std::exception&
                  error) { // the reply, moved into the handler, answers as it is destroyed
-        spdlog::error("{} failed: {}", method->name, without_paths(error.what()));
+        spdlog::error("event=call_failed method={} reason={}", method->name,
+                      log_value(without_paths(error.what())));
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/json_rpc.hpp"
+#include "server/metrics/metrics.hpp"
 #include "server/rpc/client.hpp"
 #include "server/session/datasets.hpp"
 #include "server/session/grants.hpp"
@@ -49,7 +50,9 @@ struct MethodContext {
     Prober& prober;
     Grants& grants;
     const core::Clock& clock;
-    Journal* journal = nullptr; ///< answers to edits wait for it
+    Journal* journal = nullptr;           ///< answers to edits wait for it
+    std::function<Standing()> standing{}; ///< how the server stands; nobody can say without
+    Metrics* metrics = nullptr;           ///< nobody counts without
 };
 
 struct Call {

@@ -1,6 +1,7 @@
-// server.info, server.ping.
+// server.info, server.ping, server.stats.
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/rpc/stats_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -21,6 +22,8 @@ json info() {
              {{"messageBytes", limits::message_bytes},
               {"batch", limits::batch},
               {"depth", limits::message_depth},
+              {"clients", limits::clients},
+              {"callsPerSecond", limits::calls_per_second},
               {"sessions", limits::sessions},
               {"participants", limits::participants},
               {"rakes", limits::rakes},
@@ -32,6 +35,16 @@ json info() {
               {"undo", limits::undo_steps},
               {"quads", limits::quads_most},
               {"waitMs", limits::wait_ms}}}};
+}
+
+void stats(const Call& call, Reply reply) {
+    if (call.context.metrics == nullptr || !call.context.standing)
+        return reply.fault({protocol::RpcCode::NotFound,
+                            "this server counts nothing",
+                            "server.info says what it offers",
+                            {},
+                            {}});
+    reply.result(stats_json(*call.context.metrics, call.context.standing()));
 }
 
 } // namespace
@@ -50,6 +63,17 @@ std::vector<Method> server_methods() {
          "{}",
          any_viewer,
          [](const Call&, Reply reply) { reply.result(json::object()); }},
+        {"server.stats",
+         "How long each stage from an edit to the socket took in the last minute, in seconds, and "
+         "how the server stands.",
+         {},
+         "{uptime, connections, clients, sessions, participants, surfaces, stages: {queue, load, "
+         "advect, refine, encode, send: "
+         "{p50, p95, p99, count}}, firstFrame, cache: [{dataset, hits, loads, bytes, budget}], "
+         "memory: {rss, peak}, messages, "
+         "frames, bytes, keyframes, dropped}",
+         any_viewer,
+         stats},
     };
 }
 

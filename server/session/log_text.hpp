@@ -1,4 +1,5 @@
-// What may go into the log of an error we did not word ourselves: everything but paths of the server.
+// Lines of the log are `event=... key=value ...`. What may go into a value that we did not word ourselves: everything but
+// paths of the server, on one line, and not too much of it. Tokens, keys, cookies and messages never do.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +7,29 @@
 #include <string_view>
 
 namespace wakesurf::server {
+
+/// A value as it stands in a line: quoted where it is more than a word, everything but printable ASCII as \xHH, at most 80
+/// characters of it.
+inline std::string log_value(std::string_view text) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    constexpr std::size_t most = 80;
+    const auto plain = [](char c) {
+        return c > ' ' && c < 0x7f && c != '"' && c != '\\' && c != '=';
+    };
+    if (!text.empty() && text.size() <= most && std::all_of(text.begin(), text.end(), plain))
+        return std::string(text);
+    std::string out = "\"";
+    for (const char c : text.substr(0, most)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (plain(c) || c == ' ' || c == '=')
+            out += c;
+        else if (c == '"' || c == '\\')
+            out.append(1, '\\').append(1, c);
+        else
+            out.append("\\x").append(1, digits[byte >> 4]).append(1, digits[byte & 15]);
+    }
+    return out + (text.size() > most ? "...\"" : "\"");
+}
 
 /// Words with a slash become `(path)`.
 inline std::string without_paths(std::string_view text) {

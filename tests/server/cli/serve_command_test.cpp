@@ -26,6 +26,12 @@ TEST(ServeCommand, SaysInOneLineWhyItCannotServe) {
         {"flow:abc --threads 0", 2, "--threads"},
         {"flow:abc --memory banana", 2, "banana"},
         {"flow:abc --nonsense", 2, "--nonsense"},
+        {"flow:abc --tls-cert x", 2, "--tls-key"},
+        {"flow:abc --tls-key x", 2, "--tls-cert"},
+        {"flow:abc --listen 127.0.0.1:0 --tls-cert /nowhere/c --tls-key /nowhere/k", 1,
+         "--tls-cert cannot be read"},
+        {"flow:abc --listen 127.0.0.1:0 --tls-cert /etc/hostname --tls-key /etc/hostname", 1,
+         "--tls-cert holds no PEM certificate"},
     };
     for (const auto& [arguments, status, words] : cases) {
         std::FILE* pipe = ::popen(

@@ -1,0 +1,193 @@
+#include "server/net/byte_stream.hpp"
+
+#include "server/limits.hpp"
+#include "server/net/security_headers.hpp"
+
+#include <boost/asio/ssl/stream.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/write.hpp>
+
+#include <optional>
+#include <string>
+
+namespace wakesurf::server {
+
+namespace asio = boost::asio;
+namespace ssl = asio::ssl;
+using asio::ip::tcp;
+using boost::system::error_code;
+
+namespace {
+
+constexpr unsigned char tls_handshake_record = 0x16;
+
+std::string wants_tls() {
+    const std::string body = "this port speaks TLS: use https:// or wss://\n";
+    std::string text = "HTTP/1.1 400 Bad Request\r\nContent-Type: text/plain\r\n"
+                       "Cache-Control: no-store\r\nConnection: close\r\n";
+    for (const auto& [name, value] : security_headers())
+        text.append(name).append(": ").append(value).append("\r\n");
+    return text + "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
+}
+
+} // namespace
+
+struct ByteStream::State : std::enable_shared_from_this<State> {
+    State(tcp::socket connected, TlsContext* context)
+        : socket(std::move(connected)), deadline(socket.get_executor()) {
+        if (context != nullptr)
+            tls.emplace(socket, context->context());
+    }
+
+    void close() {
+        deadline.cancel();
+        error_code ignored;
+        socket.close(ignored);
+    }
+
+    void expires_after(std::chrono::milliseconds delay) {
+        deadline.expires_after(delay);
+        deadline.async_wait([weak = weak_from_this()](error_code error) {
+            const auto self = weak.lock();
+            // One that is set anew too late to be cancelled must not act.
+            if (error || !self || self->deadline.expiry() > asio::steady_timer::clock_type::now())
+                return;
+            self->timed_out = true;
+            error_code ignored;
+            self->socket.close(ignored);
+        });
+    }
+
+    void expires_never() { deadline.expires_at(asio::steady_timer::time_point::max()); }
+
+    void handshake(AnyHandler handler);
+    void tell_plain(AnyHandler handler);
+    void drain(AnyHandler handler);
+
+    tcp::socket socket;
+    asio::steady_timer deadline;
+    std::optional<ssl::stream<tcp::socket&>> tls;
+    std::array<char, 512> rest{}; ///< what comes after the end, and is nobody's
+    bool timed_out = false;
+};
+
+/// By its first byte: a TLS record, or somebody who speaks plain HTTP.
+void ByteStream::State::handshake(AnyHandler handler) {
+    socket.async_wait(
+        tcp::socket::wait_read,
+        [self = shared_from_this(), handler = std::move(handler)](error_code error) mutable {
+            unsigned char first = 0;
+            if (!error)
+                self->socket.receive(asio::buffer(&first, 1), tcp::socket::message_peek, error);
+            if (error)
+                return handler(error);
+            if (first != tls_handshake_record)
+                return self->tell_plain(std::move(handler));
+            self->tls->async_handshake(ssl::stream_base::server,
+                                       [self, handler = std::move(handler)](
+                                           error_code failed) mutable { handler(failed); });
+        });
+}
+
+void ByteStream::State::tell_plain(AnyHandler handler) {
+    auto text = std::make_shared<const std::string>(wants_tls());
+    tls.reset();
+    asio::async_write(socket, asio::buffer(*text),
+                      [self = shared_from_this(), text,
+                       handler = std::move(handler)](error_code, std::size_t) mutable {
+                          handler(asio::error::make_error_code(asio::error::no_protocol_option));
+                      });
+}
+
+/// A close with bytes unread would reset the connection and take what was sent last with it.
+void ByteStream::State::drain(AnyHandler handler) {
+    socket.async_read_some(asio::buffer(rest),
+                           [self = shared_from_this(),
+                            handler = std::move(handler)](error_code error, std::size_t) mutable {
+                               if (!error)
+                                   return self->drain(std::move(handler));
+                               self->close();
+                               handler({});
+                           });
+}
+
+namespace {
+
+template <class State>
+auto kept_alive(std::shared_ptr<State> state, AnyHandler handler) {
+    return [state = std::move(state), handler = std::move(handler)](
+               error_code error, std::size_t bytes) mutable { handler(error, bytes); };
+}
+
+} // namespace
+
+ByteStream::ByteStream(tcp::socket socket, TlsContext* tls)
+    : state_(std::make_shared<State>(std::move(socket), tls)) {}
+
+ByteStream::~ByteStream() {
+    if (state_)
+        state_->close();
+}
+
+ByteStream::ByteStream(ByteStream&&) noexcept = default;
+
+ByteStream::executor_type ByteStream::get_executor() noexcept {
+    return state_->socket.get_executor();
+}
+
+void ByteStream::accept(AnyHandler handler) {
+    if (state_->tls)
+        return state_->handshake(std::move(handler));
+    asio::post(state_->socket.get_executor(),
+               [handler = std::move(handler)]() mutable { handler({}); });
+}
+
+// TLS touches its state once more before it calls a handler, even when the stream has gone meanwhile.
+void ByteStream::read(asio::mutable_buffer buffer, AnyHandler handler) {
+    if (state_->tls)
+        state_->tls->async_read_some(buffer, kept_alive(state_, std::move(handler)));
+    else
+        state_->socket.async_read_some(buffer, std::move(handler));
+}
+
+void ByteStream::write(const Gathered& buffers, AnyHandler handler) {
+    if (state_->tls)
+        state_->tls->async_write_some(buffers, kept_alive(state_, std::move(handler)));
+    else
+        state_->socket.async_write_some(buffers, std::move(handler));
+}
+
+void ByteStream::end(AnyHandler handler) {
+    expires_after(linger);
+    const auto last = [state = state_](AnyHandler then) {
+        error_code ignored;
+        state->socket.shutdown(tcp::socket::shutdown_send, ignored);
+        state->drain(std::move(then));
+    };
+    if (!state_->tls)
+        return last(std::move(handler));
+    state_->tls->async_shutdown(
+        [last, handler = std::move(handler)](error_code) mutable { last(std::move(handler)); });
+}
+
+void ByteStream::close() {
+    state_->close();
+}
+
+void ByteStream::expires_after(std::chrono::milliseconds delay) {
+    state_->expires_after(delay);
+}
+
+void ByteStream::expires_never() {
+    state_->expires_never();
+}
+
+bool ByteStream::timed_out() const {
+    return state_->timed_out;
+}
+
+bool ByteStream::encrypted() const {
+    return state_->tls.has_value();
+}
+
+} // namespace wakesurf::server

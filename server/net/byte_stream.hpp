@@ -1,0 +1,115 @@
+// The bytes of one connection, over TCP or over TLS on top of it, behind one type: HTTP and WebSockets are compiled
+// against this, so that each of Beast's algorithms exists once. Has a deadline, after which the socket is closed.
+#pragma once
+
+#include "server/net/any_handler.hpp"
+#include "server/net/tls_context.hpp"
+
+#include <boost/asio/any_io_executor.hpp>
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/ip/tcp.hpp>
+
+#include <array>
+#include <chrono>
+#include <memory>
+
+namespace boost::beast {
+enum class role_type;
+}
+
+namespace wakesurf::server {
+
+/// Loop thread only. An AsyncReadStream and AsyncWriteStream as Beast wants them; handlers are called later, never from
+/// within. Movable while nothing is under way.
+class ByteStream {
+  public:
+    using executor_type = boost::asio::any_io_executor;
+    using Error = boost::system::error_code;
+
+    /// @param tls  nothing: plain TCP; outlives the stream
+    ByteStream(boost::asio::ip::tcp::socket socket, TlsContext* tls);
+    ~ByteStream();
+    ByteStream(ByteStream&&) noexcept;
+    ByteStream& operator=(ByteStream&&) = delete;
+
+    executor_type get_executor() noexcept;
+
+    /// The TLS handshake; over plain TCP nothing. Somebody who speaks plain HTTP to a TLS port is told so.
+    template <class Handler>
+    void async_accept(Handler&& handler) {
+        accept(AnyHandler(std::forward<Handler>(handler)));
+    }
+
+    template <class Buffers, class Handler>
+    void async_read_some(const Buffers& buffers, Handler&& handler) {
+        boost::asio::mutable_buffer first;
+        const auto end = boost::asio::buffer_sequence_end(buffers);
+        for (auto each = boost::asio::buffer_sequence_begin(buffers); each != end; ++each)
+            if (first.size() == 0)
+                first = boost::asio::mutable_buffer(*each);
+        read(first, AnyHandler(std::forward<Handler>(handler)));
+    }
+
+    template <class Buffers, class Handler>
+    void async_write_some(const Buffers& buffers, Handler&& handler) {
+        Gathered gathered;
+        const auto end = boost::asio::buffer_sequence_end(buffers);
+        for (auto each = boost::asio::buffer_sequence_begin(buffers); each != end; ++each)
+            if (const boost::asio::const_buffer bytes(*each);
+                bytes.size() > 0 && gathered.count < gathered.buffers.size())
+                gathered.buffers[gathered.count++] = bytes;
+        write(gathered, AnyHandler(std::forward<Handler>(handler)));
+    }
+
+    /// Says that nothing more will come, waits at most `linger` for the other side to say the same, and closes.
+    template <class Handler>
+    void async_end(Handler&& handler) {
+        end(AnyHandler(std::forward<Handler>(handler)));
+    }
+
+    /// At once; what is under way is aborted.
+    void close();
+
+    /// Closes the socket then, unless it is set again before.
+    void expires_after(std::chrono::milliseconds delay);
+    void expires_never();
+
+    /// Whether a deadline closed it.
+    bool timed_out() const;
+
+    bool encrypted() const;
+
+    static constexpr std::chrono::seconds linger{2};
+
+    // How Beast's WebSocket ends the stream below it.
+    template <class Handler>
+    friend void async_teardown(boost::beast::role_type, ByteStream& stream, Handler&& handler) {
+        stream.async_end(std::forward<Handler>(handler));
+    }
+
+    friend void beast_close_socket(ByteStream& stream) { stream.close(); }
+
+  private:
+    struct State;
+
+    /// The first few buffers of a sequence: a write may always send less than it was given.
+    struct Gathered {
+        using const_iterator = const boost::asio::const_buffer*;
+
+        const_iterator begin() const { return buffers.data(); }
+
+        const_iterator end() const { return buffers.data() + count; }
+
+        std::array<boost::asio::const_buffer, 8> buffers;
+        std::size_t count = 0;
+    };
+
+    void accept(AnyHandler handler);
+    void read(boost::asio::mutable_buffer buffer, AnyHandler handler);
+    void write(const Gathered& buffers, AnyHandler handler);
+    void end(AnyHandler handler);
+
+    std::shared_ptr<State> state_;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,36 @@
+// The server's certificate and what it is used with: TLS 1.2 and later, OpenSSL's default ciphers.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace boost::asio::ssl {
+class context;
+}
+
+namespace wakesurf::server {
+
+/// Loop thread only.
+class TlsContext {
+  public:
+    /// @param certificate  PEM: the certificate, then any intermediate ones
+    /// @param key          PEM, not encrypted
+    /// Error: Io for a file that cannot be read; Corrupt for one that is no certificate or key, or where the two do not
+    /// belong together. The messages name the option, not the path.
+    static core::Result<std::unique_ptr<TlsContext>> load(const std::filesystem::path& certificate,
+                                                          const std::filesystem::path& key);
+    ~TlsContext();
+    TlsContext(const TlsContext&) = delete;
+    TlsContext& operator=(const TlsContext&) = delete;
+
+    boost::asio::ssl::context& context() { return *context_; }
+
+  private:
+    explicit TlsContext(std::unique_ptr<boost::asio::ssl::context> context);
+
+    std::unique_ptr<boost::asio::ssl::context> context_;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,299 @@
+// HTTP as nobody should send it: smuggled bodies, endless headers, paths out of the folder. Each gets a short answer or a
+// closed connection at once, and never two answers where a proxy saw one request.
+#include "tests/support/server/server_process.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace wakesurf::tests {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::string repeat(const std::string& part, std::size_t times) {
+    std::string out;
+    for (std::size_t i = 0; i < times; ++i)
+        out += part;
+    return out;
+}
+
+class HttpBombs : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        folder_ = new TemporaryFolder;
+        std::ofstream(folder_->path() / "index.html") << "page";
+        server_ = new ServerProcess({"flow:abc", "--web", folder_->path().string()});
+    }
+
+    static void TearDownTestSuite() {
+        delete server_;
+        delete folder_;
+    }
+
+    static double seconds(Clock::time_point since) {
+        return std::chrono::duration<double>(Clock::now() - since).count();
+    }
+
+    static double ping() {
+        const auto start = Clock::now();
+        EXPECT_EQ(http(server_->port(), "GET", "/healthz").body, "ok");
+        return seconds(start);
+    }
+
+    /// All the statuses `bytes` are answered with until the server ends the connection or `wait` is over.
+    static std::vector<int> statuses(const std::string& bytes) {
+        RawSocket socket(server_->port());
+        socket.send(bytes);
+        std::vector<int> out;
+        for (;;) {
+            const HttpReply reply = read_reply(socket);
+            if (reply.status == 0)
+                return out;
+            out.push_back(reply.status);
+            if (reply.header("connection") == "close")
+                return out;
+        }
+    }
+
+    static ServerProcess* server_;
+    static TemporaryFolder* folder_;
+};
+
+ServerProcess* HttpBombs::server_ = nullptr;
+TemporaryFolder* HttpBombs::folder_ = nullptr;
+
+} // namespace
+
+TEST_F(HttpBombs, EndInAShortAnswerAtOnce) {
+    const std::string host = "Host: 127.0.0.1\r\n";
+    const std::string with = host + "Authorization: Bearer " + server_->token() + "\r\n";
+    const std::string ping = R"({"jsonrpc":"2.0","id":1,"method":"server.ping"})";
+    const std::string size = std::to_string(ping.size());
+    const auto post = [&](const std::string& headers, const std::string& body) {
+        return "POST /rpc HTTP/1.1\r\n" + with + headers + "\r\n" + body;
+    };
+    const std::string nul(1, '\0');
+    const std::string last = "Connection: close\r\n"; // of requests that are answered
+
+    struct Case {
+        std::string what;
+        std::string bytes;
+        std::vector<int> statuses;
+    };
+
+    const std::vector<Case> cases{
+        {"a length below zero", post("Content-Length: -1\r\n", ping), {400}},
+        {"a length with a sign", post("Content-Length: +5\r\n", ping), {400}},
+        {"a length in hexadecimal", post("Content-Length: 0x10\r\n", ping), {400}},
+        {"a length that is a list", post("Content-Length: 5, 6\r\n", ping), {400}},
+        {"two lengths", post("Content-Length: 5\r\nContent-Length: 6\r\n", ping), {400}},
+        {"the same length twice",
+         post("Content-Length: " + size + "\r\nContent-Length: " + size + "\r\n", ping),
+         {400}},
+        {"a length of 10^18", post("Content-Length: 1000000000000000000\r\n", ping), {413}},
+        {"a length beyond 2^64", post("Content-Length: 99999999999999999999999\r\n", ping), {400}},
+        {"a length and chunks",
+         post("Content-Length: 3\r\nTransfer-Encoding: chunked\r\n", "0\r\n\r\nGET / HTTP/1.1\r\n"),
+         {400}},
+        {"chunks and a length",
+         post("Transfer-Encoding: chunked\r\nContent-Length: 3\r\n", "0\r\n\r\nGET / HTTP/1.1\r\n"),
+         {400}},
+        {"two codings", post("Transfer-Encoding: gzip, chunked\r\n", "0\r\n\r\n"), {400}},
+        {"a coding twice",
+         post("Transfer-Encoding: chunked\r\nTransfer-Encoding: chunked\r\n", "0\r\n\r\n"),
+         {400}},
+        {"a coding nobody knows", post("Transfer-Encoding: xchunked\r\n", "0\r\n\r\n"), {400}},
+        {"a coding in disguise",
+         post("Transfer-Encoding:\x0b"
+              "chunked\r\n",
+              "0\r\n\r\n"),
+         {400}},
+        {"a blank before the colon", post("Content-Length : 3\r\n", "abc"), {400}},
+        {"chunks",
+         post("Transfer-Encoding: chunked\r\n" + last, "4\r\n{   \r\n3\r\nabc\r\n0\r\n\r\n"),
+         {200}},
+        {"a chunk of 2^64 bytes",
+         post("Transfer-Encoding: chunked\r\n", "FFFFFFFFFFFFFFFFF\r\nx"),
+         {400}},
+        {"a chunk of 2^60 bytes",
+         post("Transfer-Encoding: chunked\r\n", "FFFFFFFFFFFFFFF\r\nx"),
+         {413}},
+        {"a chunk of no size", post("Transfer-Encoding: chunked\r\n", "\r\nx"), {400}},
+        {"a chunk of negative size", post("Transfer-Encoding: chunked\r\n", "-1\r\nx"), {400}},
+        {"chunks beyond the limit",
+         post("Transfer-Encoding: chunked\r\n",
+              repeat("400\r\n" + std::string(1024, ' ') + "\r\n", 65)),
+         {413}},
+        {"a chunk with a megabyte of extensions",
+         post("Transfer-Encoding: chunked\r\n", "1;" + std::string(1 << 20, 'x')),
+         {400}},
+        {"a header of 20,000 bytes",
+         "GET /healthz HTTP/1.1\r\n" + host + "X: " + std::string(20000, 'x') + "\r\n\r\n",
+         {431}},
+        {"10,000 headers",
+         "GET /healthz HTTP/1.1\r\n" + host + repeat("X: y\r\n", 10000) + "\r\n",
+         {431}},
+        {"an address of 100,000 bytes",
+         "GET /" + std::string(100000, 'a') + " HTTP/1.1\r\n" + host + "\r\n",
+         {431}},
+        {"a method of 20,000 bytes",
+         std::string(20000, 'A') + " / HTTP/1.1\r\n" + host + "\r\n",
+         {431, 400}},
+        {"a header without a name", "GET /healthz HTTP/1.1\r\n" + host + ": x\r\n\r\n", {400}},
+        {"a header without a colon",
+         "GET /healthz HTTP/1.1\r\n" + host + "nonsense\r\n\r\n",
+         {400}},
+        {"a NUL in a header",
+         "GET /healthz HTTP/1.1\r\n" + host + "X: a" + nul + "b\r\n\r\n",
+         {400}},
+        {"a NUL in the address", "GET /" + nul + " HTTP/1.1\r\n" + host + "\r\n", {400}},
+        {"lines without returns", "GET /healthz HTTP/1.1\nHost: 127.0.0.1\n\n", {400}},
+        {"HTTP/0.9", "GET /\r\n\r\n", {400}},
+        {"HTTP/1.0", "GET /healthz HTTP/1.0\r\n" + host + "\r\n", {200}},
+        {"HTTP/1.0 without a host", "GET /healthz HTTP/1.0\r\n\r\n", {403}},
+        {"HTTP/1.1 without a host", "GET /healthz HTTP/1.1\r\n" + last + "\r\n", {403}},
+        {"two hosts", "GET /healthz HTTP/1.1\r\n" + host + host + last + "\r\n", {403}},
+        {"HTTP/2 at once", "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n", {400}},
+        {"HTTP/9.9", "GET / HTTP/9.9\r\n" + host + "\r\n", {400}},
+        {"another server's address",
+         "GET http://evil.example/ HTTP/1.1\r\n" + with + last + "\r\n",
+         {404}},
+        {"a tunnel", "CONNECT evil.example:80 HTTP/1.1\r\n" + with + last + "\r\n", {405}},
+        {"TRACE", "TRACE / HTTP/1.1\r\n" + with + last + "\r\n", {405}},
+        {"everything", "OPTIONS * HTTP/1.1\r\n" + with + last + "\r\n", {405}},
+        {"a method nobody knows", "BREW /healthz HTTP/1.1\r\n" + host + last + "\r\n", {405}},
+        {"a path with an encoded NUL", "GET /%00 HTTP/1.1\r\n" + with + last + "\r\n", {404}},
+        {"a path out of the folder",
+         "GET /../../../../etc/passwd HTTP/1.1\r\n" + with + last + "\r\n",
+         {404}},
+        {"the same encoded",
+         "GET /%2e%2e/%2e%2e/etc/passwd HTTP/1.1\r\n" + with + last + "\r\n",
+         {404}},
+        {"the same encoded twice",
+         "GET /%252e%252e/etc/passwd HTTP/1.1\r\n" + with + last + "\r\n",
+         {404}},
+        {"a path of slashes",
+         "GET " + std::string(4000, '/') + " HTTP/1.1\r\n" + with + last + "\r\n",
+         {404}},
+        {"a mesh of a path",
+         "GET /api/v1/sessions/../surfaces/../mesh.vtp HTTP/1.1\r\n" + with + last + "\r\n",
+         {404}},
+        {"1,000 requests at once",
+         repeat("GET /healthz HTTP/1.1\r\n" + host + "\r\n", 999) + "GET /healthz HTTP/1.1\r\n" +
+             host + last + "\r\n",
+         std::vector<int>(1000, 200)},
+    };
+    ASSERT_GE(cases.size(), 40u);
+    for (const auto& [what, bytes, expected] : cases) {
+        const double before = HttpBombs::ping();
+        const auto start = Clock::now();
+        const auto got = statuses(bytes);
+        const double took = seconds(start);
+        if (expected.size() == 1000)
+            EXPECT_EQ(got, expected) << what;
+        else
+            EXPECT_TRUE(got.size() == 1 &&
+                        std::find(expected.begin(), expected.end(), got[0]) != expected.end())
+                << what << ": " << testing::PrintToString(got);
+        EXPECT_LT(took, std::max(0.1, 20.0 * std::max(before, HttpBombs::ping()))) << what;
+    }
+    EXPECT_TRUE(server_->running());
+}
+
+TEST_F(HttpBombs, ThatStopHalfWayHoldNothingUp) {
+    std::vector<RawSocket> half;
+    for (int i = 0; i < 200; ++i) {
+        half.emplace_back(server_->port());
+        half.back().send("POST /rpc HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 60000\r\n\r\n{");
+    }
+    EXPECT_LT(ping(), 1.0);
+    for (int i = 0; i < 100; ++i)
+        half[static_cast<std::size_t>(i)].reset();
+    half.clear();
+    EXPECT_LT(ping(), 1.0);
+}
+
+TEST_F(HttpBombs, ThatDripAreEndedWhenTheirTimeIsOverHoweverSteadyTheyAre) {
+    RawSocket header(server_->port());
+    RawSocket body(server_->port());
+    body.send("POST /rpc HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 60000\r\n\r\n");
+    header.send("GET / HTTP/1.1\r\nX: ");
+    const auto start = Clock::now();
+    while (seconds(start) < 9.0) {
+        EXPECT_FALSE(header.closed_within(std::chrono::milliseconds(150)));
+        EXPECT_FALSE(body.closed_within(std::chrono::milliseconds(150)));
+        header.send("x");
+        body.send(" ");
+    }
+    for (RawSocket* each : {&header, &body})
+        EXPECT_TRUE(each->closed_within(std::chrono::seconds(5)));
+    EXPECT_LT(seconds(start), 14.0);
+}
+
+TEST_F(HttpBombs, SayTheSameToBrowsersWhateverTheAnswer) {
+    const auto bearer = server_->bearer();
+    Headers websocket = bearer;
+    for (const auto& [name, value] : Headers{{"Upgrade", "websocket"},
+                                             {"Connection", "Upgrade"},
+                                             {"Sec-WebSocket-Version", "13"},
+                                             {"Sec-WebSocket-Key", "dGhlIHNhbXBsZSBub25jZQ=="}})
+        websocket.emplace_back(name, value);
+
+    struct Case {
+        const char* method;
+        const char* target;
+        Headers headers;
+        std::string body;
+        int status;
+    };
+
+    const std::vector<Case> cases{
+        {"GET", "/", {}, {}, 200},
+        {"HEAD", "/", {}, {}, 200},
+        {"GET", "/healthz", {}, {}, 200},
+        {"GET", "/openrpc.json", bearer, {}, 200},
+        {"GET", "/metrics", bearer, {}, 200},
+        {"POST", "/rpc", bearer, R"({"jsonrpc":"2.0","id":1,"method":"server.ping"})", 200},
+        {"POST", "/rpc", bearer, R"({"jsonrpc":"2.0","method":"server.ping"})", 204},
+        {"GET", "/ws", websocket, {}, 101},
+        {"POST", "/api/v1/login", {}, "{", 400},
+        {"GET", "/metrics", {}, {}, 401},
+        {"GET", "/", {{"Host", "evil.example"}}, {}, 403},
+        {"GET", "/nothing", bearer, {}, 404},
+        {"DELETE", "/", bearer, {}, 405},
+        {"POST", "/rpc", bearer, std::string(70000, ' '), 413},
+        {"GET", "/ws", bearer, {}, 426},
+        {"GET", "/", {{"X", std::string(9000, 'x')}}, {}, 431},
+    };
+    for (const auto& [method, target, headers, body, status] : cases) {
+        const HttpReply reply = http(server_->port(), method, target, headers, body);
+        const std::string what = std::string(method) + " " + target + " " + std::to_string(status);
+        EXPECT_EQ(reply.status, status) << what;
+        EXPECT_EQ(reply.header("x-content-type-options"), "nosniff") << what;
+        EXPECT_EQ(reply.header("x-frame-options"), "DENY") << what;
+        EXPECT_EQ(reply.header("referrer-policy"), "no-referrer") << what;
+        EXPECT_EQ(reply.header("cross-origin-resource-policy"), "same-origin") << what;
+        EXPECT_EQ(reply.header("cross-origin-opener-policy"), "same-origin") << what;
+        EXPECT_NE(reply.header("permissions-policy").find("camera=()"), std::string::npos) << what;
+        EXPECT_NE(reply.header("content-security-policy").find("default-src 'self'"),
+                  std::string::npos)
+            << what;
+        EXPECT_EQ(reply.header("strict-transport-security"), "") << what;
+        EXPECT_EQ(reply.header("server"), "wakesurf") << what << ": no version";
+        if (status != 101)
+            EXPECT_NE(reply.header("cache-control"), "") << what;
+        if (status >= 400)
+            EXPECT_TRUE(nlohmann::json::parse(reply.body)["error"]["data"]["hint"].is_string())
+                << what;
+    }
+}
+
+} // namespace wakesurf::tests

@@ -1,0 +1,116 @@
+// Many clients at once, and what happens to the rest when the process has no descriptor left for another one.
+#include "tests/support/server/server_process.hpp"
+#include "tests/support/server/websocket_client.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wakesurf::tests {
+
+using nlohmann::json;
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::size_t per_client = 200; ///< KiB; the sanitizer's own
+#else
+constexpr std::size_t per_client = 20; ///< KiB
+#endif
+
+/// KiB
+std::size_t resident(const ServerProcess& server) {
+    std::ifstream status("/proc/" + std::to_string(server.pid()) + "/status");
+    for (std::string word; status >> word;)
+        if (std::size_t kibibytes = 0; word == "VmRSS:" && status >> kibibytes)
+            return kibibytes;
+    return 0;
+}
+
+std::string metric(const ServerProcess& server, const std::string& name) {
+    const std::string text = "\n" + http(server.port(), "GET", "/metrics", server.bearer()).body;
+    const auto at = text.find("\n" + name + " ");
+    if (at == std::string::npos)
+        return {};
+    const auto begin = at + name.size() + 2;
+    return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+} // namespace
+
+TEST(ManyClientsTest, AThousandIdleOnesTakeTwentyMegabytesAtMost) {
+    const ServerProcess server({"flow:abc"});
+    std::vector<std::unique_ptr<WebSocketClient>> clients;
+    for (int i = 0; i < 20; ++i)
+        clients.push_back(std::make_unique<WebSocketClient>(server, ""));
+    const std::size_t before = resident(server);
+    for (int i = 0; i < 1000; ++i) {
+        clients.push_back(std::make_unique<WebSocketClient>(server, ""));
+        clients.back()->result("server.ping");
+    }
+    const std::size_t each = (resident(server) - before) / 1000;
+    RecordProperty("KiB", static_cast<int>(each));
+    EXPECT_LE(each, per_client) << "KiB a client";
+    EXPECT_EQ(metric(server, "wakesurf_clients"), "1020");
+    clients.clear();
+    const WebSocketClient after(server);
+    for (int tries = 0; tries < 200 && metric(server, "wakesurf_clients") != "1"; ++tries)
+        http(server.port(), "GET", "/healthz");
+    EXPECT_EQ(metric(server, "wakesurf_clients"), "1");
+}
+
+TEST(ManyClientsTest, WithoutDescriptorsWaitForOneWhileTheOthersAreServed) {
+    ServerProcess server({"flow:abc"});
+    WebSocketClient served(server);
+    const rlimit few{40, 40};
+    ASSERT_EQ(::prlimit(server.pid(), RLIMIT_NOFILE, &few, nullptr), 0);
+    std::vector<RawSocket> silent;
+    for (int i = 0; i < 100; ++i)
+        silent.emplace_back(server.port());
+    EXPECT_EQ(served.result("server.ping"), json::object());
+    const json rake = served.result(
+        "rake.set", {{"kind", "line"}, {"points", {{0, 0, 0}, {1, 0, 0}}}, {"seeds", 8}});
+    EXPECT_TRUE(rake.contains("rake"));
+    silent.clear();
+    EXPECT_EQ(http(server.port(), "GET", "/healthz").body, "ok");
+    EXPECT_EQ(served.result("server.ping"), json::object());
+    const auto end = server.stop();
+    EXPECT_EQ(end.status, 0);
+    EXPECT_NE(end.log.find("event=accept_paused"), std::string::npos) << end.log;
+}
+
+TEST(ManyClientsTest, BeyondTheDescriptorsThatAreKeptForFilesAreSentAway) {
+    rlimit before{};
+    ::getrlimit(RLIMIT_NOFILE, &before);
+    const rlimit soft{64, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &soft), 0);
+    const ServerProcess server({"flow:abc"}); // raises its own
+    ::setrlimit(RLIMIT_NOFILE, &before);
+    std::vector<std::unique_ptr<WebSocketClient>> clients;
+    for (int i = 0; i < 100; ++i)
+        clients.push_back(std::make_unique<WebSocketClient>(server, ""));
+    EXPECT_EQ(clients.back()->result("server.ping"), json::object());
+}
+
+TEST(ManyClientsTest, OfThisMachineThatShowNothingDoNotKeepOthersOut) {
+    const ServerProcess server({"flow:abc"});
+    WebSocketClient served(server);
+    std::vector<RawSocket> silent;
+    for (int i = 0; i < 2100; ++i)
+        silent.emplace_back(server.port());
+    EXPECT_TRUE(silent.back().closed_within(std::chrono::seconds(5)));
+    EXPECT_EQ(served.result("server.ping"), json::object());
+    for (int i = 0; i < 100; ++i)
+        silent.pop_back();
+    for (int i = 0; i < 100; ++i)
+        silent.pop_back();
+    EXPECT_EQ(http(server.port(), "GET", "/healthz").body, "ok");
+    EXPECT_NE(metric(server, R"(wakesurf_rejected_total{reason="too_many_pending"})"), "0");
+}
+
+} // namespace wakesurf::tests
