@@ -82,6 +82,11 @@ std::string RawSocket::receive_exactly(std::size_t count) {
     return bytes;
 }
 
+bool RawSocket::readable_within(std::chrono::milliseconds patience) const {
+    pollfd wait{descriptor_, POLLIN, 0};
+    return !kept_.empty() || ::poll(&wait, 1, static_cast<int>(patience.count())) > 0;
+}
+
 bool RawSocket::closed_within(std::chrono::milliseconds patience) {
     const auto end = std::chrono::steady_clock::now() + patience;
     kept_.clear();

@@ -26,6 +26,9 @@ class RawSocket {
     std::string receive_until(std::string_view end);
     std::string receive_exactly(std::size_t bytes);
 
+    /// Whether there is something to read, or the other side has closed, within `patience`.
+    bool readable_within(std::chrono::milliseconds patience) const;
+
     /// Whether the other side closes within `patience`; data on the way is dropped.
     bool closed_within(std::chrono::milliseconds patience);
 
