@@ -1,11 +1,11 @@
 #include "protocol/mesh_vtp.hpp"
 
+#include "protocol/number_text.hpp"
 #include "protocol/surface_names.hpp"
 
 #include <array>
 #include <bit>
 #include <cassert>
-#include <charconv>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -22,13 +22,6 @@ struct AppendedFile {
     std::vector<std::span<const std::byte>> blocks;
     std::uint64_t offset = 0;
 };
-
-std::string number_text(double value) {
-    char text[32];
-    const auto end =
-        std::to_chars(text, text + sizeof(text), value).ptr; // shortest that reads back the same
-    return {text, end};
-}
 
 std::string escaped(std::string_view text) {
     std::string out;
@@ -123,7 +116,7 @@ void field_points(std::string& xml, std::string_view name, std::span<const core:
     field_numbers(xml, name, numbers, 3);
 }
 
-void field_data(std::string& xml, const VtpMetadata& metadata) {
+void field_data(std::string& xml, const MeshMetadata& metadata) {
     xml += "<FieldData>\n";
     field_text(xml, "kind", name(metadata.kind));
     field_points(xml, "rake", metadata.rake);
@@ -144,7 +137,7 @@ void field_data(std::string& xml, const VtpMetadata& metadata) {
 void point_data(AppendedFile& file,
                 const core::QuadComplex& mesh,
                 const std::vector<float>& speed,
-                const VtpScalars& scalars) {
+                const MeshScalars& scalars) {
     file.xml += "<PointData Scalars=\"speed\" Vectors=\"velocity\">\n";
     block(file, "Float64", "s", mesh.s);
     block(file, "Float64", "t", mesh.t);
@@ -164,7 +157,7 @@ void point_data(AppendedFile& file,
 } // namespace
 
 std::string
-mesh_vtp(const core::QuadComplex& mesh, const VtpMetadata& metadata, const VtpScalars& scalars) {
+mesh_vtp(const core::QuadComplex& mesh, const MeshMetadata& metadata, const MeshScalars& scalars) {
     static_assert(sizeof(core::Vec3) == 3 * sizeof(double) &&
                   sizeof(core::Vec3f) == 3 * sizeof(float));
     const Polygons polygons = polygons_of(mesh);

@@ -11,6 +11,7 @@ namespace wakesurf::server::limits {
 inline constexpr std::size_t message_bytes = std::size_t{64} << 10;
 inline constexpr std::size_t message_depth = 32;
 inline constexpr std::size_t batch = 64;
+inline constexpr std::size_t pending_calls = 256; ///< unanswered calls of one WebSocket
 inline constexpr std::uint32_t http_header_bytes = 8u << 10;
 
 // Connections.
@@ -70,6 +71,9 @@ inline constexpr std::size_t rake_points = 1024;
 inline constexpr std::uint64_t quads_default = 1'000'000;
 inline constexpr std::uint64_t quads_most = 4'000'000;
 inline constexpr std::uint64_t wait_ms = 600'000;
+
+// Downloads.
+inline constexpr std::size_t downloads = 8; ///< whole meshes made at a time
 
 // Probes.
 inline constexpr std::size_t probes = 32; ///< at a time

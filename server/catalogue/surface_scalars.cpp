@@ -20,14 +20,14 @@ core::Result<void> check_fields(const LoadedDataset& dataset,
     return {};
 }
 
-core::Result<protocol::VtpScalars> surface_scalars(const LoadedDataset& dataset,
+core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset,
                                                    const core::Surface& surface,
                                                    const core::SurfaceParameters& parameters,
                                                    const std::vector<std::string>& fields,
                                                    const std::stop_token& stop) {
     if (auto known = check_fields(dataset, fields); !known)
         return tl::unexpected(known.error());
-    protocol::VtpScalars scalars;
+    protocol::MeshScalars scalars;
     const auto times = core::vertex_times(surface, parameters);
     for (const std::string& name : fields) {
         if (name == dataset.info.velocity)

@@ -3,7 +3,7 @@
 
 #include "core/surface/surface.hpp"
 #include "core/surface/surface_parameters.hpp"
-#include "protocol/mesh_vtp.hpp"
+#include "protocol/mesh_metadata.hpp"
 #include "server/catalogue/open_dataset.hpp"
 
 #include <stop_token>
@@ -18,7 +18,7 @@ core::Result<void> check_fields(const LoadedDataset& dataset,
 
 /// Each named field, with a value a vertex. The velocity may be named too: every export has it.
 /// Error: as check_fields, and what reading reports.
-core::Result<protocol::VtpScalars> surface_scalars(const LoadedDataset& dataset,
+core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset,
                                                    const core::Surface& surface,
                                                    const core::SurfaceParameters& parameters,
                                                    const std::vector<std::string>& fields,

@@ -2,7 +2,7 @@
 
 #include "core/surface/surface_builder.hpp"
 #include "protocol/json_text.hpp"
-#include "protocol/mesh_vtp.hpp"
+#include "protocol/mesh_file.hpp"
 #include "protocol/statistics_json.hpp"
 #include "protocol/surface_names.hpp"
 #include "server/catalogue/open_dataset.hpp"
@@ -20,6 +20,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <filesystem>
 #include <thread>
 
 namespace wakesurf::server {
@@ -58,21 +59,26 @@ core::Result<void> write(const SurfaceOptions& options,
                          const SurfaceRequest& request,
                          const core::DatasetInfo& info,
                          const core::Surface& surface,
-                         const protocol::VtpScalars& scalars) {
-    const protocol::VtpMetadata metadata{.kind = request.parameters.kind,
-                                         .rake = request.rake.points,
-                                         .from = request.parameters.from,
-                                         .to = request.parameters.to,
-                                         .separation = surface.statistics.separation,
-                                         .dataset = info.dataset,
-                                         .version = WAKESURF_VERSION,
-                                         .release_until = request.parameters.release_until,
-                                         .rake2 = request.parameters.rake2
-                                                      ? request.parameters.rake2->points
-                                                      : std::vector<core::Vec3>{},
-                                         .sweep = request.parameters.sweep};
-    auto written =
-        write_whole_file(options.output, protocol::mesh_vtp(surface.mesh, metadata, scalars));
+                         const protocol::MeshScalars& scalars) {
+    const protocol::MeshMetadata metadata{.kind = request.parameters.kind,
+                                          .rake = request.rake.points,
+                                          .from = request.parameters.from,
+                                          .to = request.parameters.to,
+                                          .separation = surface.statistics.separation,
+                                          .dataset = info.dataset,
+                                          .version = WAKESURF_VERSION,
+                                          .release_until = request.parameters.release_until,
+                                          .rake2 = request.parameters.rake2
+                                                       ? request.parameters.rake2->points
+                                                       : std::vector<core::Vec3>{},
+                                          .sweep = request.parameters.sweep};
+    // Checked before the work began; the name has one of the extensions.
+    const auto format =
+        protocol::mesh_format(std::filesystem::path(options.output).extension().string().substr(1));
+    auto written = protocol::mesh_file(*format, surface.mesh, metadata, scalars)
+                       .and_then([&](const std::string& bytes) {
+                           return write_whole_file(options.output, bytes);
+                       });
     if (!written || options.stats.empty())
         return written;
     const auto statistics = protocol::statistics_json(surface.statistics);
@@ -179,7 +185,9 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         ->check(CLI::Range(1, 1024));
     command.add_option("--store", options.store,
                        "Folder for imported data (default: ~/.cache/wakesurf)");
-    command.add_option("-o,--output", options.output, "FILE.vtp to write")->required();
+    command
+        .add_option("-o,--output", options.output, "FILE.vtp, .glb, .ply, .obj or .drc to write")
+        ->required();
     command.add_option("--stats", options.stats, "FILE.json to write statistics to");
 }
 

@@ -1,5 +1,6 @@
 #include "server/cli/surface_request.hpp"
 
+#include "protocol/mesh_file.hpp"
 #include "protocol/surface_names.hpp"
 #include "server/cli/rake_text.hpp"
 
@@ -60,15 +61,10 @@ core::Result<void> check_numbers(const SurfaceOptions& options) {
 core::Result<void> check_output(const std::string& output, const char* option, bool mesh) {
     const std::filesystem::path file(output);
     const auto extension = file.extension().string();
-    if (mesh && (extension == ".glb" || extension == ".ply" || extension == ".obj"))
-        return core::fail(Code::Unsupported,
-                          std::string(option) + ": this version of wakesurf does not write " +
-                              extension,
-                          "write .vtp");
-    if (mesh && extension != ".vtp")
+    if (mesh && (extension.empty() || !protocol::mesh_format(extension.substr(1))))
         return core::fail(Code::InvalidArgument,
                           std::string(option) + ": '" + output + "' has no known extension",
-                          "write .vtp");
+                          "write " + protocol::mesh_extensions());
     std::error_code ignored;
     const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
     if (!std::filesystem::is_directory(folder, ignored))

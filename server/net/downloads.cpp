@@ -4,7 +4,7 @@
 #include "core/surface/surface_builder.hpp"
 #include "protocol/bytes.hpp"
 #include "protocol/mesh_encoder.hpp"
-#include "protocol/mesh_vtp.hpp"
+#include "protocol/mesh_file.hpp"
 #include "server/catalogue/surface_scalars.hpp"
 #include "server/limits.hpp"
 #include "server/net/http_error.hpp"
@@ -79,6 +79,7 @@ Body obstacle_frames(const LoadedDataset& dataset) {
 Body surface_file(const SurfaceJob& job,
                   const LoadedDataset& dataset,
                   const std::vector<std::string>& fields,
+                  protocol::MeshFormat format,
                   const std::stop_token& stop) {
     core::SurfaceParameters parameters = job.parameters;
     parameters.deformation = true;
@@ -88,30 +89,60 @@ Body surface_file(const SurfaceJob& job,
     const auto scalars = surface_scalars(dataset, *surface, parameters, fields, stop);
     if (!scalars)
         return tl::unexpected(scalars.error());
-    protocol::VtpMetadata metadata{.kind = parameters.kind,
-                                   .rake = job.rake.points,
-                                   .from = parameters.from,
-                                   .to = parameters.to,
-                                   .separation = parameters.separation,
-                                   .dataset = dataset.info.dataset,
-                                   .version = WAKESURF_VERSION,
-                                   .release_until = parameters.release_until,
-                                   .sweep = parameters.sweep};
+    protocol::MeshMetadata metadata{.kind = parameters.kind,
+                                    .rake = job.rake.points,
+                                    .from = parameters.from,
+                                    .to = parameters.to,
+                                    .separation = parameters.separation,
+                                    .dataset = dataset.info.dataset,
+                                    .version = WAKESURF_VERSION,
+                                    .release_until = parameters.release_until,
+                                    .sweep = parameters.sweep};
     if (parameters.rake2)
         metadata.rake2 = parameters.rake2->points;
-    return std::make_shared<const std::string>(
-        protocol::mesh_vtp(surface->mesh, metadata, *scalars));
+    return protocol::mesh_file(format, surface->mesh, metadata, *scalars)
+        .map([](std::string&& bytes) {
+            return std::make_shared<const std::string>(std::move(bytes));
+        });
 }
 
-std::optional<Error> refused_format(std::string_view file) {
-    if (file == "mesh.vtp")
-        return std::nullopt;
-    for (const std::string_view format : {"mesh.glb", "mesh.ply", "mesh.obj", "mesh.drc"})
-        if (file == format)
-            return Error{Error::Code::Unsupported, fmt::format("{} is not offered yet", file),
-                         "ask for mesh.vtp"};
-    return Error{Error::Code::NotFound, "there is no such file", "ask for mesh.vtp"};
+/// From `mesh.ply`.
+std::optional<protocol::MeshFormat> format_of(std::string_view file) {
+    constexpr std::string_view stem = "mesh.";
+    return file.starts_with(stem) ? protocol::mesh_format(file.substr(stem.size())) : std::nullopt;
 }
+
+/// Whether an If-None-Match names this tag; weak ones count (RFC 9110, 13.1.2).
+bool names(std::string_view if_none_match, std::string_view tag) {
+    return if_none_match == "*" || if_none_match.find(tag) != std::string_view::npos;
+}
+
+HttpResponse file_response(const SurfaceOutcome& outcome,
+                           protocol::MeshFormat format,
+                           const std::string& tag,
+                           const File& body) {
+    return {200,
+            {{"Content-Type", std::string(protocol::content_type(format))},
+             {"Content-Disposition", fmt::format("attachment; filename=\"{}.{}\"", outcome.surface,
+                                                 protocol::extension(format))},
+             {"Cache-Control", "private, no-cache"},
+             {"ETag", tag}},
+            body};
+}
+
+/// One of the downloads that are computed at a time.
+class Place {
+  public:
+    explicit Place(std::size_t& taken) : taken_(taken) { ++taken_; }
+
+    ~Place() { --taken_; }
+
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+
+  private:
+    std::size_t& taken_;
+};
 
 } // namespace
 
@@ -122,13 +153,14 @@ struct Downloads::State {
     const DatasetCatalogue& catalogue;
     std::stop_source stop;
     std::map<std::string, std::shared_ptr<const std::string>> obstacles;
+    std::size_t computing = 0;
 };
 
 Downloads::Downloads(Loop& loop,
                      ComputePool& pool,
                      const SessionDirectory& sessions,
                      const DatasetCatalogue& catalogue)
-    : state_(new State{loop, pool, sessions, catalogue, {}, {}}) {}
+    : state_(new State{loop, pool, sessions, catalogue, {}, {}, 0}) {}
 
 Downloads::~Downloads() {
     state_->stop.request_stop();
@@ -173,8 +205,10 @@ void Downloads::surface(const HttpRequest& request,
                         const std::string& surface_id,
                         const std::string& file,
                         const Respond& respond) {
-    if (const auto refused = refused_format(file))
-        return respond(http_error(*refused));
+    const auto format = format_of(file);
+    if (!format)
+        return respond(
+            http_error(404, "there is no such file", "ask for mesh" + protocol::mesh_extensions()));
     const auto session = state_->sessions.find(session_id);
     if (!session)
         return respond(http_error(session.error()));
@@ -186,33 +220,36 @@ void Downloads::surface(const HttpRequest& request,
     if (!dataset)
         return respond(http_error(dataset.error()));
     const std::string known(request.header("if-none-match"));
-    (*live)->wait((*live)->epoch(), std::chrono::milliseconds(limits::wait_ms),
-                  [=, live = *live, state = state_, fields = record->fields,
-                   dataset = *dataset](const core::Result<SurfaceOutcome>& outcome) {
-                      if (!outcome)
-                          return respond(http_error(outcome.error()));
-                      if (!outcome->complete)
-                          return respond(http_error(503, "the surface is not complete yet",
-                                                    "ask again later"));
-                      const std::string etag = fmt::format("\"{}-{}-{:08x}\"", outcome->surface,
-                                                           outcome->epoch, outcome->crc);
-                      if (known == etag)
-                          return respond({304, {{"ETag", etag}}});
-                      compute<File>(
-                          state->loop, state->pool,
-                          [job = live->wanted(), dataset, fields, stop = state->stop.get_token()] {
-                              return surface_file(job, *dataset, fields, stop);
-                          },
-                          [respond, etag](const Body& body) {
-                              if (!body)
-                                  return respond(http_error(body.error()));
-                              respond({200,
-                                       {{"Content-Type", "application/octet-stream"},
-                                        {"Cache-Control", "no-cache"},
-                                        {"ETag", etag}},
-                                       *body});
-                          });
-                  });
+    (*live)->wait(
+        (*live)->epoch(), std::chrono::milliseconds(limits::wait_ms),
+        [=, live = *live, state = state_, record = *record, dataset = *dataset,
+         format = *format](const core::Result<SurfaceOutcome>& outcome) {
+            if (!outcome)
+                return respond(http_error(outcome.error()));
+            if (!outcome->complete)
+                return respond(
+                    http_error(503, "the surface is not complete yet", "ask again later"));
+            const std::string tag =
+                fmt::format("\"{}-{}-{}-{:08x}-{}\"", outcome->surface, record.rev, outcome->epoch,
+                            outcome->crc, protocol::extension(format));
+            if (names(known, tag))
+                return respond({304, {{"ETag", tag}, {"Cache-Control", "private, no-cache"}}});
+            if (state->computing >= limits::downloads)
+                return respond(http_error(
+                    503, fmt::format("{} downloads are being made already", limits::downloads),
+                    "ask again in a few seconds"));
+            compute<File>(
+                state->loop, state->pool,
+                [job = live->wanted(), dataset, fields = record.fields, format,
+                 stop = state->stop.get_token()] {
+                    return surface_file(job, *dataset, fields, format, stop);
+                },
+                [respond, outcome = *outcome, tag, format, state,
+                 place = std::make_shared<Place>(state->computing)](const Body& body) {
+                    respond(body ? file_response(outcome, format, tag, *body)
+                                 : http_error(body.error()));
+                });
+        });
 }
 
 } // namespace wakesurf::server

@@ -20,6 +20,7 @@ Client::Client(Wire& wire, Identity identity, Grants& grants)
 }
 
 Client::~Client() {
+    calls_.abandon(); // first: what is under way may want to tell this client something
     grants_.leave(*this);
     for (const auto& [number, surface] : subscriptions_)
         if (const auto live = surface.lock())

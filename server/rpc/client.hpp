@@ -3,6 +3,7 @@
 #pragma once
 
 #include "server/rpc/call_rate.hpp"
+#include "server/rpc/pending_calls.hpp"
 #include "server/rpc/wire.hpp"
 #include "server/session/grants.hpp"
 #include "server/session/identity.hpp"
@@ -48,6 +49,9 @@ class Client final : public Observer, public FrameSink, public GrantHolder {
     /// False when there was no such subscription.
     bool unsubscribe(std::uint32_t number);
 
+    /// Those not answered yet.
+    PendingCalls& calls() { return calls_; }
+
     /// A notification that belongs to no session.
     void notify(const std::string& message) { wire_.send(message); }
 
@@ -69,6 +73,7 @@ class Client final : public Observer, public FrameSink, public GrantHolder {
     Identity identity_;
     Grants& grants_;
     CallRate rate_;
+    PendingCalls calls_;
     std::shared_ptr<Session> session_;
     std::string participant_; ///< of that session
     std::map<std::uint32_t, std::weak_ptr<LiveSurface>> subscriptions_;

@@ -67,7 +67,8 @@ void probe_sample(const Call& call, Reply reply) {
         return reply.fault(open.error());
     const auto answer = std::make_shared<Reply>(std::move(reply));
     call.context.prober.ask(
-        std::move(*open), std::move(request), [answer](const core::Result<ProbeResult>& result) {
+        std::move(*open), std::move(request), call.stop,
+        [answer](const core::Result<ProbeResult>& result) {
             if (!result)
                 return answer->fault(result.error());
             json values = json::object();

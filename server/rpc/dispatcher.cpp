@@ -53,6 +53,14 @@ std::optional<RpcFault> unknown_parameter(const Method& method, const json& para
     return std::nullopt;
 }
 
+RpcFault too_many_calls() {
+    return {RpcCode::OverLimit,
+            "too many calls of this connection are not answered yet",
+            "wait for answers, or end some calls with $/cancelRequest",
+            {},
+            std::make_shared<const json>(json{{"limit", limits::pending_calls}})};
+}
+
 const json no_parameters = json::object();
 
 } // namespace
@@ -113,6 +121,14 @@ std::optional<RpcFault> Dispatcher::too_fast(const Method& method, const Caller&
 }
 
 void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, Answer answer) {
+    std::stop_token stop;
+    if (caller.client != nullptr && call.id) {
+        const auto pending = caller.client->calls().open(*call.id, answer);
+        if (!pending)
+            return answer(protocol::rpc_error(*call.id, too_many_calls()));
+        stop = pending->stop();
+        answer = [pending](std::string text) { pending->answer(std::move(text)); };
+    }
     Reply reply([id = call.id, name = call.method, metrics = context_.metrics,
                  answer = std::move(answer)](const json* result, const RpcFault* fault) {
         if (fault != nullptr && metrics != nullptr)
@@ -144,7 +160,7 @@ void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, An
     const json& parameters = given.is_array() && given.empty() ? no_parameters : given;
     if (const auto unknown = unknown_parameter(*method, parameters))
         return reply.fault(*unknown);
-    const Call made{context_, parameters, caller.identity, caller.client, batched};
+    const Call made{context_, parameters, caller.identity, caller.client, batched, stop};
     if (const auto fault = refused(*method, made))
         return reply.fault(*fault);
     if (const auto fault = too_fast(*method, caller))

@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ struct MethodContext {
     Prober& prober;
     Grants& grants;
     const core::Clock& clock;
+    Loop& loop;
     Journal* journal = nullptr;           ///< answers to edits wait for it
     std::function<Standing()> standing{}; ///< how the server stands; nobody can say without
     Metrics* metrics = nullptr;           ///< nobody counts without
@@ -61,6 +63,7 @@ struct Call {
     const Identity& identity;         ///< valid until the handler returns
     Client* client;                   ///< nothing over HTTP
     bool batched;                     ///< the answer will wait for others
+    std::stop_token stop{};           ///< the answer is not wanted any more
 };
 
 struct Parameter {

@@ -18,6 +18,7 @@ std::vector<Method> subscription_methods();
 std::vector<Method> bookmark_methods();
 std::vector<Method> annotation_methods();
 std::vector<Method> history_methods();
+std::vector<Method> wait_methods();
 
 /// All of the above.
 std::vector<Method> method_table();

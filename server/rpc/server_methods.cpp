@@ -1,4 +1,5 @@
 // server.info, server.ping, server.stats.
+#include "protocol/mesh_file.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/stats_json.hpp"
@@ -11,13 +12,20 @@ using nlohmann::json;
 
 namespace {
 
+/// What a client may look for before it relies on it.
+json capabilities() {
+    json out{"stream",  "path",     "streak",     "time",   "obstacle.bin", "lease",
+             "history", "bookmark", "annotation", "cancel", "progress"};
+    for (const auto format : protocol::mesh_formats)
+        out.push_back("mesh." + std::string(protocol::extension(format)));
+    return out;
+}
+
 json info() {
     return {{"name", "wakesurf"},
             {"version", WAKESURF_VERSION},
             {"apiLevel", 1},
-            {"capabilities",
-             {"stream", "path", "streak", "time", "mesh.vtp", "obstacle.bin", "lease", "history",
-              "bookmark", "annotation"}},
+            {"capabilities", capabilities()},
             {"limits",
              {{"messageBytes", limits::message_bytes},
               {"batch", limits::batch},

@@ -1,13 +1,11 @@
-// surface.stats, .wait, .subscribe, .unsubscribe: what those who look at a surface ask of it.
+// surface.stats, .subscribe, .unsubscribe: what those who look at a surface ask of it.
 #include "protocol/checked_json.hpp"
 #include "protocol/mesh_encoder.hpp"
-#include "server/limits.hpp"
 #include "server/rpc/lattice_json.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/outcome_json.hpp"
 #include "server/rpc/session_choice.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <limits>
@@ -31,24 +29,6 @@ void stats(const Call& call, Reply reply) {
     if (!live)
         return reply.fault(live.error());
     reply.result(outcome_json((*live)->outcome()));
-}
-
-void wait(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const auto epoch = in.count_if("epoch", 0, std::numeric_limits<std::uint32_t>::max());
-    const auto patience = in.count("timeoutMs", 0, limits::wait_ms);
-    const auto live = read_live(in, call);
-    if (!live)
-        return reply.fault(live.error());
-    const auto wanted = epoch ? static_cast<std::uint32_t>(*epoch) : (*live)->epoch();
-    auto answer = std::make_shared<Reply>(std::move(reply));
-    (*live)->wait(wanted, std::chrono::milliseconds(patience),
-                  [answer](const core::Result<SurfaceOutcome>& outcome) {
-                      if (outcome)
-                          answer->result(outcome_json(*outcome));
-                      else
-                          answer->fault(outcome.error());
-                  });
 }
 
 void subscribe(const Call& call, Reply reply) {
@@ -109,17 +89,6 @@ std::vector<Method> subscription_methods() {
          "the shape of `--stats`, and surface, epoch, complete, crc",
          any_viewer,
          stats},
-        {"surface.wait",
-         "Answers once the surface is complete.",
-         {session,
-          surface,
-          {"epoch", whole, false, "this one or a later one; left out: the current"},
-          {"timeoutMs",
-           fmt::format(R"({{"type":"integer","minimum":0,"maximum":{}}})", limits::wait_ms), true,
-           "patience"}},
-         "as surface.stats; complete is false when the time ran out",
-         any_viewer,
-         wait},
         {"surface.subscribe",
          "Sends the mesh of a surface, now and after every change, as binary frames.",
          {session, surface},

@@ -158,20 +158,33 @@ bool LiveSurface::subscribed(const FrameSink& sink) const {
     return std::find(sinks_.begin(), sinks_.end(), &sink) != sinks_.end();
 }
 
-void LiveSurface::wait(std::uint32_t epoch, std::chrono::milliseconds patience, Waiter waiter) {
-    if (waiting_.size() >= limits::waiters)
-        return waiter(core::fail(core::Error::Code::OverLimit,
-                                 "too many surface.wait calls are open for surface " + id_,
-                                 "let some of them finish first"));
+std::uint64_t
+LiveSurface::wait(std::uint32_t epoch, std::chrono::milliseconds patience, Waiter waiter) {
     const std::uint64_t id = next_waiter_++;
+    if (waiting_.size() >= limits::waiters) {
+        waiter(core::fail(core::Error::Code::OverLimit,
+                          "too many surface.wait calls are open for surface " + id_,
+                          "let some of them finish first"));
+        return id;
+    }
     waiting_.push_back({id, epoch, std::move(waiter), nullptr});
     settle();
     if (waiting_.empty() || waiting_.back().id != id)
-        return;
+        return id;
     waiting_.back().timer = loop_.after(patience, [weak = weak_from_this(), id] {
         if (const auto self = weak.lock())
             self->give_up(id);
     });
+    return id;
+}
+
+void LiveSurface::forget(std::uint64_t ticket) {
+    const auto found = std::find_if(waiting_.begin(), waiting_.end(),
+                                    [&](const Waiting& each) { return each.id == ticket; });
+    if (found == waiting_.end())
+        return;
+    const Waiting ended = std::move(*found); // destroyed last: it may look at this surface
+    waiting_.erase(found);
 }
 
 void LiveSurface::settle() {

@@ -67,7 +67,9 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
 
     /// Calls back once `epoch` or a later one is final or has failed, or with complete == false after `patience`.
     /// Error: OverLimit for too many waiters; what the computation failed with; NotFound when the surface goes.
-    void wait(std::uint32_t epoch, std::chrono::milliseconds patience, Waiter waiter);
+    /// Returns a ticket for forget(), which lets go of the waiter without calling it.
+    std::uint64_t wait(std::uint32_t epoch, std::chrono::milliseconds patience, Waiter waiter);
+    void forget(std::uint64_t ticket);
 
   private:
     struct Waiting {

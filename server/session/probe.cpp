@@ -43,6 +43,26 @@ core::Result<ProbeField> sample_field(const OpenDataset& dataset,
         });
 }
 
+/// Fires when one of two tokens does.
+class EitherStop {
+  public:
+    EitherStop(const std::stop_token& a, const std::stop_token& b)
+        : a_(a, Forward{source_}), b_(b, Forward{source_}) {}
+
+    std::stop_token token() const { return source_.get_token(); }
+
+  private:
+    struct Forward {
+        std::stop_source to;
+
+        void operator()() { to.request_stop(); }
+    };
+
+    std::stop_source source_;
+    std::stop_callback<Forward> a_;
+    std::stop_callback<Forward> b_;
+};
+
 } // namespace
 
 core::Result<ProbeResult>
@@ -75,6 +95,7 @@ probe(const OpenDataset& dataset, const ProbeRequest& request, const std::stop_t
 
 void Prober::ask(OpenDataset dataset,
                  ProbeRequest request,
+                 const std::stop_token& unwanted,
                  std::function<void(core::Result<ProbeResult>)> answer) {
     if (*running_ >= limits::probes)
         return answer(fail(Error::Code::OverLimit,
@@ -83,8 +104,9 @@ void Prober::ask(OpenDataset dataset,
     ++*running_;
     compute<ProbeResult>(
         loop_, pool_,
-        [dataset = std::move(dataset), request = std::move(request), stop = stop_.get_token()] {
-            return probe(dataset, request, stop);
+        [dataset = std::move(dataset), request = std::move(request),
+         stop = std::make_shared<EitherStop>(stop_.get_token(), unwanted)] {
+            return probe(dataset, request, stop->token());
         },
         [running = running_, answer = std::move(answer)](core::Result<ProbeResult> result) {
             --*running;

@@ -48,8 +48,10 @@ class Prober {
     Prober& operator=(const Prober&) = delete;
 
     /// Calls `answer` on the loop. Error: OverLimit at once when too many are running; else as probe.
+    /// @param unwanted  stops this one
     void ask(OpenDataset dataset,
              ProbeRequest request,
+             const std::stop_token& unwanted,
              std::function<void(core::Result<ProbeResult>)> answer);
 
   private:

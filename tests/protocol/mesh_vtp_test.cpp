@@ -11,13 +11,13 @@ namespace {
 using tests::array_of;
 using tests::small_mesh;
 
-const VtpMetadata metadata{.kind = core::SurfaceKind::Path,
-                           .rake = {{0, 0, 0}, {0.1, 1e-300, -2}},
-                           .from = 0.1,
-                           .to = 7,
-                           .separation = 0.05,
-                           .dataset = "a<b",
-                           .version = "1.2.3"};
+const MeshMetadata metadata{.kind = core::SurfaceKind::Path,
+                            .rake = {{0, 0, 0}, {0.1, 1e-300, -2}},
+                            .from = 0.1,
+                            .to = 7,
+                            .separation = 0.05,
+                            .dataset = "a<b",
+                            .version = "1.2.3"};
 
 } // namespace
 

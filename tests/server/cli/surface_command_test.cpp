@@ -1,5 +1,6 @@
 // `wakesurf surface` as its user meets it: a process with an exit status, messages and files.
 #include "server/catalogue/child_process.hpp"
+#include "tests/support/mesh_readers.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -91,16 +92,38 @@ TEST_F(SurfaceCommand, WritesTheMeshAndItsStatistics) {
               std::string::npos);
 }
 
-TEST_F(SurfaceCommand, WritesTheSameBytesForAnyNumberOfThreads) {
-    std::string first;
-    for (const auto* threads : {"1", "2", "3", "8"}) {
-        ASSERT_EQ(run({"--threads", threads}).exit_status, 0);
-        const auto now = bytes("out.vtp");
-        ASSERT_FALSE(now.empty());
-        if (first.empty())
-            first = now;
-        EXPECT_TRUE(now == first) << threads << " threads";
+TEST_F(SurfaceCommand, WritesTheSameBytesForAnyNumberOfThreadsInEveryFormat) {
+    for (const std::string name : {"out.vtp", "out.glb", "out.ply", "out.obj", "out.drc"}) {
+        std::string first;
+        for (const auto* threads : {"1", "3", "8"}) {
+            ASSERT_EQ(run({"--threads", threads, "-o", file(name)}).exit_status, 0);
+            const auto now = bytes(name);
+            ASSERT_GT(now.size(), 1000u) << name;
+            if (first.empty())
+                first = now;
+            EXPECT_TRUE(now == first) << name << ", " << threads << " threads";
+        }
     }
+}
+
+TEST_F(SurfaceCommand, WritesOneSurfaceInEveryFormat) {
+    for (const std::string name : {"out.ply", "out.obj", "out.glb", "out.drc"})
+        ASSERT_EQ(run({"--stats", file("stats.json"), "-o", file(name)}).exit_status, 0);
+    const auto stats = nlohmann::json::parse(bytes("stats.json"));
+    const auto ply = tests::read_ply(bytes("out.ply"));
+    const auto obj = tests::read_obj(bytes("out.obj"));
+    EXPECT_EQ(ply.points.size(), stats["vertices"].get<std::size_t>());
+    EXPECT_EQ(obj.points, ply.points);
+    EXPECT_EQ(obj.faces, ply.faces);
+    const auto glb = tests::read_glb(bytes("out.glb"));
+    const auto drc = tests::read_drc(bytes("out.drc"));
+    EXPECT_EQ(glb.points, drc.points);
+    EXPECT_EQ(glb.faces, drc.faces);
+    EXPECT_EQ(drc.about.at("dataset"), "flow:lamb-oseen");
+    std::size_t triangles = 0;
+    for (const auto& face : ply.faces)
+        triangles += face.size() - 2;
+    EXPECT_EQ(drc.faces.size(), triangles);
 }
 
 TEST_F(SurfaceCommand, BuildsPathSurfacesThatDifferFromStreamSurfacesWhereTheFlowIsUnsteady) {
@@ -124,7 +147,6 @@ TEST_F(SurfaceCommand, FailsWithStatusOneWhereTheRequestIsWellFormedButCannotBeD
     refuses({"--rake", "30,0,0 40,0,0"}, 1, "outside");
     refuses({"--kind", "time", "--rake2", "30,0,0 40,0,0"}, 1, "--rake2");
     refuses({"--fields", "p"}, 1, "scalar field p");
-    refuses({"-o", file("out.glb")}, 1, ".glb");
     refuses({"-o", file("missing/out.vtp")}, 1, "no folder");
 }
 
@@ -136,7 +158,9 @@ TEST_F(SurfaceCommand, AnswersWrongUsageWithStatusTwo) {
     refuses({"--separation", "nan"}, 2, "--separation");
     refuses({"--threads", "0"}, 2, "--threads");
     refuses({"--accuracy", "good"}, 2, "--accuracy");
-    refuses({"-o", file("out.stl")}, 2, "out.stl");
+    refuses({"-o", file("out.stl")}, 2, ".vtp, .glb, .ply, .obj or .drc");
+    refuses({"-o", file("out")}, 2, "no known extension");
+    refuses({"-o", file("out.PLY")}, 2, "no known extension");
     refuses({"--no-such-option", "1"}, 2, "--no-such-option");
     refuses({"--merge", "0.8"}, 2, "--merge");
     refuses({"--merge", "nan"}, 2, "--merge");

@@ -195,9 +195,6 @@ TEST_F(Http, HandsOutAFinishedSurfaceAsAFile) {
     Headers again = server_->bearer();
     again.emplace_back("If-None-Match", file.header("etag"));
     EXPECT_EQ(get(path + "vtp", again).status, 304);
-    const HttpReply other = get(path + "glb", server_->bearer());
-    EXPECT_EQ(other.status, 501);
-    EXPECT_EQ(json::parse(other.body)["error"]["data"]["kind"], "unsupported");
     EXPECT_EQ(get("/api/v1/sessions/main/surfaces/s99/mesh.vtp", server_->bearer()).status, 404);
     EXPECT_EQ(get("/api/v1/datasets/lamb-oseen/obstacle.bin", server_->bearer()).status, 404);
 }

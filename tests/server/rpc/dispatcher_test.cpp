@@ -123,9 +123,10 @@ class DispatcherTest : public testing::Test {
     SessionDirectory sessions{{loop, pool, datasets, entropy}};
     core::SteadyClock clock;
     Grants grants{{loop, clock, entropy, unix_seconds}};
-    Dispatcher dispatcher{example_methods(),
-                          {sessions, datasets, [] { return json::array(); }, prober, grants, clock},
-                          {}};
+    Dispatcher dispatcher{
+        example_methods(),
+        {sessions, datasets, [] { return json::array(); }, prober, grants, clock, loop},
+        {}};
 };
 
 } // namespace
@@ -181,6 +182,31 @@ TEST_F(DispatcherTest, AnswersBatches) {
               "");
 }
 
+TEST_F(DispatcherTest, RefusesWhatTheSpecificationLeavesToImagination) {
+    const auto call = [](const std::string& members) {
+        return R"({"jsonrpc":"2.0","method":"sum","params":[1],)" + members + "}";
+    };
+    for (const char* id : {"{}", "[]", "[1]", "true", "false"})
+        expect(call(R"("id":)" + std::string(id)), R"({"jsonrpc":"2.0","error":-32600,"id":null})");
+    expect(call(R"("id":1.5)"), R"({"jsonrpc":"2.0","result":1,"id":1.5})");
+    expect(call(R"("id":null)"), R"({"jsonrpc":"2.0","result":1,"id":null})");
+    for (const char* version : {R"("1.0")", "2.0", "null", "2"})
+        expect(R"({"method":"sum","id":1,"jsonrpc":)" + std::string(version) + "}",
+               R"({"jsonrpc":"2.0","error":-32600,"id":1})");
+    expect(R"({"method":"sum","id":1})", R"({"jsonrpc":"2.0","error":-32600,"id":1})");
+    for (const char* parameters : {"1", "\"a\"", "true"})
+        expect(R"({"jsonrpc":"2.0","method":"sum","id":1,"params":)" + std::string(parameters) +
+                   "}",
+               R"({"jsonrpc":"2.0","error":-32600,"id":1})");
+    const std::string one = call(R"("id":1)");
+    expect("[" + one + "," + one + "]",
+           R"([{"jsonrpc":"2.0","result":1,"id":1},{"jsonrpc":"2.0","result":1,"id":1}])");
+    std::string many = "[" + one;
+    for (int i = 0; i < 64; ++i)
+        many += "," + one;
+    expect(many + "]", R"({"jsonrpc":"2.0","error":-32600,"id":null})");
+}
+
 TEST_F(DispatcherTest, SurvivesHandlersThatThrowOrForgetAndLeaksNothing) {
     for (const char* method : {"throws", "forgets"}) {
         const std::string text =
@@ -219,7 +245,7 @@ TEST(MethodTable, NamesEveryMethodOfTheContractOnceAndDocumentsIt) {
     Grants grants{{loop, clock, entropy, unix_seconds}};
     const Dispatcher dispatcher{
         method_table(),
-        {sessions, datasets, [] { return json::array(); }, prober, grants, clock},
+        {sessions, datasets, [] { return json::array(); }, prober, grants, clock, loop},
         {}};
     const json document = json::parse(dispatcher.document());
     std::map<std::string, json> methods;

@@ -1,0 +1,20 @@
+// A surface -> the bytes of a .glb file (glTF 2.0, binary) whose mesh is compressed with KHR_draco_mesh_compression.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/surface/quad_complex.hpp"
+#include "protocol/mesh_metadata.hpp"
+
+#include <string>
+
+namespace wakesurf::protocol {
+
+/// One two-sided mesh of triangles, hanging nodes included: POSITION, _S, _T, _SPEED, _VELOCITY, _DEFORMATION,
+/// _COMPONENT, _APPROXIMATED and one attribute a scalar, its name in capitals. The extension is required: there is no
+/// second, uncompressed copy. A surface without cells is a scene without a mesh. Metadata in the scene's extras.
+/// Same input, same bytes. Error: as encode_triangles.
+core::Result<std::string> mesh_glb(const core::QuadComplex& mesh,
+                                   const MeshMetadata& metadata,
+                                   const MeshScalars& scalars = {});
+
+} // namespace wakesurf::protocol

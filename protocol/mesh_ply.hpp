@@ -1,0 +1,19 @@
+// A surface -> the bytes of a .ply file (binary, little-endian).
+#pragma once
+
+#include "core/surface/quad_complex.hpp"
+#include "protocol/mesh_metadata.hpp"
+
+#include <string>
+
+namespace wakesurf::protocol {
+
+/// Faces: a quad for each cell without hanging nodes, triangles for the others, sharing vertices. Vertex properties:
+/// double x y z s t, float speed vx vy vz, float deformation (where the mesh has it), uint component, uchar
+/// approximated, float <scalar> for each scalar, its name as one word. Metadata in comments. Same input, same bytes.
+/// REQUIRES: as mesh_vtp.
+std::string mesh_ply(const core::QuadComplex& mesh,
+                     const MeshMetadata& metadata,
+                     const MeshScalars& scalars = {});
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,721 @@
+"""A client of wakesurf for scripts and notebooks: one file, the standard library and numpy.
+
+    from wakesurf import Client
+
+    with Client("http://127.0.0.1:8080/#token=...") as server:     # the line the server prints; or $WAKESURF_URL
+        print(server.datasets())
+        session = server.session()                                 # the one called "main"
+        rake = session.rake(line=[(-1.5, -1.2, 1), (-1.5, 1.2, 5)], seeds=64)
+        surface = session.surface(rake, "stream", dataset="sqcyl", to=28.5)
+        print(surface.wait()["quads"])
+        mesh = surface.mesh()                                      # mesh.points, mesh.polygons, mesh["speed"]: numpy
+        surface.export("wake.glb")
+
+Everything goes over HTTP (urllib). Only `Surface.watch` needs a WebSocket, and for it the package `websocket-client`
+(Debian: python3-websocket). What live frames carry is compressed with Draco, which this file does not decode: `watch`
+tells *that* a surface changed and how, and `mesh` fetches it, in full precision. The protocol itself is described in
+protocol/README.md and, machine readable, by the server at /openrpc.json.
+
+Failures are subclasses of `WakesurfError`; each has `code`, `kind`, `hint` and `data` as the server gave them.
+Objects may be used by one thread at a time.
+"""
+from __future__ import annotations
+
+import itertools
+import json
+import os
+import ssl
+import struct
+import time
+import urllib.error
+import urllib.parse
+import urllib.request
+import xml.etree.ElementTree
+from dataclasses import dataclass, field
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+__all__ = ["Client", "Session", "Rake", "Surface", "Mesh", "Update", "WakesurfError", "InvalidRequest",
+           "InvalidParameters", "MethodNotFound", "Unauthenticated", "NotPermitted", "NotFound", "Stale", "Leased",
+           "Cancelled", "OutsideDomain", "OutsideTimeRange", "OverLimit", "DatasetError", "ServerFault",
+           "Unreachable", "WaitTimeout"]
+
+Point = Sequence[float]
+Json = Dict[str, Any]
+_LONGEST_WAIT_MS = 60_000
+_FORMATS = (".vtp", ".glb", ".ply", ".obj", ".drc")
+
+
+class WakesurfError(Exception):
+    """What the server refused, or why it could not be asked."""
+
+    def __init__(self, message: str, code: int = 0, kind: str = "", hint: str = "", data: Optional[Json] = None):
+        super().__init__(message + (f" ({hint})" if hint else ""))
+        self.message, self.code, self.kind, self.hint, self.data = message, code, kind, hint, data or {}
+
+
+class InvalidRequest(WakesurfError):
+    """Not a call, too long, or a method that needs a WebSocket."""
+
+
+class InvalidParameters(WakesurfError):
+    """A parameter is missing, unknown, malformed or out of range; the message names it."""
+
+
+class MethodNotFound(WakesurfError):
+    """This server has no such method: it may be older than this file."""
+
+
+class Unauthenticated(WakesurfError):
+    """No token, or not a valid one."""
+
+
+class NotPermitted(WakesurfError):
+    """The role of the token does not allow it."""
+
+
+class NotFound(WakesurfError):
+    """There is no such session, record or dataset."""
+
+
+class Stale(WakesurfError):
+    """`if_rev` is not the record's revision; `current` is the record."""
+
+    @property
+    def current(self) -> Json:
+        return self.data.get("current", {})
+
+
+class Leased(WakesurfError):
+    """Somebody else is dragging the rake: `by` whom, `until` when."""
+
+    @property
+    def by(self) -> str:
+        return self.data.get("by", "")
+
+    @property
+    def until(self) -> str:
+        return self.data.get("until", "")
+
+
+class Cancelled(WakesurfError):
+    """The work was replaced by a newer edit."""
+
+
+class OutsideDomain(WakesurfError):
+    """The message says by how much."""
+
+
+class OutsideTimeRange(WakesurfError):
+    """Not within the dataset's times."""
+
+
+class OverLimit(WakesurfError):
+    """More than the server grants."""
+
+
+class DatasetError(WakesurfError):
+    """The data are unreadable or damaged."""
+
+
+class ServerFault(WakesurfError):
+    """A fault of the server; its log has the details."""
+
+
+class Unreachable(WakesurfError, ConnectionError):
+    """Nobody answers at the address, or the connection broke."""
+
+
+class WaitTimeout(WakesurfError, TimeoutError):
+    """The surface was not complete in time; it is still being computed."""
+
+
+_BY_CODE = {-32700: InvalidRequest, -32600: InvalidRequest, -32601: MethodNotFound, -32602: InvalidParameters,
+            -32603: ServerFault, -32800: Cancelled, -32801: Stale, -32001: Unauthenticated, -32003: NotPermitted,
+            -32004: NotFound, -32011: Leased, -32012: OutsideDomain, -32013: OutsideTimeRange, -32014: OverLimit,
+            -32015: DatasetError}
+
+
+def _error(fault: Mapping[str, Any]) -> WakesurfError:
+    data = dict(fault.get("data") or {})
+    kind = _BY_CODE.get(fault.get("code", 0), WakesurfError)
+    return kind(fault.get("message", ""), fault.get("code", 0), data.pop("kind", ""), data.pop("hint", ""), data)
+
+
+class Client:
+    """A server. `url` is its address, with or without `#token=...` behind it; left out, `$WAKESURF_URL` or
+    http://127.0.0.1:8080. The token: `token`, else the one in `url`, else `$WAKESURF_TOKEN`.
+
+    `timeout`: seconds without an answer after which a call fails with `Unreachable`. `tls`: an `ssl.SSLContext` for a
+    certificate that the system does not know.
+    """
+
+    def __init__(self, url: Optional[str] = None, token: Optional[str] = None, timeout: float = 60.0,
+                 tls: Optional[ssl.SSLContext] = None):
+        url = url or os.environ.get("WAKESURF_URL") or "http://127.0.0.1:8080"
+        if "://" not in url:
+            url = "http://" + url
+        parts = urllib.parse.urlsplit(url)
+        words = urllib.parse.parse_qs(parts.fragment)
+        self.url = urllib.parse.urlunsplit((parts.scheme, parts.netloc, parts.path.rstrip("/"), "", ""))
+        self.timeout = timeout
+        self._token = token or words.get("token", [""])[0] or os.environ.get("WAKESURF_TOKEN", "")
+        self._session = words.get("session", ["main"])[0]
+        self._tls = tls
+        handlers: List[urllib.request.BaseHandler] = [urllib.request.HTTPSHandler(context=tls)] if tls else []
+        if parts.hostname in ("127.0.0.1", "localhost", "::1"):
+            handlers.append(urllib.request.ProxyHandler({}))
+        self._opener = urllib.request.build_opener(*handlers)
+        self._ids = itertools.count(1)
+
+    def __enter__(self) -> "Client":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Nothing is held open between calls."""
+
+    def __repr__(self) -> str:
+        return f"Client({self.url!r})"
+
+    def _request(self, path: str, body: Optional[bytes] = None, headers: Optional[Dict[str, str]] = None,
+                 timeout: Optional[float] = None) -> Tuple[int, Mapping[str, str], bytes]:
+        request = urllib.request.Request(self.url + path, data=body, headers=dict(headers or {}))
+        if self._token:
+            request.add_header("Authorization", "Bearer " + self._token)
+        if body is not None:
+            request.add_header("Content-Type", "application/json")
+        try:
+            with self._opener.open(request, timeout=timeout or self.timeout) as reply:
+                return reply.status, reply.headers, reply.read()
+        except urllib.error.HTTPError as reply:
+            with reply:
+                return reply.code, reply.headers, reply.read()
+        except (OSError, urllib.error.URLError) as problem:
+            reason = getattr(problem, "reason", problem)
+            raise Unreachable(f"no answer from {self.url}: {reason}", hint="is the server running?") from None
+
+    def _rpc(self, message: Any, timeout: Optional[float] = None) -> Any:
+        status, _, body = self._request("/rpc", json.dumps(message).encode(), timeout=timeout)
+        if status == 204:
+            return None
+        try:
+            answer = json.loads(body)
+        except ValueError:
+            raise ServerFault(f"HTTP status {status} and no JSON", hint="is this a wakesurf server?") from None
+        if status != 200:
+            raise _error(answer["error"])
+        return answer
+
+    def call(self, method: str, _timeout: Optional[float] = None, /, **parameters: Any) -> Any:
+        """Any method of the server, by its name; parameters that are None are left out. Waits and asks again, up to
+        five times, where the server says that calls come too fast."""
+        request = {"jsonrpc": "2.0", "id": next(self._ids), "method": method,
+                   "params": {name: _plain(value) for name, value in parameters.items() if value is not None}}
+        for attempt in range(6):
+            answer = self._rpc(request, _timeout)
+            if "error" not in answer:
+                return answer["result"]
+            problem = _error(answer["error"])
+            if attempt == 5 or "retryAfterMs" not in problem.data:
+                raise problem
+            time.sleep(min(problem.data["retryAfterMs"], 5000) / 1000)
+
+    def batch(self, calls: Iterable[Tuple[str, Json]]) -> List[Any]:
+        """Several calls in one message. Results in order; a call that failed gives its error as a value."""
+        requests = [{"jsonrpc": "2.0", "id": next(self._ids), "method": method, "params": _plain(parameters)}
+                    for method, parameters in calls]
+        if not requests:
+            return []
+        answers = self._rpc(requests)
+        if isinstance(answers, dict):
+            raise _error(answers["error"])
+        by_id = {answer["id"]: answer for answer in answers}
+        return [by_id[each["id"]]["result"] if "result" in by_id[each["id"]] else _error(by_id[each["id"]]["error"])
+                for each in requests]
+
+    def info(self) -> Json:
+        """Name, version, capabilities and limits of the server."""
+        return self.call("server.info")
+
+    def datasets(self) -> List[Json]:
+        """What there is to look at: {dataset, name, state, ...} each."""
+        return self.call("dataset.list")["datasets"]
+
+    def describe(self, dataset: str) -> Json:
+        """Grid, bounds, times and fields of a dataset."""
+        return self.call("dataset.describe", dataset=dataset)
+
+    def cache(self, dataset: str) -> Json:
+        """Which of its time-steps are in the server's memory."""
+        return self.call("cache.status", dataset=dataset)
+
+    def probe(self, dataset: str, points: Iterable[Point], time: float,
+              fields: Optional[Sequence[str]] = None) -> Dict[str, np.ndarray]:
+        """Fields at points, (n,) or (n, 3) each, NaN outside of the fluid; `inside` says which points are in it."""
+        answer = self.call("probe.sample", dataset=dataset, points=points, time=time, fields=fields)
+        out: Dict[str, np.ndarray] = {}
+        for name, values in answer["values"].items():
+            width = next((len(value) for value in values if isinstance(value, list)), 1)
+            missing = [np.nan] * width if width > 1 else np.nan
+            out[name] = np.array([missing if value is None else value for value in values], dtype=float)
+        out["inside"] = np.array(answer["inside"], dtype=bool)
+        return out
+
+    def sessions(self) -> List["Session"]:
+        """Those this token lets in."""
+        return [Session(self, each["session"]) for each in self.call("session.list")["sessions"]]
+
+    def session(self, session: Optional[str] = None) -> "Session":
+        """The session with this id; left out, the one in the address, else `main`. Error: NotFound."""
+        found = Session(self, session or self._session)
+        found.state()
+        return found
+
+    def create_session(self, name: str = "") -> "Session":
+        """A new, empty one."""
+        return Session(self, self.call("session.create", name=name)["session"])
+
+
+class Session:
+    """Rakes and surfaces that several people and scripts look at and edit together. Edits are seen by all at once."""
+
+    def __init__(self, client: Client, id: str):
+        self.client, self.id = client, id
+
+    def __repr__(self) -> str:
+        return f"Session({self.id!r})"
+
+    def call(self, method: str, _timeout: Optional[float] = None, /, **parameters: Any) -> Any:
+        """Any method on this session's records."""
+        return self.client.call(method, _timeout, session=self.id, **parameters)
+
+    def state(self) -> Json:
+        """Every record, and who is here."""
+        return self.call("session.state")
+
+    def fork(self, name: str = "") -> "Session":
+        """A new session with copies of the records."""
+        return Session(self.client, self.call("session.fork", name=name)["session"])
+
+    def share(self, role: str = "viewer", expires_in: Optional[int] = None) -> str:
+        """The address that lets others into this session, as viewer, editor or host, for `expires_in` seconds. Whoever
+        has it is in: treat it as a password."""
+        return self.client.url + "/" + self.call("session.share", role=role, expiresIn=expires_in)["link"]
+
+    def rake(self, line: Optional[Sequence[Point]] = None, polyline: Optional[Sequence[Point]] = None,
+             circle: Optional[Sequence[Point]] = None, points: Optional[Sequence[Point]] = None, seeds: int = 32,
+             name: str = "") -> "Rake":
+        """Makes a rake; give one of `line` (2 points), `polyline` (2 or more), `circle` (centre and two points of the
+        rim) and `points`. What is outside of the domain is cut away, see `Rake.clipped`."""
+        kind, where = _one_of(line=line, polyline=polyline, circle=circle, points=points)
+        answer = self.call("rake.set", kind=kind, points=where, seeds=seeds, name=name)
+        return Rake(self, answer["rake"])
+
+    def rakes(self) -> List["Rake"]:
+        return [Rake(self, each["rake"]) for each in self.call("rake.list")["rakes"]]
+
+    def surface(self, rake: Union["Rake", str], kind: str, dataset: str, to: float, from_: float = 0.0,
+                **more: Any) -> "Surface":
+        """Makes a surface and starts computing it: `kind` is stream, path, streak or time. `more` as in `surface.set`:
+        direction, separation, accuracy, maxQuads, releaseUntil, sweep, rake2, fields, ..."""
+        answer = self.call("surface.set", rake=_id(rake), kind=kind, dataset=dataset, to=to, **{"from": from_}, **more)
+        return Surface(self, answer["surface"])
+
+    def surfaces(self) -> List["Surface"]:
+        return [Surface(self, each["surface"]) for each in self.call("surface.list")["surfaces"]]
+
+    def undo(self) -> Json:
+        """Takes back the newest edit made with this token outside of any WebSocket: {undone, skipped, undo, redo}."""
+        return self.call("history.undo")
+
+    def redo(self) -> Json:
+        return self.call("history.redo")
+
+    def set_time(self, time: float) -> Json:
+        """Sets the clock that everybody in the session shares."""
+        return self.call("time.set", time=time)
+
+    def play(self, **how: Any) -> Json:
+        """Lets the clock run; `how` as in `time.play`: speed, loop."""
+        return self.call("time.play", **how)
+
+    def pause(self) -> Json:
+        return self.call("time.pause")
+
+
+class _Record:
+    """Something of a session that has an id and a revision."""
+
+    noun = ""
+
+    def __init__(self, session: Session, id: str):
+        self.session, self.id = session, id
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.id!r})"
+
+    def record(self) -> Json:
+        """As it is now. Error: NotFound."""
+        for each in self.session.call(self.noun + ".list")[self.noun + "s"]:
+            if each[self.noun] == self.id:
+                return each
+        raise NotFound(f"there is no {self.noun} {self.id}", -32004, "notFound")
+
+    def delete(self) -> None:
+        self.session.call(self.noun + ".delete", **{self.noun: self.id})
+
+    def _change(self, members: Sequence[str], changes: Json, if_rev: Optional[int]) -> Json:
+        """Setters take whole records, so that a repeated edit does no harm."""
+        record = self.record()
+        whole = {name: record[name] for name in members if name in record}
+        whole.update(changes)
+        return self.session.call(self.noun + ".set", **{self.noun: self.id}, **whole, ifRev=if_rev)
+
+
+class Rake(_Record):
+    """Where particles are released."""
+
+    noun = "rake"
+
+    def set(self, line: Optional[Sequence[Point]] = None, polyline: Optional[Sequence[Point]] = None,
+            circle: Optional[Sequence[Point]] = None, points: Optional[Sequence[Point]] = None,
+            seeds: Optional[int] = None, name: Optional[str] = None, if_rev: Optional[int] = None) -> Json:
+        """Changes what is given; the surfaces on it are computed again. {rev, clipped, points, surfaces, ...}"""
+        changes: Json = {key: value for key, value in (("seeds", seeds), ("name", name)) if value is not None}
+        if any(each is not None for each in (line, polyline, circle, points)):
+            changes["kind"], changes["points"] = _one_of(line=line, polyline=polyline, circle=circle, points=points)
+        return self._change(("kind", "points", "seeds", "name"), changes, if_rev)
+
+    @property
+    def points(self) -> np.ndarray:
+        """(n, 3), as cut to the domain."""
+        return np.array(self.record()["points"], dtype=float)
+
+    @property
+    def clipped(self) -> bool:
+        return bool(self.record()["clipped"])
+
+
+class Surface(_Record):
+    """A surface that the server keeps up to date with its rake and its parameters."""
+
+    noun = "surface"
+    _MEMBERS = ("rake", "kind", "dataset", "from", "to", "direction", "separation", "accuracy", "merge", "angle",
+                "maxQuads", "fields", "releaseUntil", "sweep", "rake2")
+
+    def __init__(self, session: Session, id: str):
+        super().__init__(session, id)
+        self._kept: Optional[Tuple[str, Mesh]] = None
+
+    def set(self, if_rev: Optional[int] = None, **changes: Any) -> Json:
+        """Changes the parameters given (`from_` is `from`) and computes it again. {rev, epoch, ...}"""
+        if "from_" in changes:
+            changes["from"] = changes.pop("from_")
+        return self._change(self._MEMBERS, changes, if_rev)
+
+    def stats(self) -> Json:
+        """What the newest state is and took; `complete` says whether it is the final one."""
+        return self.session.call("surface.stats", surface=self.id)
+
+    def wait(self, timeout: Optional[float] = None, progress: Optional[Callable[[Json], None]] = None) -> Json:
+        """The statistics, once the surface is complete. `progress` is called with those so far, every second or so.
+        Error: WaitTimeout after `timeout` seconds; what computing it failed with."""
+        end = None if timeout is None else time.monotonic() + timeout
+        slice_ms = 1000 if progress else _LONGEST_WAIT_MS
+        while True:
+            left = slice_ms if end is None else max(0, min(slice_ms, int(1000 * (end - time.monotonic()))))
+            stats = self.session.call("surface.wait", left / 1000 + self.session.client.timeout, surface=self.id,
+                                      timeoutMs=left)
+            if stats["complete"]:
+                return stats
+            if progress:
+                progress(stats)
+            if end is not None and time.monotonic() >= end:
+                raise WaitTimeout(f"surface {self.id} is not complete after {timeout} s",
+                                  hint="wait again, or ask for less: a larger separation, fewer seeds")
+
+    def download(self, format: str = "ply", timeout: float = 600.0) -> bytes:
+        """The whole mesh as the bytes of a .vtp, .glb, .ply, .obj or .drc file; waits until it is complete."""
+        return self._fetch(format, None, timeout)[1]
+
+    def _fetch(self, format: str, tag: Optional[str], timeout: float) -> Tuple[str, bytes]:
+        path = "/api/v1/sessions/{}/surfaces/{}/mesh.{}".format(
+            *(urllib.parse.quote(word, safe="") for word in (self.session.id, self.id, format)))
+        headers = {"If-None-Match": tag} if tag else {}
+        status, reply, body = self.session.client._request(path, None, headers, timeout)
+        if status not in (200, 304):
+            raise _error(json.loads(body)["error"])
+        return reply.get("ETag", ""), body if status == 200 else b""
+
+    def export(self, path: Union[str, "os.PathLike[str]"], timeout: float = 600.0) -> None:
+        """Writes the mesh to a file, in the format of its extension; nothing half-written is left behind."""
+        path = os.fspath(path)
+        extension = os.path.splitext(path)[1]
+        if extension not in _FORMATS:
+            raise ValueError(f"{path!r} has no known extension: one of {', '.join(_FORMATS)}")
+        body = self.download(extension[1:], timeout)
+        part = path + ".part"
+        try:
+            with open(part, "wb") as file:
+                file.write(body)
+            os.replace(part, path)
+        finally:
+            if os.path.exists(part):
+                os.remove(part)
+
+    def mesh(self, timeout: float = 600.0) -> "Mesh":
+        """The whole mesh as numpy arrays, once it is complete; not fetched again while it is the same."""
+        tag, body = self._fetch("vtp", self._kept[0] if self._kept else None, timeout)
+        if body:
+            self._kept = (tag, Mesh.from_vtp(body))
+        assert self._kept is not None
+        return self._kept[1]
+
+    @property
+    def points(self) -> np.ndarray:
+        """(n, 3) float64, as computed."""
+        return self.mesh().points
+
+    @property
+    def polygons(self) -> List[np.ndarray]:
+        """Vertices of each cell: 4 corners and the hanging nodes of its sides, in order."""
+        return self.mesh().polygons
+
+    def watch(self, name: str = "python", timeout: Optional[float] = 60.0) -> Iterator["Update"]:
+        """Every state of the surface from now on, as it reaches the clients: first the present one, then one for each
+        change, coarse before final. Yields `Update`s, not meshes; see `Update.mesh`. Joins the session as `name` while it
+        runs; close the generator, or leave its loop, to end it. Error: WaitTimeout after `timeout` seconds without
+        any; Unreachable."""
+        with _Socket(self.session.client, timeout) as socket:
+            socket.call("session.join", session=self.session.id, name=name)
+            subscription = socket.call("surface.subscribe", surface=self.id)["subscription"]
+            size = 0
+            while True:
+                frame = socket.frame()
+                size += len(frame)
+                header = _header(frame)
+                if header is None or header.pop("subscription") != subscription:
+                    continue
+                if header.pop("last"):
+                    socket.notify("frame.ack", subscription=subscription, seq=header["seq"])
+                    yield Update(self, bytes=size, **header)
+                    size = 0
+
+    def _repr_html_(self) -> str:
+        stats = self.stats()
+        rows = "".join(f"<tr><th>{name}</th><td>{stats[name]}</td></tr>"
+                       for name in ("kind", "complete", "quads", "vertices", "separation", "maxEdge"))
+        return f"<table><caption>surface {self.id}</caption>{rows}</table>"
+
+
+@dataclass(frozen=True)
+class Update:
+    """A state of a surface that has arrived, in `bytes` bytes. `phase` is coarse, refined, final or live; `crc` is the
+    checksum of what clients show; `time` is the simulation time shown, NaN where the server does not tell."""
+
+    surface: Surface = field(repr=False)
+    epoch: int
+    seq: int
+    phase: str
+    vertices: int
+    cells: int
+    crc: int
+    time: float
+    bytes: int
+
+    def mesh(self) -> "Mesh":
+        """The surface's newest final mesh, which may be a later one than this update's."""
+        return self.surface.mesh()
+
+
+@dataclass
+class Mesh:
+    """A surface as arrays: `points` (n, 3), and cell i's vertices `connectivity[offsets[i]:offsets[i + 1]]`. By name, as
+    in `mesh["speed"]`, the arrays at the vertices: s, t, speed, velocity (n, 3), deformation, component, approximated
+    and the scalar fields asked for. `about`: kind, dataset, rake, from, to, separation, version."""
+
+    points: np.ndarray
+    connectivity: np.ndarray
+    offsets: np.ndarray
+    arrays: Dict[str, np.ndarray]
+    about: Json
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return self.arrays[name]
+
+    def __repr__(self) -> str:
+        return f"Mesh({len(self.points)} points, {len(self.offsets) - 1} cells, {', '.join(self.arrays)})"
+
+    @property
+    def polygons(self) -> List[np.ndarray]:
+        """Vertices of each cell: 4 corners and the hanging nodes of its sides, in order."""
+        return np.split(self.connectivity, self.offsets[1:-1]) if len(self.offsets) > 1 else []
+
+    @property
+    def quads(self) -> np.ndarray:
+        """(m, 4): the cells without hanging nodes."""
+        return self._of_size(4)
+
+    def _of_size(self, size: int) -> np.ndarray:
+        starts = self.offsets[:-1][np.diff(self.offsets) == size]
+        return self.connectivity[starts[:, None] + np.arange(size)]
+
+    def triangles(self) -> np.ndarray:
+        """(k, 3): each cell cut into a fan, round the vertex that makes the flattest triangle least flat. Neighbours
+        share edges, so no gaps open at hanging nodes."""
+        parts = [np.empty((0, 3), dtype=np.int64)]
+        for size in np.unique(np.diff(self.offsets)):
+            cells = self._of_size(int(size))
+            fans = np.stack([np.stack([np.roll(cells, -first, axis=1)[:, [0, k, k + 1]]
+                                       for k in range(1, size - 1)], axis=1) for first in range(size)], axis=1)
+            best = self._fatness(fans).min(axis=2).argmax(axis=1)
+            parts.append(fans[np.arange(len(cells)), best].reshape(-1, 3))
+        return np.concatenate(parts)
+
+    def _fatness(self, triangles: np.ndarray) -> np.ndarray:
+        a, b, c = (self.points[triangles[..., i]] for i in range(3))
+        area = np.linalg.norm(np.cross(b - a, c - a), axis=-1)
+        sides = ((b - a) ** 2).sum(-1) + ((c - b) ** 2).sum(-1) + ((a - c) ** 2).sum(-1)
+        return area / np.maximum(sides, np.finfo(float).tiny)
+
+    @staticmethod
+    def from_vtp(data: bytes) -> "Mesh":
+        """Reads the .vtp files wakesurf writes (appended raw data), also those of the command line."""
+        start = data.index(b"<AppendedData")
+        base = data.index(b"_", start) + 1
+        root = xml.etree.ElementTree.fromstring(data[:start] + b"</VTKFile>")
+        types = {"Float64": "<f8", "Float32": "<f4", "Int64": "<i8", "UInt32": "<u4", "UInt8": "u1"}
+        arrays: Dict[str, np.ndarray] = {}
+        about: Json = {}
+        for node in root.iter("DataArray"):
+            name, width = node.get("Name", ""), int(node.get("NumberOfComponents", "1"))
+            if node.get("format") == "ascii":
+                words = (node.text or "").split()
+                if node.get("type") == "String":
+                    about[name] = bytes(int(word) for word in words[:-1]).decode()
+                else:
+                    numbers = np.array(words, dtype=float)
+                    about[name] = numbers.reshape(-1, width) if width > 1 else float(numbers[0])
+                continue
+            at = base + int(node.get("offset", "0"))
+            (size,) = struct.unpack_from("<Q", data, at)
+            dtype = np.dtype(types[node.get("type", "")])
+            values = np.frombuffer(data, dtype, size // dtype.itemsize, at + 8)
+            arrays[name] = values.reshape(-1, width) if width > 1 else values
+        offsets = np.concatenate([[0], arrays.pop("offsets")]).astype(np.int64)
+        return Mesh(arrays.pop("Points"), arrays.pop("connectivity"), offsets, arrays, about)
+
+
+class _Socket:
+    """One WebSocket: calls, and the frames that come meanwhile."""
+
+    def __init__(self, client: Client, timeout: Optional[float]):
+        try:
+            import websocket
+        except ImportError:
+            raise ImportError("watch needs the package websocket-client (Debian: python3-websocket)") from None
+        self._module, self._timeout = websocket, timeout
+        address = client.url.replace("http", "ws", 1) + "/ws"
+        headers = ["Authorization: Bearer " + client._token] if client._token else []
+        try:
+            self._socket = websocket.create_connection(
+                address, timeout=timeout, header=headers, subprotocols=["wakesurf.v1"], suppress_origin=True,
+                http_no_proxy=["127.0.0.1", "localhost"], sslopt={"context": client._tls} if client._tls else None)
+        except websocket.WebSocketBadStatusException as refusal:
+            kind = Unauthenticated if refusal.status_code == 401 else WakesurfError
+            raise kind(f"the server refused the WebSocket with status {refusal.status_code}") from None
+        except (OSError, websocket.WebSocketException) as problem:
+            raise Unreachable(f"no WebSocket at {address}: {problem}") from None
+        self._ids = itertools.count(1)
+        self._frames: List[bytes] = []
+
+    def __enter__(self) -> "_Socket":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._socket.close()
+
+    def _receive(self) -> Union[str, bytes]:
+        try:
+            message = self._socket.recv()
+        except self._module.WebSocketTimeoutException:
+            raise WaitTimeout(f"nothing has come for {self._timeout} s") from None
+        except (OSError, self._module.WebSocketException) as problem:
+            raise Unreachable(f"the connection broke: {problem}") from None
+        if message == "" or message == b"":
+            raise Unreachable("the server has closed the connection")
+        return message
+
+    def call(self, method: str, /, **parameters: Any) -> Any:
+        wanted = next(self._ids)
+        self._socket.send(json.dumps({"jsonrpc": "2.0", "id": wanted, "method": method, "params": parameters}))
+        while True:
+            message = self._receive()
+            if isinstance(message, bytes):
+                self._frames.append(message)
+                continue
+            answer = json.loads(message)
+            if answer.get("id") == wanted and "method" not in answer:
+                if "error" in answer:
+                    raise _error(answer["error"])
+                return answer["result"]
+
+    def notify(self, method: str, /, **parameters: Any) -> None:
+        self._socket.send(json.dumps({"jsonrpc": "2.0", "method": method, "params": parameters}))
+
+    def frame(self) -> bytes:
+        """The next one; text messages on the way are notifications nobody here listens to."""
+        if self._frames:
+            return self._frames.pop(0)
+        while True:
+            message = self._receive()
+            if isinstance(message, bytes):
+                return message
+
+
+def _header(frame: bytes) -> Optional[Json]:
+    """What a mesh frame says about its update, see Frame in protocol/README.md; None for a version not known here."""
+    if len(frame) < 52 or frame[:2] != b"WS":
+        return None
+    version, flags = frame[2], frame[3]
+    if version == 1:
+        number, epoch, seq, vertex_base, vertices, cell_base, cells = struct.unpack_from("<7I", frame, 4)
+        (crc,) = struct.unpack_from("<I", frame, 44)
+        return {"subscription": number, "epoch": epoch, "seq": seq, "phase": "final" if flags & 4 else "coarse",
+                "vertices": vertex_base + vertices, "cells": cell_base + cells, "crc": crc, "time": float("nan"),
+                "last": bool(flags & 2)}
+    if version != 2 or len(frame) < 64:
+        return None
+    number, epoch, seq, _, index, count, phase = struct.unpack_from("<4I2HB", frame, 4)
+    vertices, cells, _, when = struct.unpack_from("<3Id", frame, 28)
+    (crc,) = struct.unpack_from("<I", frame, 56)
+    return {"subscription": number, "epoch": epoch, "seq": seq,
+            "phase": dict(enumerate(("coarse", "refined", "final", "live"))).get(phase, "live"), "vertices": vertices,
+            "cells": cells, "crc": crc, "time": when, "last": index + 1 == count}
+
+
+def _plain(value: Any) -> Any:
+    """Arrays, records and tuples as JSON has them."""
+    if isinstance(value, _Record):
+        return value.id
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, Mapping):
+        return {name: _plain(each) for name, each in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(each) for each in value]
+    return value
+
+
+def _id(record: Union[_Record, str]) -> str:
+    return record.id if isinstance(record, _Record) else record
+
+
+def _one_of(**choices: Optional[Sequence[Point]]) -> Tuple[str, Any]:
+    given = [(kind, points) for kind, points in choices.items() if points is not None]
+    if len(given) != 1:
+        raise ValueError("give one of " + ", ".join(choices))
+    return given[0][0], [list(point) for point in given[0][1]]

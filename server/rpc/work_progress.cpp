@@ -1,0 +1,67 @@
+#include "server/rpc/work_progress.hpp"
+
+#include "protocol/json_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <utility>
+
+namespace wakesurf::server {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr std::chrono::milliseconds between_reports{100};
+
+} // namespace
+
+core::Result<std::optional<std::string>> read_work_token(const Call& call) {
+    const auto found = call.parameters.find("workDoneToken");
+    if (found == call.parameters.end() || found->is_null())
+        return std::nullopt;
+    if (!(found->is_string() || found->is_number_integer()))
+        return core::fail(core::Error::Code::InvalidArgument,
+                          "`workDoneToken` must be a string or a whole number",
+                          "choose one for each call; $/progress repeats it");
+    return protocol::json_text(*found);
+}
+
+WorkProgress::WorkProgress(const Call& call, std::string token, std::string title, Look look)
+    : client_(*call.client), loop_(call.context.loop), stop_(call.stop), token_(std::move(token)),
+      look_(std::move(look)) {
+    tell({{"kind", "begin"}, {"message", std::move(title)}, {"cancellable", true}});
+    arm();
+}
+
+WorkProgress::~WorkProgress() {
+    if (stop_.stop_requested())
+        return;
+    json value = look_();
+    value["kind"] = "end";
+    tell(std::move(value));
+}
+
+void WorkProgress::tell(json value) {
+    client_.notify(protocol::rpc_notification(
+        "$/progress", {{"token", json::parse(token_)}, {"value", std::move(value)}}));
+}
+
+void WorkProgress::arm() {
+    timer_ = loop_.after(between_reports, [this] { report(); });
+}
+
+void WorkProgress::report() {
+    if (stop_.stop_requested())
+        return;
+    json value = look_();
+    if (std::string text = protocol::json_text(value); text != told_) {
+        told_ = std::move(text);
+        value["kind"] = "report";
+        tell(std::move(value));
+    }
+    arm();
+}
+
+} // namespace wakesurf::server

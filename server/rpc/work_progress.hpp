@@ -1,0 +1,49 @@
+// $/progress for one call that takes its time and came with a `workDoneToken`: begin, now and then a report, end. A look
+// at the work ten times a second, not an event for each change, so that no work can flood its caller.
+#pragma once
+
+#include "server/rpc/method.hpp"
+#include "server/session/loop.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace wakesurf::server {
+
+/// A token as its JSON text: a string or a whole number. Error: InvalidArgument for anything else.
+core::Result<std::optional<std::string>> read_work_token(const Call& call);
+
+/// Loop thread only. Ends with the answer: destroy it just before. Says nothing once its call was cancelled, and never
+/// touches a client that has gone, because a client stops its calls first.
+class WorkProgress {
+  public:
+    /// What the work would report now, or nothing new. Members of `value` beside `kind`.
+    using Look = std::function<nlohmann::json()>;
+
+    /// Tells `begin` at once. REQUIRES: call.client.
+    WorkProgress(const Call& call, std::string token, std::string title, Look look);
+    /// Tells `end`.
+    ~WorkProgress();
+    WorkProgress(const WorkProgress&) = delete;
+    WorkProgress& operator=(const WorkProgress&) = delete;
+
+  private:
+    void tell(nlohmann::json value);
+    void arm();
+    void report();
+
+    Client& client_;
+    Loop& loop_;
+    std::stop_token stop_;
+    std::string token_;
+    Look look_;
+    std::string told_; ///< as text: the newest report
+    std::shared_ptr<void> timer_;
+};
+
+} // namespace wakesurf::server

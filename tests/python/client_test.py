@@ -1,0 +1,247 @@
+"""protocol/python/wakesurf.py against the real server."""
+import os
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy as np
+
+from real_server import RealServer
+import wakesurf
+
+LINE = [(0.2, 0, -1), (1, 0, -1)]
+
+
+class ClientTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = RealServer("flow:lamb-oseen", "flow:abc")
+        cls.client = wakesurf.Client(cls.server.url)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.stop()
+
+    def setUp(self):
+        self.session = self.client.create_session("test")
+
+    def surface(self, **more):
+        rake = self.session.rake(line=LINE, seeds=9)
+        return self.session.surface(rake, "stream", dataset="lamb-oseen", **{"to": 2, "separation": 0.1, **more})
+
+    def long_surface(self):
+        rake = self.session.rake(line=[(-9, 0, 0), (9, 0.1, 0)], seeds=256)
+        return self.session.surface(rake, "stream", dataset="abc", to=200, separation=0.01, maxQuads=4_000_000)
+
+    # Finding the server.
+
+    def test_takes_address_and_token_from_the_printed_line_the_environment_or_the_arguments(self):
+        address, token = self.server.url.split("/#token=")
+        self.assertEqual(wakesurf.Client(address, token=token).info()["name"], "wakesurf")
+        self.assertEqual(wakesurf.Client(address.replace("http://", ""), token=token).info()["name"], "wakesurf")
+        os.environ.update(WAKESURF_URL=address, WAKESURF_TOKEN=token)
+        try:
+            with wakesurf.Client() as client:
+                self.assertEqual(client.info()["name"], "wakesurf")
+        finally:
+            del os.environ["WAKESURF_URL"], os.environ["WAKESURF_TOKEN"]
+
+    def test_says_what_is_wrong_with_token_and_address(self):
+        address = self.server.url.split("/#")[0]
+        with self.assertRaises(wakesurf.Unauthenticated):
+            wakesurf.Client(address, token="wrong").info()
+        with self.assertRaises(wakesurf.Unreachable) as raised:
+            wakesurf.Client("http://127.0.0.1:9", token="s3cret", timeout=5).info()
+        self.assertIsInstance(raised.exception, ConnectionError)
+        self.assertNotIn("s3cret", str(raised.exception))
+
+    # Data.
+
+    def test_lists_and_describes_datasets(self):
+        self.assertEqual([each["dataset"] for each in self.client.datasets()], ["lamb-oseen", "abc"])
+        self.assertEqual(self.client.describe("abc")["grid"], "analytic")
+        self.assertEqual(self.client.cache("abc")["steps"], [])
+        with self.assertRaises(wakesurf.NotFound) as raised:
+            self.client.describe("nothing")
+        self.assertEqual((raised.exception.code, raised.exception.kind), (-32004, "notFound"))
+        self.assertTrue(raised.exception.hint)
+
+    def test_probes_give_arrays_with_nan_outside(self):
+        answer = self.client.probe("abc", np.array([[0, 0, 0], [50, 0, 0]]), time=0)
+        np.testing.assert_array_equal(answer["inside"], [True, False])
+        velocity = answer[self.client.describe("abc")["velocity"]]
+        np.testing.assert_allclose(velocity[0], [0, 1, 1])
+        self.assertTrue(np.isnan(velocity[1]).all())
+
+    # Rakes and surfaces.
+
+    def test_makes_a_surface_and_gives_its_mesh_as_arrays(self):
+        stats = self.surface().wait(60)
+        self.assertTrue(stats["complete"])
+        mesh = self.session.surfaces()[0].mesh()
+        self.assertEqual(mesh.points.shape, (stats["vertices"], 3))
+        self.assertEqual(mesh.points.dtype, np.float64)
+        self.assertEqual(len(mesh.polygons), stats["quads"])
+        self.assertEqual(mesh["velocity"].shape, (stats["vertices"], 3))
+        np.testing.assert_allclose(np.linalg.norm(mesh["velocity"], axis=1), mesh["speed"], rtol=1e-5)
+        np.testing.assert_allclose(mesh.points[mesh["t"] == 0][:, 1:], [[0, -1]] * (mesh["t"] == 0).sum(), atol=1e-12)
+        self.assertEqual(mesh.about["kind"], "stream")
+        self.assertEqual(mesh.about["rake"].shape, (2, 3))
+        for cell in mesh.polygons:
+            self.assertTrue(4 <= len(cell) <= 8)
+
+    def test_triangles_cover_the_polygons_without_gaps(self):
+        rake = self.session.rake(line=[(0.5, 0, 0), (2.5, 0.3, 1)], seeds=8)
+        surface = self.session.surface(rake, "stream", dataset="abc", to=6, separation=0.2)
+        mesh = surface.mesh()
+        self.assertLess(len(mesh.quads), len(mesh.polygons), "nothing hangs here")
+        triangles = mesh.triangles()
+        self.assertEqual(len(triangles), sum(len(cell) - 2 for cell in mesh.polygons))
+
+        def border(faces):
+            edges = {}
+            for face in faces:
+                for a, b in zip(face, np.roll(face, -1)):
+                    key = (min(a, b), max(a, b))
+                    edges[key] = edges.get(key, 0) + 1
+            self.assertLessEqual(max(edges.values()), 2)
+            return {edge for edge, uses in edges.items() if uses == 1}
+
+        self.assertEqual(border(triangles), border(mesh.polygons))
+
+    def test_a_mesh_is_fetched_again_only_when_the_surface_has_changed(self):
+        surface = self.surface()
+        first = surface.mesh()
+        self.assertIs(surface.mesh(), first)
+        surface.set(to=3)
+        self.assertGreater(surface.mesh()["t"].max(), first["t"].max())
+
+    def test_setters_change_what_is_given_and_keep_the_rest(self):
+        surface = self.surface(accuracy="exact")
+        rake = self.session.rakes()[0]
+        rake.set(seeds=12)
+        rake.set(line=[(0.3, 0, -1), (1, 0, -1)])
+        np.testing.assert_allclose(rake.points, [(0.3, 0, -1), (1, 0, -1)])
+        self.assertEqual(rake.record()["seeds"], 12)
+        surface.set(from_=0.5)
+        self.assertEqual((surface.record()["from"], surface.record()["accuracy"]), (0.5, "exact"))
+        rake.set(polyline=[(9, 0, 0), (14, 0, 0)])
+        self.assertTrue(rake.clipped)
+
+    def test_refusals_are_exceptions_of_their_own(self):
+        rake = self.session.rake(line=LINE)
+        with self.assertRaises(wakesurf.OutsideDomain):
+            self.session.rake(line=[(0, 0, 99), (1, 0, 99)])
+        with self.assertRaises(wakesurf.InvalidParameters):
+            self.session.rake(line=LINE, seeds=1)
+        with self.assertRaises(wakesurf.InvalidParameters) as raised:
+            self.session.call("rake.set", colour="red")
+        self.assertIn("colour", str(raised.exception))
+        with self.assertRaises(wakesurf.MethodNotFound):
+            self.client.call("no.such")
+        with self.assertRaises(wakesurf.InvalidRequest):
+            self.session.call("session.join")
+        revision = rake.record()["rev"]
+        rake.set(seeds=5)
+        with self.assertRaises(wakesurf.Stale) as stale:
+            rake.set(seeds=6, if_rev=revision)
+        self.assertEqual(stale.exception.current["seeds"], 5)
+        with self.assertRaises(ValueError):
+            self.session.rake(line=LINE, points=LINE)
+        rake.delete()
+        with self.assertRaises(wakesurf.NotFound):
+            rake.record()
+        with self.assertRaises(wakesurf.NotFound):
+            self.client.session("nowhere")
+
+    def test_a_batch_answers_in_order_with_errors_as_values(self):
+        answers = self.client.batch([("server.ping", {}), ("no.such", {}), ("dataset.describe", {"dataset": "abc"})])
+        self.assertEqual(answers[0], {})
+        self.assertIsInstance(answers[1], wakesurf.MethodNotFound)
+        self.assertEqual(answers[2]["dataset"], "abc")
+        self.assertEqual(self.client.batch([]), [])
+
+    def test_waiting_ends_in_time_and_tells_how_far_it_is(self):
+        surface = self.long_surface()
+        begin = time.monotonic()
+        told = []
+        with self.assertRaises(wakesurf.WaitTimeout) as raised:
+            surface.wait(1.5, progress=told.append)
+        self.assertLess(time.monotonic() - begin, 10)
+        self.assertGreaterEqual(len(told), 1)
+        self.assertFalse(told[0]["complete"])
+        self.assertIsInstance(raised.exception, TimeoutError)
+        surface.delete()
+
+    def test_undo_and_redo(self):
+        rake = self.session.rake(line=LINE, seeds=9)
+        rake.set(seeds=30)
+        self.assertTrue(self.session.undo()["undone"])
+        self.assertEqual(rake.record()["seeds"], 9)
+        self.assertTrue(self.session.redo()["redone"])
+        self.assertEqual(rake.record()["seeds"], 30)
+
+    def test_a_share_link_opens_its_session_in_its_role(self):
+        surface = self.surface()
+        link = self.session.share("viewer", expires_in=60)
+        guest = wakesurf.Client(link)
+        self.assertEqual(guest.session().id, self.session.id)
+        self.assertEqual([each.id for each in guest.sessions()], [self.session.id])
+        self.assertEqual(guest.session().surfaces()[0].id, surface.id)
+        with self.assertRaises(wakesurf.NotPermitted):
+            guest.session().rake(line=LINE)
+
+    # Files.
+
+    def test_exports_in_every_format_and_leaves_nothing_half_written(self):
+        surface = self.surface()
+        with tempfile.TemporaryDirectory() as folder:
+            for extension, start in ((".vtp", b"<?xml"), (".glb", b"glTF"), (".ply", b"ply\n"), (".obj", b"# wak"),
+                                     (".drc", b"DRACO")):
+                path = os.path.join(folder, "mesh" + extension)
+                surface.export(path)
+                with open(path, "rb") as file:
+                    self.assertTrue(file.read(8).startswith(start), extension)
+            with self.assertRaises(ValueError):
+                surface.export(os.path.join(folder, "mesh.stl"))
+            surface.delete()
+            with self.assertRaises(wakesurf.NotFound):
+                surface.export(os.path.join(folder, "gone.ply"))
+            self.assertEqual(len(os.listdir(folder)), 5)
+
+    def test_shows_itself_in_a_notebook(self):
+        surface = self.surface()
+        surface.wait()
+        self.assertIn("<th>quads</th>", surface._repr_html_())
+        self.assertNotIn("token", repr(self.client))
+
+    # Live.
+
+    def test_watching_gives_every_state_coarse_before_final_and_the_checksum_of_the_server(self):
+        surface = self.surface()
+        surface.wait()
+        updates = surface.watch(timeout=30)
+        first = next(update for update in updates if update.phase == "final")
+        stats = surface.stats()
+        self.assertEqual((first.vertices, first.cells, first.crc), (stats["vertices"], stats["quads"], stats["crc"]))
+        self.assertGreater(first.bytes, 100)
+
+        def edit():
+            wakesurf.Client(self.server.url).session(self.session.id).surfaces()[0].set(to=4)
+
+        threading.Thread(target=edit).start()
+        later = next(update for update in updates if update.epoch > first.epoch and update.phase == "final")
+        updates.close()
+        self.assertGreater(later.vertices, first.vertices)
+        self.assertEqual(len(later.mesh().points), later.vertices)
+
+    def test_watching_says_when_nothing_comes(self):
+        updates = self.long_surface().watch(timeout=0.5)
+        with self.assertRaises(wakesurf.WaitTimeout):
+            for _ in updates:
+                pass
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,172 @@
+"""The OpenRPC document keeps the specification's rules, and tells the truth: every method is called, and every parameter
+and result is checked against the schema the document gives for it."""
+import copy
+import json
+import unittest
+
+from jsonschema import Draft7Validator, RefResolver
+
+from openrpc_rules import faults, resolve
+from real_server import RealServer
+import wakesurf
+
+GENERIC = {"type": "object"}
+
+
+class OpenRpcTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = RealServer("flow:lamb-oseen", "flow:double-gyre")
+        cls.client = wakesurf.Client(cls.server.url)
+        cls.document = json.loads(cls.client._request("/openrpc.json")[2])
+        cls.methods = {each["name"]: each for each in cls.document["methods"]}
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.stop()
+
+    def test_the_document_keeps_the_rules(self):
+        self.assertEqual((faults(self.document)), [])
+        self.assertEqual(self.client.call("rpc.discover"), self.document)
+
+    def test_the_rules_find_what_is_wrong(self):
+        def broken(change):
+            document = copy.deepcopy(self.document)
+            change(document)
+            return (faults(document))
+
+        self.assertTrue(broken(lambda d: d.pop("info")))
+        self.assertTrue(broken(lambda d: d.update(openrpc="2.0")))
+        self.assertTrue(broken(lambda d: d.update(surplus=1)))
+        self.assertTrue(broken(lambda d: d["methods"].append(d["methods"][0])))
+        self.assertTrue(broken(lambda d: d["methods"][0].pop("params")))
+        self.assertTrue(broken(lambda d: d["methods"][0]["errors"].append({"code": "x"})))
+        self.assertTrue(broken(lambda d: d["methods"][0]["result"].update(schema={"$ref": "#/components/schemas/No"})))
+        self.assertTrue(broken(lambda d: d["methods"][0]["result"].update(schema={"type": "thing"})))
+        self.assertTrue(broken(lambda d: self._with(d, "rake.set")["params"].reverse()))
+
+    @staticmethod
+    def _with(document, name):
+        return next(each for each in document["methods"] if each["name"] == name)
+
+    def test_every_method_says_what_it_answers_and_every_error_is_one_of_the_contract(self):
+        for name, method in self.methods.items():
+            self.assertNotEqual(method["result"]["schema"], GENERIC, f"{name}: result_schemas.cpp has nothing about it")
+            self.assertTrue(method["summary"], name)
+            for each in method["params"]:
+                self.assertTrue(each["description"], f"{name} {each['name']}")
+        codes = {each["code"] for each in self.document["components"]["errors"].values()}
+        self.assertEqual(codes, {-32602, -32603, -32800, -32801, -32001, -32003, -32004, -32011, -32012, -32013, -32014,
+                                 -32015})
+
+    # The truth.
+
+    def check(self, schema, value, where):
+        resolver = RefResolver("", self.document)
+        problems = [f"{'/'.join(map(str, each.absolute_path))}: {each.message}"
+                    for each in Draft7Validator(schema, resolver=resolver).iter_errors(value)]
+        self.assertEqual(problems, [], where)
+
+    def ask(self, socket, name, /, **parameters):
+        """A call whose parameters, result or error are as documented."""
+        method = self.methods[name]
+        known = {each["name"]: each for each in method["params"]}
+        self.assertLessEqual(set(parameters), set(known), name)
+        for each in method["params"]:
+            if each["name"] in parameters:
+                self.check(each["schema"], parameters[each["name"]], f"{name} {each['name']}")
+            else:
+                self.assertFalse(each["required"], f"{name} {each['name']}")
+        self.called.add(name)
+        try:
+            result = socket.call(name, **parameters)
+        except wakesurf.WakesurfError as problem:
+            documented = [resolve(self.document, each["$ref"])["code"] for each in method["errors"]]
+            self.assertIn(problem.code, documented, f"{name}: {problem}")
+            self.check(self.document["components"]["schemas"]["ErrorData"],
+                       {"kind": problem.kind, "hint": problem.hint, **problem.data}, name)
+            raise
+        self.check(method["result"]["schema"], result, name)
+        return result
+
+    def test_every_method_keeps_its_word(self):
+        self.called = set()
+        with wakesurf._Socket(self.client, 30) as host, wakesurf._Socket(self.client, 30) as other:
+            def ask(name, /, **parameters):
+                return self.ask(host, name, **parameters)
+
+            def refused(kind, socket, name, /, **parameters):
+                with self.assertRaises(kind, msg=name):
+                    self.ask(socket, name, **parameters)
+
+            for name in ("rpc.discover", "server.info", "server.ping", "dataset.list", "session.list"):
+                ask(name)
+            if "server.stats" in self.methods:
+                ask("server.stats")
+            for dataset in ("lamb-oseen", "double-gyre"):
+                ask("dataset.describe", dataset=dataset)
+                ask("cache.status", dataset=dataset)
+            ask("probe.sample", dataset="lamb-oseen", points=[[0, 0, 0], [50, 0, 0]], time=0)
+            session = ask("session.create", name="truth")["session"]
+            me = ask("session.join", session=session, name="host", colour="#00ff00")
+            guest = self.ask(other, "session.join", session=session, name="guest")
+            ask("presence.update", pointer=[0, 0, 0], selected="r1", dragging={"rake": "r1", "points": [[0, 0, 0]]},
+                camera={"position": [0, 0, 1], "target": [0, 0, 0], "up": [0, 1, 0], "fov": 40})
+            rake = ask("rake.set", kind="line", points=[[0.2, 0, -1], [1, 0, -1]], seeds=9, dragging=True)["rake"]
+            refused(wakesurf.Leased, other, "rake.set", rake=rake, kind="line", points=[[0, 0, 0], [1, 0, 0]], seeds=3)
+            ask("rake.set", rake=rake, kind="line", points=[[9, 0, 0], [14, 0, 0]], seeds=9, dragging=False)
+            refused(wakesurf.Stale, host, "rake.set", rake=rake, kind="line", points=[[0, 0, 0], [1, 0, 0]], seeds=3,
+                    ifRev=1)
+            refused(wakesurf.OutsideDomain, host, "rake.set", kind="line", points=[[0, 0, 99], [1, 0, 99]], seeds=3)
+            ask("rake.set", rake=rake, kind="polyline", points=[[0.2, 0, -1], [1, 0, -1]], seeds=9)
+            circle = ask("rake.set", kind="circle", points=[[1, 0.5, 0], [1.2, 0.5, 0], [1, 0.7, 0]], seeds=9)["rake"]
+            surface = ask("surface.set", rake=rake, kind="stream", dataset="lamb-oseen", to=2, separation=0.1,
+                          **{"from": 0})["surface"]
+            moving = ask("surface.set", rake=circle, kind="time", dataset="double-gyre", to=2, sweep=[0, 0, 0.2],
+                         separation=0.1, **{"from": 0})["surface"]
+            refused(wakesurf.NotFound, host, "surface.set", rake="r99", kind="stream", dataset="lamb-oseen", to=2,
+                    **{"from": 0})
+            ask("rake.list")
+            ask("surface.list")
+            ask("surface.stats", surface=surface)
+            ask("surface.wait", surface=surface, timeoutMs=60000, workDoneToken="t")
+            ask("surface.wait", surface=moving, timeoutMs=60000)
+            ask("surface.stats", surface=moving)
+            subscription = ask("surface.subscribe", surface=surface)["subscription"]
+            if "frame.ack" in self.methods:
+                ask("frame.ack", subscription=subscription, seq=0)
+            ask("surface.unsubscribe", subscription=subscription)
+            refused(wakesurf.NotFound, host, "surface.unsubscribe", subscription=subscription)
+            for method in sorted(self.methods):
+                if method.startswith("time."):
+                    ask(method, **({"time": 1.0} if method == "time.set" else {}))
+            mark = ask("bookmark.set", name="here", view={"camera": [1, 2]}, time=1.5)["bookmark"]
+            note = ask("annotation.set", text="look", position=[0, 0, 0], surface=surface)["annotation"]
+            ask("bookmark.list")
+            ask("annotation.list")
+            ask("session.state")
+            ask("history.undo")
+            ask("history.redo")
+            ask("history.redo")
+            ask("session.fork", session=session)
+            share = ask("session.share", role="viewer", expiresIn=60)
+            ask("session.share", role="editor")
+            ask("session.shares")
+            ask("session.unshare", grant=share["grant"])
+            refused(wakesurf.NotFound, host, "session.unshare", grant=share["grant"])
+            ask("session.setRole", participant=guest["you"], role="viewer")
+            refused(wakesurf.NotPermitted, other, "rake.delete", rake=rake)
+            ask("bookmark.delete", bookmark=mark)
+            ask("annotation.delete", annotation=note)
+            ask("surface.delete", surface=moving)
+            ask("rake.delete", rake=rake)
+            ask("$/cancelRequest", id=12345)
+            ask("session.kick", participant=guest["you"])
+            ask("session.leave")
+            back = ask("session.join", session=session, resumeToken=me["resumeToken"], lastSeq=me["seq"])
+            self.assertIn("seq", back)
+        self.assertEqual(self.called, set(self.methods), "each method is called above")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,25 @@
+"""The real program for tests in Python: started on a free port, stopped at the end."""
+import os
+import subprocess
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+BINARY = os.environ.get("WAKESURF_BINARY", os.path.join(ROOT, "build/release/bin/wakesurf"))
+sys.path.insert(0, os.path.join(ROOT, "protocol/python"))
+
+
+class RealServer:
+    """`wakesurf serve ARGUMENTS`; `url` is the line it prints, with the token."""
+
+    def __init__(self, *arguments):
+        self.process = subprocess.Popen([BINARY, "serve", *arguments, "--listen", "127.0.0.1:0"],
+                                        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        line = self.process.stdout.readline().split()
+        if not line:
+            raise RuntimeError(f"{BINARY} did not start")
+        self.url = line[1]
+
+    def stop(self):
+        self.process.terminate()
+        self.process.wait(timeout=20)
+        self.process.stdout.close()
