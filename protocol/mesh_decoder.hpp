@@ -1,55 +1,53 @@
-// From frames back to a mesh: the client's half of the wire, for tests, scripts and golden files. The server itself
+// From frames back to states: the client's half of the wire, for tests, scripts and golden files. The server itself
 // never decodes what a client sent. Twin: web-client/src/protocol/meshDecoder.ts.
 #pragma once
 
 #include "core/base/result.hpp"
-#include "core/surface/quad_complex.hpp"
-#include "protocol/lattice.hpp"
 #include "protocol/mesh_frame.hpp"
-#include "protocol/state_crc.hpp"
+#include "protocol/wire_mesh.hpp"
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
-#include <vector>
 
 namespace wakesurf::protocol {
 
-struct WireAttribute {
-    AttributeRange range;
-    std::vector<std::uint16_t> code; ///< one a vertex; range.value(code[i]) is the attribute
+/// A whole update, decoded.
+struct DecodedState {
+    FrameHeader header; ///< of its last frame: surface, epoch, seq, phase, state_sum ...
+    std::shared_ptr<const WireMesh> mesh;
 };
 
-struct WireMesh {
-    std::uint32_t surface = 0;
-    std::uint32_t epoch = 0;
-    std::uint32_t seq = 0; ///< of the newest frame
-    int lattice_bits = 0;
-    std::vector<LatticePoint> position;
-    std::vector<WireAttribute> attributes;
-    std::vector<core::Cell> cells;
-    bool complete = false; ///< the last frame of the state is in and its checksum held
-    bool final = false;    ///< no finer state of this epoch follows
-    std::uint32_t state_crc = 0;
-};
-
-/// Folds the frames of one surface, in order, into its mesh.
+/// Folds the frames of one surface, in order, into its states. Keeps the newest whole state through errors.
 /// Not thread safe; one decoder a surface.
 class MeshDecoder {
   public:
-    /// Error: what read_frame and decode_points report; Corrupt when the frame does not follow the one before or the
-    /// state's checksum fails. After an error only a frame that starts a new mesh is taken.
-    core::Result<void> fold(std::span<const std::byte> frame);
+    MeshDecoder();
+    ~MeshDecoder();
+    MeshDecoder(MeshDecoder&&) noexcept;
+    MeshDecoder& operator=(MeshDecoder&&) noexcept;
 
-    const WireMesh& mesh() const { return mesh_; }
+    /// True when the frame made a state whole, which is then newest().
+    /// Error: Unsupported, OverLimit or Corrupt; then nothing but frame 0 of a KEY is taken (see needs_key).
+    /// Cost: of a state's last frame O(state), of the others O(frame).
+    core::Result<bool> fold(std::span<const std::byte> frame);
+
+    /// The newest whole state, if there has been one.
+    const std::optional<DecodedState>& newest() const { return newest_; }
+
+    /// Deltas are of no use: nothing has come yet, or something went wrong.
+    bool needs_key() const { return !intact_; }
 
   private:
-    core::Result<void> check_order(const MeshFrame& frame) const;
-    core::Result<void> append(const MeshFrame& frame);
+    struct Update;
 
-    WireMesh mesh_;
-    StateCrc crc_;
-    bool started_ = false; ///< a mesh has been begun, ever: epochs may only grow from here
-    bool intact_ = false;  ///< every frame since the mesh began was taken
+    core::Result<void> check_order(const FrameHeader& header) const;
+    core::Result<bool> take(const MeshFrame& frame);
+
+    std::optional<DecodedState> newest_;
+    std::unique_ptr<Update> update_; ///< the unfinished one
+    bool intact_ = false;
 };
 
 } // namespace wakesurf::protocol

@@ -1,0 +1,53 @@
+// The state of a surface on the wire: integers that the server and all its clients hold alike. protocol/README.md, Mesh
+// frames. Twin: web-client/src/protocol/wireMesh.ts.
+#pragma once
+
+#include "protocol/lattice.hpp"
+#include "protocol/wire_topology.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::protocol {
+
+/// The attributes of a surface's vertices, in the order of the wire.
+inline constexpr std::array<std::string_view, 3> surface_attributes{"speed", "s", "t"};
+
+/// What the codes 0 and 65535 of an attribute stand for.
+struct AttributeRange {
+    float lo = 0;
+    float hi = 0;
+
+    double value(std::uint16_t code) const;
+    /// The nearest code; values outside go to the end. REQUIRES: a finite value.
+    std::uint16_t code(double value) const;
+
+    bool operator==(const AttributeRange&) const = default;
+};
+
+struct WireMesh {
+    int lattice_bits = 16;
+    double time = 0.0; ///< simulation time
+    std::vector<AttributeRange> ranges;
+    std::vector<LatticePoint> position;
+    std::vector<LatticePoint> change;              ///< of the position by the last update, one a vertex
+    std::vector<std::vector<std::uint16_t>> codes; ///< one array an attribute, one code a vertex
+    std::shared_ptr<const WireTopology> topology = std::make_shared<const WireTopology>();
+
+    std::size_t vertices() const { return position.size(); }
+
+    const std::vector<core::Cell>& cells() const { return topology->cells; }
+
+    std::size_t bytes() const;
+};
+
+/// The checksum of all of it but the changes. Cost: about 0.1 ns a byte.
+std::uint32_t state_sum(const WireMesh& mesh);
+
+/// Bit for bit, cells by value.
+bool same_state(const WireMesh& a, const WireMesh& b);
+
+} // namespace wakesurf::protocol
