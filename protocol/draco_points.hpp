@@ -1,27 +1,32 @@
-// The points of one frame as a Draco sequential point cloud, the only Draco encoding that keeps their order. Values are
-// differences of consecutive points, each of which Draco predicts from the one before. The only file that knows Draco.
-// Twin: web-client/src/protocol/dracoPoints.ts.
+// Residuals as a Draco sequential point cloud, the only Draco encoding that keeps their order. The only file of the wire that
+// knows Draco. protocol/README.md, Draco block. Twin: web-client/src/protocol/dracoPoints.ts.
 #pragma once
 
 #include "core/base/result.hpp"
 #include "protocol/bytes.hpp"
-#include "protocol/lattice.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace wakesurf::protocol {
 
-/// The attribute spans are as long as `positions`, which is not empty.
-/// Error: OverLimit or Corrupt when Draco refuses or throws.
-core::Result<Bytes> encode_points(std::span<const LatticePoint> positions,
-                                  std::span<const std::span<const std::uint16_t>> attributes);
+/// The numbers of one Draco attribute, `components` for each point.
+template <class T>
+struct Channel {
+    std::span<T> values;
+    std::size_t components = 1;
+};
 
-/// Fills the spans, whose lengths are the expected number of points, at least 1.
-/// Error: Corrupt. Draco trusts the counts in its own header, so these are compared first.
+/// REQUIRES: as many points in each channel, at least one point and one channel; no value of 2^17 or more, which would
+/// cost Draco a table of that size. Error: OverLimit or Corrupt when Draco refuses or throws.
+core::Result<Bytes> encode_points(std::span<const Channel<const std::int32_t>> channels,
+                                  std::uint32_t points);
+
+/// Fills the channels, whose lengths are as expected. Error: Corrupt. Draco trusts the counts in its own header, so these are
+/// compared first.
 core::Result<void> decode_points(std::span<const std::byte> draco,
-                                 std::span<LatticePoint> positions,
-                                 std::span<const std::span<std::uint16_t>> attributes);
+                                 std::span<const Channel<std::int32_t>> channels,
+                                 std::uint32_t points);
 
 } // namespace wakesurf::protocol

@@ -1,11 +1,11 @@
 #include "protocol/mesh_frame.hpp"
 
 #include "core/base/crc32c.hpp"
-#include "protocol/lattice.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstring>
 
 namespace wakesurf::protocol {
 
@@ -13,7 +13,7 @@ namespace {
 
 using core::Error;
 
-constexpr std::size_t frame_crc_at = 48;
+constexpr std::size_t frame_crc_at = 60;
 constexpr std::size_t range_bytes = 8;
 
 /// The header but for its own four bytes, then the body.
@@ -31,86 +31,105 @@ FrameHeader parse(std::span<const std::byte> b) {
     h.surface = number_at<std::uint32_t>(b, 4);
     h.epoch = number_at<std::uint32_t>(b, 8);
     h.seq = number_at<std::uint32_t>(b, 12);
-    h.vertex_base = number_at<std::uint32_t>(b, 16);
-    h.vertex_count = number_at<std::uint32_t>(b, 20);
-    h.cell_base = number_at<std::uint32_t>(b, 24);
-    h.cell_count = number_at<std::uint32_t>(b, 28);
-    h.attribute_count = number_at<std::uint8_t>(b, 32);
-    h.lattice_bits = number_at<std::uint8_t>(b, 33);
-    h.draco_bytes = number_at<std::uint32_t>(b, 36);
-    h.cell_bytes = number_at<std::uint32_t>(b, 40);
-    h.state_crc = number_at<std::uint32_t>(b, 44);
+    h.base_seq = number_at<std::uint32_t>(b, 16);
+    h.frame_index = number_at<std::uint16_t>(b, 20);
+    h.frame_count = number_at<std::uint16_t>(b, 22);
+    h.phase = static_cast<Phase>(number_at<std::uint8_t>(b, 24));
+    h.lattice_bits = number_at<std::uint8_t>(b, 25);
+    h.attribute_count = number_at<std::uint8_t>(b, 26);
+    h.vertices = number_at<std::uint32_t>(b, 28);
+    h.cells = number_at<std::uint32_t>(b, 32);
+    h.topology_size = number_at<std::uint32_t>(b, 36);
+    h.time = number_at<double>(b, 40);
+    h.topology_bytes = number_at<std::uint32_t>(b, 48);
+    h.points_bytes = number_at<std::uint32_t>(b, 52);
+    h.state_sum = number_at<std::uint32_t>(b, 56);
     return h;
 }
 
-/// Counts that memory is reserved for, or that later sums could overflow with.
+std::size_t ranges_in(const FrameHeader& h) {
+    return h.is_key() && h.frame_index == 0 ? h.attribute_count : 0u;
+}
+
 core::Result<void> check_limits(const FrameHeader& h) {
-    if (h.vertex_count > max_frame_vertices || h.cell_count > max_frame_cells ||
-        h.vertex_base > max_mesh_vertices - h.vertex_count ||
-        h.cell_base > max_mesh_cells - h.cell_count || h.attribute_count > max_attributes)
-        return core::fail(
-            Error::Code::OverLimit,
-            fmt::format("a mesh frame announces {} vertices after {}, {} cells after {} "
-                        "and {} attributes",
-                        h.vertex_count, h.vertex_base, h.cell_count, h.cell_base,
-                        h.attribute_count));
+    if (h.vertices > max_mesh_vertices || h.cells > max_mesh_cells ||
+        h.attribute_count > max_attributes)
+        return core::fail(Error::Code::OverLimit,
+                          fmt::format("a mesh frame announces {} vertices, {} cells and {} "
+                                      "attributes",
+                                      h.vertices, h.cells, h.attribute_count));
     return {};
 }
 
-core::Result<void> check_consistency(const FrameHeader& h, std::size_t size) {
-    const std::uint64_t expected = frame_header_bytes +
-                                   range_bytes * std::uint64_t{h.attribute_count} + h.draco_bytes +
-                                   h.cell_bytes;
-    if (size != expected)
-        return corrupt(fmt::format("a mesh frame of {} bytes announces {}", size, expected));
-    if (h.lattice_bits < 1 || h.lattice_bits > max_lattice_bits)
-        return corrupt(fmt::format("a mesh frame has a lattice of {} bits", h.lattice_bits));
-    if ((h.flags & ~(FrameHeader::first | FrameHeader::last | FrameHeader::final)) != 0)
-        return corrupt(fmt::format("a mesh frame has unknown flags {:#x}", h.flags));
-    if ((h.vertex_count == 0) != (h.draco_bytes == 0) || (h.cell_count == 0) != (h.cell_bytes == 0))
-        return corrupt("a mesh frame announces vertices or cells without bytes for them");
-    if ((h.flags & FrameHeader::first) != 0 && (h.vertex_base != 0 || h.cell_base != 0))
-        return corrupt("the first frame of a mesh does not start at vertex 0 and cell 0");
+core::Result<void> check_consistency(const FrameHeader& h, std::span<const std::byte> bytes) {
+    const std::uint64_t expected = frame_header_bytes + range_bytes * std::uint64_t{ranges_in(h)} +
+                                   h.topology_bytes + h.points_bytes;
+    if (bytes.size() != expected)
+        return corrupt(fmt::format("a mesh frame of {} bytes announces {}", bytes.size(), expected));
+    constexpr unsigned known = FrameHeader::key | FrameHeader::lossless | FrameHeader::history;
+    const bool history = (h.flags & FrameHeader::history) != 0;
+    if ((h.flags & ~known) != 0 || (history && !h.is_key()) || h.phase > Phase::Live ||
+        number_at<std::uint8_t>(bytes, 27) != 0)
+        return corrupt("a mesh frame has flags or a phase that this version does not know");
+    const bool base_fits = h.is_key() ? h.base_seq == h.seq : h.base_seq < h.seq;
+    if (h.frame_index >= h.frame_count || !base_fits || h.lattice_bits < 1 ||
+        h.lattice_bits > max_lattice_bits || h.topology_bytes > h.topology_size ||
+        !std::isfinite(h.time))
+        return corrupt("a mesh frame's header contradicts itself");
     return {};
 }
 
 core::Result<void> check_ranges(std::span<const AttributeRange> ranges) {
     for (const AttributeRange& range : ranges)
         if (!std::isfinite(range.lo) || !std::isfinite(range.hi) || range.lo > range.hi)
-            return corrupt("a mesh frame has an attribute without a usable range");
+            return corrupt("a mesh frame has an attribute without a range");
     return {};
+}
+
+void append_header(Bytes& bytes, const FrameHeader& h) {
+    append(bytes, frame_magic);
+    append(bytes, frame_version);
+    append(bytes, h.flags);
+    append(bytes, h.surface);
+    append(bytes, h.epoch);
+    append(bytes, h.seq);
+    append(bytes, h.base_seq);
+    append(bytes, h.frame_index);
+    append(bytes, h.frame_count);
+    append(bytes, static_cast<std::uint8_t>(h.phase));
+    append(bytes, h.lattice_bits);
+    append(bytes, h.attribute_count);
+    append(bytes, std::uint8_t{0});
+    append(bytes, h.vertices);
+    append(bytes, h.cells);
+    append(bytes, h.topology_size);
+    append(bytes, h.time);
 }
 
 } // namespace
 
-double AttributeRange::value(std::uint16_t code) const {
-    return double{lo} + (double{hi} - double{lo}) * code / 65535.0;
+bool same_update(FrameHeader a, const FrameHeader& b) {
+    a.frame_index = b.frame_index;
+    a.topology_bytes = b.topology_bytes;
+    a.points_bytes = b.points_bytes;
+    return a == b;
 }
 
 Bytes write_frame(const MeshFrame& frame) {
-    const FrameHeader& h = frame.header;
     Bytes bytes;
-    bytes.reserve(frame_header_bytes + range_bytes * frame.ranges.size() + frame.draco.size() +
-                  frame.cells.size());
-    append(bytes, frame_magic);
-    append(bytes, frame_version);
-    append(bytes, h.flags);
-    for (const std::uint32_t field :
-         {h.surface, h.epoch, h.seq, h.vertex_base, h.vertex_count, h.cell_base, h.cell_count})
-        append(bytes, field);
-    append(bytes, static_cast<std::uint8_t>(frame.ranges.size()));
-    append(bytes, h.lattice_bits);
-    append(bytes, std::uint16_t{0});
-    append(bytes, static_cast<std::uint32_t>(frame.draco.size()));
-    append(bytes, static_cast<std::uint32_t>(frame.cells.size()));
-    append(bytes, h.state_crc);
+    bytes.reserve(frame_header_bytes + range_bytes * frame.ranges.size() + frame.topology.size() +
+                  frame.points.size());
+    append_header(bytes, frame.header);
+    append(bytes, static_cast<std::uint32_t>(frame.topology.size()));
+    append(bytes, static_cast<std::uint32_t>(frame.points.size()));
+    append(bytes, frame.header.state_sum);
     append(bytes, std::uint32_t{0});
     for (const AttributeRange& range : frame.ranges) {
         append(bytes, range.lo);
         append(bytes, range.hi);
     }
-    bytes.insert(bytes.end(), frame.draco.begin(), frame.draco.end());
-    bytes.insert(bytes.end(), frame.cells.begin(), frame.cells.end());
+    bytes.insert(bytes.end(), frame.topology.begin(), frame.topology.end());
+    bytes.insert(bytes.end(), frame.points.begin(), frame.points.end());
     const std::uint32_t crc = frame_crc(bytes);
     std::memcpy(bytes.data() + frame_crc_at, &crc, sizeof crc);
     return bytes;
@@ -120,28 +139,29 @@ core::Result<MeshFrame> read_frame(std::span<const std::byte> bytes) {
     if (bytes.size() > max_frame_bytes)
         return core::fail(Error::Code::OverLimit,
                           fmt::format("a mesh frame has {} bytes", bytes.size()));
-    if (bytes.size() < frame_header_bytes || number_at<std::uint16_t>(bytes, 0) != frame_magic)
+    if (bytes.size() < 3 || number_at<std::uint16_t>(bytes, 0) != frame_magic)
         return corrupt("a binary message is not a mesh frame");
     if (const auto version = number_at<std::uint8_t>(bytes, 2); version != frame_version)
         return core::fail(
             Error::Code::Unsupported,
             fmt::format("a mesh frame has version {}, not {}", version, frame_version),
             "use a client of the server's version");
-    if (frame_crc(bytes) != number_at<std::uint32_t>(bytes, frame_crc_at))
+    if (bytes.size() < frame_header_bytes ||
+        frame_crc(bytes) != number_at<std::uint32_t>(bytes, frame_crc_at))
         return corrupt("a mesh frame does not match its checksum");
     MeshFrame frame;
     frame.header = parse(bytes);
-    if (auto fine = check_limits(frame.header); !fine)
-        return tl::unexpected(fine.error());
-    if (auto fine = check_consistency(frame.header, bytes.size()); !fine)
+    if (auto fine =
+            check_limits(frame.header).and_then([&] { return check_consistency(frame.header, bytes); });
+        !fine)
         return tl::unexpected(fine.error());
     std::size_t at = frame_header_bytes;
-    for (unsigned i = 0; i < frame.header.attribute_count; ++i, at += range_bytes)
+    for (std::size_t i = 0; i < ranges_in(frame.header); ++i, at += range_bytes)
         frame.ranges.push_back({number_at<float>(bytes, at), number_at<float>(bytes, at + 4)});
     if (auto fine = check_ranges(frame.ranges); !fine)
         return tl::unexpected(fine.error());
-    frame.draco = bytes.subspan(at, frame.header.draco_bytes);
-    frame.cells = bytes.subspan(at + frame.header.draco_bytes);
+    frame.topology = bytes.subspan(at, frame.header.topology_bytes);
+    frame.points = bytes.subspan(at + frame.header.topology_bytes);
     return frame;
 }
 

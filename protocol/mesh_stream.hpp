@@ -7,6 +7,7 @@
 #include "protocol/lattice.hpp"
 #include "protocol/mesh_frame.hpp"
 #include "protocol/wire_mesh.hpp"
+#include "protocol/wire_update.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,19 +16,17 @@
 
 namespace wakesurf::protocol {
 
-using SharedFrames = std::vector<std::shared_ptr<const std::vector<std::byte>>>;
-
-/// What errors a state may keep, in lattice units and in codes.
+/// What errors a state may keep, in lattice units and in codes; s and t have none. At most 32767.
 struct Tolerance {
     std::uint16_t position = 0;
-    std::uint16_t attribute = 0;
+    std::uint16_t speed = 0;
 
-    bool exact() const { return position == 0 && attribute == 0; }
+    bool exact() const { return position == 0 && speed == 0; }
 };
 
 inline constexpr Tolerance exact_tolerance{};
-/// Of a 16 bit lattice: no more than what rounding to 14 bits makes; of attributes what rounding to 8 or 9 bits makes.
-inline constexpr Tolerance live_tolerance{2, 64};
+/// On a 16 bit lattice no more than what rounding to 14 bits makes; of the speed what rounding to 8 bits makes.
+inline constexpr Tolerance live_tolerance{2, 128};
 
 struct UpdateOptions {
     Phase phase = Phase::Final;
@@ -56,14 +55,21 @@ class MeshStream {
   public:
     /// @param surface     number in the header of each frame: the subscription
     /// @param attributes  send speed, s and t; without, only positions and cells
-    MeshStream(std::uint32_t surface, std::uint32_t epoch, Lattice lattice, bool attributes = true);
+    MeshStream(std::uint32_t surface,
+               std::uint32_t epoch,
+               Lattice lattice,
+               bool attributes = true,
+               std::uint32_t first_seq = 0);
     ~MeshStream();
     MeshStream(MeshStream&&) noexcept;
     MeshStream& operator=(MeshStream&&) noexcept;
 
-    /// The update from the mesh of the last call to this one. It is a KEY the first time, when the ids do not continue (an
-    /// unknown id below the highest one, say after going back in time), when an attribute leaves its range, and when a KEY
-    /// is hardly larger.
+    /// Ranges that speed, s and t will probably stay in; saves the KEY that a value outside makes necessary. Of use before the
+    /// first update only.
+    void expect(std::vector<AttributeRange> ranges);
+
+    /// The update from the mesh of the last call to this one. It is a KEY the first time, when little of the mesh stays and
+    /// when an attribute leaves its range. Ids may come in any order: also going back in time is a delta.
     ///
     /// Error: what guard_mesh refuses; OverLimit for more than max_mesh_vertices vertices or max_mesh_cells cells;
     /// Corrupt for ids that do not ascend. The stream is then as before.

@@ -46,7 +46,7 @@ run_pass(const SurfaceJob& job, const Pass& pass, const std::stop_token& stop) {
     protocol::EncodeOptions options;
     options.surface = job.number;
     options.epoch = job.epoch;
-    options.first_seq = pass.first_seq;
+    options.seq = pass.first_seq;
     options.final = pass.final;
     auto encoded = protocol::encode_state(surface->mesh, job.lattice, options);
     if (!encoded)
@@ -88,7 +88,7 @@ run_surface_job(const SurfaceJob& job, const std::stop_token& stop, const Publis
         if (stop.stop_requested())
             return std::chrono::duration<double>(Clock::now() - start).count();
         if (coarse) { // the final pass reports what is wrong for both
-            last.first_seq = static_cast<std::uint32_t>(coarse->frames.size());
+            last.first_seq = 1;
             publish(std::move(coarse));
         }
     }

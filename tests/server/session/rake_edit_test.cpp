@@ -42,17 +42,23 @@ json wait_for(WebSocketClient& client, const Scene& scene) {
     return client.result("surface.wait", {{"surface", scene.surface}, {"timeoutMs", 60000}});
 }
 
+bool shows(const protocol::MeshDecoder& decoder, std::uint32_t epoch, protocol::Phase phase) {
+    const auto& state = decoder.newest();
+    return state && state->header.epoch == epoch && state->header.phase == phase;
+}
+
 /// Folds frames until the final state of `epoch` is there; gives the epochs seen.
 std::set<std::uint32_t>
 fold_until(WebSocketClient& client, protocol::MeshDecoder& decoder, std::uint32_t epoch) {
     std::set<std::uint32_t> epochs;
-    while (!(decoder.mesh().final && decoder.mesh().epoch == epoch)) {
+    while (!shows(decoder, epoch, protocol::Phase::Final)) {
         const auto frame = client.frame();
         const auto folded = decoder.fold(frame);
         EXPECT_TRUE(folded.has_value()) << folded.error().message;
         if (!folded)
             break;
-        epochs.insert(decoder.mesh().epoch);
+        if (const auto header = protocol::read_frame(frame))
+            epochs.insert(header->header.epoch);
     }
     return epochs;
 }
@@ -69,10 +75,10 @@ TEST(RakeEdit, TheFramesFoldToTheMeshTheStatisticsDescribe) {
     EXPECT_EQ(stats["complete"], true);
     EXPECT_EQ(stats["epoch"], 1);
     EXPECT_GT(stats["quads"], 100);
-    EXPECT_EQ(decoder.mesh().surface, scene.number);
-    EXPECT_EQ(decoder.mesh().cells.size(), stats["quads"]);
-    EXPECT_EQ(decoder.mesh().position.size(), stats["vertices"]);
-    EXPECT_EQ(decoder.mesh().state_crc, stats["crc"]);
+    EXPECT_EQ(decoder.newest()->header.surface, scene.number);
+    EXPECT_EQ(decoder.newest()->mesh->cells().size(), stats["quads"]);
+    EXPECT_EQ(decoder.newest()->mesh->vertices(), stats["vertices"]);
+    EXPECT_EQ(decoder.newest()->header.state_sum, stats["crc"]);
 }
 
 TEST(RakeEdit, OfFiftyEditsAtOnceOnlyTheNewestIsComputedToItsEnd) {
@@ -93,7 +99,7 @@ TEST(RakeEdit, OfFiftyEditsAtOnceOnlyTheNewestIsComputedToItsEnd) {
     EXPECT_LE(epochs.size(), 12u);
     const json stats = wait_for(client, scene);
     EXPECT_EQ(stats["epoch"], 51);
-    EXPECT_EQ(decoder.mesh().state_crc, stats["crc"]);
+    EXPECT_EQ(decoder.newest()->header.state_sum, stats["crc"]);
     // The seeds lie where the last edit put them.
     const json state = client.result("session.state");
     EXPECT_DOUBLE_EQ(state["rakes"][0]["points"][0][2], -1.0);
@@ -115,8 +121,8 @@ TEST(RakeEdit, TwoPeopleSeeTheSameMesh) {
     fold_until(one, ones, 2);
     fold_until(other, others, 2);
     const json stats = wait_for(one, scene);
-    EXPECT_EQ(ones.mesh().state_crc, stats["crc"]);
-    EXPECT_EQ(others.mesh().state_crc, stats["crc"]);
+    EXPECT_EQ(ones.newest()->header.state_sum, stats["crc"]);
+    EXPECT_EQ(others.newest()->header.state_sum, stats["crc"]);
     EXPECT_EQ(one.result("session.state")["participants"].size(), 2u);
 }
 
@@ -129,7 +135,7 @@ TEST(RakeEdit, WhoeverComesLateGetsTheMeshThatIsThere) {
     late.result("surface.subscribe", {{"surface", scene.surface}});
     protocol::MeshDecoder decoder;
     fold_until(late, decoder, 1);
-    EXPECT_EQ(decoder.mesh().state_crc, stats["crc"]);
+    EXPECT_EQ(decoder.newest()->header.state_sum, stats["crc"]);
 }
 
 TEST(RakeEdit, AnEditStopsALongComputationAndShowsTheNewSurfaceSoon) {
@@ -141,10 +147,10 @@ TEST(RakeEdit, AnEditStopsALongComputationAndShowsTheNewSurfaceSoon) {
     const auto start = std::chrono::steady_clock::now();
     client.result("rake.set", edit);
     protocol::MeshDecoder decoder;
-    while (!(decoder.mesh().epoch == 2 && decoder.mesh().complete))
+    while (!decoder.newest() || decoder.newest()->header.epoch < 2)
         ASSERT_TRUE(decoder.fold(client.frame()).has_value());
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
-    EXPECT_FALSE(decoder.mesh().final);
+    EXPECT_FALSE(shows(decoder, 2, protocol::Phase::Final));
 }
 
 TEST(RakeEdit, AClientThatVanishesInTheMiddleDisturbsNobody) {
@@ -161,7 +167,7 @@ TEST(RakeEdit, AClientThatVanishesInTheMiddleDisturbsNobody) {
     }
     protocol::MeshDecoder decoder;
     fold_until(stays, decoder, 9);
-    EXPECT_EQ(decoder.mesh().state_crc, wait_for(stays, scene)["crc"]);
+    EXPECT_EQ(decoder.newest()->header.state_sum, wait_for(stays, scene)["crc"]);
     EXPECT_TRUE(server.running());
 }
 

@@ -1,0 +1,40 @@
+#include "protocol/state_sum.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+namespace wakesurf::protocol {
+
+namespace {
+
+constexpr std::size_t word = sizeof(std::uint32_t);
+
+std::uint32_t stir(std::uint32_t lane, std::uint32_t value) {
+    return std::rotl(lane ^ value, 13) * 0x9e3779b1u;
+}
+
+} // namespace
+
+std::uint32_t word_sum(std::span<const std::byte> bytes) {
+    std::array<std::uint32_t, 4> lane{0x9e3779b1u, 0x85ebca77u, 0xc2b2ae3du, 0x27d4eb2fu};
+    std::array<std::uint32_t, 4> four{};
+    std::size_t at = 0;
+    for (; at + sizeof four <= bytes.size(); at += sizeof four) {
+        std::memcpy(four.data(), bytes.data() + at, sizeof four);
+        for (std::size_t i = 0; i < 4; ++i)
+            lane[i] = stir(lane[i], four[i]);
+    }
+    for (std::size_t i = 0; at < bytes.size(); ++i, at += word) {
+        std::uint32_t value = 0;
+        std::memcpy(&value, bytes.data() + at, std::min(word, bytes.size() - at));
+        lane[i] = stir(lane[i], value);
+    }
+    auto result = static_cast<std::uint32_t>((bytes.size() + word - 1) / word);
+    for (const std::uint32_t value : lane)
+        result = stir(result, value);
+    return result ^ (result >> 15);
+}
+
+} // namespace wakesurf::protocol

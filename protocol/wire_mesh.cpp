@@ -1,0 +1,59 @@
+#include "protocol/wire_mesh.hpp"
+
+#include "protocol/state_sum.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace wakesurf::protocol {
+
+static_assert(sizeof(LatticePoint) == 12 && sizeof(core::Cell) == 32,
+              "summed as they lie in memory");
+
+namespace {
+
+template <class T>
+std::uint32_t sum_of(const std::vector<T>& values) {
+    return word_sum(std::as_bytes(std::span(values)));
+}
+
+} // namespace
+
+double AttributeRange::value(std::uint16_t code) const {
+    return double{lo} + (double{hi} - double{lo}) * code / 65535.0;
+}
+
+std::uint16_t AttributeRange::code(double value) const {
+    const double width = double{hi} - double{lo};
+    if (!(width > 0.0))
+        return 0;
+    return static_cast<std::uint16_t>(
+        std::clamp((value - double{lo}) * (65535.0 / width) + 0.5, 0.0, 65535.0));
+}
+
+std::size_t WireMesh::bytes() const {
+    std::size_t codes_bytes = 0;
+    for (const auto& attribute : codes)
+        codes_bytes += attribute.size() * sizeof(std::uint16_t);
+    return (position.size() + change.size()) * sizeof(LatticePoint) + codes_bytes +
+           topology->cells.size() * sizeof(core::Cell) +
+           topology->neighbours.size() * sizeof(Neighbours);
+}
+
+std::uint32_t state_sum(const WireMesh& mesh) {
+    std::vector<std::uint32_t> parts{static_cast<std::uint32_t>(mesh.vertices()),
+                                     sum_of(mesh.position),
+                                     static_cast<std::uint32_t>(mesh.cells().size()),
+                                     sum_of(mesh.cells())};
+    for (const auto& attribute : mesh.codes)
+        parts.push_back(sum_of(attribute));
+    return sum_of(parts);
+}
+
+bool same_state(const WireMesh& a, const WireMesh& b) {
+    return a.lattice_bits == b.lattice_bits && a.time == b.time && a.ranges == b.ranges &&
+           a.position == b.position && a.change == b.change && a.codes == b.codes &&
+           a.cells() == b.cells();
+}
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,67 @@
+#include "protocol/wire_quantise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wakesurf::protocol {
+
+namespace {
+
+/// Narrowing may cut off the last bits of a value at the end.
+constexpr double slack = 1e-6;
+
+AttributeRange range_for(std::span<const double> values, const AttributeRange* held) {
+    if (values.empty())
+        return held != nullptr ? *held : AttributeRange{};
+    const auto [lo, hi] = std::ranges::minmax(values);
+    if (held == nullptr)
+        return {static_cast<float>(lo), static_cast<float>(hi)};
+    const double allowed = slack * (double{held->hi} - double{held->lo});
+    AttributeRange range = *held;
+    const double width = std::max(hi, double{held->hi}) - std::min(lo, double{held->lo});
+    if (lo < double{held->lo} - allowed)
+        range.lo = static_cast<float>(lo - 0.5 * width);
+    if (hi > double{held->hi} + allowed)
+        range.hi = static_cast<float>(hi + 0.5 * width);
+    return std::isfinite(range.lo) && std::isfinite(range.hi)
+               ? range
+               : AttributeRange{static_cast<float>(lo), static_cast<float>(hi)};
+}
+
+} // namespace
+
+AttributeValues attribute_values(const core::QuadComplex& mesh) {
+    std::vector<double> speed(mesh.vertices());
+    for (std::size_t i = 0; i < speed.size(); ++i)
+        speed[i] = glm::length(core::Vec3(mesh.velocity[i]));
+    return {std::move(speed), mesh.s, mesh.t};
+}
+
+std::vector<AttributeRange> ranges_for(const AttributeValues& values,
+                                       std::span<const AttributeRange> held) {
+    std::vector<AttributeRange> ranges;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        ranges.push_back(range_for(values[i], held.empty() ? nullptr : &held[i]));
+    return ranges;
+}
+
+WireMesh quantise_mesh(const core::QuadComplex& mesh,
+                       const Lattice& lattice,
+                       const AttributeValues& values,
+                       std::span<const AttributeRange> ranges,
+                       std::span<const std::uint32_t> place) {
+    WireMesh result;
+    result.lattice_bits = lattice.bits;
+    result.ranges.assign(ranges.begin(), ranges.end());
+    result.position.resize(place.size());
+    for (std::size_t i = 0; i < place.size(); ++i)
+        result.position[place[i]] = quantise(lattice, mesh.position[i]);
+    for (std::size_t a = 0; a < ranges.size(); ++a) {
+        auto& codes = result.codes.emplace_back(place.size());
+        for (std::size_t i = 0; i < place.size(); ++i)
+            codes[place[i]] = ranges[a].code(values[a][i]);
+    }
+    return result;
+}
+
+} // namespace wakesurf::protocol

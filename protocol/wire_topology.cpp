@@ -1,0 +1,75 @@
+#include "protocol/wire_topology.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace wakesurf::protocol {
+
+namespace {
+
+using core::Cell;
+using core::no_vertex;
+
+void join(std::vector<Neighbours>& of, std::uint32_t u, std::uint32_t w) {
+    if (u == w)
+        return;
+    const std::uint32_t low = std::min(u, w);
+    Neighbours& high = of[std::max(u, w)];
+    high.lowest = std::min(high.lowest, low);
+    high.highest = high.highest == no_vertex ? low : std::max(high.highest, low);
+}
+
+void join_outline(std::vector<Neighbours>& of, const Cell& cell) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::uint32_t from = cell.corner[i];
+        const std::uint32_t to = cell.corner[(i + 1) % 4];
+        const std::uint32_t mid = cell.mid[i];
+        if (mid == no_vertex) {
+            join(of, from, to);
+        } else {
+            join(of, from, mid);
+            join(of, mid, to);
+        }
+    }
+}
+
+/// Only a cell's highest corner can have the other three below it.
+void complete_highest_corner(std::vector<Neighbours>& of, const Cell& cell) {
+    const auto& c = cell.corner;
+    const std::size_t i = static_cast<std::size_t>(std::ranges::max_element(c) - c.begin());
+    const std::uint32_t p = c[(i + 3) % 4];
+    const std::uint32_t n = c[(i + 1) % 4];
+    const std::uint32_t o = c[(i + 2) % 4];
+    Neighbours& highest = of[c[i]];
+    if (highest.beside == no_vertex && p < c[i] && n < c[i] && o < c[i]) {
+        highest.beside = p;
+        highest.beside2 = n;
+        highest.opposite = o;
+    }
+}
+
+void complete_mids(std::vector<Neighbours>& of, const Cell& cell) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::uint32_t mid = cell.mid[i];
+        const std::uint32_t from = cell.corner[i];
+        const std::uint32_t to = cell.corner[(i + 1) % 4];
+        if (mid == no_vertex || from >= mid || to >= mid)
+            continue;
+        Neighbours& hanging = of[mid];
+        if (hanging.beside == no_vertex || hanging.opposite != no_vertex)
+            hanging = {hanging.highest, hanging.lowest, from, to, no_vertex};
+    }
+}
+
+} // namespace
+
+WireTopology::WireTopology(std::vector<Cell> all, std::size_t vertices)
+    : cells(std::move(all)), neighbours(vertices) {
+    for (const Cell& cell : cells) {
+        join_outline(neighbours, cell);
+        complete_highest_corner(neighbours, cell);
+        complete_mids(neighbours, cell);
+    }
+}
+
+} // namespace wakesurf::protocol
