@@ -12,6 +12,9 @@ namespace wakesurf::bench {
 /// Stream and path surfaces of about 20,000 quads on four rakes across the domain, complete, on one core.
 void register_surface_benchmarks(std::shared_ptr<const server::LoadedDataset> dataset);
 
+/// Bytes and times of the updates of moving and growing surfaces, beside raw floats and whole Draco meshes.
+void register_wire_benchmarks(std::shared_ptr<const server::LoadedDataset> dataset);
+
 /// From a rake edit at the socket of a server process to the first frame of the new surface.
 void register_edit_benchmark(const std::string& dataset);
 

@@ -67,6 +67,7 @@ int measure(const server::BenchOptions& options) {
     register_import_benchmarks();
     register_playing_benchmark();
     register_surface_benchmarks(*loaded);
+    register_wire_benchmarks(*loaded);
     register_edit_benchmark(dataset);
     register_remote_drag_benchmark(dataset);
     register_load_benchmarks(dataset);

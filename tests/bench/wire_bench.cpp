@@ -1,0 +1,259 @@
+// What a surface of 100,000 quads costs on the wire: bytes of each update beside raw floats and beside a whole Draco mesh, and the
+// time to encode and to decode it on one core.
+#include "core/surface/moving/moving_surface.hpp"
+#include "core/surface/surface_builder.hpp"
+#include "protocol/mesh_decoder.hpp"
+#include "protocol/mesh_stream.hpp"
+#include "tests/bench/benchmarks.hpp"
+#include "tests/bench/support/draco_mesh.hpp"
+#include "tests/bench/support/interleaved.hpp"
+#include "tests/bench/support/one_core.hpp"
+#include "tests/bench/support/row_by_row.hpp"
+#include "tests/bench/support/sampled_flows.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+
+namespace wakesurf::bench {
+
+namespace {
+
+constexpr double wanted_vertices = 100'000;
+constexpr int updates = 12;
+constexpr double raw_bytes = 16.0; ///< a vertex: float32 position and speed
+constexpr double target_move_percent_of_raw = 8.0;
+constexpr double target_move_percent_of_draco = 60.0;
+constexpr double target_append_percent_of_raw = 13.0;
+constexpr double target_encode_million_vertices = 6.0;
+
+/// A flow, and a rake in it whose surfaces are worth sending.
+struct Scene {
+    std::shared_ptr<const server::LoadedDataset> owner;
+    const core::Flow* flow;
+    core::Rake rake;
+    double from, to;
+};
+
+Scene scene_in(std::shared_ptr<const server::LoadedDataset> dataset,
+               const core::Vec3& begin,
+               const core::Vec3& end,
+               double to) {
+    const core::Box box = dataset->flow->domain();
+    const core::Rake rake{
+        core::Rake::Kind::Line, {box.lo + box.extent() * begin, box.lo + box.extent() * end}, 32};
+    const auto& times = dataset->info.times;
+    const double from = times.empty() ? 0.0 : times.front();
+    return {dataset, dataset->flow.get(), rake, from, times.size() > 1 ? std::min(to, times.back()) : to};
+}
+
+Scene named_scene(const std::string& name, const core::Vec3& begin, const core::Vec3& end, double to) {
+    auto loaded = server::resolve_dataset(name).and_then([](const server::DatasetArgument& argument) {
+        return server::open_dataset(argument, {server::default_store_root(), {}},
+                                    [](const server::ImportProgress&) {});
+    });
+    if (!loaded)
+        throw std::runtime_error(loaded.error().message);
+    return scene_in(std::make_shared<const server::LoadedDataset>(std::move(*loaded)), begin, end, to);
+}
+
+Scene abc_scene() {
+    const SampledFlow& sampled = sampled_slow_abc();
+    return {nullptr, sampled.flow.get(),
+            {core::Rake::Kind::Line, {{0.7, 2.0, 3.0}, {5.5, 4.0, 3.5}}, 16}, 0.0,
+            static_cast<double>(SampledFlow::period) * sampled.interval};
+}
+
+core::SurfaceParameters
+parameters(const Scene& scene, core::SurfaceKind kind, double separation) {
+    core::SurfaceParameters p;
+    p.kind = kind;
+    p.from = scene.from;
+    p.to = scene.to;
+    p.separation = separation;
+    p.accuracy = core::Accuracy::Fast;
+    return p;
+}
+
+void step(core::MovingSurface& surface) {
+    if (const auto stepped = surface.step(surface.end_time(), {}); !stepped)
+        throw std::runtime_error(stepped.error().message);
+}
+
+/// A streak surface that has about `vertices` when nine tenths of the time are over, then.
+core::MovingSurface streak(const Scene& scene, double separation, double vertices) {
+    static const core::SteadyClock clock;
+    auto surface = core::MovingSurface::start(
+        *scene.flow, scene.rake, parameters(scene, core::SurfaceKind::Streak, separation), {}, clock);
+    if (!surface)
+        throw std::runtime_error(surface.error().message);
+    while (surface->time() < scene.from + 0.9 * (scene.to - scene.from) &&
+           static_cast<double>(surface->state().mesh.vertices.used()) < vertices)
+        step(*surface);
+    return std::move(*surface);
+}
+
+/// Separation shrinks until the surface is large enough.
+core::MovingSurface grown_streak(const Scene& scene) {
+    double separation = 2.0 * scene.flow->finest_spacing();
+    while (true) {
+        auto surface = streak(scene, separation, wanted_vertices);
+        const auto vertices = static_cast<double>(surface.state().mesh.vertices.used());
+        if (vertices >= 0.9 * wanted_vertices)
+            return surface;
+        separation *= std::max(0.3, 0.95 * std::sqrt(vertices / wanted_vertices));
+    }
+}
+
+/// Follows the updates of one stream.
+struct Measured {
+    protocol::MeshStream stream;
+    protocol::Tolerance tolerance;
+    protocol::MeshDecoder decoder{};
+    double bytes = 0.0, vertices = 0.0, encode_seconds = 0.0, decode_seconds = 0.0;
+    bool counting = false;
+
+    void take(const core::KeyedMesh& mesh, double count) {
+        std::optional<protocol::EncodedUpdate> update;
+        const double encoding = seconds_of([&] {
+            auto next = stream.next(mesh, {.phase = protocol::Phase::Live, .tolerance = tolerance});
+            if (!next)
+                throw std::runtime_error(next.error().message);
+            update = std::move(*next);
+        });
+        const double decoding = seconds_of([&] {
+            for (const auto& frame : update->frames)
+                if (const auto folded = decoder.fold(*frame); !folded)
+                    throw std::runtime_error(folded.error().message);
+        });
+        if (!counting)
+            return;
+        if (update->key)
+            throw std::runtime_error("an update came as a KEY");
+        bytes += static_cast<double>(update->bytes);
+        vertices += count;
+        encode_seconds += encoding;
+        decode_seconds += decoding;
+    }
+};
+
+void measure_moves(benchmark::State& state, const std::function<Scene()>& make) {
+    on_one_core([&] {
+        const Scene scene = make();
+        const protocol::Lattice lattice = protocol::lattice_over(scene.flow->domain());
+        core::MovingSurface surface = grown_streak(scene);
+        for (auto _ : state) {
+            Measured live{protocol::MeshStream(1, 1, lattice), protocol::live_tolerance};
+            Measured exact{protocol::MeshStream(1, 1, lattice), protocol::exact_tolerance};
+            std::size_t draco = 0, draco_fine = 0;
+            core::KeyedMesh before, mesh;
+            double moved = 0.0, moving = 0.0;
+            for (int i = 0; i < updates + 3; ++i) {
+                before = std::move(mesh);
+                mesh = surface.mesh();
+                live.counting = exact.counting = i >= 3; // histories have filled
+                const auto n = static_cast<double>(mesh.mesh.vertices());
+                live.take(mesh, n);
+                exact.take(mesh, n);
+                if (live.counting) {
+                    draco += draco_mesh_bytes(mesh.mesh, lattice, 5);
+                    draco_fine += draco_mesh_bytes(mesh.mesh, lattice, 3);
+                    for (std::size_t v = 0; v < before.mesh.vertices() / 2; ++v)
+                        if (before.vertex_id[v] == mesh.vertex_id[v]) {
+                            moved += glm::length(mesh.mesh.position[v] - before.mesh.position[v]) / lattice.step;
+                            moving += 1.0;
+                        }
+                }
+                step(surface);
+            }
+            state.SetIterationTime(live.encode_seconds / updates);
+            state.counters["vertices"] = live.vertices / updates;
+            state.counters["lattice_units_moved"] = moving > 0.0 ? moved / moving : 0.0;
+            state.counters["bytes_per_vertex"] = live.bytes / live.vertices;
+            state.counters["percent_of_raw"] = 100.0 * live.bytes / live.vertices / raw_bytes;
+            state.counters["target_percent_of_raw"] = target_move_percent_of_raw;
+            state.counters["percent_of_draco_mesh"] = 100.0 * live.bytes / static_cast<double>(draco);
+            state.counters["target_percent_of_draco_mesh"] = target_move_percent_of_draco;
+            state.counters["percent_of_draco_mesh_speed_3"] = 100.0 * live.bytes / static_cast<double>(draco_fine);
+            state.counters["lossless_percent_of_raw"] = 100.0 * exact.bytes / exact.vertices / raw_bytes;
+            state.counters["lossless_percent_of_draco_mesh"] = 100.0 * exact.bytes / static_cast<double>(draco);
+            state.counters["encode_million_vertices_per_second"] = 1e-6 * live.vertices / live.encode_seconds;
+            state.counters["target_encode_million_vertices_per_second"] = target_encode_million_vertices;
+            state.counters["lossless_encode_million_vertices_per_second"] = 1e-6 * exact.vertices / exact.encode_seconds;
+            state.counters["decode_million_vertices_per_second"] = 1e-6 * live.vertices / live.decode_seconds;
+        }
+    });
+}
+
+/// A stream surface of about the wanted size.
+core::QuadComplex grown_stream(const Scene& scene) {
+    double separation = 2.0 * scene.flow->finest_spacing();
+    while (true) {
+        auto surface = core::build_surface(*scene.flow, scene.rake,
+                                           parameters(scene, core::SurfaceKind::Stream, separation));
+        if (!surface)
+            throw std::runtime_error(surface.error().message);
+        const auto vertices = static_cast<double>(surface->mesh.vertices());
+        if (vertices >= 0.9 * wanted_vertices)
+            return std::move(surface->mesh);
+        separation *= std::max(0.2, 0.97 * std::sqrt(vertices / wanted_vertices));
+    }
+}
+
+void measure_appends(benchmark::State& state, const std::function<Scene()>& make, double rows_an_update) {
+    on_one_core([&] {
+        const Scene scene = make();
+        const protocol::Lattice lattice = protocol::lattice_over(scene.flow->domain());
+        const RowByRow rows(grown_stream(scene));
+        for (auto _ : state) {
+            Measured exact{protocol::MeshStream(1, 1, lattice), protocol::exact_tolerance};
+            exact.stream.expect(rows.ranges());
+            const double n = static_cast<double>(rows.vertices());
+            const double batch = rows_an_update * std::sqrt(n);
+            double at = 0.5 * n;
+            exact.take(rows.first(static_cast<std::size_t>(at)), 0.0);
+            exact.counting = true;
+            int sent = 0;
+            for (; sent < 40 && at + batch <= n; ++sent) {
+                const std::size_t was = rows.first(static_cast<std::size_t>(at)).mesh.vertices();
+                at += batch;
+                const core::KeyedMesh mesh = rows.first(static_cast<std::size_t>(at));
+                exact.take(mesh, static_cast<double>(mesh.mesh.vertices() - was));
+            }
+            state.SetIterationTime(exact.encode_seconds / sent);
+            state.counters["vertices_an_update"] = exact.vertices / sent;
+            state.counters["bytes_per_vertex"] = exact.bytes / exact.vertices;
+            state.counters["percent_of_raw"] = 100.0 * exact.bytes / exact.vertices / raw_bytes;
+            state.counters["target_percent_of_raw"] = target_append_percent_of_raw;
+        }
+    });
+}
+
+void add(const std::string& name, std::function<void(benchmark::State&)> measure) {
+    benchmark::RegisterBenchmark(name.c_str(), std::move(measure))
+        ->Unit(benchmark::kMillisecond)
+        ->UseManualTime()
+        ->Iterations(1);
+}
+
+} // namespace
+
+void register_wire_benchmarks(std::shared_ptr<const server::LoadedDataset> dataset) {
+    const std::pair<std::string, std::function<Scene()>> scenes[] = {
+        {"bundled", [=] { return scene_in(dataset, {0.2, 0.35, 0.1}, {0.2, 0.65, 0.9}, 1e9); }},
+        {"tornado", [] { return named_scene("flow:tornado", {0.4, 0.5, 0.1}, {0.6, 0.5, 0.8}, 4.0); }},
+        {"abc", abc_scene},
+        {"double_gyre", [] { return named_scene("flow:double-gyre", {0.3, 0.2, 0.4}, {0.3, 0.8, 0.6}, 10.0); }},
+    };
+    for (const auto& [name, make] : scenes) {
+        add("wire/move/" + name, [make](benchmark::State& state) { measure_moves(state, make); });
+        for (const int rows : {1, 4})
+            add("wire/append_" + std::to_string(rows) + "_rows/" + name,
+                [make, rows](benchmark::State& state) { measure_appends(state, make, rows); });
+    }
+}
+
+} // namespace wakesurf::bench
