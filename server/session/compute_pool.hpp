@@ -1,25 +1,43 @@
-// The threads surfaces are built on: one oneTBB arena, apart from the io thread, which never computes.
+// The threads surfaces are computed on, apart from the network thread, which never computes. Passes that are over at once
+// and passes that take long have threads of their own, sessions take turns in both, and the long ones run at a lower
+// priority: the kernel slices them, so that one huge surface never freezes another session.
 #pragma once
 
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace wakesurf::server {
+
+/// How long a job is expected to take: a quick one is over within some 15 ms and waits for nothing.
+enum class Pace { Quick, Long };
 
 /// Thread safety: run() may be called from any thread. The destructor waits for jobs that have begun or are queued;
 /// request them to stop first.
 class ComputePool {
   public:
+    /// For tests and simulations: no threads, turn() runs the jobs.
+    struct ByHand {};
+
     /// @param threads  0: one a core
     explicit ComputePool(unsigned threads);
+    explicit ComputePool(ByHand);
+    /// By hand: forgets the jobs that have not run.
     ~ComputePool();
     ComputePool(const ComputePool&) = delete;
     ComputePool& operator=(const ComputePool&) = delete;
 
-    /// Queues a job, oldest first. Its own parallel loops use the arena's other threads, and while it waits for them its
-    /// thread takes on no other job, which might run for seconds. A job must not throw.
+    /// Queues a job of a session. Quick ones run on one thread each. Of the long ones of a session one runs at a time; its parallel
+    /// loops use all cores. A job must not throw.
+    void run(const std::string& session, Pace pace, std::function<void()> job);
+
+    /// Queues a long job that belongs to no session: it has turns like a session of its own.
     void run(std::function<void()> job);
 
+    /// By hand: runs the job whose turn it is, quick ones first, on the caller's thread. False when there is none.
+    bool turn();
+
+    /// Threads that parallel loops use.
     unsigned threads() const;
 
   private:
