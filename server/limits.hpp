@@ -39,6 +39,16 @@ inline constexpr double edits_at_once = 400.0;
 inline constexpr double calls_per_second = 2000.0;
 inline constexpr double calls_at_once = 4000.0;
 
+// What waits for those who look at a surface.
+inline constexpr std::size_t ring_bytes = std::size_t{32}
+                                          << 20; ///< of a surface's updates; the newest stays
+inline constexpr std::chrono::seconds ring_age{5};
+inline constexpr std::size_t window =
+    8; ///< updates a client may be sent beyond those it has acknowledged
+inline constexpr std::size_t behind_bytes = std::size_t{4} << 20;
+inline constexpr std::chrono::seconds key_age{1};
+inline constexpr std::size_t subscriptions = 1024; ///< of one WebSocket
+
 // Sessions.
 inline constexpr std::size_t sessions = 64;
 inline constexpr std::size_t participants = 1536;
@@ -71,6 +81,12 @@ inline constexpr std::size_t rake_points = 1024;
 inline constexpr std::uint64_t quads_default = 1'000'000;
 inline constexpr std::uint64_t quads_most = 4'000'000;
 inline constexpr std::uint64_t wait_ms = 600'000;
+inline constexpr std::size_t history_bytes = std::size_t{128}
+                                             << 20; ///< of a moving surface, to step back to
+
+// Clocks.
+inline constexpr double clock_speed = 1e6; ///< simulation time a second
+inline constexpr std::chrono::milliseconds clock_tick{33};
 
 // Downloads.
 inline constexpr std::size_t downloads = 8; ///< whole meshes made at a time

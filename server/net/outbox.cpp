@@ -2,6 +2,8 @@
 
 #include "server/limits.hpp"
 
+#include <utility>
+
 namespace wakesurf::server {
 
 bool Outbox::push(std::string message) {
@@ -13,31 +15,53 @@ bool Outbox::push(std::string message) {
     return true;
 }
 
-void Outbox::push(std::uint32_t surface, std::shared_ptr<const SurfaceState> state) {
-    std::erase_if(states_, [&](const Pending& each) { return each.surface == surface; });
-    states_.push_back({surface, std::move(state)});
+bool Outbox::may_follow(std::uint32_t surface) {
+    std::erase_if(cursors_, [](const auto& each) { return each.second.ring().closed(); });
+    return cursors_.contains(surface) || cursors_.size() < limits::subscriptions;
 }
 
-void Outbox::drop_frames(std::uint32_t surface, std::uint32_t epoch) {
-    std::erase_if(states_, [&](const Pending& each) {
-        return each.surface == surface && each.state->epoch < epoch;
-    });
+void Outbox::follow(FrameCursor cursor) {
+    const std::uint32_t surface = cursor.ring().number();
+    cursors_.insert_or_assign(surface, std::move(cursor));
+}
+
+bool Outbox::unfollow(std::uint32_t surface) {
+    return cursors_.erase(surface) > 0;
+}
+
+FrameCursor* Outbox::cursor(std::uint32_t surface) {
+    const auto found = cursors_.find(surface);
+    return found == cursors_.end() ? nullptr : &found->second;
 }
 
 std::optional<Outbox::Item> Outbox::pop() {
-    if (!messages_.empty()) {
-        Item item = std::move(messages_.front());
-        messages_.pop_front();
-        message_bytes_ -= std::get<std::string>(item).size();
-        return item;
-    }
-    if (states_.empty())
+    if (auto message = pop_message())
+        return message;
+    if (Frame frame = pop_frame())
+        return frame;
+    return pop_message(); // what the cursors had to say
+}
+
+std::optional<Outbox::Item> Outbox::pop_message() {
+    if (messages_.empty())
         return std::nullopt;
-    Pending& front = states_.front();
-    Item item = front.state->frames[front.next++];
-    if (front.next == front.state->frames.size())
-        states_.pop_front();
-    return item;
+    std::string message = std::move(messages_.front());
+    messages_.pop_front();
+    message_bytes_ -= message.size();
+    return message;
+}
+
+Outbox::Frame Outbox::pop_frame() {
+    auto next = cursors_.upper_bound(last_);
+    for (std::size_t turns = cursors_.size(); turns > 0; --turns, ++next) {
+        if (next == cursors_.end())
+            next = cursors_.begin();
+        if (Frame frame = next->second.next()) {
+            last_ = next->first;
+            return frame;
+        }
+    }
+    return nullptr;
 }
 
 } // namespace wakesurf::server

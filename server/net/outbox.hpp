@@ -1,50 +1,51 @@
-// What waits to be sent to one client. Messages are never dropped: too many of them end the connection. Frames can
-// be made again: of each surface only the newest state waits, and a state that is out of date goes as a whole. States
-// are shared with their surface, so a slow client costs no memory of its own.
+// What waits to be sent to one client. Messages are never dropped: too many of them end the connection. Frames wait at their
+// surfaces: here are only the places up to which this client has them.
 #pragma once
 
-#include "server/session/surface_job.hpp"
+#include "server/session/frame_cursor.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <memory>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
-#include <vector>
 
 namespace wakesurf::server {
 
+/// Loop thread only.
 class Outbox {
   public:
-    using Frame = std::shared_ptr<const std::vector<std::byte>>;
+    using Frame = FrameCursor::Frame;
     using Item = std::variant<std::string, Frame>;
 
     /// False when the client is too slow for its messages: close it.
     [[nodiscard]] bool push(std::string message);
 
-    /// Replaces what waits of the same surface.
-    void push(std::uint32_t surface, std::shared_ptr<const SurfaceState> state);
+    bool may_follow(std::uint32_t surface);
 
-    /// Drops what waits of `surface` from epochs before `epoch`.
-    void drop_frames(std::uint32_t surface, std::uint32_t epoch);
+    /// Replaces the cursor of the same surface, if there is one. REQUIRES: may_follow.
+    void follow(FrameCursor cursor);
 
-    /// The next thing to send: messages before frames, so that no answer waits for a large mesh.
+    /// False when there was none.
+    bool unfollow(std::uint32_t surface);
+
+    /// Null when there is none.
+    FrameCursor* cursor(std::uint32_t surface);
+
+    /// The next thing to send: messages before frames, so that no answer waits for a large mesh; surfaces take turns.
+    /// The cursors' notices may push messages meanwhile.
     std::optional<Item> pop();
 
-    bool empty() const { return messages_.empty() && states_.empty(); }
-
   private:
-    struct Pending {
-        std::uint32_t surface;
-        std::shared_ptr<const SurfaceState> state;
-        std::size_t next = 0; ///< frame
-    };
+    std::optional<Item> pop_message();
+    Frame pop_frame();
 
     std::deque<std::string> messages_;
     std::size_t message_bytes_ = 0;
-    std::deque<Pending> states_;
+    std::map<std::uint32_t, FrameCursor> cursors_; ///< by surface
+    std::uint32_t last_ = 0;                       ///< surface that had the last turn
 };
 
 } // namespace wakesurf::server

@@ -55,15 +55,20 @@ class WebSocketConnection final : public Connection,
     void announce(const std::string& message) override { send(message); }
 
     void send(std::string message) override;
-    void send(std::uint32_t surface, const std::shared_ptr<const SurfaceState>& state) override;
 
     void close(Goodbye goodbye, const std::string& reason) override {
         close(static_cast<websocket::close_code>(goodbye), reason.c_str());
     }
 
-    void drop_frames(std::uint32_t surface, std::uint32_t epoch) override {
-        outbox_.drop_frames(surface, epoch);
-    }
+    bool may_follow(std::uint32_t surface) override { return outbox_.may_follow(surface); }
+
+    void follow(FrameCursor cursor) override;
+
+    bool unfollow(std::uint32_t surface) override { return outbox_.unfollow(surface); }
+
+    bool acknowledge(std::uint32_t surface,
+                     std::optional<std::uint32_t> epoch,
+                     std::uint32_t seq) override;
 
   private:
     void read();
@@ -186,21 +191,35 @@ void WebSocketConnection::send(std::string message) {
     write();
 }
 
-void WebSocketConnection::send(std::uint32_t surface,
-                               const std::shared_ptr<const SurfaceState>& state) {
-    if (!open_)
-        return;
-    outbox_.push(surface, state);
+void WebSocketConnection::follow(FrameCursor cursor) {
+    cursor.wake_by([weak = weak_from_this()] {
+        if (const auto self = weak.lock())
+            self->write();
+    });
+    outbox_.follow(std::move(cursor));
     write();
+}
+
+bool WebSocketConnection::acknowledge(std::uint32_t surface,
+                                      std::optional<std::uint32_t> epoch,
+                                      std::uint32_t seq) {
+    FrameCursor* const cursor = outbox_.cursor(surface);
+    if (cursor == nullptr)
+        return false;
+    cursor->acknowledge({epoch.value_or(cursor->ring().epoch()), seq});
+    write();
+    return true;
 }
 
 void WebSocketConnection::write() {
     if (busy_ || !open_)
         return;
+    busy_ = true; // a cursor may send a message while it is asked
     auto item = outbox_.pop();
-    if (!item)
+    if (!item || !open_) {
+        busy_ = false;
         return;
-    busy_ = true;
+    }
     writing_ = std::move(*item);
     stall_.expires_after(limits::stalled);
     stall_.async_wait([weak = weak_from_this()](error_code error) {

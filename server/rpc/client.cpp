@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
+
 namespace wakesurf::server {
 
 using nlohmann::json;
@@ -22,9 +24,6 @@ Client::Client(Wire& wire, Identity identity, Grants& grants)
 Client::~Client() {
     calls_.abandon(); // first: what is under way may want to tell this client something
     grants_.leave(*this);
-    for (const auto& [number, surface] : subscriptions_)
-        if (const auto live = surface.lock())
-            live->unsubscribe(*this);
     part(&Participants::lose);
 }
 
@@ -64,22 +63,16 @@ void Client::part(void (Participants::*how)(const Observer&)) {
     session_.reset();
 }
 
-void Client::subscribe(const std::shared_ptr<LiveSurface>& surface) {
-    surface->subscribe(*this);
-    subscriptions_[surface->number()] = surface;
-    if (const auto state = surface->state())
-        wire_.send(surface->number(), state);
-}
-
-bool Client::unsubscribe(std::uint32_t number) {
-    const auto found = subscriptions_.find(number);
-    if (found == subscriptions_.end())
-        return false;
-    if (const auto live = found->second.lock())
-        live->unsubscribe(*this);
-    subscriptions_.erase(found);
-    wire_.drop_frames(number, ~std::uint32_t{0});
-    return true;
+FrameCursor Client::cursor(const std::string& surface,
+                           const LiveSurface& live,
+                           std::optional<UpdatePosition> from) {
+    return FrameCursor(live.ring(), from,
+                       [&wire = wire_, surface, number = live.number()](bool behind) {
+                           wire.send(protocol::rpc_notification(
+                               "server.notice", {{"kind", behind ? "catchingUp" : "caughtUp"},
+                                                 {"surface", surface},
+                                                 {"subscription", number}}));
+                       });
 }
 
 void Client::patched(const std::string& session,
@@ -90,10 +83,12 @@ void Client::patched(const std::string& session,
         {{"session", session}, {"seq", seq}, {"patches", patches_json(patches)}}));
 }
 
-void Client::progress(const std::string& surface, std::uint32_t epoch, bool final) {
-    wire_.send(protocol::rpc_notification(
-        "surface.progress",
-        {{"surface", surface}, {"epoch", epoch}, {"phase", final ? "final" : "coarse"}}));
+void Client::progress(const std::string& surface, std::uint32_t epoch, protocol::Phase phase) {
+    constexpr std::array names{"coarse", "refined", "final", "live"};
+    wire_.send(protocol::rpc_notification("surface.progress",
+                                          {{"surface", surface},
+                                           {"epoch", epoch},
+                                           {"phase", names[static_cast<std::size_t>(phase)]}}));
 }
 
 void Client::done(const SurfaceOutcome& outcome) {
@@ -103,14 +98,6 @@ void Client::done(const SurfaceOutcome& outcome) {
     else
         parameters["stats"] = outcome_json(outcome);
     wire_.send(protocol::rpc_notification("surface.done", parameters));
-}
-
-void Client::frames(std::uint32_t number, const std::shared_ptr<const SurfaceState>& state) {
-    wire_.send(number, state);
-}
-
-void Client::superseded(std::uint32_t number, std::uint32_t epoch) {
-    wire_.drop_frames(number, epoch);
 }
 
 void Client::presence(const std::string& message) {

@@ -1,5 +1,5 @@
-// One WebSocket client: the session it has joined, the surfaces it has subscribed to, and the notifications that
-// follow from both. When it goes, nothing of it stays.
+// One WebSocket client: the session it has joined and the notifications that follow from that, the surfaces it has
+// subscribed to. When it goes, nothing of it stays.
 #pragma once
 
 #include "server/rpc/call_rate.hpp"
@@ -10,14 +10,15 @@
 #include "server/session/observer.hpp"
 #include "server/session/session.hpp"
 
-#include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace wakesurf::server {
 
 /// Loop thread only.
-class Client final : public Observer, public FrameSink, public GrantHolder {
+class Client final : public Observer, public GrantHolder {
   public:
     /// `identity` is what the connection was let in with. The grants outlive the client.
     Client(Wire& wire, Identity identity, Grants& grants);
@@ -43,11 +44,23 @@ class Client final : public Observer, public FrameSink, public GrantHolder {
     core::Result<Joined> join(std::shared_ptr<Session> session, Arrival arrival);
     void leave();
 
-    /// Sends the current state and every later one.
-    void subscribe(const std::shared_ptr<LiveSurface>& surface);
+    /// Where a subscription to `surface` begins: after the state the client has from before, or with a keyframe.
+    FrameCursor
+    cursor(const std::string& surface, const LiveSurface& live, std::optional<UpdatePosition> from);
+
+    /// Whether there is room for a further subscription.
+    bool may_subscribe(std::uint32_t number) const { return wire_.may_follow(number); }
+
+    /// Sends the updates of a surface, from where the cursor stands. REQUIRES: may_subscribe.
+    void subscribe(FrameCursor cursor) { wire_.follow(std::move(cursor)); }
 
     /// False when there was no such subscription.
-    bool unsubscribe(std::uint32_t number);
+    bool unsubscribe(std::uint32_t number) { return wire_.unfollow(number); }
+
+    /// See Wire::acknowledge.
+    bool acknowledge(std::uint32_t number, std::optional<std::uint32_t> epoch, std::uint32_t seq) {
+        return wire_.acknowledge(number, epoch, seq);
+    }
 
     /// Those not answered yet.
     PendingCalls& calls() { return calls_; }
@@ -57,10 +70,8 @@ class Client final : public Observer, public FrameSink, public GrantHolder {
 
     void
     patched(const std::string& session, std::uint64_t seq, std::span<const Patch> patches) override;
-    void progress(const std::string& surface, std::uint32_t epoch, bool final) override;
+    void progress(const std::string& surface, std::uint32_t epoch, protocol::Phase phase) override;
     void done(const SurfaceOutcome& outcome) override;
-    void frames(std::uint32_t number, const std::shared_ptr<const SurfaceState>& state) override;
-    void superseded(std::uint32_t number, std::uint32_t epoch) override;
     void presence(const std::string& message) override;
     void sent_away(Farewell why) override;
     void grant_ended(const std::string& reason) override;
@@ -76,7 +87,6 @@ class Client final : public Observer, public FrameSink, public GrantHolder {
     PendingCalls calls_;
     std::shared_ptr<Session> session_;
     std::string participant_; ///< of that session
-    std::map<std::uint32_t, std::weak_ptr<LiveSurface>> subscriptions_;
 };
 
 } // namespace wakesurf::server

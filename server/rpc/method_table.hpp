@@ -19,6 +19,7 @@ std::vector<Method> bookmark_methods();
 std::vector<Method> annotation_methods();
 std::vector<Method> history_methods();
 std::vector<Method> wait_methods();
+std::vector<Method> time_methods();
 
 /// All of the above.
 std::vector<Method> method_table();

@@ -36,6 +36,13 @@ json patch_json(const protocol::AnnotationRecord& record) {
             {"record", protocol::annotation_json(record)}};
 }
 
+json patch_json(const protocol::ClockRecord& record) {
+    return {{"op", "put"},
+            {"type", "clock"},
+            {"id", "clock"},
+            {"record", protocol::clock_json(record)}};
+}
+
 json patch_json(const DeletedRecord& record) {
     return {{"op", "delete"}, {"type", record.type}, {"id", record.id}};
 }

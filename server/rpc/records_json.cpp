@@ -40,7 +40,8 @@ json records_json(const Session& session) {
             {"rakes", rakes_json(session)},
             {"surfaces", surfaces_json(session)},
             {"bookmarks", bookmarks_json(session)},
-            {"annotations", annotations_json(session)}};
+            {"annotations", annotations_json(session)},
+            {"clock", protocol::clock_json(session.clock().record())}};
 }
 
 } // namespace wakesurf::server

@@ -130,17 +130,23 @@ constexpr std::string_view shapes = R"json({
   "properties": {
     "annotation": "#Id", "rev": "#Count", "text": {"type": "string"}, "position": "#Vector",
     "author": {"type": "string"}, "surface?": "#Id"}},
+"Clock": {
+  "type": "object",
+  "properties": {
+    "time": {"type": ["number", "null"], "description": "simulation time as the answer is written; null: never set"},
+    "playing": {"type": "boolean"}, "speed": {"type": "number", "exclusiveMinimum": 0}, "loop": {"type": "boolean"},
+    "from": {"type": ["number", "null"]}, "to": {"type": ["number", "null"]}}},
 "Snapshot": {
   "type": "object",
   "properties": {
     "session": "#Id", "name": {"type": "string"}, "rakes": {"type": "array", "items": "#Rake"},
     "surfaces": {"type": "array", "items": "#Surface"}, "bookmarks": {"type": "array", "items": "#Bookmark"},
-    "annotations": {"type": "array", "items": "#Annotation"}}},
+    "annotations": {"type": "array", "items": "#Annotation"}, "clock": "#Clock"}},
 "Patch": {
   "type": "object",
   "properties": {
-    "op": {"enum": ["put", "delete"]}, "type": {"enum": ["rake", "surface", "bookmark", "annotation"]}, "id": "#Id",
-    "record?": {"anyOf": ["#Rake", "#Surface", "#Bookmark", "#Annotation"]}}},
+    "op": {"enum": ["put", "delete"]}, "type": {"enum": ["rake", "surface", "bookmark", "annotation", "clock"]},
+    "id": "#Id", "record?": {"anyOf": ["#Rake", "#Surface", "#Bookmark", "#Annotation", "#Clock"]}}},
 "Changes": {
   "type": ["array", "null"],
   "items": {
@@ -200,7 +206,7 @@ constexpr std::string_view results = R"json({
   "properties": {
     "session": "#Id", "name": {"type": "string"}, "seq": "#Count", "rakes": {"type": "array", "items": "#Rake"},
     "surfaces": {"type": "array", "items": "#Surface"}, "bookmarks": {"type": "array", "items": "#Bookmark"},
-    "annotations": {"type": "array", "items": "#Annotation"},
+    "annotations": {"type": "array", "items": "#Annotation"}, "clock": "#Clock",
     "participants": {"type": "array", "items": "#Participant"}}},
 "session.share": {
   "type": "object",
@@ -242,8 +248,13 @@ constexpr std::string_view results = R"json({
   "type": "object",
   "properties": {
     "subscription": "#Count", "lattice": "#Lattice",
-    "attributes": {"type": "array", "items": {"type": "string"}}, "epoch": "#Count"}},
-"surface.unsubscribe": "#Empty"
+    "attributes": {"type": "array", "items": {"type": "string"}}, "epoch": "#Count",
+    "resumed": {"type": "boolean", "description": "what follows `from` comes, and no keyframe"}}},
+"surface.unsubscribe": "#Empty",
+"frame.ack": "#Empty",
+"time.set": {"type": "object", "properties": {"clock": "#Clock"}},
+"time.play": {"type": "object", "properties": {"clock": "#Clock"}},
+"time.pause": {"type": "object", "properties": {"clock": "#Clock"}}
 })json";
 
 /// Writes out what the texts above leave to be understood: references; and that an object has the members it names, those

@@ -139,7 +139,7 @@ std::vector<Method> session_methods() {
           {"resumeToken", text, false, "of an earlier stay, to take up its place again"},
           {"lastSeq", R"({"type":"integer","minimum":0})", false,
            "with resumeToken: the last seq seen; what was missed comes instead of the snapshot"}},
-         "{resumed, snapshot: {session, name, rakes, surfaces, bookmarks, annotations} or patches: "
+         "{resumed, snapshot: {session, name, rakes, surfaces, bookmarks, annotations, clock} or patches: "
          "[{op, type, id, record?}], seq, participants: [{participant, name, colour, role, "
          "connected, pointer, camera, dragging, selected}], you, role, resumeToken}",
          websocket_viewer,
@@ -156,7 +156,7 @@ std::vector<Method> session_methods() {
         {"session.state",
          "Every record of a session.",
          {session_parameter()},
-         "{session, name, seq, rakes, surfaces, bookmarks, annotations, participants}",
+         "{session, name, seq, rakes, surfaces, bookmarks, annotations, clock, participants}",
          any_viewer,
          state},
     };

@@ -1,4 +1,4 @@
-// surface.stats, .subscribe, .unsubscribe: what those who look at a surface ask of it.
+// surface.stats, .subscribe, .unsubscribe, frame.ack: what those who look at a surface ask of it.
 #include "protocol/checked_json.hpp"
 #include "protocol/mesh_encoder.hpp"
 #include "server/rpc/lattice_json.hpp"
@@ -16,6 +16,8 @@ using nlohmann::json;
 
 namespace {
 
+constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+
 /// Reads `surface` and `session`.
 core::Result<std::shared_ptr<LiveSurface>> read_live(protocol::CheckedJson& in, const Call& call) {
     const std::string surface = in.text("surface");
@@ -31,8 +33,34 @@ void stats(const Call& call, Reply reply) {
     reply.result(outcome_json((*live)->outcome()));
 }
 
+protocol::RpcFault no_subscription() {
+    return {protocol::RpcCode::NotFound,
+            "there is no such subscription",
+            "surface.subscribe gives the number",
+            {},
+            {}};
+}
+
+/// Reads `from`, a place among a surface's updates.
+core::Result<std::optional<UpdatePosition>> read_position(protocol::CheckedJson& in,
+                                                          const Call& call) {
+    if (!in.has("from"))
+        return std::nullopt;
+    protocol::CheckedJson position(call.parameters.at("from"));
+    const auto epoch = position.count("epoch", 0, most);
+    const auto seq = position.count("seq", 0, most);
+    return position.verdict().map([&] {
+        return std::optional(
+            UpdatePosition{static_cast<std::uint32_t>(epoch), static_cast<std::uint32_t>(seq)});
+    });
+}
+
 void subscribe(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
+    const std::string surface = in.text("surface");
+    const auto from = read_position(in, call);
+    if (!from)
+        return reply.fault(from.error());
     const auto live = read_live(in, call);
     if (!live)
         return reply.fault(live.error());
@@ -45,17 +73,22 @@ void subscribe(const Call& call, Reply reply) {
     json attributes = json::array();
     for (const std::string_view each : protocol::surface_attributes)
         attributes.push_back(each);
+    FrameCursor cursor = call.client->cursor(surface, **live, *from);
+    if (!call.client->may_subscribe((*live)->number()))
+        return reply.fault(core::Error{core::Error::Code::OverLimit,
+                                       "the connection has as many subscriptions as it may have",
+                                       "end some with surface.unsubscribe"});
     reply.result({{"subscription", (*live)->number()},
                   {"lattice", lattice_json((*live)->wanted().lattice)},
                   {"attributes", std::move(attributes)},
-                  {"epoch", (*live)->epoch()}});
-    call.client->subscribe(*live);
+                  {"epoch", (*live)->epoch()},
+                  {"resumed", cursor.resumed()}});
+    call.client->subscribe(std::move(cursor));
 }
 
 void unsubscribe(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
-    std::optional<std::uint64_t> number =
-        in.count_if("subscription", 0, std::numeric_limits<std::uint32_t>::max());
+    std::optional<std::uint64_t> number = in.count_if("subscription", 0, most);
     if (in.has("surface")) {
         const auto live = read_live(in, call);
         if (!live)
@@ -67,11 +100,20 @@ void unsubscribe(const Call& call, Reply reply) {
     if (auto verdict = in.verdict(); !verdict)
         return reply.fault(verdict.error());
     if (!call.client->unsubscribe(static_cast<std::uint32_t>(*number)))
-        return reply.fault({protocol::RpcCode::NotFound,
-                            "there is no such subscription",
-                            "surface.subscribe gives the number",
-                            {},
-                            {}});
+        return reply.fault(no_subscription());
+    reply.result(json::object());
+}
+
+void acknowledge(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const auto number = static_cast<std::uint32_t>(in.count("subscription", 0, most));
+    const auto epoch = in.count_if("epoch", 0, most);
+    const auto seq = static_cast<std::uint32_t>(in.count("seq", 0, most));
+    if (auto verdict = in.verdict(); !verdict)
+        return reply.fault(verdict.error());
+    const auto of = epoch ? std::optional(static_cast<std::uint32_t>(*epoch)) : std::nullopt;
+    if (!call.client->acknowledge(number, of, seq))
+        return reply.fault(no_subscription());
     reply.result(json::object());
 }
 
@@ -91,8 +133,13 @@ std::vector<Method> subscription_methods() {
          stats},
         {"surface.subscribe",
          "Sends the mesh of a surface, now and after every change, as binary frames.",
-         {session, surface},
-         "{subscription, lattice, attributes, epoch}",
+         {session,
+          surface,
+          {"from",
+           R"({"type":"object","properties":{"epoch":{"type":"integer"},"seq":{"type":"integer"}},"required":["epoch","seq"]})",
+           false, "the newest update folded before a lost connection: go on after it if possible"}},
+         "{subscription, lattice, attributes, epoch, resumed}: resumed is false when a keyframe "
+         "comes",
          websocket_viewer,
          subscribe},
         {"surface.unsubscribe",
@@ -103,6 +150,16 @@ std::vector<Method> subscription_methods() {
          "{}",
          websocket_viewer,
          unsubscribe},
+        {"frame.ack",
+         "Says up to which update a subscription's frames have been folded. Whoever does so is "
+         "sent at "
+         "most eight updates more than that; meant as a notification.",
+         {{"subscription", whole, true, "the number"},
+          {"epoch", whole, false, "left out: the surface's current one"},
+          {"seq", whole, true, "of the update"}},
+         "{}",
+         websocket_viewer,
+         acknowledge},
     };
 }
 

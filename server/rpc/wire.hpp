@@ -1,10 +1,10 @@
 // The sending half of a WebSocket, as the methods' side sees it.
 #pragma once
 
-#include "server/session/surface_job.hpp"
+#include "server/session/frame_cursor.hpp"
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <string>
 
 namespace wakesurf::server {
@@ -21,9 +21,20 @@ class Wire {
   public:
     virtual ~Wire() = default;
     virtual void send(std::string message) = 0;
-    virtual void send(std::uint32_t surface, const std::shared_ptr<const SurfaceState>& state) = 0;
-    /// Frames of `surface` that belong to an epoch before `epoch` need not be sent any more.
-    virtual void drop_frames(std::uint32_t surface, std::uint32_t epoch) = 0;
+
+    /// Whether a further surface may be followed.
+    virtual bool may_follow(std::uint32_t surface) = 0;
+
+    /// Sends a surface's updates from where the cursor stands, until unfollow() or the ring's end; one cursor a surface.
+    virtual void follow(FrameCursor cursor) = 0;
+
+    /// False when the surface was not followed.
+    virtual bool unfollow(std::uint32_t surface) = 0;
+
+    /// The client has folded update `seq`; without an epoch, of the newest. False when the surface is not followed.
+    virtual bool
+    acknowledge(std::uint32_t surface, std::optional<std::uint32_t> epoch, std::uint32_t seq) = 0;
+
     /// Ends the connection soon; `reason` has at most 120 bytes. The client is gone after this call has returned.
     virtual void close(Goodbye goodbye, const std::string& reason) = 0;
 };

@@ -24,6 +24,10 @@ Key id_of(const protocol::AnnotationRecord& record) {
     return {"annotation", record.annotation};
 }
 
+Key id_of(const protocol::ClockRecord&) {
+    return {"clock", ""};
+}
+
 Key id_of(const DeletedRecord& record) {
     return {std::string(record.type), record.id};
 }

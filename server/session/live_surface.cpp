@@ -1,122 +1,271 @@
 #include "server/session/live_surface.hpp"
 
 #include "server/limits.hpp"
+#include "server/metrics/metrics.hpp"
 
-#include <algorithm>
+#include <limits>
+#include <new>
+#include <utility>
 
 namespace wakesurf::server {
 
 namespace {
 
-/// A coarse pass within this shows an edit within 20 ms and outruns a 60 Hz drag, whose every edit cancels it.
-constexpr double coarse_budget = 0.006;
-/// A final pass this fast needs no coarse one before it.
-constexpr double fast_final = 0.010;
+/// A job for a time that nobody wants any more may be this long at work before it is given up: scrubbing shows something on the way.
+constexpr std::chrono::milliseconds patience_with_stale{150};
+constexpr std::size_t quick_key = 30'000; ///< vertices encoded within some 15 ms
+
+/// @param whole  its statistics are of this pass alone, not of all since the surface was released
+void count(Metrics& metrics,
+           std::chrono::duration<double> queued,
+           const core::Result<Update>& result,
+           bool whole) {
+    metrics.observe(Stage::Queue, queued.count());
+    if (!result)
+        return;
+    metrics.observe(Stage::Encode, result->encode_seconds);
+    if (!whole)
+        return;
+    metrics.observe(Stage::Load, result->statistics.seconds.load);
+    metrics.observe(Stage::Advect, result->statistics.seconds.advect);
+    metrics.observe(Stage::Refine, result->statistics.seconds.refine);
+}
+
+std::size_t index(Pace pace) {
+    return pace == Pace::Quick ? 0 : 1;
+}
 
 } // namespace
 
 LiveSurface::LiveSurface(
-    std::string id, std::uint32_t number, Loop& loop, ComputePool& pool, Events events)
-    : id_(std::move(id)), number_(number), loop_(loop), pool_(pool), events_(std::move(events)) {}
+    std::string id, std::uint32_t number, std::string session, Services services, Events events)
+    : id_(std::move(id)), number_(number), session_(std::move(session)), services_(services),
+      events_(std::move(events)),
+      ring_(std::make_shared<UpdateRing>(number, services.clock, [this] { encode_key(); })),
+      waiters_(std::make_shared<SurfaceWaiters>(services.loop)) {}
 
 LiveSurface::~LiveSurface() {
-    stop_.request_stop();
+    stop_jobs();
+    ring_->close();
+}
+
+void LiveSurface::stop_jobs() {
+    for (auto& lane : lanes_)
+        if (lane)
+            lane->stop.request_stop();
+}
+
+void LiveSurface::begin_epoch() {
+    stop_jobs();
+    ++epoch_;
+    build_.reset();
+    error_.reset();
+    full_.reset();
+    coarse_done_ = refined_done_ = false;
+    overtake_.reset();
+    began_ = services_.clock.now();
+    ring_->begin(epoch_);
 }
 
 std::uint32_t LiveSurface::rebuild(SurfaceJob wanted) {
-    stop_.request_stop();
+    begin_epoch();
+    if (wanted.parameters.kind != wanted_.parameters.kind || !wanted_.flow)
+        budgets_ = PassBudgets(!moves(wanted.parameters));
+    else if (wanted.parameters != wanted_.parameters)
+        budgets_.forget();
     wanted_ = std::move(wanted);
     wanted_.number = number_;
-    wanted_.epoch = ++epoch_;
-    state_.reset();
-    error_.reset();
-    started_ = false;
-    for (FrameSink* sink : sinks_)
-        sink->superseded(number_, epoch_);
-    if (!running_)
-        start();
+    wanted_.epoch = epoch_;
+    building_ = true;
+    build_ = std::make_shared<SurfaceBuild>(wanted_, services_.clock);
+    advance();
     return epoch_;
 }
 
 std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error) {
-    stop_.request_stop();
+    begin_epoch();
+    building_ = false;
     wanted_.parameters.kind = kind;
-    state_.reset();
     error_ = std::move(error);
-    started_ = true;
-    ++epoch_;
-    for (FrameSink* sink : sinks_)
-        sink->superseded(number_, epoch_);
-    loop_.post([weak = weak_from_this(), epoch = epoch_] {
+    services_.loop.post([weak = weak_from_this(), epoch = epoch_] {
         const auto self = weak.lock();
-        if (!self || self->epoch_ != epoch)
-            return;
-        self->events_.done(self->outcome());
-        self->settle();
+        if (self && self->epoch_ == epoch)
+            self->conclude();
     });
     return epoch_;
 }
 
-void LiveSurface::start() {
-    started_ = true;
-    running_ = true;
-    stop_ = std::stop_source();
-    SurfaceJob job = wanted_;
-    job.coarse_quads = final_seconds_ < fast_final ? 0 : static_cast<std::uint64_t>(coarse_quads_);
-    const PublishState publish = [weak = weak_from_this(), &loop = loop_,
-                                  epoch = job.epoch](core::Result<SurfaceState> result) {
-        auto shared = std::make_shared<core::Result<SurfaceState>>(std::move(result));
-        loop.post([weak, epoch, shared] {
-            if (const auto self = weak.lock())
-                self->published(epoch, std::move(*shared));
-        });
-    };
-    pool_.run([job = std::move(job), stop = stop_.get_token(), publish, weak = weak_from_this(),
-               &loop = loop_] {
-        const double cut_short = run_surface_job(job, stop, publish);
-        loop.post([weak, cut_short] {
-            if (const auto self = weak.lock())
-                self->finished(cut_short);
-        });
-    });
-}
-
-void LiveSurface::published(std::uint32_t epoch, core::Result<SurfaceState> result) {
-    if (epoch != epoch_)
+void LiveSurface::show(std::optional<double> time, bool playing, bool jumped) {
+    time_ = time;
+    playing_ = playing;
+    if (!building_ || !moves(wanted_.parameters))
         return;
-    if (!result) {
-        error_ = std::move(result.error());
-    } else {
-        learn(*result);
-        state_ = std::make_shared<const SurfaceState>(std::move(*result));
-        events_.progress(epoch_, state_->final);
-        for (FrameSink* sink : sinks_)
-            sink->frames(number_, state_);
+    if (jumped) {
+        jumped_ = services_.clock.now();
+        give_up_stale();
     }
-    if (error_ || state_->final) {
-        events_.done(outcome());
-        settle();
+    advance();
+}
+
+/// Of the current epoch, for another time. What has been stepped so far is not lost; path surfaces are built once for all times.
+void LiveSurface::give_up_stale() {
+    if (wanted_.parameters.kind == core::SurfaceKind::Path)
+        return;
+    const auto now = services_.clock.now();
+    for (auto& lane : lanes_) {
+        const bool early =
+            lane && (lane->pass.phase == Phase::Coarse || lane->pass.phase == Phase::Refined);
+        if (!lane || early || lane->epoch != epoch_ || lane->pass.time == time_)
+            continue;
+        if (lane->since >= jumped_) // of the time jumped to, or the clock has run on since
+            continue;
+        if (now - lane->since >= patience_with_stale) {
+            lane->stop.request_stop();
+            continue;
+        }
+        overtake_ = services_.loop.after(patience_with_stale, [weak = weak_from_this()] {
+            if (const auto self = weak.lock())
+                self->give_up_stale();
+        });
     }
 }
 
-void LiveSurface::finished(double cut_short) {
-    // While edits come faster than coarse passes end, nothing would ever be shown.
-    if (cut_short > coarse_budget)
-        aim(cut_short);
-    running_ = false;
-    if (!started_)
-        start();
+bool LiveSurface::busy() const {
+    for (const auto& lane : lanes_)
+        if (lane && lane->epoch == epoch_)
+            return true;
+    return next_pass().has_value();
 }
 
-void LiveSurface::learn(const SurfaceState& state) {
-    if (state.final)
-        final_seconds_ = state.seconds;
+/// Nothing once all is there that can be.
+std::optional<SurfacePass> LiveSurface::next_pass() const {
+    if (!building_ || error_)
+        return std::nullopt;
+    const bool moving = moves(wanted_.parameters);
+    const std::optional<double> time = moving ? time_ : std::nullopt;
+    const auto early = [&](Phase phase) { return SurfacePass{phase, budgets_.quads(phase), time}; };
+    const auto age = [&](std::optional<double> at) { return age_at(wanted_.parameters, at); };
+    const bool begun = age(time) > 0.0; // at the release there is little to build
+    if (begun && !full_ && !coarse_done_ && budgets_.coarse_first())
+        return early(Phase::Coarse);
+    if (begun && !full_ && !refined_done_ && budgets_.refined_too())
+        return early(Phase::Refined);
+    const bool live = moving && time && playing_;
+    const SurfacePass full{live ? Phase::Live : Phase::Final, 0, time};
+    if (!full_ || (full_->phase == Phase::Live && !live))
+        return full;
+    if (full_->time.has_value() != time.has_value() || age(full_->time) != age(time))
+        return full;
+    return std::nullopt;
+}
+
+Pace LiveSurface::pace(const SurfacePass& pass) const {
+    return full_ ? budgets_.pace_of_moving_on() : budgets_.pace(pass.phase);
+}
+
+void LiveSurface::advance() {
+    for (const auto& lane : lanes_)
+        if (lane && lane->epoch == epoch_)
+            return; // its end comes here
+    const auto pass = next_pass();
+    if (!pass)
+        return;
+    const Pace at = pace(*pass);
+    if (!lanes_[index(at)]) // else a stopped job's end comes here
+        start(at, *pass);
+}
+
+void LiveSurface::start(Pace pace, const SurfacePass& pass) {
+    if (build_->job().flow != wanted_.flow)
+        build_->renew_flow(wanted_.flow);
+    Running& running = lanes_[index(pace)].emplace(
+        Running{epoch_, pass, std::stop_source(), services_.clock.now()});
+    services_.pool.run(
+        session_, pace,
+        [build = build_, pass, pace, stop = running.stop.get_token(), weak = weak_from_this(),
+         services = services_, first = !full_, queued = running.since] {
+            const auto start = services.clock.now();
+            auto result = std::make_shared<core::Result<Update>>(build->run(pass, stop));
+            const std::chrono::duration<double> taken = services.clock.now() - start;
+            if (services.metrics != nullptr)
+                count(*services.metrics, start - queued, *result, first);
+            services.loop.post([weak, pace, result, seconds = taken.count()] {
+                if (const auto self = weak.lock())
+                    self->finished(pace, std::move(*result), seconds);
+            });
+        });
+}
+
+void LiveSurface::finished(Pace pace, core::Result<Update> result, double seconds) {
+    const Running job = *std::exchange(lanes_[index(pace)], std::nullopt);
+    if (job.epoch != epoch_ || !building_)
+        budgets_.cut_short(job.pass.phase, seconds);
+    else if (result)
+        publish(job.pass, std::move(*result));
     else
-        aim(state.seconds);
+        failed(job.pass, std::move(result.error()), seconds);
+    advance();
 }
 
-void LiveSurface::aim(double coarse_seconds) {
-    coarse_quads_ = std::clamp(coarse_quads_ * coarse_budget / coarse_seconds, 100.0, 4000.0);
+double LiveSurface::seconds_since(std::chrono::steady_clock::time_point time) const {
+    return std::chrono::duration<double>(services_.clock.now() - time).count();
+}
+
+double LiveSurface::finest() const {
+    const double asked = wanted_.parameters.separation;
+    return asked > 0.0 ? asked : wanted_.flow->finest_spacing();
+}
+
+void LiveSurface::publish(const SurfacePass& pass, Update update) {
+    if (full_)
+        budgets_.moved_on(update.seconds);
+    else
+        budgets_.took(pass.phase, update.seconds, update.statistics, finest(),
+                      wanted_.parameters.max_quads);
+    coarse_done_ = true;
+    refined_done_ = refined_done_ || pass.phase != Phase::Coarse;
+    if (pass.phase == Phase::Final || pass.phase == Phase::Live)
+        full_ = pass;
+    const bool first = !ring_->newest();
+    ring_->add(std::make_shared<const Update>(std::move(update)));
+    if (first && services_.metrics != nullptr)
+        services_.metrics->first_frame(seconds_since(began_));
+    trim_ = services_.loop.after(limits::ring_age + std::chrono::milliseconds(100),
+                                 [weak = std::weak_ptr(ring_)] {
+                                     if (const auto ring = weak.lock())
+                                         ring->trim();
+                                 });
+    if (pass.phase == Phase::Live) {
+        waiters_->answer(epoch_, outcome());
+        return;
+    }
+    const bool more = next_pass().has_value();
+    if (pass.phase != Phase::Final || !more)
+        events_.progress(epoch_, pass.phase);
+    if (!more)
+        conclude();
+}
+
+void LiveSurface::failed(const SurfacePass& pass, core::Error error, double seconds) {
+    if (pass.phase == Phase::Coarse) { // the final pass reports what is wrong for both
+        coarse_done_ = true;
+    } else if (pass.phase == Phase::Refined) {
+        refined_done_ = true;
+    } else if (error.code == core::Error::Code::Cancelled) {
+        budgets_.cut_short(pass.phase, seconds); // for another time of the clock
+    } else {
+        error_ = std::move(error);
+        conclude();
+    }
+}
+
+/// The epoch has ended, as things are.
+void LiveSurface::conclude() {
+    events_.done(outcome());
+    if (error_)
+        waiters_->answer(epoch_, tl::unexpected(*error_));
+    else
+        waiters_->answer(epoch_, outcome());
 }
 
 SurfaceOutcome LiveSurface::outcome() const {
@@ -125,95 +274,70 @@ SurfaceOutcome LiveSurface::outcome() const {
     out.epoch = epoch_;
     out.error = error_;
     out.statistics.kind = wanted_.parameters.kind;
-    if (state_) {
-        out.complete = state_->final && !error_;
-        out.crc = state_->crc;
-        out.statistics = state_->statistics;
+    if (const SharedUpdate state = ring_->newest()) {
+        const bool playing = full_ && full_->phase == Phase::Live && playing_;
+        out.complete = full_ && !error_ && (playing || !next_pass());
+        out.crc = state->wire.crc;
+        out.statistics = state->statistics;
     }
     return out;
 }
 
 void LiveSurface::retire() {
-    stop_.request_stop();
-    started_ = true;
-    ++epoch_; // what the running job still publishes is nobody's
-    for (FrameSink* sink : sinks_)
-        sink->superseded(number_, epoch_);
-    sinks_.clear();
-    for (Waiting& each : std::exchange(waiting_, {}))
-        each.answer(core::fail(core::Error::Code::NotFound, "surface " + id_ + " was deleted",
-                               "list the surfaces with surface.list"));
-}
-
-void LiveSurface::subscribe(FrameSink& sink) {
-    if (!subscribed(sink))
-        sinks_.push_back(&sink);
-}
-
-void LiveSurface::unsubscribe(FrameSink& sink) {
-    std::erase(sinks_, &sink);
-}
-
-bool LiveSurface::subscribed(const FrameSink& sink) const {
-    return std::find(sinks_.begin(), sinks_.end(), &sink) != sinks_.end();
+    stop_jobs();
+    building_ = false;
+    ++epoch_; // what the running jobs still give is nobody's
+    ring_->close();
+    waiters_->answer(std::numeric_limits<std::uint32_t>::max(),
+                     core::fail(core::Error::Code::NotFound, "surface " + id_ + " was deleted",
+                                "list the surfaces with surface.list"));
 }
 
 std::uint64_t
 LiveSurface::wait(std::uint32_t epoch, std::chrono::milliseconds patience, Waiter waiter) {
-    const std::uint64_t id = next_waiter_++;
-    if (waiting_.size() >= limits::waiters) {
-        waiter(core::fail(core::Error::Code::OverLimit,
-                          "too many surface.wait calls are open for surface " + id_,
-                          "let some of them finish first"));
-        return id;
+    const SurfaceOutcome now = outcome();
+    if (epoch <= epoch_ && (now.error || now.complete)) {
+        waiter(now.error ? core::Result<SurfaceOutcome>(tl::unexpected(*now.error))
+                         : core::Result<SurfaceOutcome>(now));
+        return 0;
     }
-    waiting_.push_back({id, epoch, std::move(waiter), nullptr});
-    settle();
-    if (waiting_.empty() || waiting_.back().id != id)
-        return id;
-    waiting_.back().timer = loop_.after(patience, [weak = weak_from_this(), id] {
-        if (const auto self = weak.lock())
-            self->give_up(id);
-    });
-    return id;
+    return waiters_->add(
+        epoch, patience,
+        [weak = weak_from_this()] {
+            const auto self = weak.lock();
+            return self ? self->outcome() : SurfaceOutcome{};
+        },
+        std::move(waiter));
 }
 
 void LiveSurface::forget(std::uint64_t ticket) {
-    const auto found = std::find_if(waiting_.begin(), waiting_.end(),
-                                    [&](const Waiting& each) { return each.id == ticket; });
-    if (found == waiting_.end())
-        return;
-    const Waiting ended = std::move(*found); // destroyed last: it may look at this surface
-    waiting_.erase(found);
+    waiters_->forget(ticket);
 }
 
-void LiveSurface::settle() {
-    if (!error_ && !(state_ && state_->final))
-        return;
-    const auto ready = [this](const Waiting& each) { return each.epoch <= epoch_; };
-    std::vector<Waiter> answers;
-    for (Waiting& each : waiting_)
-        if (ready(each))
-            answers.push_back(std::move(each.answer));
-    std::erase_if(waiting_, ready);
-    for (Waiter& answer : answers) {
-        if (error_)
-            answer(tl::unexpected(*error_));
-        else
-            answer(outcome());
-    }
-}
-
-void LiveSurface::give_up(std::uint64_t waiter) {
-    const auto found = std::find_if(waiting_.begin(), waiting_.end(),
-                                    [&](const Waiting& each) { return each.id == waiter; });
-    if (found == waiting_.end())
-        return;
-    const Waiter answer = std::move(found->answer);
-    waiting_.erase(found);
-    SurfaceOutcome so_far = outcome();
-    so_far.complete = false; // the epoch asked for is not there
-    answer(std::move(so_far));
+/// For those who have fallen behind or come late; once for all of them.
+void LiveSurface::encode_key() {
+    const SharedUpdate newest = ring_->newest();
+    const auto job = [newest, number = number_, weak = std::weak_ptr(ring_), &loop = services_.loop,
+                      metrics = services_.metrics] {
+        std::shared_ptr<Update> key;
+        try {
+            if (auto encoded = protocol::encode_key(number, newest->wire)) {
+                key = std::make_shared<Update>(*newest);
+                key->wire = std::move(*encoded);
+                if (metrics != nullptr)
+                    metrics->keyframe();
+            }
+        } catch (const std::bad_alloc&) { // asked for again when there is news
+        }
+        loop.post([weak, key] {
+            if (const auto ring = weak.lock())
+                ring->add_key(key);
+        });
+    };
+    if (newest->statistics.vertices < quick_key)
+        services_.pool.run(session_, Pace::Quick, job);
+    else
+        services_.pool.run(job); // not behind the session's own long one
 }
 
 } // namespace wakesurf::server

@@ -1,38 +1,59 @@
 // A surface that is kept up to date: newest edit wins. An edit bumps the epoch, stops the running job and leaves at
-// most one next job; a finished state goes to the subscribers and to whoever waits for it.
+// most one next job; what passes give goes into a ring that subscribers read. A moving surface follows the session's clock: when
+// computing is slower than the clock, times are left out, never queued.
 #pragma once
 
 #include "server/session/compute_pool.hpp"
+#include "server/session/frame_cursor.hpp"
 #include "server/session/loop.hpp"
 #include "server/session/observer.hpp"
+#include "server/session/pass_budgets.hpp"
+#include "server/session/surface_build.hpp"
 #include "server/session/surface_job.hpp"
+#include "server/session/surface_waiters.hpp"
+#include "server/session/update_ring.hpp"
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
-#include <vector>
 
 namespace wakesurf::server {
+
+class Metrics;
 
 /// Loop thread only. Held by shared_ptr because a job's result finds its way back through a weak one.
 class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
   public:
     struct Events {
-        std::function<void(std::uint32_t epoch, bool final)> progress;
+        std::function<void(std::uint32_t epoch, Phase phase)> progress;
         std::function<void(const SurfaceOutcome&)> done;
     };
 
-    using Waiter = std::function<void(core::Result<SurfaceOutcome>)>;
+    /// What it runs on. All outlive it.
+    struct Services {
+        Loop& loop;
+        ComputePool& pool;
+        const core::Clock& clock;
+        Metrics* metrics; ///< may be null
+    };
 
-    LiveSurface(std::string id, std::uint32_t number, Loop& loop, ComputePool& pool, Events events);
+    using Waiter = SurfaceWaiters::Waiter;
+
+    /// @param session  takes turns with others in the pool
+    LiveSurface(std::string id,
+                std::uint32_t number,
+                std::string session,
+                Services services,
+                Events events);
     ~LiveSurface();
     LiveSurface(const LiveSurface&) = delete;
     LiveSurface& operator=(const LiveSurface&) = delete;
 
-    /// Makes `wanted` (whose number, epoch and coarse budget are filled in here) the surface to build; returns its epoch.
+    /// Makes `wanted` (whose number and epoch are filled in here) the surface to build; returns its epoch.
     std::uint32_t rebuild(SurfaceJob wanted);
 
     /// There is nothing to build just now: an epoch whose outcome is `error`, told from the loop. Returns the epoch.
@@ -41,8 +62,12 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     /// Epochs will be above `epoch`, for a surface that has been before. Call it before the first is built.
     void continue_after(std::uint32_t epoch) { epoch_ = epoch; }
 
+    /// The time of the session's clock; nothing: never set. Surfaces that do not move ignore it.
+    /// @param jumped  somebody chose this time: a job for another one that is long at work is given up
+    void show(std::optional<double> time, bool playing, bool jumped);
+
     /// True while the wanted surface is not built yet.
-    bool busy() const { return running_ || !started_; }
+    bool busy() const;
 
     /// The same data, opened again: lets go of the old one's time-steps.
     void renew_flow(std::shared_ptr<const core::Flow> flow) { wanted_.flow = std::move(flow); }
@@ -58,54 +83,69 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
 
     SurfaceOutcome outcome() const;
 
-    /// The newest state, if it is of the current epoch.
-    std::shared_ptr<const SurfaceState> state() const { return state_; }
+    /// The newest state, if there is one of the current epoch.
+    SharedUpdate newest() const { return ring_->newest(); }
 
-    void subscribe(FrameSink& sink);
-    void unsubscribe(FrameSink& sink);
-    bool subscribed(const FrameSink& sink) const;
+    /// What subscribers read.
+    const std::shared_ptr<UpdateRing>& ring() const { return ring_; }
 
-    /// Calls back once `epoch` or a later one is final or has failed, or with complete == false after `patience`.
+    /// Calls back once `epoch` or a later one is final at the clock's time, or has failed, or with complete == false after
+    /// `patience`. While the clock runs the first state of full quality will do.
     /// Error: OverLimit for too many waiters; what the computation failed with; NotFound when the surface goes.
     /// Returns a ticket for forget(), which lets go of the waiter without calling it.
     std::uint64_t wait(std::uint32_t epoch, std::chrono::milliseconds patience, Waiter waiter);
     void forget(std::uint64_t ticket);
 
   private:
-    struct Waiting {
-        std::uint64_t id;
+    struct Running {
         std::uint32_t epoch;
-        Waiter answer;
-        std::shared_ptr<void> timer;
+        SurfacePass pass;
+        std::stop_source stop;
+        std::chrono::steady_clock::time_point since;
     };
 
-    void start();
-    void published(std::uint32_t epoch, core::Result<SurfaceState> result);
-    void finished(double cut_short);
-    void settle();
-    void give_up(std::uint64_t waiter);
-    void learn(const SurfaceState& state);
-    void aim(double coarse_seconds);
+    /// One a pace: the coarse pass of an edit does not wait for the long one that it ends.
+    std::array<std::optional<Running>, 2> lanes_;
+
+    void advance();
+    std::optional<SurfacePass> next_pass() const;
+    Pace pace(const SurfacePass& pass) const;
+    void start(Pace pace, const SurfacePass& pass);
+    void finished(Pace pace, core::Result<Update> result, double seconds);
+    void publish(const SurfacePass& pass, Update update);
+    void failed(const SurfacePass& pass, core::Error error, double seconds);
+    void conclude();
+    void begin_epoch();
+    void stop_jobs();
+    void give_up_stale();
+    void encode_key();
+    double finest() const;
+    double seconds_since(std::chrono::steady_clock::time_point time) const;
 
     std::string id_;
     std::uint32_t number_;
-    Loop& loop_;
-    ComputePool& pool_;
+    std::string session_;
+    Services services_;
     Events events_;
+    std::shared_ptr<UpdateRing> ring_;
+    std::shared_ptr<SurfaceWaiters> waiters_;
 
     std::uint32_t epoch_ = 0;
+    bool building_ = false; ///< there is a wanted surface, and it has not failed
     SurfaceJob wanted_;
-    bool started_ = true; ///< the wanted job has been given to the pool
-    bool running_ = false;
-    std::stop_source stop_{std::nostopstate};
-    std::shared_ptr<const SurfaceState> state_;
     std::optional<core::Error> error_;
-    double coarse_quads_ = 1000;
-    double final_seconds_ = 1.0; ///< of the newest final pass; pessimistic before the first
+    std::optional<double> time_; ///< of the session's clock
+    bool playing_ = false;
+    std::chrono::steady_clock::time_point jumped_{}; ///< when somebody chose the time
 
-    std::vector<FrameSink*> sinks_;
-    std::vector<Waiting> waiting_;
-    std::uint64_t next_waiter_ = 1;
+    // Of the current epoch.
+    std::chrono::steady_clock::time_point began_{};
+    std::shared_ptr<SurfaceBuild> build_;
+    bool coarse_done_ = false, refined_done_ = false;
+    std::optional<SurfacePass> full_; ///< the newest one of full quality
+
+    PassBudgets budgets_{true};
+    std::shared_ptr<void> trim_, overtake_; ///< timers
 };
 
 } // namespace wakesurf::server

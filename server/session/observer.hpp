@@ -1,9 +1,12 @@
-// What a session tells those who look at it: record changes, progress, frames. Values, not text; the methods' side
-// puts them into messages.
+// What a session tells those who look at it: record changes and progress. Values, not text; the methods' side puts them
+// into messages.
 #pragma once
 
+#include "core/base/result.hpp"
+#include "core/surface/surface_statistics.hpp"
+#include "protocol/mesh_stream.hpp"
+#include "protocol/messages_time.hpp"
 #include "server/session/session_records.hpp"
-#include "server/session/surface_job.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -23,6 +26,7 @@ using Patch = std::variant<protocol::RakeRecord,
                            protocol::SurfaceRecord,
                            protocol::BookmarkRecord,
                            protocol::AnnotationRecord,
+                           protocol::ClockRecord,
                            DeletedRecord>;
 
 /// How an epoch of a surface ended.
@@ -47,7 +51,9 @@ class Observer {
     virtual ~Observer() = default;
     virtual void
     patched(const std::string& session, std::uint64_t seq, std::span<const Patch> patches) = 0;
-    virtual void progress(const std::string& surface, std::uint32_t epoch, bool final) = 0;
+    /// A surface has a state of a further phase. Not told while it plays, nor of times it only passes.
+    virtual void
+    progress(const std::string& surface, std::uint32_t epoch, protocol::Phase phase) = 0;
     virtual void done(const SurfaceOutcome& outcome) = 0;
 
     /// Others came, went or moved: a notification, as text.
@@ -55,15 +61,6 @@ class Observer {
 
     /// It is no participant any more.
     virtual void sent_away(Farewell /*why*/) {}
-};
-
-/// Who has subscribed to a surface's mesh.
-class FrameSink {
-  public:
-    virtual ~FrameSink() = default;
-    virtual void frames(std::uint32_t number, const std::shared_ptr<const SurfaceState>& state) = 0;
-    /// Everything of the surface before `epoch` is out of date.
-    virtual void superseded(std::uint32_t number, std::uint32_t epoch) = 0;
 };
 
 } // namespace wakesurf::server

@@ -36,7 +36,20 @@ Session::Session(std::string id,
     : id_(std::move(id)), name_(std::move(name)), services_(services),
       participants_(id_, services.loop, services.entropy, services.journal),
       leases_(services, [this](const std::string& rake) { lease_ended(rake); }),
-      builds_(services, records_, next_number, build_events()) {}
+      builds_(id_, services, records_, next_number, build_events()),
+      clock_(services.loop,
+             services.wall(),
+             {[this] { announce({clock_.record()}); },
+              [this](bool jumped) { builds_.show(clock_.time(), clock_.playing(), jumped); }}) {}
+
+std::optional<std::vector<Patch>> Session::changes_since(std::uint64_t seq) const {
+    auto changes = changes_.since(seq);
+    if (changes)
+        for (Patch& each : *changes)
+            if (std::holds_alternative<protocol::ClockRecord>(each))
+                each = clock_.record();
+    return changes;
+}
 
 std::vector<protocol::RakeRecord> Session::rakes() const {
     const auto values = std::views::values(records_.all<protocol::RakeRecord>());

@@ -12,10 +12,12 @@
 #include "server/session/observer.hpp"
 #include "server/session/participants.hpp"
 #include "server/session/record_entries.hpp"
+#include "server/session/session_clock.hpp"
 #include "server/session/session_records.hpp"
 #include "server/session/session_services.hpp"
 #include "server/session/surface_builds.hpp"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -61,10 +63,15 @@ class Session {
 
     const SessionRecords& records() const { return records_; }
 
-    /// As ChangeLog::since.
-    std::optional<std::vector<Patch>> changes_since(std::uint64_t seq) const {
-        return changes_.since(seq);
-    }
+    SessionClock& clock() { return clock_; }
+
+    const SessionClock& clock() const { return clock_; }
+
+    /// What its moving surfaces can be played over; nothing without any.
+    std::optional<std::array<double, 2>> moving_range() const { return builds_.moving_range(); }
+
+    /// As ChangeLog::since; the clock as it is now.
+    std::optional<std::vector<Patch>> changes_since(std::uint64_t seq) const;
 
     std::vector<protocol::RakeRecord> rakes() const;
     std::vector<protocol::SurfaceRecord> surfaces() const;
@@ -158,7 +165,8 @@ class Session {
     ChangeLog changes_;
     Leases leases_;
     History history_;
-    SurfaceBuilds builds_; ///< last: its jobs' events use the rest
+    SurfaceBuilds builds_; ///< its jobs' events use what is above
+    SessionClock clock_;
 };
 
 } // namespace wakesurf::server

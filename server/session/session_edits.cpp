@@ -131,9 +131,9 @@ void Session::end_leases(const std::string& participant) {
 
 SurfaceBuilds::Events Session::build_events() {
     SurfaceBuilds::Events events;
-    events.progress = [this](const std::string& surface, std::uint32_t epoch, bool final) {
+    events.progress = [this](const std::string& surface, std::uint32_t epoch, Phase phase) {
         for (const Participant& each : participants_.present())
-            each.observer->progress(surface, epoch, final);
+            each.observer->progress(surface, epoch, phase);
     };
     events.done = [this](const SurfaceOutcome& outcome) {
         for (const Participant& each : participants_.present())

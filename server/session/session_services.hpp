@@ -24,9 +24,12 @@ struct SessionServices {
     Journal* journal = nullptr;         ///< nothing is kept without
     const core::Clock* clock = nullptr; ///< the machine's without
 
-    std::chrono::steady_clock::time_point now() const {
-        return clock == nullptr ? std::chrono::steady_clock::now() : clock->now();
+    const core::Clock& wall() const {
+        static const core::SteadyClock machine;
+        return clock == nullptr ? machine : *clock;
     }
+
+    std::chrono::steady_clock::time_point now() const { return wall().now(); }
 };
 
 } // namespace wakesurf::server

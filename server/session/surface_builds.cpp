@@ -4,16 +4,18 @@
 #include "server/session/datasets.hpp"
 #include "server/session/loop.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace wakesurf::server {
 
-SurfaceBuilds::SurfaceBuilds(const SessionServices& services,
+SurfaceBuilds::SurfaceBuilds(std::string session,
+                             const SessionServices& services,
                              const SessionRecords& records,
                              std::uint32_t& next_number,
                              Events events)
-    : services_(services), records_(records), next_number_(next_number),
-      events_(std::move(events)) {}
+    : session_(std::move(session)), services_(services), records_(records),
+      next_number_(next_number), events_(std::move(events)) {}
 
 SurfaceBuilds::~SurfaceBuilds() {
     *alive_ = false;
@@ -69,15 +71,18 @@ LiveSurface& SurfaceBuilds::live_for(const protocol::SurfaceRecord& record) {
     if (entry.live)
         return *entry.live;
     LiveSurface::Events events;
-    events.progress = [this, id](std::uint32_t epoch, bool final) {
-        events_.progress(id, epoch, final);
+    events.progress = [this, id](std::uint32_t epoch, Phase phase) {
+        events_.progress(id, epoch, phase);
     };
     events.done = [this](const SurfaceOutcome& outcome) {
         events_.done(outcome);
         built(outcome);
     };
-    entry.live = std::make_shared<LiveSurface>(id, next_number_++, services_.loop, services_.pool,
-                                               std::move(events));
+    entry.live = std::make_shared<LiveSurface>(
+        id, next_number_++, session_,
+        LiveSurface::Services{services_.loop, services_.pool, services_.wall(), services_.metrics},
+        std::move(events));
+    entry.live->show(time_, playing_, true);
     entry.live->continue_after(record.epoch);
     return *entry.live;
 }
@@ -106,6 +111,26 @@ void SurfaceBuilds::built(const SurfaceOutcome& outcome) {
             if (*alive && live && find(id) == live)
                 try_again(id, *live);
         });
+}
+
+void SurfaceBuilds::show(std::optional<double> time, bool playing, bool jumped) {
+    time_ = time;
+    playing_ = playing;
+    for (const auto& [id, entry] : entries_)
+        entry.live->show(time, playing, jumped);
+}
+
+std::optional<std::array<double, 2>> SurfaceBuilds::moving_range() const {
+    std::optional<std::array<double, 2>> range;
+    for (const auto& [id, record] : records_.all<protocol::SurfaceRecord>()) {
+        const core::SurfaceParameters& p = record.parameters;
+        if (!moves(p))
+            continue;
+        const auto [first, last] = std::minmax({p.from, end_time(p)});
+        range = range ? std::array{std::min((*range)[0], first), std::max((*range)[1], last)}
+                      : std::array{first, last};
+    }
+    return range;
 }
 
 void SurfaceBuilds::dataset_changed(const std::string& dataset) {

@@ -7,6 +7,7 @@
 #include "server/session/session_records.hpp"
 #include "server/session/session_services.hpp"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -20,14 +21,15 @@ namespace wakesurf::server {
 class SurfaceBuilds {
   public:
     struct Events {
-        std::function<void(const std::string& surface, std::uint32_t epoch, bool final)> progress;
+        std::function<void(const std::string& surface, std::uint32_t epoch, Phase phase)> progress;
         std::function<void(const SurfaceOutcome&)> done;
         /// Begun without an edit, because data came.
         std::function<void(const std::string& surface, std::uint32_t epoch)> rebuilt;
     };
 
     /// `records` are the session's and outlive this. `next_number` counts the server's surfaces.
-    SurfaceBuilds(const SessionServices& services,
+    SurfaceBuilds(std::string session,
+                  const SessionServices& services,
                   const SessionRecords& records,
                   std::uint32_t& next_number,
                   Events events);
@@ -52,6 +54,12 @@ class SurfaceBuilds {
     /// Null where there is none.
     std::shared_ptr<LiveSurface> find(const std::string& surface) const;
 
+    /// The session's clock: moving surfaces are shown as they are then. See LiveSurface::show.
+    void show(std::optional<double> time, bool playing, bool jumped);
+
+    /// From the first time at which one of the moving surfaces is shown to the last; nothing without any.
+    std::optional<std::array<double, 2>> moving_range() const;
+
     /// Builds what ended early for want of time-steps again, as soon as it is not being built already; lets go of a
     /// dataset that was replaced by a longer one.
     void dataset_changed(const std::string& dataset);
@@ -66,11 +74,14 @@ class SurfaceBuilds {
     void built(const SurfaceOutcome& outcome);
     void try_again(const std::string& surface, LiveSurface& live);
 
+    std::string session_;
     SessionServices services_;
     const SessionRecords& records_;
     std::uint32_t& next_number_;
     Events events_;
     std::map<std::string, Entry> entries_;
+    std::optional<double> time_; ///< of the session's clock
+    bool playing_ = false;
     std::shared_ptr<bool> alive_ = std::make_shared<bool>(true); ///< for what is posted to the loop
 };
 

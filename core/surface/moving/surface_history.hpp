@@ -26,6 +26,9 @@ class SurfaceHistory {
 
     std::size_t bytes() const { return bytes_; }
 
+    /// Where the steps have led, at or before what at() gave last.
+    const MovingSurface& surface() const { return surface_; }
+
   private:
     double since_start(double time) const { return direction_ * (time - start_); }
 

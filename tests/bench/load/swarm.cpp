@@ -190,7 +190,7 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
         const auto frame = protocol::read_frame(std::span(first, buffer_.size()));
         if (!frame)
             return trouble(frame.error().message);
-        if ((frame->header.flags & protocol::FrameHeader::last) == 0)
+        if (frame->header.frame_index + 1 != frame->header.frame_count)
             return;
         common_.arrivals.push_back({number_, frame->header.epoch, Clock::now()});
         become_ready();

@@ -1,5 +1,7 @@
 #include "server/limits.hpp"
 #include "server/net/outbox.hpp"
+#include "tests/server/session/sample_updates.hpp"
+#include "tests/support/server/hand_clock.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,59 +9,106 @@ namespace wakesurf::server {
 
 namespace {
 
-std::shared_ptr<const SurfaceState> state(std::uint32_t epoch, std::size_t frames) {
-    auto out = std::make_shared<SurfaceState>();
-    out->epoch = epoch;
-    for (std::size_t i = 0; i < frames; ++i)
-        out->frames.push_back(std::make_shared<const std::vector<std::byte>>(
-            1, static_cast<std::byte>(16 * epoch + i)));
-    return out;
-}
+class OutboxTest : public testing::Test {
+  protected:
+    std::shared_ptr<UpdateRing> ring(std::uint32_t number) {
+        auto made = std::make_shared<UpdateRing>(number, clock, [] {});
+        made->begin(1);
+        return made;
+    }
 
-int first_byte(const std::optional<Outbox::Item>& item) {
-    const auto* frame = item ? std::get_if<Outbox::Frame>(&*item) : nullptr;
-    return frame == nullptr ? -1 : std::to_integer<int>((**frame)[0]);
-}
+    void follow(const std::shared_ptr<UpdateRing>& ring) {
+        outbox.follow(FrameCursor(ring, {}, [this](bool behind) {
+            ASSERT_TRUE(outbox.push(behind ? "behind" : "caught up"));
+        }));
+    }
+
+    /// A message, or `SEQ.FRAME`.
+    std::string pop() {
+        const auto item = outbox.pop();
+        if (!item)
+            return "";
+        if (const auto* text = std::get_if<std::string>(&*item))
+            return *text;
+        const Seen frame = seen(std::get<Outbox::Frame>(*item));
+        return std::to_string(frame.seq) + "." + std::to_string(frame.frame);
+    }
+
+    HandClock clock;
+    Outbox outbox;
+};
 
 } // namespace
 
-TEST(Outbox, SendsMessagesBeforeFramesAndBothInOrder) {
-    Outbox outbox;
-    outbox.push(1, state(1, 2));
+TEST_F(OutboxTest, SendsMessagesBeforeFramesAndBothInOrder) {
+    const auto surface = ring(1);
+    surface->add(make_update({1, 0, true, 2}));
+    follow(surface);
     ASSERT_TRUE(outbox.push("a"));
+    EXPECT_EQ(pop(), "a");
+    EXPECT_EQ(pop(), "0.0");
     ASSERT_TRUE(outbox.push("b"));
-    EXPECT_EQ(std::get<std::string>(*outbox.pop()), "a");
-    EXPECT_EQ(std::get<std::string>(*outbox.pop()), "b");
-    EXPECT_EQ(first_byte(outbox.pop()), 16);
-    EXPECT_EQ(first_byte(outbox.pop()), 17);
-    EXPECT_TRUE(outbox.empty());
-    EXPECT_FALSE(outbox.pop());
+    EXPECT_EQ(pop(), "b") << "no answer waits for a large mesh";
+    EXPECT_EQ(pop(), "0.1");
+    EXPECT_EQ(pop(), "");
 }
 
-TEST(Outbox, KeepsOnlyTheNewestStateOfASurface) {
-    Outbox outbox;
-    for (std::uint32_t epoch = 1; epoch <= 10; ++epoch)
-        outbox.push(1, state(epoch, 3));
-    outbox.push(2, state(1, 1));
-    EXPECT_EQ(first_byte(outbox.pop()), 160);
-    outbox.push(1, state(11, 1)); // the rest of epoch 10 goes as a whole
-    EXPECT_EQ(first_byte(outbox.pop()), 16);
-    EXPECT_EQ(first_byte(outbox.pop()), 176);
-    EXPECT_TRUE(outbox.empty());
+TEST_F(OutboxTest, GivesSurfacesTurnsFrameByFrame) {
+    const auto large = ring(1), small = ring(9);
+    large->add(make_update({1, 0, true, 4}));
+    small->add(make_update({1, 5, true, 1}));
+    follow(large);
+    follow(small);
+    EXPECT_EQ(pop(), "0.0");
+    EXPECT_EQ(pop(), "5.0");
+    small->add(make_update({1, 6, false, 1}));
+    EXPECT_EQ(pop(), "0.1");
+    EXPECT_EQ(pop(), "6.0");
+    EXPECT_EQ(pop(), "0.2");
+    EXPECT_EQ(pop(), "0.3");
+    EXPECT_EQ(pop(), "");
 }
 
-TEST(Outbox, DropsFramesOfEpochsThatAreOver) {
-    Outbox outbox;
-    outbox.push(1, state(4, 2));
-    outbox.push(2, state(4, 1));
-    outbox.drop_frames(1, 4);
-    EXPECT_EQ(first_byte(outbox.pop()), 64);
-    outbox.drop_frames(1, 5);
-    EXPECT_EQ(first_byte(outbox.pop()), 64) << "of surface 2";
-    EXPECT_TRUE(outbox.empty());
+TEST_F(OutboxTest, SendsWhatACursorHasToSayWithoutWaitingForAFrame) {
+    const auto surface = ring(1);
+    surface->add(make_update({1, 0, true}));
+    follow(surface);
+    EXPECT_EQ(pop(), "0.0");
+    surface->add(make_update({1, 1, false, 1, limits::behind_bytes}));
+    surface->add(make_update({1, 2, false}));
+    EXPECT_EQ(pop(), "behind");
+    EXPECT_EQ(pop(), "");
+    surface->add_key(make_update({1, 2, true}));
+    EXPECT_EQ(pop(), "2.0");
+    EXPECT_EQ(pop(), "caught up");
 }
 
-TEST(Outbox, SaysWhenMessagesPileUp) {
+TEST_F(OutboxTest, ForgetsSubscriptionsThatEndAndSurfacesThatGo) {
+    const auto one = ring(1), two = ring(2);
+    follow(one);
+    follow(two);
+    one->add(make_update({1, 0, true}));
+    two->add(make_update({1, 0, true}));
+    EXPECT_TRUE(outbox.unfollow(1));
+    EXPECT_FALSE(outbox.unfollow(1));
+    two->close();
+    EXPECT_EQ(pop(), "");
+    EXPECT_EQ(outbox.cursor(1), nullptr);
+}
+
+TEST_F(OutboxTest, HasRoomForAsManySubscriptionsAsAreAllowedAtATime) {
+    std::vector<std::shared_ptr<UpdateRing>> rings;
+    for (std::uint32_t number = 0; number < limits::subscriptions; ++number) {
+        ASSERT_TRUE(outbox.may_follow(number));
+        follow(rings.emplace_back(ring(number)));
+    }
+    EXPECT_TRUE(outbox.may_follow(3)) << "once more for the same surface";
+    EXPECT_FALSE(outbox.may_follow(limits::subscriptions));
+    rings.front()->close();
+    EXPECT_TRUE(outbox.may_follow(limits::subscriptions));
+}
+
+TEST_F(OutboxTest, SaysWhenMessagesPileUp) {
     Outbox many;
     for (std::size_t i = 0; i < limits::outbox_messages; ++i)
         ASSERT_TRUE(many.push("x"));

@@ -32,9 +32,15 @@ class Line final : public Wire {
   public:
     void send(std::string message) override { sent.push_back(json::parse(message)); }
 
-    void send(std::uint32_t, const std::shared_ptr<const SurfaceState>&) override {}
+    bool may_follow(std::uint32_t) override { return true; }
 
-    void drop_frames(std::uint32_t, std::uint32_t) override {}
+    void follow(FrameCursor) override {}
+
+    bool unfollow(std::uint32_t) override { return false; }
+
+    bool acknowledge(std::uint32_t, std::optional<std::uint32_t>, std::uint32_t) override {
+        return false;
+    }
 
     void close(Goodbye goodbye, const std::string&) override { closed = goodbye; }
 
@@ -81,6 +87,10 @@ const std::map<std::string, Row> rows{
     {"surface.wait", {Role::Viewer, About::Session}},
     {"surface.subscribe", {Role::Viewer, About::Session}},
     {"surface.unsubscribe", {Role::Viewer, About::Nothing}},
+    {"frame.ack", {Role::Viewer, About::Nothing}},
+    {"time.set", {Role::Editor, About::Session}},
+    {"time.play", {Role::Editor, About::Session}},
+    {"time.pause", {Role::Editor, About::Session}},
     {"bookmark.set", {Role::Editor, About::Session}},
     {"bookmark.delete", {Role::Editor, About::Session}},
     {"bookmark.list", {Role::Viewer, About::Session}},

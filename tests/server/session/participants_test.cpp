@@ -30,7 +30,7 @@ class Watcher final : public Observer {
 
     void patched(const std::string&, std::uint64_t, std::span<const Patch>) override {}
 
-    void progress(const std::string&, std::uint32_t, bool) override {}
+    void progress(const std::string&, std::uint32_t, protocol::Phase) override {}
 
     void done(const SurfaceOutcome&) override {}
 

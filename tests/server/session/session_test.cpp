@@ -67,27 +67,22 @@ class OneFlow final : public Datasets {
     std::shared_ptr<const core::Flow> flow_ = *core::make_analytic_flow("abc");
 };
 
-struct Recorder final : Observer, FrameSink {
+struct Recorder final : Observer {
     void patched(const std::string&, std::uint64_t seq, std::span<const Patch> patches) override {
         seqs.push_back(seq);
         changed.insert(changed.end(), patches.begin(), patches.end());
     }
 
-    void progress(const std::string&, std::uint32_t, bool) override {}
-
-    void done(const SurfaceOutcome& outcome) override { outcomes.push_back(outcome); }
-
-    void frames(std::uint32_t, const std::shared_ptr<const SurfaceState>& state) override {
-        states.push_back(state);
+    void progress(const std::string&, std::uint32_t epoch, protocol::Phase phase) override {
+        phases.emplace_back(epoch, phase);
     }
 
-    void superseded(std::uint32_t, std::uint32_t epoch) override { over = epoch; }
+    void done(const SurfaceOutcome& outcome) override { outcomes.push_back(outcome); }
 
     std::vector<std::uint64_t> seqs;
     std::vector<Patch> changed;
     std::vector<SurfaceOutcome> outcomes;
-    std::vector<std::shared_ptr<const SurfaceState>> states;
-    std::uint32_t over = 0;
+    std::vector<std::pair<std::uint32_t, protocol::Phase>> phases;
 };
 
 protocol::RakeSetting rake_at(double x, std::optional<std::string> id = {}) {
@@ -148,19 +143,18 @@ TEST_F(SessionTest, BuildsTheSurfaceOfTheNewestEditAndDropsTheOthers) {
     ASSERT_TRUE(session->participants().join({"me", "", "", {}}, me));
     const std::string rake = session->set_rake(rake_at(0.0))->record.rake;
     const auto live = build(rake);
-    live->subscribe(me);
     for (int i = 1; i <= 20; ++i)
         ASSERT_TRUE(session->set_rake(rake_at(0.1 * i, rake)));
-    EXPECT_EQ(me.over, 21u);
     loop.turn_until([&] { return !me.outcomes.empty(); });
     ASSERT_EQ(me.outcomes.size(), 1u);
     EXPECT_EQ(me.outcomes[0].epoch, 21u);
     EXPECT_TRUE(me.outcomes[0].complete);
-    for (const auto& state : me.states)
-        EXPECT_EQ(state->epoch, 21u);
-    EXPECT_EQ(live->state(), me.states.back());
-    EXPECT_EQ(me.outcomes[0].crc, me.states.back()->crc);
-    live->unsubscribe(me);
+    for (const auto& [epoch, phase] : me.phases)
+        EXPECT_EQ(epoch, 21u);
+    EXPECT_EQ(me.phases.back().second, protocol::Phase::Final);
+    ASSERT_TRUE(live->newest());
+    EXPECT_EQ(live->newest()->wire.epoch, 21u);
+    EXPECT_EQ(me.outcomes[0].crc, live->newest()->wire.crc);
 }
 
 TEST_F(SessionTest, HangsATimeSurfaceOnBothItsRakes) {

@@ -85,7 +85,7 @@ struct Onlooker final : server::Observer {
             std::visit([this](const auto& patch) { fold(patch); }, each);
     }
 
-    void progress(const std::string&, std::uint32_t, bool) override {}
+    void progress(const std::string&, std::uint32_t, protocol::Phase) override {}
 
     void done(const server::SurfaceOutcome& outcome) override { outcomes.push_back(outcome); }
 
@@ -94,6 +94,8 @@ struct Onlooker final : server::Observer {
             if (server::name(type) == gone.type)
                 records.erase({type, gone.id});
     }
+
+    void fold(const protocol::ClockRecord&) {}
 
     template <class R>
     void fold(const R& record) {

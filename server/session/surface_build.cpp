@@ -1,0 +1,164 @@
+#include "server/session/surface_build.hpp"
+
+#include "core/surface/surface_builder.hpp"
+#include "server/limits.hpp"
+#include "server/session/log_text.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace wakesurf::server {
+
+namespace {
+
+double span(const core::SurfaceParameters& p) {
+    return std::abs(p.to - p.from);
+}
+
+tl::unexpected<core::Error> cancelled() {
+    return core::fail(core::Error::Code::Cancelled, "a newer edit replaced this surface");
+}
+
+} // namespace
+
+double age_at(const core::SurfaceParameters& p, std::optional<double> time) {
+    return time ? std::clamp(time_sign(p) * (*time - p.from), 0.0, span(p)) : span(p);
+}
+
+SurfaceBuild::SurfaceBuild(SurfaceJob job, const core::Clock& clock)
+    : job_(std::move(job)), clock_(clock), stream_(job_.number, job_.epoch, job_.lattice) {}
+
+void SurfaceBuild::renew_flow(std::shared_ptr<const core::Flow> flow) {
+    played_.reset(); // it follows the old one
+    grown_.reset();
+    last_ = Source::Nothing;
+    job_.flow = std::move(flow);
+}
+
+core::Result<Update> SurfaceBuild::run(const SurfacePass& pass,
+                                       const std::stop_token& stop) noexcept {
+    try {
+        const auto start = clock_.now();
+        if (stop.stop_requested())
+            return cancelled();
+        auto shown = build(pass, stop);
+        if (!shown)
+            return tl::unexpected(shown.error());
+        if (stop.stop_requested())
+            return cancelled();
+        const auto built = clock_.now();
+        auto update = encode(std::move(*shown), pass);
+        if (update) {
+            const auto end = clock_.now();
+            update->seconds = std::chrono::duration<double>(end - start).count();
+            update->encode_seconds = std::chrono::duration<double>(end - built).count();
+        }
+        return update;
+    } catch (const std::bad_alloc&) {
+        return core::fail(core::Error::Code::OverLimit,
+                          "there is not enough memory for this surface",
+                          "use a larger separation, fewer seeds or a lower maxQuads");
+    } catch (const std::exception& error) { // what libraries throw ends this surface only
+        spdlog::error("building surface {} failed: {}", job_.number, without_paths(error.what()));
+        return core::fail(core::Error::Code::Io, "building the surface failed inside the server",
+                          "the server's log has the details");
+    }
+}
+
+core::Result<SurfaceBuild::Shown> SurfaceBuild::build(const SurfacePass& pass,
+                                                      const std::stop_token& stop) {
+    const bool timed = pass.time && moves(job_.parameters);
+    const double age = age_at(job_.parameters, pass.time);
+    if (pass.phase == Phase::Coarse || pass.phase == Phase::Refined)
+        return build_early(pass, stop);
+    if (!timed)
+        return build_whole(stop);
+    return job_.parameters.kind == core::SurfaceKind::Path ? grow(age, stop) : play(age, stop);
+}
+
+/// The engine's quad budget bounds the work whatever the separation asked for.
+core::Result<SurfaceBuild::Shown> SurfaceBuild::build_early(const SurfacePass& pass,
+                                                            const std::stop_token& stop) const {
+    core::Rake rake = job_.rake;
+    core::SurfaceParameters p = job_.parameters;
+    rake.seeds = std::min(rake.seeds,
+                          static_cast<std::uint32_t>(std::sqrt(static_cast<double>(pass.quads))));
+    p.max_quads = std::min(p.max_quads, pass.quads);
+    p.accuracy = core::Accuracy::Fast;
+    if (pass.phase == Phase::Coarse)
+        p.separation *= 2.0;
+    const double age = age_at(p, pass.time);
+    const bool moving = p.kind == core::SurfaceKind::Streak || p.kind == core::SurfaceKind::Time;
+    if (moving && pass.time && age > 0.0) {
+        if (p.release_until && std::abs(*p.release_until - p.from) > age)
+            p.release_until.reset();
+        p.to = p.from + std::copysign(age, p.to - p.from);
+    }
+    auto surface = core::build_surface(*job_.flow, rake, p, stop, clock_);
+    if (!surface)
+        return tl::unexpected(surface.error());
+    if (pass.time && p.kind == core::SurfaceKind::Path)
+        return Shown{GrowingMesh(surface->mesh, span(p)).at(age), surface->statistics,
+                     Source::Nothing};
+    return Shown{protocol::with_ids(std::move(surface->mesh)), surface->statistics,
+                 Source::Nothing};
+}
+
+core::Result<SurfaceBuild::Shown> SurfaceBuild::build_whole(const std::stop_token& stop) const {
+    auto surface = core::build_surface(*job_.flow, job_.rake, job_.parameters, stop, clock_);
+    if (!surface)
+        return tl::unexpected(surface.error());
+    return Shown{protocol::with_ids(std::move(surface->mesh)), surface->statistics, Source::Whole};
+}
+
+core::Result<SurfaceBuild::Shown> SurfaceBuild::grow(double age, const std::stop_token& stop) {
+    if (!grown_) {
+        const auto surface =
+            core::build_surface(*job_.flow, job_.rake, job_.parameters, stop, clock_);
+        if (!surface)
+            return tl::unexpected(surface.error());
+        grown_.emplace(surface->mesh, span(job_.parameters));
+        grown_statistics_ = surface->statistics;
+    }
+    Shown shown{grown_->at(age), grown_statistics_, Source::Grown};
+    shown.statistics.quads = shown.mesh.mesh.cells.size();
+    shown.statistics.vertices = shown.mesh.mesh.vertices();
+    return shown;
+}
+
+core::Result<SurfaceBuild::Shown> SurfaceBuild::play(double age, const std::stop_token& stop) {
+    if (!played_) {
+        auto started = PlayedSurface::start(job_, limits::history_bytes, clock_, stop);
+        if (!started)
+            return tl::unexpected(started.error());
+        played_ = std::move(*started);
+    }
+    return played_->at(age, stop).map([](PlayedSurface::Shown&& shown) {
+        return Shown{std::move(shown.mesh), shown.statistics, Source::Played};
+    });
+}
+
+core::Result<Update> SurfaceBuild::encode(Shown shown, const SurfacePass& pass) {
+    const core::SurfaceParameters& p = job_.parameters;
+    const double time = moves(p) ? p.from + time_sign(p) * age_at(p, pass.time) : p.from;
+    shown.mesh.time = time;
+    protocol::UpdateOptions options;
+    options.phase = pass.phase;
+    options.tolerance =
+        pass.phase == Phase::Live ? protocol::live_tolerance : protocol::exact_tolerance;
+    options.unrelated = shown.source == Source::Nothing || shown.source != last_;
+    auto encoded = stream_.next(shown.mesh, options);
+    if (!encoded)
+        return tl::unexpected(encoded.error());
+    last_ = shown.source;
+    Update update;
+    update.wire = std::move(*encoded);
+    update.statistics = std::move(shown.statistics);
+    update.time = time;
+    return update;
+}
+
+} // namespace wakesurf::server

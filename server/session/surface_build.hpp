@@ -1,0 +1,68 @@
+// One epoch of a surface being built, on compute threads: its passes, and what they keep between them so that a moving
+// surface goes on from where it is. Touches nothing shared.
+#pragma once
+
+#include "core/base/clock.hpp"
+#include "protocol/mesh_stream.hpp"
+#include "server/session/growing_mesh.hpp"
+#include "server/session/played_surface.hpp"
+#include "server/session/surface_job.hpp"
+#include "server/session/update_ring.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+
+namespace wakesurf::server {
+
+struct SurfacePass {
+    Phase phase = Phase::Final;
+    std::uint64_t quads = 0;    ///< most of a coarse or refined pass
+    std::optional<double> time; ///< of the session's clock; nothing: at the end
+};
+
+/// How long before `time` a surface was (first) released, within its integration time; nothing: at its end.
+double age_at(const core::SurfaceParameters& parameters, std::optional<double> time);
+
+/// One pass at a time, on any thread.
+class SurfaceBuild {
+  public:
+    /// @param clock  outlives it
+    SurfaceBuild(SurfaceJob job, const core::Clock& clock);
+
+    /// Builds and encodes. Never throws. Once it has begun to encode it gives the update even if `stop` has fired: the next
+    /// one is based on it. Error: Cancelled; OverLimit out of memory; what the engine and the encoder report.
+    core::Result<Update> run(const SurfacePass& pass, const std::stop_token& stop) noexcept;
+
+    const SurfaceJob& job() const { return job_; }
+
+    /// The same data, opened again.
+    void renew_flow(std::shared_ptr<const core::Flow> flow);
+
+  private:
+    /// Where a mesh comes from: ids last within one source.
+    enum class Source { Nothing, Whole, Grown, Played };
+
+    struct Shown {
+        core::KeyedMesh mesh;
+        core::SurfaceStatistics statistics;
+        Source source;
+    };
+
+    core::Result<Shown> build(const SurfacePass& pass, const std::stop_token& stop);
+    core::Result<Shown> build_early(const SurfacePass& pass, const std::stop_token& stop) const;
+    core::Result<Shown> build_whole(const std::stop_token& stop) const;
+    core::Result<Shown> grow(double age, const std::stop_token& stop);
+    core::Result<Shown> play(double age, const std::stop_token& stop);
+    core::Result<Update> encode(Shown shown, const SurfacePass& pass);
+
+    SurfaceJob job_;
+    const core::Clock& clock_;
+    protocol::MeshStream stream_;
+    Source last_ = Source::Nothing;
+    std::optional<GrowingMesh> grown_;
+    core::SurfaceStatistics grown_statistics_;
+    std::optional<PlayedSurface> played_;
+};
+
+} // namespace wakesurf::server
