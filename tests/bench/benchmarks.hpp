@@ -42,6 +42,9 @@ void register_stream_surface_benchmarks();
 /// Single steps of a streak surface of 100,000 vertices: whole frames with refinement, on one thread and on two.
 void register_streak_frame_benchmarks();
 
+/// A rake edit of a small surface to its first frame, alone and beside a session with 64 large surfaces being dragged.
+void register_fair_benchmark(const std::string& dataset);
+
 /// StoreReader::load of 300 MB time-steps against a plain read() of the same bytes.
 void register_store_benchmarks();
 

@@ -71,6 +71,7 @@ int measure(const server::BenchOptions& options) {
     register_edit_benchmark(dataset);
     register_remote_drag_benchmark(dataset);
     register_load_benchmarks(dataset);
+    register_fair_benchmark(dataset);
     register_kill_benchmarks();
     register_drag_benchmark(dataset);
     initialize(options);
