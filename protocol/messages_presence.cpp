@@ -49,6 +49,12 @@ json dragging_json(const std::optional<DraggedRake>& dragging) {
 
 } // namespace
 
+unsigned said(const Presence& presence) {
+    return (presence.pointer ? member::pointer : 0u) | (presence.camera ? member::camera : 0u) |
+           (presence.dragging ? member::dragging : 0u) |
+           (presence.selected ? member::selected : 0u);
+}
+
 PresenceUpdate read_presence(CheckedJson& in, const json& parameters, std::size_t rake_points) {
     PresenceUpdate update;
     const auto given = [&](const char* name, unsigned bit) {

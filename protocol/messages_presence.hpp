@@ -54,6 +54,9 @@ inline constexpr unsigned person = name | colour | role | connected;
 inline constexpr unsigned all = person | pointer | camera | dragging | selected;
 } // namespace member
 
+/// Members of a presence that are not empty.
+unsigned said(const Presence& presence);
+
 struct ParticipantRecord {
     std::string participant;
     std::string name;

@@ -55,8 +55,9 @@ inline constexpr std::size_t participants = 1536;
 inline constexpr std::chrono::seconds absence{10}; ///< how long a lost connection is shown
 inline constexpr std::chrono::milliseconds presence_rest{50}; ///< between two tellings, at least
 inline constexpr std::size_t presence_bytes_per_ms =
-    4000;                                           ///< of a session, to all its participants
-inline constexpr std::size_t presence_points = 256; ///< of a rake being dragged
+    4000;                                             ///< of a session, to all its participants
+inline constexpr std::size_t presence_entries = 2000; ///< of one telling, over all who are told
+inline constexpr std::size_t presence_points = 64;    ///< of a rake being dragged
 inline constexpr std::size_t changes =
     1024; ///< records whose newest change is kept for those who come back
 inline constexpr std::size_t grants = 32; ///< share links of one session

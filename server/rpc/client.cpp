@@ -23,7 +23,7 @@ Client::Client(Wire& wire, Identity identity, Grants& grants)
 
 Client::~Client() {
     calls_.abandon(); // first: what is under way may want to tell this client something
-    grants_.leave(*this);
+    grants_.leave(identity_.grant, *this);
     part(&Participants::lose);
 }
 
@@ -120,7 +120,8 @@ void Client::grant_ended(const std::string& reason) {
 }
 
 void Client::say_goodbye(Goodbye goodbye, const char* kind, const std::string& reason) {
-    wire_.send(protocol::rpc_notification("server.notice", {{"kind", kind}, {"text", reason}}));
+    wire_.send(protocol::rpc_notification(
+        "server.notice", {{"kind", kind}, {"level", "warning"}, {"text", reason}}));
     wire_.close(goodbye, reason);
 }
 

@@ -100,24 +100,23 @@ void Dispatcher::dispatch(std::string_view text,
         run(call, caller, true, [batch](std::string each) { batch->add(std::move(each)); });
 }
 
-std::optional<RpcFault> Dispatcher::too_fast(const Method& method, const Caller& caller) {
+std::optional<RpcFault> Dispatcher::too_fast(bool edits, const Caller& caller) {
     if (rates_.size() > limits::sessions * limits::grants)
         std::erase_if(rates_, [this](const auto& each) {
             return !each.first.empty() && !context_.grants.identity(each.first);
         });
     CallRate& rate =
         caller.client != nullptr ? caller.client->rate() : rates_[caller.identity.grant];
-    const auto wait = rate.take(method.traits.edits, context_.clock.now());
+    const auto wait = rate.take(edits, context_.clock.now());
     if (!wait)
         return std::nullopt;
-    return RpcFault{
-        RpcCode::OverLimit,
-        "calls come faster than they may",
-        "wait for data.retryAfterMs milliseconds",
-        {},
-        std::make_shared<const json>(json{
-            {"retryAfterMs", wait->count()},
-            {"limit", method.traits.edits ? limits::edits_per_second : limits::calls_per_second}})};
+    return RpcFault{RpcCode::OverLimit,
+                    "calls come faster than they may",
+                    "wait for data.retryAfterMs milliseconds",
+                    {},
+                    std::make_shared<const json>(json{
+                        {"retryAfterMs", wait->count()},
+                        {"limit", edits ? limits::edits_per_second : limits::calls_per_second}})};
 }
 
 void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, Answer answer) {
@@ -141,9 +140,11 @@ void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, An
             answer(protocol::rpc_error(
                 *id, fault->code == RpcCode::OverLimit ? with_limit(*fault, name) : *fault));
     });
+    const Method* method = call.refused ? nullptr : find(call.method);
+    if (const auto fault = too_fast(method != nullptr && method->traits.edits, caller))
+        return reply.fault(*fault);
     if (call.refused)
         return reply.fault(*call.refused);
-    const Method* method = find(call.method);
     if (method == nullptr)
         return reply.fault({RpcCode::MethodNotFound,
                             "there is no method `" + call.method.substr(0, 64) + "`",
@@ -158,13 +159,11 @@ void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, An
                             {}});
     const json& given = *call.parameters;
     const json& parameters = given.is_array() && given.empty() ? no_parameters : given;
-    if (const auto unknown = unknown_parameter(*method, parameters))
-        return reply.fault(*unknown);
     const Call made{context_, parameters, caller.identity, caller.client, batched, stop};
     if (const auto fault = refused(*method, made))
         return reply.fault(*fault);
-    if (const auto fault = too_fast(*method, caller))
-        return reply.fault(*fault);
+    if (const auto unknown = unknown_parameter(*method, parameters))
+        return reply.fault(*unknown);
     log_call(*method, made);
     try {
         const bool held = method->traits.edits && context_.journal != nullptr;

@@ -34,7 +34,7 @@ class Dispatcher {
     };
 
     void run(const protocol::RpcCall& call, const Caller& caller, bool batched, Answer answer);
-    std::optional<protocol::RpcFault> too_fast(const Method& method, const Caller& caller);
+    std::optional<protocol::RpcFault> too_fast(bool edits, const Caller& caller);
     const Method* find(std::string_view name) const;
 
     std::vector<Method> methods_;

@@ -108,13 +108,13 @@ constexpr std::string_view shapes = R"json({
   "properties": {
     "participant": "#Id", "name": {"type": "string"}, "colour": {"type": "string", "pattern": "^#[0-9a-fA-F]{6}$"},
     "role": "#Role", "connected": {"type": "boolean"},
-    "pointer": {"anyOf": [{"type": "null"}, "#Vector"]},
-    "camera": {"anyOf": [{"type": "null"}, {
+    "pointer?": "#Vector",
+    "camera?": {
       "type": "object",
-      "properties": {"position": "#Vector", "target": "#Vector", "up": "#Vector", "fov?": {"type": "number"}}}]},
-    "dragging": {"anyOf": [{"type": "null"}, {
-      "type": "object", "properties": {"rake": {"type": "string"}, "points": {"type": "array", "items": "#Vector"}}}]},
-    "selected": {"type": ["string", "null"]}}},
+      "properties": {"position": "#Vector", "target": "#Vector", "up": "#Vector", "fov?": {"type": "number"}}},
+    "dragging?": {
+      "type": "object", "properties": {"rake": {"type": "string"}, "points": {"type": "array", "items": "#Vector"}}},
+    "selected?": {"type": "string"}}},
 "Role": {"enum": ["viewer", "editor", "host"]},
 "Share": {
   "type": "object",

@@ -19,7 +19,8 @@ namespace {
 json participants_json(Session& session) {
     json list = json::array();
     for (const auto& each : session.participants().shown())
-        list.push_back(protocol::participant_json(each, protocol::member::all));
+        list.push_back(protocol::participant_json(each, protocol::member::person |
+                                                            protocol::said(each.presence)));
     return list;
 }
 

@@ -17,9 +17,11 @@ constexpr std::chrono::milliseconds longest_wait = std::chrono::hours(24);
 
 /// g7 -> 7; ids are never given twice, also after a restart.
 std::optional<std::uint64_t> number_of(std::string_view id) {
+    if (!id.starts_with('g'))
+        return std::nullopt;
     std::uint64_t number = 0;
     const auto [stop, error] = std::from_chars(id.data() + 1, id.data() + id.size(), number);
-    if (id.size() < 2 || id.front() != 'g' || error != std::errc{} || stop != id.data() + id.size())
+    if (error != std::errc{} || stop != id.data() + id.size())
         return std::nullopt;
     return number;
 }
@@ -101,9 +103,9 @@ void Grants::attend(const std::string& id, GrantHolder& holder) {
         found->second.holders.insert(&holder);
 }
 
-void Grants::leave(GrantHolder& holder) {
-    for (auto& [id, entry] : entries_)
-        entry.holders.erase(&holder);
+void Grants::leave(const std::string& id, GrantHolder& holder) {
+    if (const auto found = entries_.find(id); found != entries_.end())
+        found->second.holders.erase(&holder);
 }
 
 core::Result<void>

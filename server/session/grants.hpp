@@ -80,7 +80,7 @@ class Grants {
 
     /// Holders are told of the end of their link until they leave.
     void attend(const std::string& id, GrantHolder& holder);
-    void leave(GrantHolder& holder);
+    void leave(const std::string& id, GrantHolder& holder);
 
     /// A link out of the journal. One that has expired meanwhile is struck from the journal. Error: Corrupt.
     core::Result<void>

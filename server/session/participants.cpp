@@ -26,6 +26,17 @@ protocol::ParticipantRecord record_of(const Participant& place) {
             place.presence};
 }
 
+/// p7 -> 7
+std::optional<std::size_t> number_of(std::string_view id) {
+    if (!id.starts_with('p'))
+        return std::nullopt;
+    std::size_t number = 0;
+    const auto [stop, error] = std::from_chars(id.data() + 1, id.data() + id.size(), number);
+    if (error != std::errc{} || stop != id.data() + id.size())
+        return std::nullopt;
+    return number;
+}
+
 /// Takes over `value` where it was given and is another; the bit of what changed.
 template <class T>
 unsigned take(T& mine, const T& value, unsigned given, unsigned bit) {
@@ -39,7 +50,13 @@ unsigned take(T& mine, const T& value, unsigned given, unsigned bit) {
 
 Participants::Participants(std::string session, Loop& loop, Entropy& entropy, Journal* journal)
     : session_(std::move(session)), loop_(loop), entropy_(entropy), journal_(journal),
-      news_(loop, [this](const PresenceNews::Batch& batch) { return tell(batch); }) {}
+      news_(
+          loop,
+          [this] {
+              const std::size_t told = std::max<std::size_t>(present_.size(), 1);
+              return std::max<std::size_t>(limits::presence_entries / told, 1);
+          },
+          [this](const PresenceNews::Batch& batch) { return tell(batch); }) {}
 
 core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observer) {
     const SecretDigest token = secret_digest(arrival.resume_token);
@@ -74,7 +91,7 @@ core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observ
     present_.push_back(place);
     if (before != nullptr && before != &observer)
         before->sent_away(Farewell::Displaced);
-    news_.changed(place.id, member::all);
+    news_.changed(place.id, member::person | protocol::said(place.presence));
     return joined;
 }
 
@@ -106,9 +123,15 @@ bool Participants::taken(const std::string& name) const {
 /// The one of the palette that the fewest have.
 std::string Participants::free_colour() const {
     std::array<std::size_t, participant_colours.size()> users{};
-    for (const auto& each : shown())
+    const auto count = [&](const Participant& each) {
         for (std::size_t i = 0; i < users.size(); ++i)
             users[i] += each.colour == participant_colours[i] ? 1 : 0;
+    };
+    for (const Participant& each : present_)
+        count(each);
+    for (const Absent& each : absent_)
+        if (each.shown)
+            count(each.place);
     const auto least = std::min_element(users.begin(), users.end()) - users.begin();
     return std::string(participant_colours[static_cast<std::size_t>(least)]);
 }
@@ -209,6 +232,16 @@ core::Result<Participant> Participants::find(const std::string& id) const {
                 "session.state lists them");
 }
 
+const Participant* Participants::visible(const std::string& id) const {
+    for (const Participant& each : present_)
+        if (each.id == id)
+            return &each;
+    for (const Absent& each : absent_)
+        if (each.shown && each.place.id == id)
+            return &each.place;
+    return nullptr;
+}
+
 Participant* Participants::known(const std::string& id) {
     for (Participant& each : present_)
         if (each.id == id)
@@ -224,9 +257,7 @@ void Participants::set_role(const std::string& id, Role role) {
     place->role = role;
     place->role_set = true;
     keep(*place);
-    const auto seen = shown();
-    if (std::any_of(seen.begin(), seen.end(),
-                    [&](const auto& each) { return each.participant == id; }))
+    if (visible(id) != nullptr)
         news_.changed(id, member::role);
 }
 
@@ -252,11 +283,10 @@ std::vector<protocol::ParticipantRecord> Participants::shown() const {
 std::size_t Participants::tell(const PresenceNews::Batch& batch) const {
     std::vector<std::string> ids;
     std::vector<std::string> entries;
-    for (const auto& record : shown())
-        if (const auto found = batch.changed.find(record.participant);
-            found != batch.changed.end()) {
-            ids.push_back(record.participant);
-            entries.push_back(protocol::participant_text(record, found->second));
+    for (const auto& [id, members] : batch.changed)
+        if (const Participant* place = visible(id)) {
+            ids.push_back(id);
+            entries.push_back(protocol::participant_text(record_of(*place), members));
         }
     std::string for_all;
     std::size_t bytes = 0;
@@ -298,13 +328,11 @@ core::Result<void> Participants::restore(const std::string& id, std::string_view
         return tl::unexpected(kept.error());
     const auto role = role_named(kept->role);
     const auto token = read_digest(kept->digest);
-    std::size_t number = 0;
-    const auto [stop, error] = std::from_chars(id.data() + 1, id.data() + id.size(), number);
-    if (!role || !token || !is_colour(kept->colour) || id.size() < 2 || id.front() != 'p' ||
-        error != std::errc{} || stop != id.data() + id.size())
+    const auto number = number_of(id);
+    if (!role || !token || !number || !is_colour(kept->colour))
         return fail(Error::Code::Corrupt, "a place that was kept is not one",
                     "join the session anew");
-    next_ = std::max(next_, number + 1);
+    next_ = std::max(next_, *number + 1);
     Participant place;
     place.id = id;
     place.name = display_name(kept->name, limits::name_bytes);

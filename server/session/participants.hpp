@@ -98,6 +98,7 @@ class Participants {
     bool taken(const std::string& name) const;
     std::string free_colour() const;
     Participant* known(const std::string& id);
+    const Participant* visible(const std::string& id) const;
     void put_away(Participant place, bool show);
     void hide(const std::string& id);
     void trim();

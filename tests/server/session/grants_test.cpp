@@ -114,7 +114,7 @@ TEST_F(GrantsTest, TakesALinkBackForItsOwnSessionOnly) {
 TEST_F(GrantsTest, TellsNobodyWhoHasLeft) {
     const auto made = grants.make("main", Role::Viewer, {});
     grants.attend(made->grant.id, holder);
-    grants.leave(holder);
+    grants.leave(made->grant.id, holder);
     ASSERT_TRUE(grants.revoke("main", made->grant.id));
     EXPECT_TRUE(holder.reasons.empty());
 }
