@@ -271,11 +271,11 @@ void Participants::remove(const std::string& id) {
 
 std::vector<protocol::ParticipantRecord> Participants::shown() const {
     std::vector<protocol::ParticipantRecord> out;
-    for (const Participant& each : present_)
-        out.push_back(record_of(each));
     for (const Absent& each : absent_)
         if (each.shown)
             out.push_back(record_of(each.place));
+    for (const Participant& each : present_)
+        out.push_back(record_of(each));
     return out;
 }
 

@@ -85,7 +85,7 @@ class Participants {
     /// Somebody who is here, or may come back. Error: NotFound.
     core::Result<Participant> find(const std::string& id) const;
 
-    /// As others see them: those connected, and those lost a moment ago.
+    /// As others see them: those lost a moment ago, then those connected; who came last comes last.
     std::vector<protocol::ParticipantRecord> shown() const;
 
   private:
