@@ -44,6 +44,7 @@ __all__ = ["Client", "Session", "Rake", "Surface", "Mesh", "Update", "WakesurfEr
 Point = Sequence[float]
 Json = Dict[str, Any]
 _LONGEST_WAIT_MS = 60_000
+_NULL = object()  # a parameter that is null, not left out
 _FORMATS = (".vtp", ".glb", ".ply", ".obj", ".drc")
 
 
@@ -332,12 +333,12 @@ class Session:
     def redo(self) -> Json:
         return self.call("history.redo")
 
-    def set_time(self, time: float) -> Json:
-        """Sets the clock that everybody in the session shares."""
-        return self.call("time.set", time=time)
+    def set_time(self, time: Optional[float]) -> Json:
+        """Sets the clock that everybody in the session shares; None: no time, surfaces are shown at their end."""
+        return self.call("time.set", time=_NULL if time is None else time)
 
     def play(self, **how: Any) -> Json:
-        """Lets the clock run; `how` as in `time.play`: speed, loop."""
+        """Lets the clock run; `how` as in `time.play`: speed, loop, from, to."""
         return self.call("time.play", **how)
 
     def pause(self) -> Json:
@@ -498,7 +499,7 @@ class Surface(_Record):
                 if header is None or header.pop("subscription") != subscription:
                     continue
                 if header.pop("last"):
-                    socket.notify("frame.ack", subscription=subscription, seq=header["seq"])
+                    socket.notify("frame.ack", subscription=subscription, epoch=header["epoch"], seq=header["seq"])
                     yield Update(self, bytes=size, **header)
                     size = 0
 
@@ -697,6 +698,8 @@ def _header(frame: bytes) -> Optional[Json]:
 
 def _plain(value: Any) -> Any:
     """Arrays, records and tuples as JSON has them."""
+    if value is _NULL:
+        return None
     if isinstance(value, _Record):
         return value.id
     if isinstance(value, np.ndarray):

@@ -115,6 +115,9 @@ constexpr std::string_view shapes = R"json({
     "dragging?": {
       "type": "object", "properties": {"rake": {"type": "string"}, "points": {"type": "array", "items": "#Vector"}}},
     "selected?": {"type": "string"}}},
+"Quantiles": {
+  "type": "object", "description": "in seconds, of the last minute",
+  "properties": {"p50": {"type": "number"}, "p95": {"type": "number"}, "p99": {"type": "number"}, "count": "#Count"}},
 "Role": {"enum": ["viewer", "editor", "host"]},
 "Share": {
   "type": "object",
@@ -169,6 +172,25 @@ constexpr std::string_view results = R"json({
     "capabilities": {"type": "array", "items": {"type": "string"}},
     "limits": {"type": "object", "additionalProperties": "#Count"}}},
 "server.ping": "#Empty",
+"server.stats": {
+  "type": "object",
+  "properties": {
+    "uptime": {"type": "number", "minimum": 0}, "connections": "#Count", "clients": "#Count", "sessions": "#Count",
+    "participants": "#Count", "surfaces": "#Count",
+    "stages": {
+      "type": "object",
+      "properties": {
+        "queue": "#Quantiles", "load": "#Quantiles", "advect": "#Quantiles", "refine": "#Quantiles",
+        "encode": "#Quantiles", "send": "#Quantiles"}},
+    "firstFrame": "#Quantiles",
+    "cache": {
+      "type": "array",
+      "items": {
+        "type": "object",
+        "properties": {
+          "dataset": "#Id", "hits": "#Count", "loads": "#Count", "bytes": "#Count", "budget": "#Count"}}},
+    "memory": {"type": "object", "properties": {"rss": "#Count", "peak": "#Count"}},
+    "messages": "#Count", "frames": "#Count", "bytes": "#Count", "keyframes": "#Count", "dropped": "#Count"}},
 "$/cancelRequest": "#Empty",
 "dataset.list": {"type": "object", "properties": {"datasets": {"type": "array", "items": "#DatasetEntry"}}},
 "dataset.describe": "#Dataset",

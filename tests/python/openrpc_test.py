@@ -134,12 +134,15 @@ class OpenRpcTest(unittest.TestCase):
             ask("surface.stats", surface=moving)
             subscription = ask("surface.subscribe", surface=surface)["subscription"]
             if "frame.ack" in self.methods:
-                ask("frame.ack", subscription=subscription, seq=0)
+                epoch = ask("surface.stats", surface=surface)["epoch"]
+                ask("frame.ack", subscription=subscription, epoch=epoch, seq=0)
             ask("surface.unsubscribe", subscription=subscription)
             refused(wakesurf.NotFound, host, "surface.unsubscribe", subscription=subscription)
-            for method in sorted(self.methods):
-                if method.startswith("time."):
-                    ask(method, **({"time": 1.0} if method == "time.set" else {}))
+            if "time.set" in self.methods:
+                ask("time.set", time=1.0)
+                ask("time.play", speed=2, loop=True, **{"from": 0, "to": 2})
+                ask("time.pause")
+                ask("time.set", time=None)
             mark = ask("bookmark.set", name="here", view={"camera": [1, 2]}, time=1.5)["bookmark"]
             note = ask("annotation.set", text="look", position=[0, 0, 0], surface=surface)["annotation"]
             ask("bookmark.list")
