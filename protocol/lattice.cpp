@@ -7,8 +7,9 @@ namespace wakesurf::protocol {
 
 namespace {
 
-double nearest(double coordinate, double origin, double step) {
-    return std::floor((coordinate - origin) / step + 0.5);
+/// In [n, n + 1) where node n is the nearest.
+double shifted(double coordinate, double origin, double step) {
+    return (coordinate - origin) / step + 0.5;
 }
 
 } // namespace
@@ -30,19 +31,18 @@ bool valid(const Lattice& lattice) {
 }
 
 bool on_lattice(const Lattice& lattice, const core::Vec3& p) {
-    const double last = lattice.last();
-    for (int axis = 0; axis < 3; ++axis) {
-        const double node = nearest(p[axis], lattice.origin[axis], lattice.step);
-        if (!(node >= 0.0 && node <= last))
-            return false;
-    }
-    return true;
+    const double end = lattice.last() + 1.0;
+    const double x = shifted(p.x, lattice.origin.x, lattice.step);
+    const double y = shifted(p.y, lattice.origin.y, lattice.step);
+    const double z = shifted(p.z, lattice.origin.z, lattice.step);
+    return x >= 0.0 && x < end && y >= 0.0 && y < end && z >= 0.0 && z < end;
 }
 
 LatticePoint quantise(const Lattice& lattice, const core::Vec3& p) {
-    return {static_cast<std::int32_t>(nearest(p.x, lattice.origin.x, lattice.step)),
-            static_cast<std::int32_t>(nearest(p.y, lattice.origin.y, lattice.step)),
-            static_cast<std::int32_t>(nearest(p.z, lattice.origin.z, lattice.step))};
+    // None is negative, so cutting off is rounding down.
+    return {static_cast<std::int32_t>(shifted(p.x, lattice.origin.x, lattice.step)),
+            static_cast<std::int32_t>(shifted(p.y, lattice.origin.y, lattice.step)),
+            static_cast<std::int32_t>(shifted(p.z, lattice.origin.z, lattice.step))};
 }
 
 core::Vec3 dequantise(const Lattice& lattice, const LatticePoint& node) {

@@ -75,8 +75,9 @@ core::Result<void> MeshDecoder::check_order(const FrameHeader& h) const {
     if (h.frame_index > 0) {
         if (!update_ || h.frame_index != update_->header.frame_index + 1 ||
             !same_update(update_->header, h))
-            return corrupt(fmt::format("epoch {} update {} frame {} does not follow the frame before",
-                                       h.epoch, h.seq, h.frame_index));
+            return corrupt(
+                fmt::format("epoch {} update {} frame {} does not follow the frame before", h.epoch,
+                            h.seq, h.frame_index));
         return {};
     }
     if (h.is_key()) {
@@ -87,8 +88,7 @@ core::Result<void> MeshDecoder::check_order(const FrameHeader& h) const {
         return {};
     }
     if (!intact_ || update_ || !newest_ || h.epoch != newest_->header.epoch ||
-        h.base_seq != newest_->header.seq ||
-        h.lattice_bits != newest_->mesh->lattice_bits ||
+        h.base_seq != newest_->header.seq || h.lattice_bits != newest_->mesh->lattice_bits ||
         h.attribute_count != newest_->mesh->codes.size())
         return corrupt(fmt::format("epoch {} update {} does not start from the state there is",
                                    h.epoch, h.seq));

@@ -65,7 +65,8 @@ core::Result<void> check_consistency(const FrameHeader& h, std::span<const std::
     const std::uint64_t expected = frame_header_bytes + range_bytes * std::uint64_t{ranges_in(h)} +
                                    h.topology_bytes + h.points_bytes;
     if (bytes.size() != expected)
-        return corrupt(fmt::format("a mesh frame of {} bytes announces {}", bytes.size(), expected));
+        return corrupt(
+            fmt::format("a mesh frame of {} bytes announces {}", bytes.size(), expected));
     constexpr unsigned known = FrameHeader::key | FrameHeader::lossless | FrameHeader::history;
     const bool history = (h.flags & FrameHeader::history) != 0;
     if ((h.flags & ~known) != 0 || (history && !h.is_key()) || h.phase > Phase::Live ||
@@ -151,8 +152,9 @@ core::Result<MeshFrame> read_frame(std::span<const std::byte> bytes) {
         return corrupt("a mesh frame does not match its checksum");
     MeshFrame frame;
     frame.header = parse(bytes);
-    if (auto fine =
-            check_limits(frame.header).and_then([&] { return check_consistency(frame.header, bytes); });
+    if (auto fine = check_limits(frame.header).and_then([&] {
+            return check_consistency(frame.header, bytes);
+        });
         !fine)
         return tl::unexpected(fine.error());
     std::size_t at = frame_header_bytes;

@@ -27,9 +27,10 @@ inline constexpr std::uint8_t max_attributes = 7;
 enum class Phase : std::uint8_t { Coarse, Refined, Final, Live };
 
 struct FrameHeader {
-    static constexpr std::uint8_t key = 1;      ///< starts from the empty state
-    static constexpr std::uint8_t lossless = 2; ///< the state is the server's surface, exact on the lattice
-    static constexpr std::uint8_t history = 4;  ///< a KEY with the changes of its vertices
+    static constexpr std::uint8_t key = 1; ///< starts from the empty state
+    static constexpr std::uint8_t lossless =
+        2; ///< the state is the server's surface, exact on the lattice
+    static constexpr std::uint8_t history = 4; ///< a KEY with the changes of its vertices
 
     std::uint8_t flags = 0;
     std::uint32_t surface = 0; ///< the subscription

@@ -15,15 +15,14 @@ using core::Error;
 /// Counts the indices below `size` that `bad` finds; the error names how many and the first.
 template <class Bad>
 core::Result<void> refuse(std::size_t size, Error::Code code, std::string_view what, Bad bad) {
-    std::size_t count = 0;
     std::size_t first = 0;
-    for (std::size_t i = size; i-- > 0;)
-        if (bad(i)) {
-            ++count;
-            first = i;
-        }
-    if (count == 0)
+    while (first < size && !bad(first))
+        ++first;
+    if (first == size)
         return {};
+    std::size_t count = 1;
+    for (std::size_t i = first + 1; i < size; ++i)
+        count += bad(i);
     return core::fail(code,
                       fmt::format("{} of {} {}, the first is number {}", count, size, what, first),
                       "this is a fault of the surface engine; please report it with the rake");
@@ -61,8 +60,11 @@ guard_mesh(const core::QuadComplex& mesh, const Lattice& lattice, bool attribute
         .and_then([&] {
             return refuse(mesh.cells.size(), Error::Code::Corrupt,
                           "cells use a vertex that does not exist", [&](std::size_t i) {
-                              return std::ranges::any_of(mesh.cells[i].corner, missing) ||
-                                     std::ranges::any_of(mesh.cells[i].mid, missing_mid);
+                              const core::Cell& cell = mesh.cells[i];
+                              bool bad = false;
+                              for (std::size_t side = 0; side < 4; ++side)
+                                  bad |= missing(cell.corner[side]) | missing_mid(cell.mid[side]);
+                              return bad;
                           });
         })
         .and_then([&] { return attributes ? guard_attributes(mesh) : core::Result<void>{}; });

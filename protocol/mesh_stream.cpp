@@ -41,7 +41,10 @@ PointCoding coding_of(PointKind kind, std::size_t attributes, const Tolerance& t
     return coding;
 }
 
-bool differs(const WireMesh& truth, const WireDraft& draft, const PointCoding& coding, std::uint32_t v) {
+bool differs(const WireMesh& truth,
+             const WireDraft& draft,
+             const PointCoding& coding,
+             std::uint32_t v) {
     for (std::size_t k = 0; k < 3; ++k)
         if (std::abs(truth.position[v][k] - draft.position_before[v][k]) > coding.tolerance[0])
             return true;
@@ -126,8 +129,8 @@ core::Result<EncodedUpdate> encode(const WireMesh& before, Step step) {
     header.vertices = draft.vertices();
     header.cells = static_cast<std::uint32_t>(draft.after.cells().size());
     header.state_sum = state_sum(draft.after);
-    const auto ranges =
-        header.is_key() ? std::span<const AttributeRange>(draft.after.ranges) : std::span<const AttributeRange>{};
+    const auto ranges = header.is_key() ? std::span<const AttributeRange>(draft.after.ranges)
+                                        : std::span<const AttributeRange>{};
     auto frames = write_update(header, ranges, write_edit(step.edit), points);
     if (!frames)
         return tl::unexpected(frames.error());
@@ -189,7 +192,14 @@ MeshStream::MeshStream(std::uint32_t surface,
                        Lattice lattice,
                        bool attributes,
                        std::uint32_t first_seq)
-    : held_(std::make_unique<Held>(Held{surface, epoch, lattice, attributes, first_seq, false, {}, {},
+    : held_(std::make_unique<Held>(Held{surface,
+                                        epoch,
+                                        lattice,
+                                        attributes,
+                                        first_seq,
+                                        false,
+                                        {},
+                                        {},
                                         std::make_shared<const WireMesh>()})) {}
 
 MeshStream::~MeshStream() = default;
@@ -207,11 +217,9 @@ void MeshStream::expect(std::vector<AttributeRange> ranges) {
 core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
                                              const UpdateOptions& options) {
     Held& held = *held_;
-    if (auto fine = check_size(given.mesh)
-                        .and_then([&] { return check_ids(given); })
-                        .and_then([&] {
-                            return guard_mesh(given.mesh, held.lattice, held.attributes);
-                        });
+    if (auto fine = check_size(given.mesh).and_then([&] { return check_ids(given); }).and_then([&] {
+            return guard_mesh(given.mesh, held.lattice, held.attributes);
+        });
         !fine)
         return tl::unexpected(fine.error());
     core::KeyedMesh without_cells;
@@ -224,8 +232,7 @@ core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
     if (held.attributes)
         ranges = ranges_for(values, held.started ? std::span(held.state->ranges) : held.ranges);
     bool key = !held.started || options.unrelated || ranges != held.state->ranges;
-    MeshMatch matched =
-        key ? match({}, {}, mesh) : match(held.places, held.state->cells(), mesh);
+    MeshMatch matched = key ? match({}, {}, mesh) : match(held.places, held.state->cells(), mesh);
     const auto vertices = static_cast<double>(mesh.mesh.vertices());
     if (!key && matched.vertices_stay < least_staying * vertices) {
         key = true;
@@ -234,11 +241,12 @@ core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
 
     Step step;
     step.header = held.header(mesh, options.phase, key);
-    step.truth = quantise_mesh(mesh.mesh, held.lattice, values, ranges, matched.places.vertices.place);
-    step.topology = !key && matched.edit.keeps_topology()
-                        ? held.state->topology
-                        : std::make_shared<const WireTopology>(std::move(matched.cells),
-                                                               mesh.mesh.vertices());
+    step.truth =
+        quantise_mesh(mesh.mesh, held.lattice, values, ranges, matched.places.vertices.place);
+    step.topology =
+        !key && matched.edit.keeps_topology()
+            ? held.state->topology
+            : std::make_shared<const WireTopology>(std::move(matched.cells), mesh.mesh.vertices());
     step.edit = std::move(matched.edit);
     step.tolerance = options.tolerance;
     auto update = encode(key ? nothing(held.lattice.bits, ranges) : *held.state, std::move(step));

@@ -18,14 +18,17 @@ std::uint32_t stir(std::uint32_t lane, std::uint32_t value) {
 } // namespace
 
 std::uint32_t word_sum(std::span<const std::byte> bytes) {
-    std::array<std::uint32_t, 4> lane{0x9e3779b1u, 0x85ebca77u, 0xc2b2ae3du, 0x27d4eb2fu};
+    std::uint32_t a = 0x9e3779b1u, b = 0x85ebca77u, c = 0xc2b2ae3du, d = 0x27d4eb2fu;
     std::array<std::uint32_t, 4> four{};
     std::size_t at = 0;
     for (; at + sizeof four <= bytes.size(); at += sizeof four) {
         std::memcpy(four.data(), bytes.data() + at, sizeof four);
-        for (std::size_t i = 0; i < 4; ++i)
-            lane[i] = stir(lane[i], four[i]);
+        a = stir(a, four[0]);
+        b = stir(b, four[1]);
+        c = stir(c, four[2]);
+        d = stir(d, four[3]);
     }
+    std::array<std::uint32_t, 4> lane{a, b, c, d};
     for (std::size_t i = 0; at < bytes.size(); ++i, at += word) {
         std::uint32_t value = 0;
         std::memcpy(&value, bytes.data() + at, std::min(word, bytes.size() - at));

@@ -25,6 +25,7 @@ class Runs {
   public:
     /// REQUIRES: `index` is above everything taken so far.
     void take(std::uint32_t index) { take({index, index + 1}); }
+
     /// A gap of less than `bridge` things to the run before is taken as well.
     void take(Run run, std::uint32_t bridge = 0);
 

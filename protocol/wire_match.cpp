@@ -58,45 +58,77 @@ core::Cell placed(core::Cell cell, std::span<const std::uint32_t> place) {
     return cell;
 }
 
-/// The cells that stay, as everybody has them once the vertices have closed up. A lost corner is no vertex of the new mesh, so
-/// that such a cell differs.
-std::vector<core::Cell> kept_cells(std::span<const core::Cell> before,
-                                   const Runs& removed_cells,
-                                   const Runs& removed_vertices,
-                                   std::size_t vertices_before) {
-    std::vector<core::Cell> cells = without(removed_cells, before);
-    if (removed_vertices.count() > 0) {
-        const auto now =
-            numbers_after(removed_vertices, static_cast<std::uint32_t>(vertices_before));
-        for (core::Cell& cell : cells)
-            cell = placed(cell, now);
+bool identity(std::span<const std::uint32_t> place) {
+    for (std::uint32_t i = 0; i < place.size(); ++i)
+        if (place[i] != i)
+            return false;
+    return true;
+}
+
+/// The cells of a mesh by place, with places for vertices.
+std::vector<core::Cell> placed_cells(std::span<const core::Cell> cells,
+                                     std::span<const std::uint32_t> cell_place,
+                                     std::span<const std::uint32_t> vertex_place) {
+    if (identity(cell_place) && identity(vertex_place))
+        return {cells.begin(), cells.end()};
+    std::vector<core::Cell> result(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        result[cell_place[i]] = placed(cells[i], vertex_place);
+    return result;
+}
+
+/// Calls each(place after, cell before) for the cells that stay.
+template <class Each>
+void for_each_kept(std::span<const core::Cell> before, const Runs& removed, Each each) {
+    std::uint32_t at = 0;
+    std::uint32_t next = 0;
+    for (const Run& run : removed.all()) {
+        while (at < run.begin)
+            each(next++, before[at++]);
+        at = run.end;
     }
-    return cells;
+    while (at < before.size())
+        each(next++, before[at++]);
+}
+
+/// Takes cells that stay but are not as everybody has them once the vertices have closed up. A lost corner is no vertex of the new mesh,
+/// so that such a cell differs.
+void replace_changed(TopologyEdit& edit,
+                     std::span<const core::Cell> before,
+                     std::span<const core::Cell> after,
+                     std::size_t vertices_before) {
+    const auto compare = [&](std::uint32_t place, const core::Cell& cell) {
+        if (cell != after[place]) {
+            edit.replaced_cells.take(place);
+            edit.cells.push_back(after[place]);
+        }
+    };
+    if (edit.removed_vertices.count() == 0) {
+        for_each_kept(before, edit.removed_cells, compare);
+        return;
+    }
+    const auto now =
+        numbers_after(edit.removed_vertices, static_cast<std::uint32_t>(vertices_before));
+    for_each_kept(before, edit.removed_cells, [&](std::uint32_t place, const core::Cell& cell) {
+        compare(place, placed(cell, now));
+    });
 }
 
 } // namespace
 
-MeshMatch match(const MeshPlaces& held, std::span<const core::Cell> before, const core::KeyedMesh& mesh) {
+MeshMatch
+match(const MeshPlaces& held, std::span<const core::Cell> before, const core::KeyedMesh& mesh) {
     MeshMatch result;
     Matched vertices = match_ids(held.vertices, mesh.vertex_id);
     Matched cells = match_ids(held.cells, mesh.cell_id);
-    result.cells.resize(mesh.mesh.cells.size());
-    for (std::size_t i = 0; i < result.cells.size(); ++i)
-        result.cells[cells.places.place[i]] = placed(mesh.mesh.cells[i], vertices.places.place);
-    const auto kept =
-        kept_cells(before, cells.removed, vertices.removed, held.vertices.id.size());
-    for (std::uint32_t i = 0; i < cells.stay; ++i)
-        if (kept[i] != result.cells[i]) {
-            result.edit.replaced_cells.take(i);
-            result.edit.cells.push_back(result.cells[i]);
-        }
-    result.edit.cells.insert(result.edit.cells.end(), result.cells.begin() + cells.stay,
-                             result.cells.end());
-    result.edit.added_cells = static_cast<std::uint32_t>(result.cells.size()) - cells.stay;
-    result.edit.removed_cells = std::move(cells.removed);
-    result.edit.removed_vertices = std::move(vertices.removed);
-    result.edit.added_vertices =
-        static_cast<std::uint32_t>(mesh.vertex_id.size()) - vertices.stay;
+    result.cells = placed_cells(mesh.mesh.cells, cells.places.place, vertices.places.place);
+    TopologyEdit& edit = result.edit;
+    edit.removed_cells = std::move(cells.removed);
+    edit.removed_vertices = std::move(vertices.removed);
+    edit.added_vertices = static_cast<std::uint32_t>(mesh.vertex_id.size()) - vertices.stay;
+    edit.added_cells = static_cast<std::uint32_t>(result.cells.size()) - cells.stay;
+    replace_changed(edit, before, result.cells, held.vertices.id.size());
+    edit.cells.insert(edit.cells.end(), result.cells.begin() + cells.stay, result.cells.end());
     result.vertices_stay = vertices.stay;
     result.places = {std::move(vertices.places), std::move(cells.places)};
     return result;
@@ -110,11 +142,12 @@ core::Result<void> check_ids(const core::KeyedMesh& mesh) {
         mesh.cell_id.size() == mesh.mesh.cells.size() && !descends(mesh.vertex_id) &&
         !descends(mesh.cell_id))
         return {};
-    return core::fail(core::Error::Code::Corrupt,
-                      fmt::format("the ids of a mesh of {} vertices and {} cells do not ascend, one "
-                                  "for each",
-                                  mesh.mesh.vertices(), mesh.mesh.cells.size()),
-                      "this is a fault of the surface engine; please report it with the rake");
+    return core::fail(
+        core::Error::Code::Corrupt,
+        fmt::format("the ids of a mesh of {} vertices and {} cells do not ascend, one "
+                    "for each",
+                    mesh.mesh.vertices(), mesh.mesh.cells.size()),
+        "this is a fault of the surface engine; please report it with the rake");
 }
 
 } // namespace wakesurf::protocol

@@ -36,7 +36,8 @@ struct MeshMatch {
 /// @param before  its cells
 /// REQUIRES: ids ascend, as many as there are vertices and cells, and cells name vertices that exist.
 /// Cost: O(both).
-MeshMatch match(const MeshPlaces& held, std::span<const core::Cell> before, const core::KeyedMesh& mesh);
+MeshMatch
+match(const MeshPlaces& held, std::span<const core::Cell> before, const core::KeyedMesh& mesh);
 
 /// Error: Corrupt for ids that do not ascend or are not one for each.
 core::Result<void> check_ids(const core::KeyedMesh& mesh);

@@ -2,7 +2,6 @@
 
 #include "protocol/state_sum.hpp"
 
-#include <algorithm>
 #include <span>
 
 namespace wakesurf::protocol {
@@ -23,14 +22,6 @@ double AttributeRange::value(std::uint16_t code) const {
     return double{lo} + (double{hi} - double{lo}) * code / 65535.0;
 }
 
-std::uint16_t AttributeRange::code(double value) const {
-    const double width = double{hi} - double{lo};
-    if (!(width > 0.0))
-        return 0;
-    return static_cast<std::uint16_t>(
-        std::clamp((value - double{lo}) * (65535.0 / width) + 0.5, 0.0, 65535.0));
-}
-
 std::size_t WireMesh::bytes() const {
     std::size_t codes_bytes = 0;
     for (const auto& attribute : codes)
@@ -41,10 +32,9 @@ std::size_t WireMesh::bytes() const {
 }
 
 std::uint32_t state_sum(const WireMesh& mesh) {
-    std::vector<std::uint32_t> parts{static_cast<std::uint32_t>(mesh.vertices()),
-                                     sum_of(mesh.position),
-                                     static_cast<std::uint32_t>(mesh.cells().size()),
-                                     sum_of(mesh.cells())};
+    std::vector<std::uint32_t> parts{
+        static_cast<std::uint32_t>(mesh.vertices()), sum_of(mesh.position),
+        static_cast<std::uint32_t>(mesh.cells().size()), sum_of(mesh.cells())};
     for (const auto& attribute : mesh.codes)
         parts.push_back(sum_of(attribute));
     return sum_of(parts);

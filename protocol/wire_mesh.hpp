@@ -5,6 +5,7 @@
 #include "protocol/lattice.hpp"
 #include "protocol/wire_topology.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -22,8 +23,18 @@ struct AttributeRange {
     float hi = 0;
 
     double value(std::uint16_t code) const;
+
+    /// Codes a unit; 0 for a range without width.
+    double scale() const { return hi > lo ? 65535.0 / (double{hi} - double{lo}) : 0.0; }
+
     /// The nearest code; values outside go to the end. REQUIRES: a finite value.
-    std::uint16_t code(double value) const;
+    std::uint16_t code(double value) const { return code(value, scale()); }
+
+    /// The same for many values. @param scale  scale()
+    std::uint16_t code(double value, double scale) const {
+        return static_cast<std::uint16_t>(
+            std::min(std::max((value - double{lo}) * scale + 0.5, 0.0), 65535.0));
+    }
 
     bool operator==(const AttributeRange&) const = default;
 };
@@ -33,7 +44,7 @@ struct WireMesh {
     double time = 0.0; ///< simulation time
     std::vector<AttributeRange> ranges;
     std::vector<LatticePoint> position;
-    std::vector<LatticePoint> change;              ///< of the position by the last update, one a vertex
+    std::vector<LatticePoint> change; ///< of the position by the last update, one a vertex
     std::vector<std::vector<std::uint16_t>> codes; ///< one array an attribute, one code a vertex
     std::shared_ptr<const WireTopology> topology = std::make_shared<const WireTopology>();
 

@@ -94,9 +94,8 @@ void append_escapes(Bytes& bytes,
     }
 }
 
-core::Result<Bytes> draco_block(std::span<const Slice> slices,
-                                const Division& division,
-                                std::uint32_t count) {
+core::Result<Bytes>
+draco_block(std::span<const Slice> slices, const Division& division, std::uint32_t count) {
     std::vector<std::vector<std::int32_t>> cleared; // of what escapes
     cleared.reserve(slices.size());
     std::vector<Slice> coded;
@@ -204,8 +203,7 @@ Escapes read_escapes(BlockReader& in, std::uint32_t count, std::size_t component
 }
 
 std::span<std::int32_t> values_of(Residuals& residuals, std::size_t channel) {
-    return channel == 0 ? std::span(residuals.position)
-                        : std::span(residuals.codes[channel - 1]);
+    return channel == 0 ? std::span(residuals.position) : std::span(residuals.codes[channel - 1]);
 }
 
 void put_escapes(Residuals& residuals, const Escapes& escapes) {
@@ -218,7 +216,8 @@ void put_escapes(Residuals& residuals, const Escapes& escapes) {
 
 } // namespace
 
-core::Result<Bytes> write_block(const Residuals& residuals, std::uint32_t begin, std::uint32_t end) {
+core::Result<Bytes>
+write_block(const Residuals& residuals, std::uint32_t begin, std::uint32_t end) {
     const PointCoding& coding = residuals.coding;
     const auto slices = slices_of(residuals, begin, end);
     const Division division = divide(slices, end - begin);

@@ -92,7 +92,8 @@ inline ChangeSeries changes_of(WireDraft& draft) {
 }
 
 template <class Series, int predictor>
-std::int32_t predicted_move(const Series& x, const Neighbours& near, std::uint32_t v, std::size_t k) {
+std::int32_t
+predicted_move(const Series& x, const Neighbours& near, std::uint32_t v, std::size_t k) {
     const std::uint32_t a = near.highest;
     const std::uint32_t b = near.lowest;
     std::int32_t change = 0;
@@ -103,9 +104,9 @@ std::int32_t predicted_move(const Series& x, const Neighbours& near, std::uint32
     else if (predictor == 3)
         change = x.last_change(v, k) + x.change(a, k) - x.last_change(a, k);
     else if (predictor == 4)
-        change = x.last_change(v, k) + ((x.change(a, k) - x.last_change(a, k) + x.change(b, k) -
-                                         x.last_change(b, k)) >>
-                                        1);
+        change =
+            x.last_change(v, k) +
+            ((x.change(a, k) - x.last_change(a, k) + x.change(b, k) - x.last_change(b, k)) >> 1);
     else if (predictor == 5 && near.opposite != core::no_vertex)
         change = x.change(near.beside, k) + x.change(near.beside2, k) - x.change(near.opposite, k);
     else
@@ -123,8 +124,8 @@ inline int possible_predictor(int wanted,
         return -1;
     const Neighbours& lowest = all[near.lowest];
     const Neighbours& highest = all[near.highest];
-    if (wanted == 5 && (lowest.lowest == none || highest.lowest == none ||
-                        all[highest.lowest].lowest == none))
+    if (wanted == 5 &&
+        (lowest.lowest == none || highest.lowest == none || all[highest.lowest].lowest == none))
         wanted = 4;
     if (wanted == 4 && near.beside == none)
         wanted = 2;
@@ -145,10 +146,14 @@ std::int32_t predicted_addition(const Series& x,
     const std::uint32_t a = near.highest;
     const std::uint32_t b = near.lowest;
     switch (predictor) {
-    case 0: return x.at(a, k);
-    case 1: return x.at(b, k);
-    case 2: return 2 * x.at(a, k) - x.at(all[a].highest, k);
-    case 3: return 2 * x.at(b, k) - x.at(all[b].lowest, k);
+    case 0:
+        return x.at(a, k);
+    case 1:
+        return x.at(b, k);
+    case 2:
+        return 2 * x.at(a, k) - x.at(all[a].highest, k);
+    case 3:
+        return 2 * x.at(b, k) - x.at(all[b].lowest, k);
     case 4: {
         const std::int32_t sum = x.at(near.beside, k) + x.at(near.beside2, k);
         return near.opposite == core::no_vertex ? sum >> 1 : sum - x.at(near.opposite, k);
@@ -156,9 +161,12 @@ std::int32_t predicted_addition(const Series& x,
     case 5:
         return 2 * x.at(b, k) - x.at(all[b].lowest, k) + x.at(a, k) - 2 * x.at(all[a].lowest, k) +
                x.at(all[all[a].lowest].lowest, k);
-    case 6: return (x.at(a, k) + x.at(b, k)) >> 1;
-    case 7: return x.at_before(b, k);
-    default: return v > 0 ? x.at(v - 1, k) : 0;
+    case 6:
+        return (x.at(a, k) + x.at(b, k)) >> 1;
+    case 7:
+        return x.at_before(b, k);
+    default:
+        return v > 0 ? x.at(v - 1, k) : 0;
     }
 }
 
@@ -176,12 +184,18 @@ void predict_moved(const Series& x,
                 each(i, coded[i], k, predicted_move<Series, p>(x, all[coded[i]], coded[i], k));
     };
     switch (predictor) {
-    case 0: return run(std::integral_constant<int, 0>());
-    case 1: return run(std::integral_constant<int, 1>());
-    case 2: return run(std::integral_constant<int, 2>());
-    case 3: return run(std::integral_constant<int, 3>());
-    case 4: return run(std::integral_constant<int, 4>());
-    default: return run(std::integral_constant<int, 5>());
+    case 0:
+        return run(std::integral_constant<int, 0>());
+    case 1:
+        return run(std::integral_constant<int, 1>());
+    case 2:
+        return run(std::integral_constant<int, 2>());
+    case 3:
+        return run(std::integral_constant<int, 3>());
+    case 4:
+        return run(std::integral_constant<int, 4>());
+    default:
+        return run(std::integral_constant<int, 5>());
     }
 }
 

@@ -13,7 +13,12 @@ constexpr double slack = 1e-6;
 AttributeRange range_for(std::span<const double> values, const AttributeRange* held) {
     if (values.empty())
         return held != nullptr ? *held : AttributeRange{};
-    const auto [lo, hi] = std::ranges::minmax(values);
+    double lo = values.front();
+    double hi = lo;
+    for (const double value : values) {
+        lo = std::min(lo, value);
+        hi = std::max(hi, value);
+    }
     if (held == nullptr)
         return {static_cast<float>(lo), static_cast<float>(hi)};
     const double allowed = slack * (double{held->hi} - double{held->lo});
@@ -40,8 +45,8 @@ AttributeValues attribute_values(const core::QuadComplex& mesh) {
 std::vector<AttributeRange> ranges_for(const AttributeValues& values,
                                        std::span<const AttributeRange> held) {
     std::vector<AttributeRange> ranges;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        ranges.push_back(range_for(values[i], held.empty() ? nullptr : &held[i]));
+    for (const auto each : values.all())
+        ranges.push_back(range_for(each, held.empty() ? nullptr : &held[ranges.size()]));
     return ranges;
 }
 
@@ -58,8 +63,11 @@ WireMesh quantise_mesh(const core::QuadComplex& mesh,
         result.position[place[i]] = quantise(lattice, mesh.position[i]);
     for (std::size_t a = 0; a < ranges.size(); ++a) {
         auto& codes = result.codes.emplace_back(place.size());
+        const auto all = values.all()[a];
+        const AttributeRange range = ranges[a];
+        const double scale = range.scale();
         for (std::size_t i = 0; i < place.size(); ++i)
-            codes[place[i]] = ranges[a].code(values[a][i]);
+            codes[place[i]] = range.code(all[i], scale);
     }
     return result;
 }

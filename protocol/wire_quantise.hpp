@@ -13,8 +13,15 @@
 
 namespace wakesurf::protocol {
 
-/// Speed, s and t of each vertex: `values[attribute][vertex]`.
-using AttributeValues = std::array<std::vector<double>, surface_attributes.size()>;
+/// Speed, s and t of each vertex; s and t as the mesh holds them, which must outlive this.
+struct AttributeValues {
+    std::vector<double> speed;
+    std::span<const double> s, t;
+
+    std::array<std::span<const double>, surface_attributes.size()> all() const {
+        return {speed, s, t};
+    }
+};
 
 AttributeValues attribute_values(const core::QuadComplex& mesh);
 

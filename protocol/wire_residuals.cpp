@@ -104,7 +104,7 @@ void decode(const WireDraft& draft,
 }
 
 constexpr std::size_t trial_segments = 8;
-constexpr std::size_t trial_length = 512;
+constexpr std::size_t trial_length = 256;
 
 /// About the bits that an entropy coder needs, for some stretches of the vertices.
 class BitEstimate {
@@ -120,7 +120,9 @@ class BitEstimate {
 
     double bits() const {
         constexpr std::size_t zero = 31;
-        double sum = far_ + (histogram_[zero] == total_ ? 0.0 : 1.0); // nothing is cheaper than something constant
+        double sum =
+            far_ +
+            (histogram_[zero] == total_ ? 0.0 : 1.0); // nothing is cheaper than something constant
         for (const std::uint32_t n : histogram_)
             if (n > 0)
                 sum -= n * std::log2(static_cast<double>(n) / total_);
@@ -149,8 +151,9 @@ std::uint8_t best_predictor(const WireDraft& draft,
                             std::size_t channel,
                             Coded coded) {
     const bool moved = coding.kind == PointKind::Moved;
-    const std::size_t segments = coded.size() <= trial_segments * trial_length ? 1 : trial_segments;
-    const std::size_t length = segments == 1 ? coded.size() : trial_length;
+    const std::size_t length = std::min(coded.size(), trial_length);
+    const std::size_t segments =
+        std::clamp<std::size_t>(coded.size() / (4 * length), 1, trial_segments);
     set_truth(x, truth, moved, coded);
     std::vector<std::int32_t> residuals(length * Series::components);
     std::uint8_t best = 0;
@@ -191,9 +194,8 @@ auto code_of(const WireMesh& truth, std::size_t attribute) {
 }
 
 auto change_of(const WireMesh& truth) {
-    return [changes = truth.change.data()](std::uint32_t v, std::size_t k) {
-        return changes[v][k];
-    };
+    return
+        [changes = truth.change.data()](std::uint32_t v, std::size_t k) { return changes[v][k]; };
 }
 
 } // namespace

@@ -12,11 +12,13 @@ namespace wakesurf::protocol {
 
 /// Neighbours of one vertex; `core::no_vertex` where there is none. All are below the vertex.
 struct Neighbours {
-    std::uint32_t highest = core::no_vertex;  ///< a
-    std::uint32_t lowest = core::no_vertex;   ///< b
-    std::uint32_t beside = core::no_vertex;   ///< p, of the first cell whose other corners are all lower
-    std::uint32_t beside2 = core::no_vertex;  ///< n
-    std::uint32_t opposite = core::no_vertex; ///< o; none where p and n are the ends of the side the vertex hangs on
+    std::uint32_t highest = core::no_vertex; ///< a
+    std::uint32_t lowest = core::no_vertex;  ///< b
+    std::uint32_t beside =
+        core::no_vertex; ///< p, of the first cell whose other corners are all lower
+    std::uint32_t beside2 = core::no_vertex; ///< n
+    std::uint32_t opposite =
+        core::no_vertex; ///< o; none where p and n are the ends of the side the vertex hangs on
 
     bool operator==(const Neighbours&) const = default;
 };

@@ -31,8 +31,7 @@ std::vector<Piece> cut(std::span<const Residuals> points) {
     for (const Residuals& residuals : points) {
         const std::uint32_t parts = (residuals.count + block_vertices - 1) / block_vertices;
         for (std::uint64_t i = 0; i < parts; ++i)
-            pieces.push_back({&residuals,
-                              static_cast<std::uint32_t>(i * residuals.count / parts),
+            pieces.push_back({&residuals, static_cast<std::uint32_t>(i * residuals.count / parts),
                               static_cast<std::uint32_t>((i + 1) * residuals.count / parts)});
     }
     return pieces;
@@ -114,8 +113,8 @@ core::Result<SharedFrames> write_update(FrameHeader header,
     for (const Parts& part : parts) {
         header.frame_index = static_cast<std::uint16_t>(frames.size());
         const auto own_ranges = frames.empty() ? ranges : std::span<const AttributeRange>{};
-        frames.push_back(std::make_shared<const Bytes>(
-            write_frame({header, {own_ranges.begin(), own_ranges.end()}, part.topology, part.points})));
+        frames.push_back(std::make_shared<const Bytes>(write_frame(
+            {header, {own_ranges.begin(), own_ranges.end()}, part.topology, part.points})));
     }
     return frames;
 }

@@ -47,28 +47,35 @@ Scene scene_in(std::shared_ptr<const server::LoadedDataset> dataset,
         core::Rake::Kind::Line, {box.lo + box.extent() * begin, box.lo + box.extent() * end}, 32};
     const auto& times = dataset->info.times;
     const double from = times.empty() ? 0.0 : times.front();
-    return {dataset, dataset->flow.get(), rake, from, times.size() > 1 ? std::min(to, times.back()) : to};
+    return {dataset, dataset->flow.get(), rake, from,
+            times.size() > 1 ? std::min(to, times.back()) : to};
 }
 
-Scene named_scene(const std::string& name, const core::Vec3& begin, const core::Vec3& end, double to) {
-    auto loaded = server::resolve_dataset(name).and_then([](const server::DatasetArgument& argument) {
-        return server::open_dataset(argument, {server::default_store_root(), {}},
-                                    [](const server::ImportProgress&) {});
-    });
+Scene named_scene(const std::string& name,
+                  const core::Vec3& begin,
+                  const core::Vec3& end,
+                  double to) {
+    auto loaded =
+        server::resolve_dataset(name).and_then([](const server::DatasetArgument& argument) {
+            return server::open_dataset(argument, {server::default_store_root(), {}},
+                                        [](const server::ImportProgress&) {});
+        });
     if (!loaded)
         throw std::runtime_error(loaded.error().message);
-    return scene_in(std::make_shared<const server::LoadedDataset>(std::move(*loaded)), begin, end, to);
+    return scene_in(std::make_shared<const server::LoadedDataset>(std::move(*loaded)), begin, end,
+                    to);
 }
 
 Scene abc_scene() {
     const SampledFlow& sampled = sampled_slow_abc();
-    return {nullptr, sampled.flow.get(),
-            {core::Rake::Kind::Line, {{0.7, 2.0, 3.0}, {5.5, 4.0, 3.5}}, 16}, 0.0,
+    return {nullptr,
+            sampled.flow.get(),
+            {core::Rake::Kind::Line, {{0.7, 2.0, 3.0}, {5.5, 4.0, 3.5}}, 16},
+            0.0,
             static_cast<double>(SampledFlow::period) * sampled.interval};
 }
 
-core::SurfaceParameters
-parameters(const Scene& scene, core::SurfaceKind kind, double separation) {
+core::SurfaceParameters parameters(const Scene& scene, core::SurfaceKind kind, double separation) {
     core::SurfaceParameters p;
     p.kind = kind;
     p.from = scene.from;
@@ -87,7 +94,8 @@ void step(core::MovingSurface& surface) {
 core::MovingSurface streak(const Scene& scene, double separation, double vertices) {
     static const core::SteadyClock clock;
     auto surface = core::MovingSurface::start(
-        *scene.flow, scene.rake, parameters(scene, core::SurfaceKind::Streak, separation), {}, clock);
+        *scene.flow, scene.rake, parameters(scene, core::SurfaceKind::Streak, separation), {},
+        clock);
     if (!surface)
         throw std::runtime_error(surface.error().message);
     while (surface->time() < scene.from + 0.9 * (scene.to - scene.from) &&
@@ -163,7 +171,8 @@ void measure_moves(benchmark::State& state, const std::function<Scene()>& make) 
                     draco_fine += draco_mesh_bytes(mesh.mesh, lattice, 3);
                     for (std::size_t v = 0; v < before.mesh.vertices() / 2; ++v)
                         if (before.vertex_id[v] == mesh.vertex_id[v]) {
-                            moved += glm::length(mesh.mesh.position[v] - before.mesh.position[v]) / lattice.step;
+                            moved += glm::length(mesh.mesh.position[v] - before.mesh.position[v]) /
+                                     lattice.step;
                             moving += 1.0;
                         }
                 }
@@ -175,15 +184,23 @@ void measure_moves(benchmark::State& state, const std::function<Scene()>& make) 
             state.counters["bytes_per_vertex"] = live.bytes / live.vertices;
             state.counters["percent_of_raw"] = 100.0 * live.bytes / live.vertices / raw_bytes;
             state.counters["target_percent_of_raw"] = target_move_percent_of_raw;
-            state.counters["percent_of_draco_mesh"] = 100.0 * live.bytes / static_cast<double>(draco);
+            state.counters["percent_of_draco_mesh"] =
+                100.0 * live.bytes / static_cast<double>(draco);
             state.counters["target_percent_of_draco_mesh"] = target_move_percent_of_draco;
-            state.counters["percent_of_draco_mesh_speed_3"] = 100.0 * live.bytes / static_cast<double>(draco_fine);
-            state.counters["lossless_percent_of_raw"] = 100.0 * exact.bytes / exact.vertices / raw_bytes;
-            state.counters["lossless_percent_of_draco_mesh"] = 100.0 * exact.bytes / static_cast<double>(draco);
-            state.counters["encode_million_vertices_per_second"] = 1e-6 * live.vertices / live.encode_seconds;
-            state.counters["target_encode_million_vertices_per_second"] = target_encode_million_vertices;
-            state.counters["lossless_encode_million_vertices_per_second"] = 1e-6 * exact.vertices / exact.encode_seconds;
-            state.counters["decode_million_vertices_per_second"] = 1e-6 * live.vertices / live.decode_seconds;
+            state.counters["percent_of_draco_mesh_speed_3"] =
+                100.0 * live.bytes / static_cast<double>(draco_fine);
+            state.counters["lossless_percent_of_raw"] =
+                100.0 * exact.bytes / exact.vertices / raw_bytes;
+            state.counters["lossless_percent_of_draco_mesh"] =
+                100.0 * exact.bytes / static_cast<double>(draco);
+            state.counters["encode_million_vertices_per_second"] =
+                1e-6 * live.vertices / live.encode_seconds;
+            state.counters["target_encode_million_vertices_per_second"] =
+                target_encode_million_vertices;
+            state.counters["lossless_encode_million_vertices_per_second"] =
+                1e-6 * exact.vertices / exact.encode_seconds;
+            state.counters["decode_million_vertices_per_second"] =
+                1e-6 * live.vertices / live.decode_seconds;
         }
     });
 }
@@ -192,8 +209,8 @@ void measure_moves(benchmark::State& state, const std::function<Scene()>& make) 
 core::QuadComplex grown_stream(const Scene& scene) {
     double separation = 2.0 * scene.flow->finest_spacing();
     while (true) {
-        auto surface = core::build_surface(*scene.flow, scene.rake,
-                                           parameters(scene, core::SurfaceKind::Stream, separation));
+        auto surface = core::build_surface(
+            *scene.flow, scene.rake, parameters(scene, core::SurfaceKind::Stream, separation));
         if (!surface)
             throw std::runtime_error(surface.error().message);
         const auto vertices = static_cast<double>(surface->mesh.vertices());
@@ -203,7 +220,9 @@ core::QuadComplex grown_stream(const Scene& scene) {
     }
 }
 
-void measure_appends(benchmark::State& state, const std::function<Scene()>& make, double rows_an_update) {
+void measure_appends(benchmark::State& state,
+                     const std::function<Scene()>& make,
+                     double rows_an_update) {
     on_one_core([&] {
         const Scene scene = make();
         const protocol::Lattice lattice = protocol::lattice_over(scene.flow->domain());
@@ -243,10 +262,19 @@ void add(const std::string& name, std::function<void(benchmark::State&)> measure
 
 void register_wire_benchmarks(std::shared_ptr<const server::LoadedDataset> dataset) {
     const std::pair<std::string, std::function<Scene()>> scenes[] = {
-        {"bundled", [=] { return scene_in(dataset, {0.2, 0.35, 0.1}, {0.2, 0.65, 0.9}, 1e9); }},
-        {"tornado", [] { return named_scene("flow:tornado", {0.4, 0.5, 0.1}, {0.6, 0.5, 0.8}, 4.0); }},
+        {"bundled",
+         [=] {
+             return scene_in(dataset, {0.2, 0.35, 0.1}, {0.2, 0.65, 0.9}, 1e9);
+         }},
+        {"tornado",
+         [] {
+             return named_scene("flow:tornado", {0.4, 0.5, 0.1}, {0.6, 0.5, 0.8}, 4.0);
+         }},
         {"abc", abc_scene},
-        {"double_gyre", [] { return named_scene("flow:double-gyre", {0.3, 0.2, 0.4}, {0.3, 0.8, 0.6}, 10.0); }},
+        {"double_gyre",
+         [] {
+             return named_scene("flow:double-gyre", {0.3, 0.2, 0.4}, {0.3, 0.8, 0.6}, 10.0);
+         }},
     };
     for (const auto& [name, make] : scenes) {
         add("wire/move/" + name, [make](benchmark::State& state) { measure_moves(state, make); });

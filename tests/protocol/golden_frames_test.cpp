@@ -44,7 +44,8 @@ Frames living(std::uint32_t seed, int updates, std::uint32_t columns, int join_e
         if (random() % 5 == 0)
             options = {};
         const EncodedUpdate update = samples::next(stream, surface.next(), options);
-        add(frames, i % join_every == join_every - 1 ? encode_key(3, update)->frames : update.frames);
+        add(frames,
+            i % join_every == join_every - 1 ? encode_key(3, update)->frames : update.frames);
     }
     return frames;
 }
@@ -61,7 +62,8 @@ Frames growing() {
         part.s.resize(24 * rows);
         part.t.resize(24 * rows);
         part.velocity.resize(24 * rows);
-        std::erase_if(part.cells, [&](const core::Cell& cell) { return cell.corner[2] >= 24 * rows; });
+        std::erase_if(part.cells,
+                      [&](const core::Cell& cell) { return cell.corner[2] >= 24 * rows; });
         add(frames, samples::next(stream, with_ids(part, 0.5 * rows)).frames);
     }
     return frames;
@@ -70,8 +72,8 @@ Frames growing() {
 /// What each golden file holds.
 std::map<std::string, Frames> golden() {
     Frames refined = made(samples::sheet(4, 6), {.surface = 2, .epoch = 7, .seq = 0});
-    for (auto& frame :
-         made(samples::hanging_sheet(9, 12, 2), {.surface = 2, .epoch = 7, .seq = 1, .final = true}))
+    for (auto& frame : made(samples::hanging_sheet(9, 12, 2),
+                            {.surface = 2, .epoch = 7, .seq = 1, .final = true}))
         refined.push_back(std::move(frame));
     return {
         {"sheet", made(samples::sheet(12, 20), {.surface = 1, .epoch = 1, .final = true})},
@@ -251,7 +253,8 @@ TEST_F(GoldenFrames, AreWhatTheEncoderWritesToday) {
         const Frames stored = split(read(folder / (name + ".bin")));
         ASSERT_EQ(stored.size(), today.size()) << name;
         for (std::size_t i = 0; i < stored.size(); ++i) {
-            ASSERT_EQ(without_points(stored[i]), without_points(today[i])) << name << " frame " << i;
+            ASSERT_EQ(without_points(stored[i]), without_points(today[i]))
+                << name << " frame " << i;
             ASSERT_EQ(read_frame(stored[i])->ranges, read_frame(today[i])->ranges) << name;
         }
     }

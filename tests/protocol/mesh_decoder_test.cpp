@@ -56,7 +56,8 @@ TEST(MeshDecoder, ShowsAStateOnlyWhenAllItsFramesAreThere) {
 TEST(MeshDecoder, RefusesLostRepeatedAndReorderedFramesUntilAKeyComes) {
     const auto f = long_key();
     ASSERT_GE(f.size(), 3u);
-    for (const auto& bad : {std::vector{f[0], f[2]}, std::vector{f[0], f[1], f[1]}, std::vector{f[1]}}) {
+    for (const auto& bad :
+         {std::vector{f[0], f[2]}, std::vector{f[0], f[1], f[1]}, std::vector{f[1]}}) {
         MeshDecoder decoder;
         for (std::size_t i = 0; i + 1 < bad.size(); ++i)
             ASSERT_TRUE(decoder.fold(*bad[i]).has_value());
@@ -149,7 +150,8 @@ TEST(MeshDecoder, RefusesEveryMutatedOrTruncatedFrameAndComesBackWithAKey) {
             else
                 bad.resize(random() % bad.size());
             const auto held = good.newest();
-            ASSERT_FALSE(good.fold(bad).has_value()) << "update " << update.seq << ", mutation " << i;
+            ASSERT_FALSE(good.fold(bad).has_value())
+                << "update " << update.seq << ", mutation " << i;
             EXPECT_TRUE(good.needs_key());
             EXPECT_EQ(good.newest().has_value(), held.has_value()) << "what was there stays";
         }

@@ -158,7 +158,8 @@ class PlacesTwin {
     const std::vector<std::uint32_t>& cells() const { return cells_; }
 
   private:
-    static void follow(std::vector<std::uint32_t>& held, const std::vector<std::uint32_t>& ids, bool key) {
+    static void
+    follow(std::vector<std::uint32_t>& held, const std::vector<std::uint32_t>& ids, bool key) {
         if (key)
             held.clear();
         std::erase_if(held, [&](std::uint32_t id) { return !std::ranges::binary_search(ids, id); });
@@ -173,7 +174,8 @@ class PlacesTwin {
     std::vector<std::uint32_t> cells_;
 };
 
-inline EncodedUpdate next(MeshStream& stream, const core::KeyedMesh& mesh, const UpdateOptions& options = {}) {
+inline EncodedUpdate
+next(MeshStream& stream, const core::KeyedMesh& mesh, const UpdateOptions& options = {}) {
     auto update = stream.next(mesh, options);
     EXPECT_TRUE(update.has_value()) << (update ? "" : update.error().message);
     return update ? std::move(*update) : EncodedUpdate{};

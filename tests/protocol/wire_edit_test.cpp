@@ -39,9 +39,9 @@ RandomEdit random_edit(std::uint32_t seed) {
     r.edit.replaced_cells = random_runs(random, cells_stay);
     r.edit.added_cells = below(random, 60);
     r.after = {vertices_stay + r.edit.added_vertices, cells_stay + r.edit.added_cells};
-    r.edit.cells = samples::chaos(r.after.vertices,
-                                  r.edit.replaced_cells.count() + r.edit.added_cells, seed)
-                       .cells;
+    r.edit.cells =
+        samples::chaos(r.after.vertices, r.edit.replaced_cells.count() + r.edit.added_cells, seed)
+            .cells;
     return r;
 }
 
@@ -70,7 +70,8 @@ TEST(WireEdit, IsRefusedWhenItLeadsToAnotherMeshOrIsDamaged) {
         for (int i = 0; i < 200; ++i) {
             Bytes bad = good;
             bad[random() % bad.size()] ^= static_cast<std::byte>(1 + random() % 255);
-            if (const auto read = read_edit(bad, r.before, r.after)) { // another edit, but a whole one
+            if (const auto read =
+                    read_edit(bad, r.before, r.after)) { // another edit, but a whole one
                 EXPECT_EQ(read->cells.size(),
                           read->replaced_cells.count() + std::size_t{read->added_cells});
                 EXPECT_EQ(r.before.vertices - read->removed_vertices.count() + read->added_vertices,
@@ -81,8 +82,9 @@ TEST(WireEdit, IsRefusedWhenItLeadsToAnotherMeshOrIsDamaged) {
 }
 
 TEST(WireEdit, AnnouncingMoreThanThereIsAllocatesNothing) {
-    const Bytes huge{std::byte{0}, std::byte{0},    std::byte{0},    std::byte{0},   std::byte{0},
-                     std::byte{1}, std::byte{0xf0}, std::byte{0xff}, std::byte{0xff}, std::byte{0x7f}};
+    const Bytes huge{std::byte{0},    std::byte{0},   std::byte{0},    std::byte{0},
+                     std::byte{0},    std::byte{1},   std::byte{0xf0}, std::byte{0xff},
+                     std::byte{0xff}, std::byte{0x7f}};
     EXPECT_FALSE(read_edit(huge, {}, {0, 1}).has_value());
     EXPECT_FALSE(read_edit(huge, {}, {0, 1u << 24}).has_value());
 }
@@ -97,8 +99,8 @@ TEST(WireEdit, GivesTheCellsThatStayTheirVerticesNewNumbers) {
     auto cells = edit_cells(edit, std::span(&cell, 1), 7);
     ASSERT_TRUE(cells.has_value());
     EXPECT_EQ(cells->front().corner, (std::array<core::VertexId, 4>{0, 1, 3, 4}));
-    EXPECT_EQ(cells->front().mid,
-              (std::array<core::VertexId, 4>{2, core::no_vertex, core::no_vertex, core::no_vertex}));
+    EXPECT_EQ(cells->front().mid, (std::array<core::VertexId, 4>{
+                                      2, core::no_vertex, core::no_vertex, core::no_vertex}));
     edit.removed_vertices.take({6, 7}); // a corner
     EXPECT_FALSE(edit_cells(edit, std::span(&cell, 1), 7).has_value());
     edit.replaced_cells.take(0);

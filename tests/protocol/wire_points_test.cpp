@@ -8,7 +8,8 @@ namespace wakesurf::protocol {
 namespace {
 
 /// Mostly small residuals; one in `rare` is of any size.
-Residuals random_residuals(std::uint32_t seed, std::uint32_t count, PointKind kind, std::uint32_t rare) {
+Residuals
+random_residuals(std::uint32_t seed, std::uint32_t count, PointKind kind, std::uint32_t rare) {
     std::mt19937 random(seed);
     const auto any = [&] {
         if (random() % rare == 0)
@@ -86,9 +87,10 @@ TEST(WirePoints, AreRefusedCutOffAndNeverReadBeyondTheirEnd) {
         const Bytes good = *write_block(random_residuals(5, 200, kind, 30), 0, 200);
         for (std::size_t size = 0; size < good.size(); ++size) {
             std::size_t at = 0;
-            EXPECT_FALSE(read_block(Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size)),
-                                    at, 3, 200)
-                             .has_value())
+            EXPECT_FALSE(
+                read_block(Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size)),
+                           at, 3, 200)
+                    .has_value())
                 << size;
         }
     }

@@ -55,7 +55,8 @@ Neighbours by_definition(std::span<const core::Cell> cells, std::uint32_t v) {
                  {std::array{outline[i], outline[(i + 1) % outline.size()]},
                   std::array{outline[(i + 1) % outline.size()], outline[i]}})
                 if (one == v && other < v) {
-                    near.highest = near.highest == no_vertex ? other : std::max(near.highest, other);
+                    near.highest =
+                        near.highest == no_vertex ? other : std::max(near.highest, other);
                     near.lowest = std::min(near.lowest, other);
                 }
         for (std::size_t i = 0; i < 4; ++i) {
@@ -74,7 +75,8 @@ Neighbours by_definition(std::span<const core::Cell> cells, std::uint32_t v) {
 
 TEST(WireTopology, FindsWhatTheDefinitionsSayInAnyCells) {
     for (std::uint32_t seed = 1; seed <= 40; ++seed)
-        for (const auto& mesh : {samples::chaos(20, 30, seed), samples::hanging_sheet(6, 9, seed)}) {
+        for (const auto& mesh :
+             {samples::chaos(20, 30, seed), samples::hanging_sheet(6, 9, seed)}) {
             const WireTopology topology(mesh.cells, mesh.vertices());
             for (std::uint32_t v = 0; v < mesh.vertices(); ++v)
                 ASSERT_EQ(topology.neighbours[v], by_definition(mesh.cells, v))

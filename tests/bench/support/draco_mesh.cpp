@@ -13,7 +13,9 @@ namespace wakesurf::bench {
 
 namespace {
 
-int add_attribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, int components,
+int add_attribute(draco::Mesh& mesh,
+                  draco::GeometryAttribute::Type type,
+                  int components,
                   const std::vector<float>& values) {
     draco::GeometryAttribute description;
     description.Init(type, nullptr, static_cast<std::uint8_t>(components), draco::DT_FLOAT32, false,
@@ -27,7 +29,8 @@ void add_triangles(draco::Mesh& mesh, const core::QuadComplex& surface) {
     for (const core::Cell& cell : surface.cells) {
         const core::CellPolygon outline = core::polygon(cell);
         for (std::uint32_t i = 1; i + 1 < outline.count; ++i)
-            mesh.AddFace({draco::PointIndex(outline.vertex[0]), draco::PointIndex(outline.vertex[i]),
+            mesh.AddFace({draco::PointIndex(outline.vertex[0]),
+                          draco::PointIndex(outline.vertex[i]),
                           draco::PointIndex(outline.vertex[i + 1])});
     }
 }
@@ -56,7 +59,8 @@ draco_mesh_bytes(const core::QuadComplex& surface, const protocol::Lattice& latt
     encoder.SetAttributeExplicitQuantization(position, 14, 3, origin.data(),
                                              static_cast<float>(lattice.step * lattice.last()));
     const float nothing = 0.0f;
-    encoder.SetAttributeExplicitQuantization(scalar, 8, 1, &nothing, *std::ranges::max_element(speeds));
+    encoder.SetAttributeExplicitQuantization(scalar, 8, 1, &nothing,
+                                             *std::ranges::max_element(speeds));
     draco::EncoderBuffer out;
     if (const draco::Status status = encoder.EncodeToBuffer(&out); !status.ok())
         throw std::runtime_error(status.error_msg());

@@ -13,9 +13,11 @@ namespace wakesurf::bench {
 
 class RowByRow {
   public:
-    explicit RowByRow(core::QuadComplex mesh) : mesh_(std::move(mesh)), order_(mesh_.vertices()), newest_(mesh_.cells.size()) {
+    explicit RowByRow(core::QuadComplex mesh)
+        : mesh_(std::move(mesh)), order_(mesh_.vertices()), newest_(mesh_.cells.size()) {
         std::iota(order_.begin(), order_.end(), 0u);
-        std::ranges::sort(order_, {}, [&](core::VertexId v) { return std::pair(mesh_.t[v], mesh_.s[v]); });
+        std::ranges::sort(order_, {},
+                          [&](core::VertexId v) { return std::pair(mesh_.t[v], mesh_.s[v]); });
         rank_.resize(order_.size());
         for (std::uint32_t i = 0; i < order_.size(); ++i)
             rank_[order_[i]] = i;
@@ -59,7 +61,8 @@ class RowByRow {
             fastest = std::max(fastest, mesh_.speed(v));
         return {{0.0f, static_cast<float>(fastest)},
                 {0.0f, 1.0f},
-                {static_cast<float>(std::ranges::min(mesh_.t)), static_cast<float>(std::ranges::max(mesh_.t))}};
+                {static_cast<float>(std::ranges::min(mesh_.t)),
+                 static_cast<float>(std::ranges::max(mesh_.t))}};
     }
 
   private:
