@@ -30,11 +30,25 @@ Lattice lattice_over(const core::Box& domain, int bits = 16);
 /// Finite, a positive step, 1 to max_lattice_bits bits.
 bool valid(const Lattice& lattice);
 
+/// The nearest node is what is below this.
+inline core::Vec3 node_above(const Lattice& lattice, const core::Vec3& p) {
+    return (p - lattice.origin) / lattice.step + core::Vec3(0.5);
+}
+
 /// Whether the node nearest to `p` exists; false for points that are not finite.
-bool on_lattice(const Lattice& lattice, const core::Vec3& p);
+inline bool on_lattice(const Lattice& lattice, const core::Vec3& p) {
+    const double end = lattice.last() + 1.0;
+    const core::Vec3 node = node_above(lattice, p);
+    return node.x >= 0.0 && node.x < end && node.y >= 0.0 && node.y < end && node.z >= 0.0 &&
+           node.z < end;
+}
 
 /// The nearest node, halves rounded up. REQUIRES: on_lattice(lattice, p).
-LatticePoint quantise(const Lattice& lattice, const core::Vec3& p);
+inline LatticePoint quantise(const Lattice& lattice, const core::Vec3& p) {
+    const core::Vec3 node = node_above(lattice, p); // nothing is negative: cutting off rounds down
+    return {static_cast<std::int32_t>(node.x), static_cast<std::int32_t>(node.y),
+            static_cast<std::int32_t>(node.z)};
+}
 
 core::Vec3 dequantise(const Lattice& lattice, const LatticePoint& node);
 

@@ -1,5 +1,7 @@
 #include "protocol/state_sum.hpp"
 
+#include "protocol/bytes.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -19,14 +21,12 @@ std::uint32_t stir(std::uint32_t lane, std::uint32_t value) {
 
 std::uint32_t word_sum(std::span<const std::byte> bytes) {
     std::uint32_t a = 0x9e3779b1u, b = 0x85ebca77u, c = 0xc2b2ae3du, d = 0x27d4eb2fu;
-    std::array<std::uint32_t, 4> four{};
     std::size_t at = 0;
-    for (; at + sizeof four <= bytes.size(); at += sizeof four) {
-        std::memcpy(four.data(), bytes.data() + at, sizeof four);
-        a = stir(a, four[0]);
-        b = stir(b, four[1]);
-        c = stir(c, four[2]);
-        d = stir(d, four[3]);
+    for (; at + 4 * word <= bytes.size(); at += 4 * word) {
+        a = stir(a, number_at<std::uint32_t>(bytes, at));
+        b = stir(b, number_at<std::uint32_t>(bytes, at + word));
+        c = stir(c, number_at<std::uint32_t>(bytes, at + 2 * word));
+        d = stir(d, number_at<std::uint32_t>(bytes, at + 3 * word));
     }
     std::array<std::uint32_t, 4> lane{a, b, c, d};
     for (std::size_t i = 0; at < bytes.size(); ++i, at += word) {

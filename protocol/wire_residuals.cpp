@@ -103,8 +103,8 @@ void decode(const WireDraft& draft,
             });
 }
 
-constexpr std::size_t trial_segments = 8;
-constexpr std::size_t trial_length = 256;
+constexpr std::size_t trial_segments = 16;
+constexpr std::size_t trial_length = 128;
 
 /// About the bits that an entropy coder needs, for some stretches of the vertices.
 class BitEstimate {
@@ -153,7 +153,7 @@ std::uint8_t best_predictor(const WireDraft& draft,
     const bool moved = coding.kind == PointKind::Moved;
     const std::size_t length = std::min(coded.size(), trial_length);
     const std::size_t segments =
-        std::clamp<std::size_t>(coded.size() / (4 * length), 1, trial_segments);
+        std::clamp<std::size_t>(coded.size() / (2 * length), 1, trial_segments);
     set_truth(x, truth, moved, coded);
     std::vector<std::int32_t> residuals(length * Series::components);
     std::uint8_t best = 0;
