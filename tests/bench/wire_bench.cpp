@@ -148,6 +148,17 @@ struct Measured {
     }
 };
 
+/// Of speed, s and t, with room for what the next steps bring.
+std::vector<protocol::AttributeRange> expected_ranges(const Scene& scene,
+                                                      const core::QuadComplex& mesh) {
+    double fastest = 0.0;
+    for (core::VertexId v = 0; v < mesh.vertices(); ++v)
+        fastest = std::max(fastest, mesh.speed(v));
+    return {{0.0f, static_cast<float>(1.25 * fastest)},
+            {0.0f, 1.0f},
+            {static_cast<float>(std::min(0.0, scene.from)), static_cast<float>(scene.to)}};
+}
+
 void measure_moves(benchmark::State& state, const std::function<Scene()>& make) {
     on_one_core([&] {
         const Scene scene = make();
@@ -156,6 +167,9 @@ void measure_moves(benchmark::State& state, const std::function<Scene()>& make) 
         for (auto _ : state) {
             Measured live{protocol::MeshStream(1, 1, lattice), protocol::live_tolerance};
             Measured exact{protocol::MeshStream(1, 1, lattice), protocol::exact_tolerance};
+            const auto ranges = expected_ranges(scene, surface.mesh().mesh);
+            live.stream.expect(ranges);
+            exact.stream.expect(ranges);
             std::size_t draco = 0, draco_fine = 0;
             core::KeyedMesh before, mesh;
             double moved = 0.0, moving = 0.0;
