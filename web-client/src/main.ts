@@ -2,6 +2,7 @@
 // newest state) -> scene/ (pixels); the path of an edit: scene/ or ui/ -> session/edits -> worker/.
 import { probeGraphics } from './scene/graphics.ts';
 import { FlowScene } from './scene/scene.ts';
+import { ClockControl } from './session/clockControl.ts';
 import { Edits } from './session/edits.ts';
 import { SessionController } from './session/sessionController.ts';
 import { SurfaceFeed } from './session/surfaceFeed.ts';
@@ -48,10 +49,12 @@ function start(app: App): void {
     });
     const feed = new SurfaceFeed({ state, scene, worker, latency });
     const controller = new SessionController({ state, scene, worker, edits, feed, url });
+    const clock = new ClockControl({ state, worker, requestFrame: scene.loop.request });
     scene.loop.beforeFrame(() => edits.flush());
+    scene.loop.beforeFrame(() => clock.flush());
     scene.loop.beforeFrame(() => feed.apply());
-    installTestHook({ state, scene, feed, latency, canvas });
-    app.begin({ state, edits, scene, retryNow: () => worker.retryNow() });
+    installTestHook({ state, scene, latency, canvas });
+    app.begin({ state, edits, clock, scene, retryNow: () => worker.retryNow() });
     addEventListener('online', () => worker.retryNow());
     worker.start(baseUrl(), url.token);
 }

@@ -4,7 +4,6 @@ import type { Vec3 } from './protocol/messages.ts';
 import type { FlowScene } from './scene/scene.ts';
 import type { ScreenPoint } from './scene/rakeDrag.ts';
 import type { Handle } from './scene/rakeWidget.ts';
-import type { SurfaceFeed } from './session/surfaceFeed.ts';
 import type { AppState, DisplayedSurface } from './state/appState.ts';
 import type { LatencyLog, LatencySample } from './state/latency.ts';
 
@@ -42,12 +41,11 @@ declare global {
 export interface TestHookParts {
     state: AppState;
     scene: FlowScene;
-    feed: SurfaceFeed;
     latency: LatencyLog;
     canvas: HTMLCanvasElement;
 }
 
-export function installTestHook({ state, scene, feed, latency, canvas }: TestHookParts): void {
+export function installTestHook({ state, scene, latency, canvas }: TestHookParts): void {
     const active = (): string => state.activeSurface.value ?? '';
     const displayed = (): DisplayedSurface | undefined => state.displayed.value.get(active());
     const requested = (): number => state.requestedEpochs.value.get(active()) ?? 0;
@@ -98,11 +96,11 @@ export function installTestHook({ state, scene, feed, latency, canvas }: TestHoo
         project: (point) => inWindow(scene.project(point)),
         handleOnScreen: (handle) => inWindow(scene.project(scene.rake.positionOf(handle))),
         vertices: (every) => {
-            const arrays = feed.shownArrays(active());
+            const count = displayed()?.vertices ?? 0;
             const found: { point: Vec3; scalar: number }[] = [];
-            for (let i = 0; arrays !== undefined && i < arrays.vertices; i += every) {
-                const point = [...arrays.positions.subarray(3 * i, 3 * i + 3)] as Vec3;
-                found.push({ point, scalar: arrays.scalars[i] ?? 0 });
+            for (let i = 0; i < count; i += every) {
+                const vertex = scene.vertexOf(active(), i);
+                if (vertex !== null) found.push(vertex);
             }
             return found;
         },

@@ -1,11 +1,13 @@
 // The compact code of the cells: a cell that continues a strip between two columns of consecutive
 // vertices costs no byte of its own but lengthens a run; protocol/README.md has the byte map.
 // Twin: protocol/cells_code.hpp.
+import { ByteReader, unzigzag } from './bytes.ts';
 import { FrameError } from './frameError.ts';
 
-/// A cell is eight ids: corners 0-3, then the mids of sides 0-3, noVertex where there is none.
+/// A cell is eight ids: corners 0-3, then the mids of sides 0-3, noVertex where there is none. (In the
+/// server's unsigned numbers that is 0xffffffff.)
 export const cellStride = 8;
-export const noVertex = 0xffffffff;
+export const noVertex = -1;
 
 // The header byte: bits 0-3 which mids exist, then:
 const continues = 0x10; // corners 0 and 1 are corners 3 and 2 of the cell before
@@ -28,7 +30,6 @@ class Column {
 }
 
 class CellsReader {
-    private at = 0;
     private readonly left = new Column();
     private readonly right = new Column();
     private nextCorner0 = 0;
@@ -36,39 +37,15 @@ class CellsReader {
     private stripCorner0 = 0;
     private stripCorner1 = 0;
     private crossMid = 0;
-    private readonly code: Uint8Array;
+    private readonly code: ByteReader;
     private readonly vertices: number;
 
-    constructor(code: Uint8Array, vertices: number) {
+    constructor(code: ByteReader, vertices: number) {
         this.code = code;
         this.vertices = vertices;
     }
 
-    get atEnd(): boolean {
-        return this.at === this.code.length;
-    }
-
-    byte(): number {
-        if (this.atEnd)
-            throw new FrameError('the cells of a mesh frame end too early');
-        return this.code[this.at++]!;
-    }
-
-    /// Seven bits a byte, lowest first, at most 32 bits.
-    varint(): number {
-        let value = 0;
-        for (let shift = 0; shift < 35; shift += 7) {
-            const byte = this.byte();
-            if (shift === 28 && byte > 0x0f)
-                break;
-            value |= (byte & 0x7f) << shift;
-            if ((byte & 0x80) === 0)
-                return value >>> 0;
-        }
-        throw new FrameError('the cells of a mesh frame hold a number of more than 32 bits');
-    }
-
-    cell(header: number, cells: Uint32Array, at: number): void {
+    cell(header: number, cells: Int32Array, at: number): void {
         if ((header & continues) !== 0) {
             cells[at] = this.checked(this.nextCorner0);
             cells[at + 1] = this.checked(this.nextCorner1);
@@ -90,9 +67,7 @@ class CellsReader {
     }
 
     private id(predicted: number): number {
-        const code = this.varint();
-        const difference = (code >>> 1) ^ -(code & 1);
-        return this.checked((predicted + difference) >>> 0);
+        return this.checked((predicted + unzigzag(this.code.varint())) >>> 0);
     }
 
     private cross(): number {
@@ -103,7 +78,7 @@ class CellsReader {
     /// Walks one side of the cell from its young corner over the mid, if any, to its old corner.
     private column(
         column: Column,
-        cells: Uint32Array,
+        cells: Int32Array,
         at: number,
         young: number,
         mid: number,
@@ -124,22 +99,22 @@ class CellsReader {
     }
 }
 
-/// Writes `count` cells whose vertices are below `vertices` into `cells`, which has room for exactly
-/// these. Throws FrameError; `cells` is then unspecified.
-export function decodeCells(code: Uint8Array, count: number, vertices: number, cells: Uint32Array): void {
+/// Fills `cells` with cells whose vertices are below `vertices`. Throws FrameError; `cells` is then unspecified.
+export function decodeCells(bytes: Uint8Array, vertices: number, cells: Int32Array): void {
+    const code = new ByteReader(bytes);
     const reader = new CellsReader(code, vertices);
     let at = 0;
-    let left = count;
+    let left = cells.length / cellStride;
     while (left > 0) {
-        const header = reader.byte();
+        const header = code.byte();
         const isRun = (header & 0x80) !== 0;
-        const length = isRun ? reader.varint() : 1;
+        const length = isRun ? code.varint() : 1;
         if (length === 0 || length > left || (isRun && header !== runOfPlain))
             throw new FrameError('the cells of a mesh frame hold an impossible run');
         for (let i = 0; i < length; i += 1, at += cellStride)
             reader.cell(header, cells, at);
         left -= length;
     }
-    if (!reader.atEnd)
+    if (!code.atEnd)
         throw new FrameError('the cells of a mesh frame go on after the last');
 }

@@ -1,118 +1,202 @@
 import { beforeAll, describe, expect, test } from 'vitest';
-import { crc32c } from './crc32c.ts';
 import type { DracoPoints } from './dracoPoints.ts';
+import { FrameError } from './frameError.ts';
 import { MeshDecoder } from './meshDecoder.ts';
-import { frameHeaderBytes } from './meshFrame.ts';
-import { dracoPoints, golden, goldenFrames, type GoldenVertex, seededRandom } from './testing/golden.ts';
+import { frameHeaderBytes, readFrame } from './meshFrame.ts';
+import { dracoPoints } from './testing/golden.ts';
+import { seededRandom } from './testing/random.ts';
+import { Dice, ranges } from './testing/randomSurface.ts';
+import { lattice, randomUpdates, type Update } from './testing/randomUpdates.ts';
+import { type PlainState, sealed } from './testing/wireWriter.ts';
+import type { WireMesh } from './wireMesh.ts';
 
 let points: DracoPoints;
 beforeAll(async () => {
     points = await dracoPoints();
 });
 
-function decoderOf(name: string): MeshDecoder {
-    const { lattice, attributes } = golden[name]!;
-    return new MeshDecoder(points, lattice, attributes);
+function decoder(): MeshDecoder {
+    return new MeshDecoder(points, lattice, ranges.length);
 }
 
-function sealed(bytes: Uint8Array): Uint8Array {
-    const crc = crc32c(bytes.subarray(frameHeaderBytes), crc32c(bytes.subarray(0, 48)));
-    new DataView(bytes.buffer).setUint32(48, crc, true);
-    return bytes;
+function plain(mesh: WireMesh): PlainState {
+    const rows = (values: Int32Array, n: number): number[][] =>
+        Array.from({ length: mesh.vertices }, (_, v) => [...values.subarray(n * v, n * v + n)]);
+    const codes = Array.from({ length: mesh.vertices }, (_, v) => mesh.codes.map(({ values }) => values[v]!));
+    const cells = Array.from({ length: mesh.cellCount }, (_, i) => [...mesh.cells.subarray(8 * i, 8 * i + 8)]);
+    return { positions: rows(mesh.position.values, 3), codes, changes: rows(mesh.position.change, 3), cells };
 }
 
-describe.each(Object.entries(golden))('the golden frames %s', (name, expected) => {
-    test('decode to what the C++ decoder makes of them, to the bit', () => {
-        const decoder = decoderOf(name);
-        const frames = goldenFrames(name);
-        expect(frames).toHaveLength(expected.frames);
+/// Folds until something is refused; true if nothing was.
+function accepts(into: MeshDecoder, frames: readonly Uint8Array[]): boolean {
+    try {
         for (const frame of frames)
-            decoder.fold(frame);
-        const mesh = decoder.mesh!;
-        const { surface, epoch, seq, complete, final, stateCrc } = expected;
-        expect(mesh).toMatchObject({ surface, epoch, seq, complete, final, stateCrc });
-        expect([mesh.vertexCount, mesh.cellCount]).toEqual([expected.vertices, expected.cells]);
-        expect(crc32c(mesh.positions)).toBe(expected.positionCrc);
-        expect(Object.keys(mesh.attributes)).toEqual(expected.attributes);
-        expect(Object.values(mesh.attributes).reduce((crc, values) => crc32c(values, crc), 0)).toBe(
-            expected.attributeCrc,
-        );
-        const vertex = (i: number): GoldenVertex => ({
-            node: [...mesh.nodes.subarray(3 * i, 3 * i + 3)],
-            position: [...mesh.positions.subarray(3 * i, 3 * i + 3)],
-            attributes: Object.values(mesh.attributes).map((values) => values[i]!),
-        });
-        if (expected.firstVertex !== undefined) {
-            expect(vertex(0)).toEqual(expected.firstVertex);
-            expect(vertex(expected.vertices - 1)).toEqual(expected.lastVertex);
-            expect([...mesh.cells.subarray(0, 8)]).toEqual(expected.firstCell);
-            expect([...mesh.cells.subarray(-8)]).toEqual(expected.lastCell);
+            into.fold(frame);
+        return true;
+    } catch (error) {
+        expect(error).toBeInstanceOf(FrameError);
+        expect(into.mesh).toBeUndefined();
+        return false;
+    }
+}
+
+describe('random sequences', () => {
+    test('of a thousand frames decode to what a plain reading of the specification makes of them', () => {
+        const into = decoder();
+        let count = 0;
+        for (const { frames, state } of randomUpdates(41, 400))
+            for (const [i, frame] of frames.entries()) {
+                count += 1;
+                const applied = into.fold(frame);
+                expect(applied !== undefined).toBe(i + 1 === frames.length);
+                if (applied === undefined)
+                    continue;
+                expect(plain(applied.mesh)).toEqual(state);
+            }
+        expect(count).toBeGreaterThan(1000);
+    }, 60_000);
+
+    test('come out alike from a KEY with history and from all updates before it', () => {
+        const updates = randomUpdates(42, 60);
+        const [early, late] = [decoder(), decoder()];
+        let joined = 0;
+        for (const [i, { frames }] of updates.entries()) {
+            const history = i > 0 && readFrame(frames[0]!).header.history;
+            if (history)
+                joined = i;
+            expect(accepts(early, frames)).toBe(true);
+            if (joined > 0)
+                expect(accepts(late, frames)).toBe(true);
+        }
+        expect(joined).toBeGreaterThan(0);
+        expect(plain(late.mesh!)).toEqual(plain(early.mesh!));
+    });
+});
+
+describe('frames lost, repeated or reordered', () => {
+    test('are refused, or do no harm, until a KEY', () => {
+        const dice = new Dice(seededRandom(43));
+        const updates = randomUpdates(44, 60);
+        const right = updates.map(({ state }) => JSON.stringify(state));
+        for (let round = 0; round < 20; round += 1) {
+            const frames = updates.flatMap((update) => update.frames);
+            for (let changes = 1 + dice.below(3); changes > 0; changes -= 1) {
+                const at = dice.below(frames.length);
+                const other = dice.below(frames.length);
+                if (dice.oneIn(3))
+                    frames.splice(at, 1);
+                else if (dice.oneIn(2))
+                    frames.splice(other, 0, frames[at]!);
+                else
+                    [frames[at], frames[other]] = [frames[other]!, frames[at]!];
+            }
+            const into = decoder();
+            let needsKey = true;
+            for (const frame of frames)
+                try {
+                    const applied = into.fold(frame);
+                    if (applied === undefined)
+                        continue;
+                    needsKey &&= !applied.header.key;
+                    expect(needsKey).toBe(false);
+                    expect(JSON.stringify(plain(applied.mesh))).toBe(right[applied.header.seq]);
+                } catch (error) {
+                    expect(error).toBeInstanceOf(FrameError);
+                    needsKey = true;
+                }
         }
     });
 
-    test('are refused when mutated or cut off', () => {
-        const random = seededRandom(11);
-        const [good] = goldenFrames(name);
+    test('of another subscription are refused, unless the surface goes on there', () => {
+        const [first, second] = randomUpdates(45, 2) as [Update, Update];
+        const moved = second.frames.map((frame) => {
+            const bytes = frame.slice();
+            new DataView(bytes.buffer).setUint32(4, 99, true);
+            return sealed(bytes);
+        });
+        const into = decoder();
+        accepts(into, first.frames);
+        expect(accepts(into, moved)).toBe(false);
+        const other = decoder();
+        accepts(other, first.frames);
+        other.continueAs(99);
+        expect(accepts(other, moved)).toBe(true);
+        expect(plain(other.mesh!)).toEqual(second.state);
+    });
+
+    test('of an older epoch, or a KEY before the newest update, come too late', () => {
+        const updates = randomUpdates(46, 3);
+        const into = decoder();
+        for (const { frames } of updates)
+            accepts(into, frames);
+        expect(into.newest).toMatchObject({ epoch: 1, seq: 2 });
+        expect(() => updates[0]!.frames.forEach((frame) => into.fold(frame))).toThrow(/too late/);
+    });
+});
+
+describe('damage', () => {
+    test('of any byte, and any cut, is refused', () => {
+        const [{ frames }] = randomUpdates(47, 1) as [Update];
+        const [good] = frames as [Uint8Array];
+        const random = seededRandom(48);
         for (let i = 0; i < 2000; i += 1) {
-            const bad = i % 2 === 0 ? good!.slice() : good!.subarray(0, random() % good!.length);
+            const bad = i % 2 === 0 ? good.slice() : good.subarray(0, random() % good.length);
             if (i % 2 === 0)
                 bad[random() % bad.length]! ^= 1 + (random() % 255);
-            expect(() => decoderOf(name).fold(bad)).toThrow();
+            expect(accepts(decoder(), [bad])).toBe(false);
         }
+    });
+
+    test('behind a right checksum is refused or makes no difference to the state', () => {
+        const random = seededRandom(49);
+        const updates = randomUpdates(50, 6);
+        const contents = ({ positions, codes, cells }: PlainState): object => ({ positions, codes, cells });
+        let refused = 0;
+        for (let i = 0; i < 1500; i += 1) {
+            const hit = random() % updates.length;
+            const sent = updates.slice(0, hit + 1).map(({ frames }) => frames.map((frame) => frame.slice()));
+            const bytes = sent[hit]![random() % sent[hit]!.length]!;
+            for (let k = random() % 3; k >= 0; k -= 1) {
+                const from = random() % 4 === 0 ? 0 : frameHeaderBytes;
+                bytes[from + (random() % (bytes.length - from))]! ^= 1 + (random() % 255);
+            }
+            sealed(bytes);
+            const into = decoder();
+            if (!accepts(into, sent.flat()))
+                refused += 1;
+            else if (into.mesh !== undefined)
+                // What made the update look unfinished leaves the one before.
+                expect([hit, hit - 1].map((at) => updates[at] && contents(updates[at].state))).toContainEqual(contents(plain(into.mesh)));
+        }
+        expect(refused).toBeGreaterThan(1000);
+    }, 60_000);
+
+    test('leaves nothing behind in the memory of Draco', () => {
+        const updates = randomUpdates(51, 20);
+        const run = (): void => {
+            const into = decoder();
+            for (const { frames } of updates)
+                accepts(into, frames);
+        };
+        run();
+        const heap = points.heapBytes;
+        for (let i = 0; i < 60; i += 1)
+            run();
+        expect(points.heapBytes).toBe(heap);
     });
 });
 
-test('frames lost, repeated or reordered are refused until a new mesh starts', () => {
-    const [a, b] = goldenFrames('chunked');
-    for (const frames of [[b!], [a!, a!], [a!, b!, b!]]) {
-        const decoder = decoderOf('chunked');
-        for (const frame of frames.slice(0, -1))
-            decoder.fold(frame);
-        expect(() => decoder.fold(frames.at(-1)!)).toThrow();
-        expect(decoder.mesh).toBeUndefined();
-        expect(() => decoder.fold(b!)).toThrow();
-    }
-});
-
-test('a mesh is complete only after its last frame', () => {
-    const [a, b] = goldenFrames('chunked');
-    const decoder = decoderOf('chunked');
-    expect(decoder.fold(a!).last).toBe(false);
-    expect(decoder.mesh!.complete).toBe(false);
-    decoder.fold(b!);
-    expect(decoder.mesh!.complete).toBe(true);
-});
-
-test('a mesh taken is whole, and its buffers are no longer used', () => {
-    const [coarse, final] = goldenFrames('refined');
-    const decoder = decoderOf('refined');
-    decoder.fold(coarse!);
-    const mesh = decoder.take()!;
-    expect(mesh).toMatchObject({ complete: true, final: false, vertexCount: 24 });
-    const sum = crc32c(mesh.positions);
-    decoder.fold(final!);
-    expect(decoder.mesh).toMatchObject({ complete: true, final: true, vertexCount: 108 });
-    expect(crc32c(mesh.positions)).toBe(sum);
-    expect(() => decoder.fold(coarse!)).toThrow();
-});
-
-test('damage behind a right checksum is an error or changes attributes only, and leaks nothing', () => {
-    const random = seededRandom(23);
-    const [good] = goldenFrames('hanging');
-    const expected = golden['hanging']!.positionCrc;
-    for (let i = 0; i < 1000; i += 1) {
-        const bad = good!.slice();
-        bad[random() % bad.length]! ^= 1 + (random() % 255);
-        const decoder = decoderOf('hanging');
-        try {
-            decoder.fold(sealed(bad));
-        } catch {
-            continue;
-        }
-        expect(crc32c(decoder.mesh!.positions)).toBe(expected);
-    }
-    const heap = points.heapBytes;
-    for (let i = 0; i < 300; i += 1)
-        decoderOf('hanging').fold(good!);
-    expect(points.heapBytes).toBe(heap);
+describe('what is announced', () => {
+    test('is limited before memory is reserved for it', () => {
+        const [{ frames }] = randomUpdates(52, 1) as [Update];
+        const announcing = (offset: number, value: number): Uint8Array[] =>
+            frames.map((frame) => {
+                const bytes = frame.slice();
+                new DataView(bytes.buffer).setUint32(offset, value, true);
+                return sealed(bytes);
+            });
+        for (const offset of [28, 32, 36])
+            for (const value of [0xffffffff, (1 << 24) + 1, 1 << 24])
+                expect(accepts(decoder(), announcing(offset, value))).toBe(false);
+    });
 });

@@ -1,170 +1,178 @@
-// From frames back to a mesh, in arrays that go to the GPU as they are. Twin: protocol/mesh_decoder.hpp.
-import { cellStride, decodeCells } from './cellsCode.ts';
+// From frames back to states. Twin: protocol/mesh_decoder.hpp; unlike there, an update is kept as bytes until all its
+// frames are in, and then changes the one state in place: what is shown has been copied out of it.
 import type { DracoPoints } from './dracoPoints.ts';
 import { FrameError } from './frameError.ts';
-import { Growing } from './growing.ts';
-import { dequantise, lastNode, type Lattice } from './lattice.ts';
-import { type AttributeRange, type FrameHeader, type MeshFrame, readFrame } from './meshFrame.ts';
-import { StateCrc } from './stateCrc.ts';
+import type { Lattice } from './lattice.ts';
+import { type FrameHeader, type MeshFrame, readFrame, sameUpdate } from './meshFrame.ts';
+import { applyEdit, readEdit, type TopologyEdit } from './wireEdit.ts';
+import { type AttributeRange, WireMesh } from './wireMesh.ts';
+import { maxFrameVertices, PointsReader } from './wirePoints.ts';
 
-/// The arrays are views; their buffers may be longer, and may be transferred once taken.
-export interface WireMesh {
-    surface: number;
-    epoch: number;
-    seq: number; // of the newest frame
-    complete: boolean; // the last frame of the state is in and its checksum held
-    final: boolean; // no finer state of this epoch follows
-    stateCrc: number;
-    vertexCount: number;
-    cellCount: number;
-    nodes: Int32Array; // lattice positions, xyz
-    positions: Float32Array; // the same in the dataset's length unit
-    attributes: Record<string, Float32Array>; // one value a vertex
-    ranges: Record<string, AttributeRange>;
-    cells: Uint32Array; // cellStride ids a cell
-}
+/// Of an update that is not whole yet.
+export const maxUpdateBytes = 256 << 20;
 
-interface Attribute {
-    name: string;
-    range: AttributeRange;
-    values: Growing<Float32Array>;
-}
+/// An update in pieces, as they come.
+class Collected {
+    readonly header: FrameHeader;
+    readonly ranges: readonly AttributeRange[];
+    readonly points: Uint8Array[] = [];
+    private readonly topologyPieces: Uint8Array[] = [];
+    private topologyBytes = 0;
+    private bytes = 0;
 
-function isInside(nodes: Int32Array, last: number): boolean {
-    for (let i = 0; i < nodes.length; i += 1)
-        if (nodes[i]! < 0 || nodes[i]! > last)
-            return false;
-    return true;
-}
-
-/// Folds the frames of one surface, in order, into its mesh.
-export class MeshDecoder {
-    private readonly points: DracoPoints;
-    private readonly lattice: Lattice;
-    private readonly names: readonly string[];
-    private newest: FrameHeader | undefined;
-    private intact = false; // every frame since the mesh began was taken
-    private nodes = new Growing(Int32Array);
-    private positions = new Growing(Float32Array);
-    private cells = new Growing(Uint32Array);
-    private attributes: Attribute[] = [];
-    private crc = new StateCrc();
-
-    /// `attributeNames`: what the frames carry, in order, as `surface.subscribe` says.
-    constructor(points: DracoPoints, lattice: Lattice, attributeNames: readonly string[]) {
-        this.points = points;
-        this.lattice = lattice;
-        this.names = attributeNames;
+    constructor(header: FrameHeader, ranges: readonly AttributeRange[]) {
+        this.header = header;
+        this.ranges = ranges;
     }
 
-    /// Throws FrameError when the frame is damaged, does not follow the one before, or the state's
-    /// checksum fails. After that only a frame that starts a new mesh is taken.
-    fold(bytes: Uint8Array): FrameHeader {
-        const wasIntact = this.intact;
-        this.intact = false;
-        const frame = readFrame(bytes);
-        this.checkOrder(frame, wasIntact);
-        this.append(frame);
-        this.intact = true;
-        return frame.header;
+    get frames(): number {
+        return this.points.length;
     }
 
-    /// The mesh so far; its arrays stay valid until the next fold().
-    get mesh(): WireMesh | undefined {
-        const h = this.newest;
-        if (h === undefined || !this.intact)
-            return undefined;
-        return {
-            surface: h.surface,
-            epoch: h.epoch,
-            seq: h.seq,
-            complete: h.last,
-            final: h.last && h.final,
-            stateCrc: h.stateCrc,
-            vertexCount: h.vertexBase + h.vertexCount,
-            cellCount: h.cellBase + h.cellCount,
-            nodes: this.nodes.view,
-            positions: this.positions.view,
-            attributes: Object.fromEntries(this.attributes.map((a) => [a.name, a.values.view])),
-            ranges: Object.fromEntries(this.attributes.map((a) => [a.name, a.range])),
-            cells: this.cells.view,
-        };
+    add({ header, topology, points }: MeshFrame): void {
+        this.topologyBytes += topology.length;
+        this.bytes += topology.length + points.length;
+        this.topologyPieces.push(topology);
+        this.points.push(points);
+        const left = header.topologySize - this.topologyBytes;
+        if (left < 0 || (left > 0 && (points.length > 0 || this.frames === header.frameCount)))
+            throw new FrameError('the frames of a mesh update hold another topology than they announce');
+        if (this.bytes > maxUpdateBytes)
+            throw new FrameError('a mesh update is too long');
     }
 
-    /// The mesh so far, given away: its buffers may be transferred, and only a frame that starts a
-    /// new mesh is taken next.
-    take(): WireMesh | undefined {
-        const { mesh } = this;
-        this.start([]);
-        this.intact = false;
-        return mesh;
-    }
-
-    private checkOrder({ header: h, ranges }: MeshFrame, wasIntact: boolean): void {
-        const before = this.newest;
-        if (ranges.length !== this.names.length || h.latticeBits !== this.lattice.bits)
-            throw new FrameError('a mesh frame has other attributes or another lattice than agreed');
-        if (before !== undefined && h.surface !== before.surface)
-            throw new FrameError(`a frame of surface ${h.surface} came to surface ${before.surface}`);
-        if (h.first) {
-            if (before !== undefined && (h.epoch < before.epoch || (h.epoch === before.epoch && h.seq <= before.seq)))
-                throw new FrameError(`epoch ${h.epoch} frame ${h.seq} came too late`);
-            return;
+    topology(): Uint8Array {
+        if (this.topologyPieces.length === 1)
+            return this.topologyPieces[0]!;
+        const whole = new Uint8Array(this.topologyBytes);
+        let at = 0;
+        for (const piece of this.topologyPieces) {
+            whole.set(piece, at);
+            at += piece.length;
         }
+        return whole;
+    }
+}
+
+/// A whole update that has been applied.
+export interface AppliedUpdate {
+    header: FrameHeader;
+    edit: TopologyEdit;
+    mesh: WireMesh;
+}
+
+/// Folds the frames of one surface, in order, into its states.
+export class MeshDecoder {
+    private readonly points: PointsReader;
+    private readonly lattice: Lattice;
+    private readonly attributeCount: number;
+    private header: FrameHeader | undefined;
+    private update: Collected | undefined;
+    private state: WireMesh | undefined;
+    private surface: number | undefined;
+
+    /// `attributeCount`: how many attributes the frames carry, as `surface.subscribe` says.
+    constructor(draco: DracoPoints, lattice: Lattice, attributeCount: number) {
+        this.points = new PointsReader(draco);
+        this.lattice = lattice;
+        this.attributeCount = attributeCount;
+    }
+
+    /// Of the newest whole update.
+    get newest(): FrameHeader | undefined {
+        return this.header;
+    }
+
+    /// The newest whole state; none while only a KEY is taken. The next update changes it.
+    get mesh(): WireMesh | undefined {
+        return this.state;
+    }
+
+    /// The same surface goes on under another subscription, on another connection: an unfinished update is void.
+    continueAs(subscription: number): void {
+        this.surface = subscription;
+        this.update = undefined;
+    }
+
+    /// Gives the update that the frame made whole. Throws FrameError when the frame is damaged or does not continue what
+    /// is there; after that only a frame that starts a KEY is taken.
+    fold(bytes: Uint8Array): AppliedUpdate | undefined {
+        try {
+            const frame = readFrame(bytes);
+            const update = this.updateOf(frame);
+            update.add(frame);
+            this.update = update;
+            if (update.frames < frame.header.frameCount)
+                return undefined;
+            this.update = undefined;
+            return this.apply(update);
+        } catch (error) {
+            this.update = undefined;
+            this.state = undefined;
+            if (error instanceof RangeError)
+                throw new FrameError('there is not enough memory for a mesh update');
+            throw error;
+        }
+    }
+
+    private updateOf({ header: h, ranges }: MeshFrame): Collected {
+        const { update } = this;
+        if (h.frameIndex > 0) {
+            if (update === undefined || update.frames !== h.frameIndex || !sameUpdate(update.header, h))
+                throw new FrameError(`frame ${h.frameIndex} of update ${h.seq} does not follow the one before`);
+            return update;
+        }
+        this.checkAgreement(h);
+        if (h.key)
+            this.checkKey(h);
+        else
+            this.checkDelta(h);
+        return new Collected(h, ranges);
+    }
+
+    private checkAgreement(h: FrameHeader): void {
+        if (h.attributeCount !== this.attributeCount || h.latticeBits !== this.lattice.bits)
+            throw new FrameError('a mesh frame has other attributes or another lattice than agreed');
+        if (this.surface !== undefined && h.surface !== this.surface)
+            throw new FrameError(`a frame of subscription ${h.surface} came to ${this.surface}`);
+    }
+
+    private checkKey(h: FrameHeader): void {
+        const { header: newest } = this;
+        if (newest !== undefined && (h.epoch < newest.epoch || (h.epoch === newest.epoch && h.seq < newest.seq)))
+            throw new FrameError(`update ${h.seq} of epoch ${h.epoch} came too late`);
+    }
+
+    private checkDelta(h: FrameHeader): void {
+        const { header: newest } = this;
         if (
-            before === undefined ||
-            !wasIntact ||
-            before.last ||
-            h.epoch !== before.epoch ||
-            h.seq !== before.seq + 1 ||
-            h.vertexBase !== before.vertexBase + before.vertexCount ||
-            h.cellBase !== before.cellBase + before.cellCount
+            this.state === undefined ||
+            this.update !== undefined ||
+            newest === undefined ||
+            h.epoch !== newest.epoch ||
+            h.baseSeq !== newest.seq
         )
-            throw new FrameError(`epoch ${h.epoch} frame ${h.seq} does not continue the mesh so far`);
-        if (this.attributes.some(({ range }, i) => range.lo !== ranges[i]!.lo || range.hi !== ranges[i]!.hi))
-            throw new FrameError('the range of an attribute changed within a mesh');
+            throw new FrameError(`update ${h.seq} of epoch ${h.epoch} does not continue the mesh so far`);
     }
 
-    private start(ranges: readonly AttributeRange[]): void {
-        this.nodes = new Growing(Int32Array);
-        this.positions = new Growing(Float32Array);
-        this.cells = new Growing(Uint32Array);
-        this.attributes = ranges.map((range, i) => ({
-            name: this.names[i]!,
-            range,
-            values: new Growing(Float32Array),
-        }));
-        this.crc = new StateCrc();
-    }
-
-    private append(frame: MeshFrame): void {
-        const h = frame.header;
-        if (h.first)
-            this.start(frame.ranges);
-        this.newest = h;
-        if (h.vertexCount > 0)
-            this.appendPoints(frame);
-        const cells = this.cells.extend(h.cellCount * cellStride);
-        decodeCells(frame.cells, h.cellCount, h.vertexBase + h.vertexCount, cells);
-        this.crc.addCells(cells);
-        if (this.crc.value() !== h.stateCrc)
+    private apply(update: Collected): AppliedUpdate {
+        const { header: h, ranges } = update;
+        const mesh = h.key ? new WireMesh(h.latticeBits, ranges) : this.state!;
+        this.state = undefined; // until all has gone well
+        const before = { vertices: mesh.vertices, cells: mesh.cellCount };
+        const edit = readEdit(update.topology(), before, h);
+        if (edit.movedVertices.count + edit.addedVertices > maxFrameVertices * h.frameCount)
+            throw new FrameError('a mesh update announces more vertices than its frames can hold');
+        applyEdit(mesh, edit);
+        this.points.begin(mesh, edit, h.history);
+        for (const points of update.points)
+            this.points.take(points);
+        this.points.finish();
+        if (mesh.stateSum() !== h.stateSum)
             throw new FrameError("the mesh does not match the server's checksum");
-    }
-
-    private appendPoints({ header: h, draco }: MeshFrame): void {
-        const nodes = this.nodes.extend(3 * h.vertexCount);
-        const codes = this.attributes.map(() => new Uint16Array(h.vertexCount));
-        this.points.decode(draco, nodes, codes);
-        if (!isInside(nodes, lastNode(h.latticeBits)))
-            throw new FrameError('a mesh frame has a vertex outside its lattice');
-        dequantise(this.lattice, nodes, this.positions.extend(nodes.length));
-        this.attributes.forEach(({ range, values }, attribute) => {
-            const into = values.extend(h.vertexCount);
-            const from = codes[attribute]!;
-            const width = range.hi - range.lo;
-            for (let i = 0; i < into.length; i += 1)
-                into[i] = range.lo + (width * from[i]!) / 65535;
-        });
-        this.crc.addPositions(nodes);
+        this.header = h;
+        this.surface = h.surface;
+        this.state = mesh;
+        return { header: h, edit, mesh };
     }
 }

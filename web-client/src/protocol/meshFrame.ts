@@ -1,53 +1,60 @@
-// The envelope of one binary message: header, attribute ranges, Draco points, cells code.
+// The envelope of one binary message: header, attribute ranges, a piece of the topology, point blocks.
 // protocol/README.md has the byte map. Twin: protocol/mesh_frame.hpp.
 import { crc32c } from './crc32c.ts';
 import { FrameError } from './frameError.ts';
 import { maxLatticeBits } from './lattice.ts';
+import type { AttributeRange } from './wireMesh.ts';
 
 export const frameMagic = 0x5357;
-export const frameVersion = 1;
-export const frameHeaderBytes = 52;
+export const frameVersion = 2;
+export const frameHeaderBytes = 64;
+export const frameCrcAt = 60;
 
 export const maxFrameBytes = 4 << 20;
-export const maxFrameVertices = 1 << 16;
-export const maxFrameCells = 1 << 18;
-export const maxMeshVertices = 1 << 26;
-export const maxMeshCells = 1 << 26;
-export const maxAttributes = 16;
+export const maxMeshVertices = 1 << 24;
+export const maxMeshCells = 1 << 24;
+export const maxAttributes = 7;
 
-const frameCrcAt = 48;
+export const flag = { key: 1, lossless: 2, history: 4 } as const;
+
+/// How good a state is: what is shown, and whether more is to come.
+export const phases = ['coarse', 'refined', 'final', 'live'] as const;
+export type Phase = (typeof phases)[number];
+
 const rangeBytes = 8;
-const firstBit = 1;
-const lastBit = 2;
-const finalBit = 4;
 
 export interface FrameHeader {
-    first: boolean; // a new mesh starts
-    last: boolean; // the mesh is whole: check stateCrc, show it
-    final: boolean; // no finer mesh of this epoch follows
+    key: boolean; // starts from the empty state
+    lossless: boolean; // the state is the server's surface, exact on the lattice
+    history: boolean; // a KEY with the changes of its vertices
     surface: number; // the subscription
     epoch: number;
-    seq: number; // counts the frames of an epoch
-    vertexBase: number;
-    vertexCount: number;
-    cellBase: number;
-    cellCount: number;
+    seq: number; // of the update
+    baseSeq: number;
+    frameIndex: number;
+    frameCount: number;
+    phase: Phase;
     latticeBits: number;
-    stateCrc: number;
+    attributeCount: number;
+    vertices: number; // of the state after the update
+    cells: number;
+    topologySize: number; // of the update, all frames together
+    time: number; // simulation time of the state
+    stateSum: number;
 }
 
-/// What the 16 bit values 0 and 65535 of an attribute stand for, through the whole state.
-export interface AttributeRange {
-    lo: number;
-    hi: number;
-}
-
-/// A frame taken apart; the blocks are views of the bytes it was read from.
+/// A frame taken apart; the parts are views of the bytes it was read from.
 export interface MeshFrame {
     header: FrameHeader;
-    ranges: AttributeRange[];
-    draco: Uint8Array;
-    cells: Uint8Array;
+    ranges: AttributeRange[]; // of frame 0 of a KEY, else empty
+    topology: Uint8Array;
+    points: Uint8Array;
+}
+
+/// Whether two frames can be of one update: alike but for their index and the sizes of their parts.
+export function sameUpdate(a: FrameHeader, b: FrameHeader): boolean {
+    const names = Object.keys(a) as (keyof FrameHeader)[];
+    return names.every((name) => name === 'frameIndex' || Object.is(a[name], b[name]));
 }
 
 /// Which subscription a message belongs to, without checking anything else.
@@ -59,43 +66,44 @@ export function surfaceOf(bytes: Uint8Array): number | undefined {
 
 function parse(view: DataView): FrameHeader {
     const flags = view.getUint8(3);
-    if ((flags & ~(firstBit | lastBit | finalBit)) !== 0)
-        throw new FrameError(`a mesh frame has unknown flags ${flags}`);
+    const phase = phases[view.getUint8(24)];
+    if ((flags & ~(flag.key | flag.lossless | flag.history)) !== 0 || phase === undefined || view.getUint8(27) !== 0)
+        throw new FrameError('a mesh frame has flags or a phase that this version does not know');
     return {
-        first: (flags & firstBit) !== 0,
-        last: (flags & lastBit) !== 0,
-        final: (flags & finalBit) !== 0,
+        key: (flags & flag.key) !== 0,
+        lossless: (flags & flag.lossless) !== 0,
+        history: (flags & flag.history) !== 0,
         surface: view.getUint32(4, true),
         epoch: view.getUint32(8, true),
         seq: view.getUint32(12, true),
-        vertexBase: view.getUint32(16, true),
-        vertexCount: view.getUint32(20, true),
-        cellBase: view.getUint32(24, true),
-        cellCount: view.getUint32(28, true),
-        latticeBits: view.getUint8(33),
-        stateCrc: view.getUint32(44, true),
+        baseSeq: view.getUint32(16, true),
+        frameIndex: view.getUint16(20, true),
+        frameCount: view.getUint16(22, true),
+        phase,
+        latticeBits: view.getUint8(25),
+        attributeCount: view.getUint8(26),
+        vertices: view.getUint32(28, true),
+        cells: view.getUint32(32, true),
+        topologySize: view.getUint32(36, true),
+        time: view.getFloat64(40, true),
+        stateSum: view.getUint32(56, true),
     };
 }
 
-/// Counts that memory is reserved for.
-function checkLimits(h: FrameHeader, attributes: number): void {
+/// Counts that memory is reserved for, and what must be so in any header.
+function check(h: FrameHeader, topologyBytes: number): void {
+    if (h.vertices > maxMeshVertices || h.cells > maxMeshCells || h.attributeCount > maxAttributes)
+        throw new FrameError(`a mesh frame announces ${h.vertices} vertices and ${h.cells} cells`);
     if (
-        h.vertexCount > maxFrameVertices ||
-        h.cellCount > maxFrameCells ||
-        h.vertexBase + h.vertexCount > maxMeshVertices ||
-        h.cellBase + h.cellCount > maxMeshCells ||
-        attributes > maxAttributes
+        h.frameIndex >= h.frameCount ||
+        (h.key ? h.baseSeq !== h.seq : h.baseSeq >= h.seq) ||
+        (h.history && !h.key) ||
+        h.latticeBits < 1 ||
+        h.latticeBits > maxLatticeBits ||
+        topologyBytes > h.topologySize ||
+        !Number.isFinite(h.time)
     )
-        throw new FrameError(`a mesh frame announces ${h.vertexCount} vertices and ${h.cellCount} cells`);
-}
-
-function checkConsistency(h: FrameHeader, dracoBytes: number, cellBytes: number): void {
-    if (h.latticeBits < 1 || h.latticeBits > maxLatticeBits)
-        throw new FrameError(`a mesh frame has a lattice of ${h.latticeBits} bits`);
-    if ((h.vertexCount === 0) !== (dracoBytes === 0) || (h.cellCount === 0) !== (cellBytes === 0))
-        throw new FrameError('a mesh frame announces vertices or cells without bytes for them');
-    if (h.first && (h.vertexBase !== 0 || h.cellBase !== 0))
-        throw new FrameError('the first frame of a mesh does not start at vertex 0 and cell 0');
+        throw new FrameError("a mesh frame's header contradicts itself");
 }
 
 function readRange(view: DataView, at: number): AttributeRange {
@@ -118,21 +126,20 @@ export function readFrame(bytes: Uint8Array): MeshFrame {
     if (crc !== view.getUint32(frameCrcAt, true))
         throw new FrameError('a mesh frame does not match its checksum');
     const header = parse(view);
-    const attributes = view.getUint8(32);
-    const dracoBytes = view.getUint32(36, true);
-    const cellBytes = view.getUint32(40, true);
-    checkLimits(header, attributes);
-    checkConsistency(header, dracoBytes, cellBytes);
-    const body = frameHeaderBytes + rangeBytes * attributes;
-    if (bytes.length !== body + dracoBytes + cellBytes)
-        throw new FrameError(`a mesh frame of ${bytes.length} bytes announces other blocks`);
+    const topologyBytes = view.getUint32(48, true);
+    const pointsBytes = view.getUint32(52, true);
+    check(header, topologyBytes);
     const ranges: AttributeRange[] = [];
-    for (let i = 0; i < attributes; i += 1)
+    const rangeCount = header.key && header.frameIndex === 0 ? header.attributeCount : 0;
+    const body = frameHeaderBytes + rangeBytes * rangeCount;
+    if (bytes.length !== body + topologyBytes + pointsBytes)
+        throw new FrameError(`a mesh frame of ${bytes.length} bytes announces other parts`);
+    for (let i = 0; i < rangeCount; i += 1)
         ranges.push(readRange(view, frameHeaderBytes + rangeBytes * i));
     return {
         header,
         ranges,
-        draco: bytes.subarray(body, body + dracoBytes),
-        cells: bytes.subarray(body + dracoBytes),
+        topology: bytes.subarray(body, body + topologyBytes),
+        points: bytes.subarray(body + topologyBytes),
     };
 }

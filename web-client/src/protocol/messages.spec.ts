@@ -65,6 +65,34 @@ describe('readNotification', () => {
         expect(errorWords({ message: 'it is outside' })).toBe('it is outside');
     });
 
+    it('reads the clock, and leaves out records of kinds it does not know', () => {
+        const clock = { time: 2.5, playing: true, speed: 1, loop: false, from: null, to: null };
+        const patches = [
+            { op: 'put', type: 'clock', record: clock },
+            { op: 'put', type: 'clock', record: { ...clock, speed: 'fast' } },
+            { op: 'put', type: 'bookmark', id: 'b1', record: {} },
+            { op: 'delete', type: 'annotation', id: 'a1' },
+        ];
+        expect(readNotification('session.patched', { session: 's', seq: 1, patches })).toEqual({
+            method: 'session.patched',
+            session: 's',
+            seq: 1,
+            patches: [patches[0]],
+        });
+        expect(readNotification('presence.patched', {})).toBeNull();
+        expect(readNotification('cache.patched', {})).toBeNull();
+    });
+
+    it('reads a notice for people, for programs, or for both', () => {
+        const method = 'server.notice';
+        expect(readNotification(method, { kind: 'catchingUp', surface: 's1' })).toEqual({
+            ...{ method, kind: 'catchingUp', text: null, surface: 's1' },
+        });
+        expect(readNotification(method, { kind: 'notDurable', text: 'The disk is full.' })).toEqual({
+            ...{ method, kind: 'notDurable', text: 'The disk is full.', surface: null },
+        });
+    });
+
     it('reads the progress of an import', () => {
         const steps = { ready: 3, total: 16 };
         const read = readNotification('dataset.patched', {

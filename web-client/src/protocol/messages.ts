@@ -1,6 +1,7 @@
 // The methods and notifications of the server that this client uses, one entry each: parameters ->
 // result. Mirrors protocol/ on the C++ side; names and shapes are those of the method table there.
 import { isObject } from './jsonRpc.ts';
+import { type Phase, phases } from './meshFrame.ts';
 
 export type Vec3 = [number, number, number];
 
@@ -123,7 +124,23 @@ export interface SessionSnapshot {
     name: string;
     rakes: RakeRecord[];
     surfaces: SurfaceRecord[];
+    clock?: ClockRecord;
 }
+
+/** The clock that all participants share. */
+export interface ClockRecord {
+    /** Simulation time when the record was made; null: never set, surfaces are shown at their end. */
+    time: number | null;
+    playing: boolean;
+    /** Simulation time a second. */
+    speed: number;
+    loop: boolean;
+    /** What is played; null before it first was. */
+    from: number | null;
+    to: number | null;
+}
+
+export type Role = 'viewer' | 'editor' | 'host';
 
 export interface SurfaceEpoch {
     surface: string;
@@ -154,6 +171,8 @@ export interface Subscription {
     lattice: LatticeDescription;
     attributes: string[];
     epoch: number;
+    /** The server goes on after the update that was asked for; otherwise a whole state comes first. */
+    resumed?: boolean;
 }
 
 type Nothing = Record<string, never>;
@@ -171,6 +190,7 @@ export interface Methods {
             seq: number;
             participants: Participant[];
             you: string;
+            role?: Role;
             resumeToken: string;
         };
     };
@@ -197,8 +217,14 @@ export interface Methods {
         params: { surface: string; epoch?: number; timeoutMs: number; session?: string };
         result: SurfaceStats;
     };
-    'surface.subscribe': { params: { surface: string }; result: Subscription };
+    'surface.subscribe': {
+        params: { surface: string; from?: { epoch: number; seq: number } };
+        result: Subscription;
+    };
     'surface.unsubscribe': { params: { subscription: number }; result: object };
+    'time.set': { params: { time: number | null }; result: { clock: ClockRecord } };
+    'time.play': { params: { speed?: number; loop?: boolean }; result: { clock: ClockRecord } };
+    'time.pause': { params: Nothing; result: { clock: ClockRecord } };
 }
 
 export type MethodName = keyof Methods;
@@ -208,14 +234,16 @@ export type ResultOf<M extends MethodName> = Methods[M]['result'];
 export type Patch =
     | { op: 'put'; type: 'rake'; id: string; record: RakeRecord }
     | { op: 'put'; type: 'surface'; id: string; record: SurfaceRecord }
+    | { op: 'put'; type: 'clock'; record: ClockRecord }
     | { op: 'delete'; type: 'rake' | 'surface'; id: string };
 
 export type Notification =
     | { method: 'session.patched'; session: string; seq: number; patches: Patch[] }
-    | { method: 'surface.progress'; surface: string; epoch: number; phase: 'coarse' | 'final' }
+    | { method: 'surface.progress'; surface: string; epoch: number; phase: Phase }
     | { method: 'surface.done'; surface: string; epoch: number; error: ReportedError | null }
     | { method: 'dataset.patched'; dataset: string; change: Partial<DatasetEntry> }
-    | { method: 'server.notice'; level: string; text: string };
+    /** `kind` is for programs, `text`, if there is one, for people. */
+    | { method: 'server.notice'; kind: string; text: string | null; surface: string | null };
 
 /** Checks a notification field by field; null for one this client does not know or cannot trust. */
 export function readNotification(
@@ -228,7 +256,8 @@ export function readNotification(
         case 'surface.progress': {
             const { surface, epoch, phase } = params;
             if (typeof surface !== 'string' || typeof epoch !== 'number') return null;
-            return { method, surface, epoch, phase: phase === 'final' ? 'final' : 'coarse' };
+            const known = phases.find((each) => each === phase);
+            return known === undefined ? null : { method, surface, epoch, phase: known };
         }
         case 'surface.done': {
             const { surface, epoch, error, stats } = params;
@@ -238,9 +267,9 @@ export function readNotification(
         case 'dataset.patched':
             return readDatasetPatched(params);
         case 'server.notice': {
-            const { level, text } = params;
-            if (typeof text !== 'string') return null;
-            return { method, level: typeof level === 'string' ? level : 'info', text };
+            const { kind, text, surface } = params;
+            const textOr = (value: unknown): string | null => (typeof value === 'string' ? value : null);
+            return { method, kind: textOr(kind) ?? '', text: textOr(text), surface: textOr(surface) };
         }
         default:
             return null;
@@ -259,6 +288,7 @@ function readSessionPatched(params: Record<string, unknown>): Notification | nul
 function readPatch(value: unknown): Patch | null {
     if (!isObject(value)) return null;
     const { op, type, id, record } = value;
+    if (type === 'clock') return op === 'put' && isClockRecord(record) ? { op, type, record } : null;
     if (typeof id !== 'string' || (type !== 'rake' && type !== 'surface')) return null;
     if (op === 'delete') return { op, type, id };
     if (op !== 'put') return null;
@@ -295,6 +325,19 @@ function isRakeRecord(value: unknown): value is RakeRecord & Record<string, unkn
         typeof value['seeds'] === 'number' &&
         Array.isArray(value['points']) &&
         value['points'].every(isVec3)
+    );
+}
+
+export function isClockRecord(value: unknown): value is ClockRecord & Record<string, unknown> {
+    const isTime = (time: unknown): boolean => time === null || Number.isFinite(time);
+    return (
+        isObject(value) &&
+        typeof value['playing'] === 'boolean' &&
+        typeof value['speed'] === 'number' &&
+        typeof value['loop'] === 'boolean' &&
+        isTime(value['time']) &&
+        isTime(value['from']) &&
+        isTime(value['to'])
     );
 }
 

@@ -44,11 +44,11 @@ class TriangleWriter {
 
 /// One cell seen with side `turn` as its side 0.
 class TurnedCell {
-    private readonly cells: Uint32Array;
+    private readonly cells: Int32Array;
     private readonly base: number;
     private readonly turn: number;
 
-    constructor(cells: Uint32Array, base: number, turn: number) {
+    constructor(cells: Int32Array, base: number, turn: number) {
         this.cells = cells;
         this.base = base;
         this.turn = turn;
@@ -63,7 +63,7 @@ class TurnedCell {
     }
 }
 
-function midMask(cells: Uint32Array, base: number): number {
+function midMask(cells: Int32Array, base: number): number {
     let mask = 0;
     for (let side = 0; side < 4; side += 1)
         if (cells[base + 4 + side] !== noVertex)
@@ -80,7 +80,7 @@ const turnOfMask = Uint8Array.from({ length: 16 }, (_, mask) => {
     return turn ?? 0;
 });
 
-function cutCell(out: TriangleWriter, cells: Uint32Array, base: number, mask: number): void {
+function cutCell(out: TriangleWriter, cells: Int32Array, base: number, mask: number): void {
     const c = new TurnedCell(cells, base, turnOfMask[mask]!);
     switch (countOfMask[mask]) {
         case 1:
@@ -113,13 +113,18 @@ function cutCell(out: TriangleWriter, cells: Uint32Array, base: number, mask: nu
     }
 }
 
-/// Vertex ids, three a triangle: two triangles a cell and one more for each mid.
-/// `positions`: xyz of each vertex, in any unit.
-export function triangulate(cells: Uint32Array, positions: Float32Array | Int32Array): Uint32Array {
+/// Two triangles a cell and one more for each mid.
+export function triangleCount(cells: Int32Array): number {
     let triangles = 0;
     for (let base = 0; base < cells.length; base += cellStride)
         triangles += 2 + countOfMask[midMask(cells, base)]!;
-    const out = new TriangleWriter(new Uint32Array(3 * triangles), positions);
+    return triangles;
+}
+
+/// Fills `indices` with vertex ids, three a triangle.
+/// `positions`: xyz of each vertex, in any unit.
+export function triangulate(cells: Int32Array, positions: Float32Array | Int32Array, indices: Uint32Array): void {
+    const out = new TriangleWriter(indices, positions);
     for (let base = 0; base < cells.length; base += cellStride) {
         const mask = midMask(cells, base);
         if (mask === 0)
@@ -127,5 +132,4 @@ export function triangulate(cells: Uint32Array, positions: Float32Array | Int32A
         else
             cutCell(out, cells, base, mask);
     }
-    return out.indices;
 }

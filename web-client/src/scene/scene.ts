@@ -21,7 +21,7 @@ import { projectToScreen, type ScreenPoint, type ScreenSize } from './rakeDrag.t
 import { RakeInteraction, type RakeMove } from './rakeInteraction.ts';
 import { RakeWidget } from './rakeWidget.ts';
 import { createSurfaceMaterial } from './surfaceMaterial.ts';
-import { type MeshArrays, SurfaceMesh } from './surfaceMesh.ts';
+import { type MeshChange, SurfaceMesh } from './surfaceMesh.ts';
 
 const background = 0x0b1018;
 const movingPixelRatio = 0.5;
@@ -109,17 +109,27 @@ export class FlowScene {
         this.loop.request();
     }
 
-    /** Shows a state; `shown` is told when its frame is on the screen as far as a page can know. */
-    setSurface(id: string, arrays: MeshArrays, shown: (time: number) => void): void {
+    /** Shows what is new in a surface. */
+    setSurface(id: string, change: MeshChange): void {
         let surface = this.surfaces.get(id);
         if (surface === undefined) {
             surface = new SurfaceMesh(this.surfaceMaterial);
             this.surfaces.set(id, surface);
             this.scene.add(surface.mesh);
         }
-        surface.update(arrays);
+        surface.update(change);
+        this.loop.request();
+    }
+
+    /** `shown` is told when the next frame is on the screen as far as a page can know. */
+    whenDrawn(shown: (time: number) => void): void {
         this.afterNextFrame.push(shown);
         this.loop.request();
+    }
+
+    /** A vertex of a surface and its scalar, as they are drawn. */
+    vertexOf(id: string, vertex: number): { point: Vec3; scalar: number } | null {
+        return this.surfaces.get(id)?.vertex(vertex) ?? null;
     }
 
     removeSurface(id: string): void {

@@ -9,15 +9,24 @@ import {
     Sphere,
 } from 'three';
 
-/** What the worker made of one complete state. */
-export interface MeshArrays {
+/** What is new in a mesh: everything from some vertex and some index on. */
+export interface MeshChange {
+    vertices: number;
+    triangles: number;
+    fromVertex: number;
     positions: Float32Array;
     normals: Float32Array;
     scalars: Float32Array;
+    fromIndex: number;
     indices: Uint32Array;
 }
 
 const smallestCapacity = 1 << 14;
+const attributes = [
+    ['position', 3],
+    ['normal', 3],
+    ['scalar', 1],
+] as const;
 
 export class SurfaceMesh {
     readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
@@ -30,20 +39,30 @@ export class SurfaceMesh {
         this.mesh.frustumCulled = false;
     }
 
-    update(arrays: MeshArrays): void {
-        const vertices = arrays.positions.length / 3;
-        this.reserve(vertices, arrays.indices.length);
+    update(change: MeshChange): void {
+        const { vertices, triangles, fromVertex, positions, normals, scalars } = change;
+        this.reserve(vertices, 3 * triangles);
         const { geometry } = this.mesh;
-        refill(geometry.getAttribute('position') as BufferAttribute, arrays.positions);
-        refill(geometry.getAttribute('normal') as BufferAttribute, arrays.normals);
-        refill(geometry.getAttribute('scalar') as BufferAttribute, arrays.scalars);
-        if (geometry.index !== null) refill(geometry.index, arrays.indices);
-        geometry.setDrawRange(0, arrays.indices.length);
-        this.mesh.visible = arrays.indices.length > 0;
+        refill(this.attribute('position'), positions, 3 * fromVertex);
+        refill(this.attribute('normal'), normals, 3 * fromVertex);
+        refill(this.attribute('scalar'), scalars, fromVertex);
+        if (geometry.index !== null) refill(geometry.index, change.indices, change.fromIndex);
+        geometry.setDrawRange(0, 3 * triangles);
+        this.mesh.visible = triangles > 0;
+    }
+
+    vertex(i: number): { point: [number, number, number]; scalar: number } {
+        const position = this.attribute('position');
+        const point: [number, number, number] = [position.getX(i), position.getY(i), position.getZ(i)];
+        return { point, scalar: this.attribute('scalar').getX(i) };
     }
 
     dispose(): void {
         this.mesh.geometry.dispose();
+    }
+
+    private attribute(name: string): BufferAttribute {
+        return this.mesh.geometry.getAttribute(name) as BufferAttribute;
     }
 
     private reserve(vertices: number, indices: number): void {
@@ -51,14 +70,15 @@ export class SurfaceMesh {
         this.vertexCapacity = grown(this.vertexCapacity, vertices);
         this.indexCapacity = grown(this.indexCapacity, indices);
         // A buffer on the GPU cannot grow: a larger geometry takes the place of the old one.
-        this.mesh.geometry.dispose();
+        const old = this.mesh.geometry;
+        old.dispose();
         const geometry = new BufferGeometry();
-        geometry.setAttribute('position', floats(this.vertexCapacity, 3));
-        geometry.setAttribute('normal', floats(this.vertexCapacity, 3));
-        geometry.setAttribute('scalar', floats(this.vertexCapacity, 1));
+        for (const [name, itemSize] of attributes) {
+            const attribute = new BufferAttribute(new Float32Array(this.vertexCapacity * itemSize), itemSize);
+            geometry.setAttribute(name, dynamic(attribute, old.attributes[name]));
+        }
         const index = new BufferAttribute(new Uint32Array(this.indexCapacity), 1);
-        index.setUsage(DynamicDrawUsage);
-        geometry.setIndex(index);
+        geometry.setIndex(dynamic(index, old.index));
         geometry.boundingSphere = new Sphere(undefined, Number.POSITIVE_INFINITY);
         this.mesh.geometry = geometry;
     }
@@ -70,15 +90,23 @@ function grown(capacity: number, needed: number): number {
     return size;
 }
 
-function floats(count: number, itemSize: number): BufferAttribute {
-    const attribute = new BufferAttribute(new Float32Array(count * itemSize), itemSize);
+/** Refilled often, and beginning like the attribute whose place it takes. */
+function dynamic(attribute: BufferAttribute, old: { array: ArrayLike<number> } | null | undefined): BufferAttribute {
     attribute.setUsage(DynamicDrawUsage);
+    if (old !== null && old !== undefined) attribute.array.set(old.array);
     return attribute;
 }
 
-function refill(attribute: BufferAttribute, values: Float32Array | Uint32Array): void {
-    attribute.array.set(values);
+/** Marks one range for the upload, around all that has changed since the last. */
+function refill(attribute: BufferAttribute, values: Float32Array | Uint32Array, from: number): void {
+    if (values.length === 0) return;
+    attribute.array.set(values, from);
+    let [start, end] = [from, from + values.length];
+    for (const range of attribute.updateRanges) {
+        start = Math.min(start, range.start);
+        end = Math.max(end, range.start + range.count);
+    }
     attribute.clearUpdateRanges();
-    attribute.addUpdateRange(0, values.length);
+    attribute.addUpdateRange(start, end - start);
     attribute.needsUpdate = true;
 }

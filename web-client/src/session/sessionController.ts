@@ -58,13 +58,14 @@ export class SessionController {
         if (event.type === 'surface') feed.receive(event);
         else if (event.type === 'notification') this.notified(event.notification);
         else if (event.type === 'frameTrouble') {
-            void feed.troubled(event.subscription, event.reason);
+            void feed.troubled(event.surface, event.subscription, event.reason);
         } else {
             const { type: _, ...connection } = event;
             state.connection.value = connection;
             if (connection.state === 'waiting') {
                 state.retryAt.value = performance.now() + connection.retryInMs;
                 state.stage.value = 'starting';
+                state.catchingUp.value = new Set();
             }
             if (connection.state === 'refused') state.fatal.value = connection.reason;
             if (connection.state === 'open') void this.begin();
@@ -84,7 +85,9 @@ export class SessionController {
             if (entry === null || gone()) return;
             await this.describe(entry.dataset);
             const own = snapshot ?? (await this.createSession(entry.dataset));
-            if (own.surfaces.length === 0) await this.addDefaultSurface(entry.dataset);
+            if (own.surfaces.length === 0 && state.role.value !== 'viewer') {
+                await this.addDefaultSurface(entry.dataset);
+            }
             if (gone()) return;
             await this.subscribeAll();
             state.stage.value = 'running';
@@ -127,6 +130,7 @@ export class SessionController {
         const joined = await this.options.worker.call('session.join', { session, ...resume });
         this.session = session;
         this.resumeToken = joined.resumeToken;
+        this.options.state.role.value = joined.role ?? 'host';
         return joined.snapshot;
     }
 
@@ -243,6 +247,7 @@ export class SessionController {
         state.surfaces.value = new Map(snapshot.surfaces.map((record) => [record.surface, record]));
         state.requestedEpochs.value = new Map(snapshot.surfaces.map((s) => [s.surface, s.epoch]));
         state.surfaceErrors.value = new Map();
+        state.clock.value = snapshot.clock ?? null;
         this.chooseActive();
     }
 
@@ -270,11 +275,21 @@ export class SessionController {
                 this.datasetPatched(notification.dataset, notification.change);
                 break;
             case 'server.notice':
-                state.notice.value = notification.text;
+                if (notification.text !== null) state.notice.value = notification.text;
+                this.noticed(notification.kind, notification.surface ?? '');
                 break;
             case 'surface.progress':
                 break;
         }
+    }
+
+    private noticed(kind: string, surface: string): void {
+        const { catchingUp } = this.options.state;
+        if (kind !== 'catchingUp' && kind !== 'caughtUp') return;
+        const surfaces = new Set(catchingUp.value);
+        if (kind === 'catchingUp') surfaces.add(surface);
+        else surfaces.delete(surface);
+        catchingUp.value = surfaces;
     }
 
     private patched(patches: readonly Patch[]): void {
@@ -283,6 +298,10 @@ export class SessionController {
         const surfaces = new Map(state.surfaces.value);
         const added: string[] = [];
         for (const patch of patches) {
+            if (patch.type === 'clock') {
+                state.clock.value = patch.record;
+                continue;
+            }
             const records = patch.type === 'rake' ? rakes : surfaces;
             if (patch.op === 'delete') {
                 records.delete(patch.id);

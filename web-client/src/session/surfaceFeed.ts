@@ -1,5 +1,4 @@
-// The surfaces as they arrive: subscriptions, and of the states of each surface only the newest, put
-// on the screen at the next frame.
+// The surfaces as they arrive: subscriptions, and what is new in each surface, put on the screen at the next frame.
 import { errorWords, type ReportedError } from '../protocol/messages.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import { type AppState, withEntry, withoutEntry } from '../state/appState.ts';
@@ -19,32 +18,32 @@ export interface SurfaceFeedOptions {
 
 export class SurfaceFeed {
     private readonly options: SurfaceFeedOptions;
-    private readonly surfaceOf = new Map<number, string>();
-    private readonly waiting = new Map<string, SurfaceState>();
+    private readonly subscribed = new Set<string>();
+    /** Each builds on the one before, so all are drawn; the worker keeps them few. */
+    private readonly waiting = new Map<string, SurfaceState[]>();
     /** How often in a row the frames of a surface did not fit together. */
     private readonly troubles = new Map<string, number>();
-    /** The state on the screen with its arrays, for tests of what is displayed. */
-    private readonly arrays = new Map<string, SurfaceState>();
 
     constructor(options: SurfaceFeedOptions) {
         this.options = options;
     }
 
+    /** The mesh on the screen stays, and goes on if the server still has what follows. */
     async subscribe(surface: string): Promise<void> {
-        const { worker } = this.options;
-        const { subscription } = await worker.call('surface.subscribe', { surface });
-        this.surfaceOf.set(subscription, surface);
+        const { worker, state } = this.options;
+        this.subscribed.add(surface);
+        const { resumed } = await worker.call('surface.subscribe', { surface });
+        // What is on the screen is of an epoch that the server may number anew.
+        if (resumed !== true) state.displayed.value = withoutEntry(state.displayed.value, surface);
     }
 
     /**
      * Starts afresh after frames that did not fit together. Each time later than before: if page and server
      * do not understand each other, asking again at once would keep both busy for ever.
      */
-    async troubled(subscription: number, reason: string): Promise<void> {
+    async troubled(surface: string, subscription: number, reason: string): Promise<void> {
         const { worker, state } = this.options;
-        const surface = this.surfaceOf.get(subscription);
-        if (surface === undefined) return;
-        this.surfaceOf.delete(subscription);
+        if (!this.subscribed.has(surface)) return;
         const troubles = (this.troubles.get(surface) ?? 0) + 1;
         this.troubles.set(surface, troubles);
         if (troubles > troublesAtMost) {
@@ -53,50 +52,50 @@ export class SurfaceFeed {
         }
         await new Promise((resolve) => setTimeout(resolve, firstPauseMs * 2 ** (troubles - 1)));
         await worker.call('surface.unsubscribe', { subscription }).catch(() => null);
-        await this.subscribe(surface).catch(() => undefined);
+        if (this.subscribed.has(surface)) await this.subscribe(surface).catch(() => undefined);
     }
 
-    /** A new connection: old subscriptions are void, epochs may count from the start again. */
+    /** A new connection: old subscriptions are void. */
     reset(): void {
-        const { state, scene } = this.options;
-        this.surfaceOf.clear();
+        const { state } = this.options;
         this.troubles.clear();
-        this.waiting.clear();
-        for (const id of state.displayed.value.keys()) {
-            if (!state.surfaces.value.has(id)) scene.removeSurface(id);
-        }
-        state.displayed.value = new Map();
+        for (const surface of this.subscribed) if (!state.surfaces.value.has(surface)) this.removed(surface);
     }
 
     receive(arrived: SurfaceState): void {
-        const surface = this.surfaceOf.get(arrived.subscription);
-        if (surface === undefined) return;
-        const newest = this.waiting.get(surface) ?? this.options.state.displayed.value.get(surface);
-        if (newest !== undefined && arrived.epoch < newest.epoch) return;
+        const { surface, fromVertex, fromIndex } = arrived;
+        const { worker, scene } = this.options;
+        if (!this.subscribed.has(surface)) {
+            worker.taken(surface);
+            return;
+        }
         this.troubles.delete(surface);
-        this.waiting.set(surface, arrived);
-        this.options.scene.loop.request();
+        const before = this.waiting.get(surface) ?? [];
+        const whole = fromVertex === 0 && fromIndex === 0;
+        // Drawn unseen it would cost as much as seen.
+        if (whole) for (const _ of before) worker.taken(surface);
+        this.waiting.set(surface, whole ? [arrived] : [...before, arrived]);
+        scene.loop.request();
     }
 
     /** Called at the start of every frame. */
     apply(): void {
-        const { state, scene, latency } = this.options;
+        const { state, scene, latency, worker } = this.options;
         for (const [surface, arrived] of this.waiting) {
-            const { epoch, vertices, cells, triangles, stateCrc, final } = arrived;
-            scene.setSurface(surface, arrived, (time) => {
-                latency.shown(surface, epoch, time);
+            for (const change of arrived) {
+                scene.setSurface(surface, change);
+                worker.taken(surface);
+            }
+            const { epoch, vertices, cells, triangles, stateCrc, phase, time } = arrived.at(-1)!;
+            scene.whenDrawn((at) => {
+                latency.shown(surface, epoch, at);
                 state.latencyMs.value = latency.samples.at(-1)?.milliseconds ?? null;
             });
-            const shown = { surface, epoch, vertices, cells, triangles, stateCrc, final };
+            const shown = { surface, epoch, vertices, cells, triangles, stateCrc, phase, time };
             state.displayed.value = withEntry(state.displayed.value, surface, shown);
-            this.arrays.set(surface, arrived);
             this.requested(surface, epoch);
         }
         this.waiting.clear();
-    }
-
-    shownArrays(surface: string): SurfaceState | undefined {
-        return this.arrays.get(surface);
     }
 
     requested(surface: string, epoch: number): void {
@@ -115,12 +114,10 @@ export class SurfaceFeed {
     }
 
     removed(surface: string): void {
-        const { state, scene } = this.options;
+        const { state, scene, worker } = this.options;
+        this.subscribed.delete(surface);
         this.waiting.delete(surface);
-        this.arrays.delete(surface);
-        for (const [subscription, id] of this.surfaceOf) {
-            if (id === surface) this.surfaceOf.delete(subscription);
-        }
+        worker.forget(surface);
         scene.removeSurface(surface);
         state.displayed.value = withoutEntry(state.displayed.value, surface);
     }

@@ -8,7 +8,7 @@ const displayed: DisplayedSurface = {
     cells: 4,
     triangles: 8,
     stateCrc: 1,
-    final: true,
+    phase: 'final' as const, time: 0,
 };
 
 describe('surfacePhase', () => {
@@ -18,7 +18,7 @@ describe('surfacePhase', () => {
         expect(surfacePhase(settled)).toBe('final');
         expect(surfacePhase({ ...settled, requestedEpoch: 5 })).toBe('updating');
         expect(surfacePhase({ ...settled, editsPending: true })).toBe('updating');
-        expect(surfacePhase({ ...settled, displayed: { ...displayed, final: false } })).toBe('coarse');
+        expect(surfacePhase({ ...settled, displayed: { ...displayed, phase: 'coarse' } })).toBe('coarse');
         expect(surfacePhase({ ...settled, displayed: { ...displayed, cells: 0 } })).toBe('empty');
         expect(surfacePhase({ ...settled, displayed: undefined })).toBe('none');
     });

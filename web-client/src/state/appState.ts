@@ -2,10 +2,13 @@
 // session/, read by ui/.
 import { computed, signal } from '@preact/signals-core';
 import type { ConnectionState } from '../connection/liveSocket.ts';
+import type { Phase } from '../protocol/meshFrame.ts';
 import type {
+    ClockRecord,
     DatasetDescription,
     DatasetEntry,
     RakeRecord,
+    Role,
     SurfaceRecord,
     Vec3,
 } from '../protocol/messages.ts';
@@ -18,7 +21,9 @@ export interface DisplayedSurface {
     cells: number;
     triangles: number;
     stateCrc: number;
-    final: boolean;
+    phase: Phase;
+    /** Simulation time. */
+    time: number;
 }
 
 export type Stage = 'starting' | 'importing' | 'running' | 'failed';
@@ -45,6 +50,11 @@ export class AppState {
     /** The newest epoch that an answer or a record of the server has named, by surface. */
     readonly requestedEpochs = signal<ReadonlyMap<string, number>>(new Map());
     readonly surfaceErrors = signal<ReadonlyMap<string, { epoch: number; text: string }>>(new Map());
+    /** Surfaces of which older states were left out, because this client is slower than the server. */
+    readonly catchingUp = signal<ReadonlySet<string>>(new Set());
+    /** Null where the server has none. */
+    readonly clock = signal<ClockRecord | null>(null);
+    readonly role = signal<Role>('host');
     readonly editsPending = signal(false);
     readonly editError = signal<string | null>(null);
     readonly notice = signal<string | null>(null);
@@ -82,6 +92,7 @@ export type SurfacePhase =
     | 'none'
     | 'updating'
     | 'coarse'
+    | 'live'
     | 'final'
     | 'empty'
     | 'error';
@@ -100,7 +111,8 @@ export function surfacePhase(progress: SurfaceProgress): SurfacePhase {
     if (error !== undefined && error.epoch >= requestedEpoch && !editsPending) return 'error';
     if (displayed === undefined) return 'none';
     if (displayed.epoch < requestedEpoch || editsPending) return 'updating';
-    if (!displayed.final) return 'coarse';
+    if (displayed.phase === 'live') return 'live';
+    if (displayed.phase !== 'final') return 'coarse';
     return displayed.cells === 0 ? 'empty' : 'final';
 }
 

@@ -1,4 +1,5 @@
 // What the components share: the state they show and the actions they offer.
+import type { ClockControl } from '../session/clockControl.ts';
 import type { Edits } from '../session/edits.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
@@ -6,6 +7,7 @@ import type { AppState } from '../state/appState.ts';
 export interface AppModel {
     state: AppState;
     edits: Edits;
+    clock: ClockControl;
     scene: FlowScene;
     retryNow: () => void;
 }

@@ -41,7 +41,7 @@ export class Banner extends SignalElement {
 
     override render(): TemplateResult {
         return html`<div role="status" aria-live="polite">
-            ${this.connection()} ${this.importing()} ${this.notice()}
+            ${this.connection()} ${this.importing()} ${this.catchingUp()} ${this.notice()}
         </div>`;
     }
 
@@ -76,6 +76,13 @@ export class Banner extends SignalElement {
         return html`<div class="banner" id="importing">
             <span class="words">Importing the time-steps of ${entry.name}${steps}.${left}${waiting}</span>
             <progress max="1" .value=${entry.progress ?? 0} aria-label="Import"></progress>
+        </div>`;
+    }
+
+    private catchingUp(): TemplateResult | typeof nothing {
+        if (this.model.state.catchingUp.value.size === 0) return nothing;
+        return html`<div class="banner" id="catching-up">
+            <span class="words">Catching up: the surface changes faster than it arrives here …</span>
         </div>`;
     }
 

@@ -62,6 +62,7 @@ export class Panel extends SignalElement {
                 color: var(--good);
             }
             .coarse,
+            .live,
             .waiting,
             .updating,
             .error {
@@ -83,6 +84,9 @@ export class Panel extends SignalElement {
                           ${countWords(dataset.points)} points, ${dataset.times.length}
                           ${dataset.times.length === 1 ? 'time-step' : 'time-steps'}
                       </p>`}
+            ${state.role.value === 'viewer'
+                ? html`<p class="quiet" id="role">This link is for looking on: it cannot change anything.</p>`
+                : nothing}
             <section aria-labelledby="surface-head" ?hidden=${none}>
                 <h2 id="surface-head">Surface</h2>
                 <wakesurf-surface .model=${this.model}></wakesurf-surface>

@@ -6,6 +6,7 @@ export const phaseWords: Record<SurfacePhase, string> = {
     none: 'Computing the first surface …',
     updating: 'Updating …',
     coarse: 'Coarse, refining …',
+    live: 'Playing',
     final: 'Final',
     empty: 'Final: no surface grows from this rake',
     error: 'Not computed',

@@ -1,10 +1,14 @@
-// The time of the data: one stop of the slider for every time-step that is ready.
-import { css, html, type TemplateResult } from 'lit';
-import type { SurfaceKind } from '../protocol/messages.ts';
+// The time of the data: one stop of the slider for every time-step that is ready. Below it, for surfaces that move,
+// the session's clock: when of their life they are shown.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import type { ClockRecord, SurfaceKind } from '../protocol/messages.ts';
 import { shortNumber } from '../scene/ticks.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
+
+const clockStops = 200;
+const secondsToPlay = 10;
 
 /** What the time of the slider is for a surface of each kind. */
 const meanings: Record<SurfaceKind, string> = {
@@ -29,6 +33,12 @@ export class TimeBar extends SignalElement {
                 padding: 8px 16px;
                 background: var(--ground);
                 border-top: 1px solid var(--line);
+            }
+            .clock {
+                display: contents;
+            }
+            .clock input {
+                grid-column: 3 / 5;
             }
             output {
                 min-width: 12ch;
@@ -79,7 +89,48 @@ export class TimeBar extends SignalElement {
             <output for="time"
                 ><span class="quiet">${meaning}</span> t = ${shortNumber(intent?.from ?? Number.NaN)}</output
             >
+            ${this.clock()}
         `;
+    }
+
+    /** Only for what the clock moves, and where the server has one. */
+    private clock(): TemplateResult | typeof nothing {
+        const { state, clock } = this.model;
+        const record = state.clock.value;
+        const intent = this.model.edits.intent.value;
+        const known = state.capabilities.value.includes('clock') && record !== null;
+        if (!known || intent === null || intent.kind === 'stream') return nothing;
+        const [from, to] = [record.from ?? intent.from, record.to ?? intent.from + intent.length];
+        const time = this.shownTime(record) ?? to;
+        const speed = record.from === null ? (to - from) / secondsToPlay : record.speed;
+        return html`<div class="clock">
+            <label for="clock">Shown at</label>
+            <button
+                type="button"
+                aria-label=${record.playing ? 'Pause' : 'Play'}
+                @click=${() => (record.playing ? clock.pause() : clock.play(speed))}
+            >
+                ${record.playing ? '❚❚' : '▶'}
+            </button>
+            <input
+                id="clock"
+                type="range"
+                min=${from}
+                max=${to}
+                step=${(to - from) / clockStops}
+                .value=${String(time)}
+                aria-valuetext=${`time ${shortNumber(time)}`}
+                @input=${(event: Event) => clock.set((event.target as HTMLInputElement).valueAsNumber)}
+            />
+            <output for="clock">t = ${shortNumber(time)}</output>
+        </div>`;
+    }
+
+    /** While the clock runs, that of the surface on the screen. */
+    private shownTime(record: ClockRecord): number | null {
+        const { state } = this.model;
+        const displayed = state.displayed.value.get(state.activeSurface.value ?? '');
+        return record.playing && displayed !== undefined ? displayed.time : record.time;
     }
 
     private choose(index: number): void {

@@ -1,7 +1,13 @@
 import { describe, expect, it } from 'vitest';
-import { vertexNormals } from './normals.ts';
+import { addNormals } from './normals.ts';
 
-describe('vertexNormals', () => {
+function vertexNormals(positions: Float32Array, indices: Uint32Array): Float32Array {
+    const normals = new Float32Array(positions.length);
+    addNormals(positions, indices, 0, normals);
+    return normals;
+}
+
+describe('addNormals', () => {
     it('of a plane are its normal', () => {
         const positions = Float32Array.of(0, 0, 2, 3, 0, 2, 3, 1, 2, 0, 1, 2);
         const normals = vertexNormals(positions, Uint32Array.of(0, 1, 2, 0, 2, 3));
@@ -27,6 +33,17 @@ describe('vertexNormals', () => {
         for (let v = 0; v < normals.length; v += 3) {
             const dot = [0, 1, 2].reduce((sum, k) => sum + normals[v + k]! * positions[v + k]!, 0);
             expect(dot).toBeGreaterThan(0.98);
+        }
+    });
+
+    it('of the last vertices are the same as when all are made', () => {
+        const positions = Float32Array.from({ length: 60 }, (_, i) => Math.sin(i * i));
+        const indices = Uint32Array.from({ length: 90 }, (_, i) => (i * 7 + (i >> 2)) % 20);
+        const all = vertexNormals(positions, indices);
+        for (const from of [1, 7, 19]) {
+            const last = new Float32Array(3 * (20 - from));
+            addNormals(positions, indices, from, last);
+            expect([...last]).toEqual([...all.subarray(3 * from)]);
         }
     });
 

@@ -1,8 +1,8 @@
-// The body of a dataset: mesh frames one after the other, each after its length in bytes.
+// The body of a dataset: the frames of one KEY, one after the other, each after its length in bytes.
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
-import type { Lattice } from '../protocol/lattice.ts';
+import { dequantise, type Lattice } from '../protocol/lattice.ts';
 import { MeshDecoder } from '../protocol/meshDecoder.ts';
-import { triangulate } from '../protocol/triangulate.ts';
+import { triangleCount, triangulate } from '../protocol/triangulate.ts';
 import type { GeometryArrays } from './workerMessages.ts';
 
 /** Null when the dataset has no obstacle. */
@@ -24,11 +24,16 @@ export function decodeObstacle(
     draco: DracoPoints,
     lattice: Lattice,
 ): GeometryArrays | null {
-    const decoder = new MeshDecoder(draco, lattice, []);
+    const decoder = new MeshDecoder(draco, lattice, 0);
     for (const frame of framesOf(bytes)) decoder.fold(frame);
-    const mesh = decoder.take();
-    if (mesh === undefined || !mesh.complete) return null;
-    return { positions: mesh.positions, indices: triangulate(mesh.cells, mesh.positions) };
+    const { mesh } = decoder;
+    if (mesh === undefined) return null;
+    const nodes = mesh.position.values.subarray(0, 3 * mesh.vertices);
+    const positions = new Float32Array(nodes.length);
+    dequantise(lattice, nodes, positions);
+    const indices = new Uint32Array(3 * triangleCount(mesh.cells));
+    triangulate(mesh.cells, positions, indices);
+    return { positions, indices };
 }
 
 export function framesOf(bytes: Uint8Array): Uint8Array[] {

@@ -5,14 +5,14 @@ import { systemClock } from '../connection/clock.ts';
 import { type ConnectionState, LiveSocket } from '../connection/liveSocket.ts';
 import { RpcClient } from '../connection/rpcClient.ts';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
-import { parseIncoming, RpcError } from '../protocol/jsonRpc.ts';
+import { encodeNotification, parseIncoming, RpcError } from '../protocol/jsonRpc.ts';
 import {
     type MethodName,
     type ParamsOf,
     readNotification,
-    type Subscription,
+    type ResultOf,
 } from '../protocol/messages.ts';
-import { loadDraco } from './draco.ts';
+import { keepDracoSmall, loadDraco } from './draco.ts';
 import { fetchObstacle } from './obstacle.ts';
 import { SurfaceFolder } from './surfaceFolder.ts';
 import type { CallFailure, FromWorker, MessageOf, SurfaceState, ToWorker } from './workerMessages.ts';
@@ -29,6 +29,7 @@ class SessionWorker {
     private readonly rpc = new RpcClient((text) => this.socket.send(text));
     private readonly folder: SurfaceFolder;
     private readonly socket: LiveSocket;
+    private session: string | null = null;
 
     constructor(port: WorkerPort, draco: DracoPoints, baseUrl: string, token: string | null) {
         this.port = port;
@@ -37,8 +38,10 @@ class SessionWorker {
         this.folder = new SurfaceFolder({
             draco,
             onState: (state) => this.sendState(state),
-            onTrouble: (subscription, reason) =>
-                port.postMessage({ type: 'frameTrouble', subscription, reason }),
+            onApplied: (subscription, { epoch, seq }) =>
+                this.socket.send(encodeNotification('frame.ack', { subscription, epoch, seq })),
+            onTrouble: (surface, subscription, reason) =>
+                port.postMessage({ type: 'frameTrouble', surface, subscription, reason }),
         });
         this.socket = new LiveSocket({
             clock: systemClock,
@@ -60,13 +63,35 @@ class SessionWorker {
         } else if (message.type === 'obstacle') {
             const { dataset, lattice } = message;
             this.answer(message.id, fetchObstacle(this.baseUrl, dataset, this.draco, lattice));
-        } else if (message.type === 'retryNow') {
-            this.socket.retryNow();
-        }
+        } else if (message.type === 'taken') this.folder.taken(message.surface);
+        else if (message.type === 'forget') this.folder.forget(message.surface);
+        else if (message.type === 'retryNow') this.socket.retryNow();
     }
 
-    private call(method: MethodName, params: object): Promise<unknown> {
-        return this.rpc.call(method, params as ParamsOf<MethodName>);
+    private async call(method: MethodName, params: object): Promise<unknown> {
+        if (method === 'surface.subscribe') {
+            return this.subscribe(params as ParamsOf<'surface.subscribe'>);
+        }
+        const result = await this.rpc.call(method, params as ParamsOf<MethodName>);
+        if (method === 'session.join') this.joined(params as ParamsOf<'session.join'>);
+        return result;
+    }
+
+    /** Goes on from the state that is here, if the server can. */
+    private async subscribe({
+        surface,
+    }: ParamsOf<'surface.subscribe'>): Promise<ResultOf<'surface.subscribe'>> {
+        const from = this.folder.placeOf(surface);
+        const asked = from === undefined ? { surface } : { surface, from };
+        const agreed = await this.rpc.call('surface.subscribe', asked);
+        // Before anything else is heard: the first frames follow the answer at once.
+        this.folder.subscribed(surface, agreed);
+        return agreed;
+    }
+
+    private joined({ session }: ParamsOf<'session.join'>): void {
+        if (session !== this.session) this.folder.forgetAll();
+        this.session = session;
     }
 
     private answer(id: number, outcome: Promise<unknown>): void {
@@ -79,15 +104,17 @@ class SessionWorker {
 
     private connectionChanged(state: ConnectionState): void {
         if (state.state === 'waiting') {
-            this.folder.clear();
+            this.folder.disconnected();
             this.rpc.disconnected();
         }
         this.port.postMessage({ type: 'connection', ...state });
     }
 
     private receive(data: unknown): void {
-        if (data instanceof ArrayBuffer) this.folder.receive(new Uint8Array(data));
-        else if (typeof data === 'string') this.receiveText(data);
+        if (data instanceof ArrayBuffer) {
+            this.folder.receive(new Uint8Array(data));
+            keepDracoSmall(this.draco);
+        } else if (typeof data === 'string') this.receiveText(data);
     }
 
     private receiveText(text: string): void {
@@ -98,23 +125,14 @@ class SessionWorker {
             if (notification !== null) this.port.postMessage({ type: 'notification', notification });
             return;
         }
-        // Before the reply is handed on: the first frames follow it at once.
-        if (incoming.type === 'result' && isSubscription(incoming.result)) {
-            this.folder.subscribed(incoming.result);
-        }
         this.rpc.receive(incoming);
     }
 
     private sendState(state: SurfaceState): void {
         const { positions, normals, scalars, indices } = state;
-        this.port.postMessage({ type: 'surface', ...state }, [
-            ...new Set([positions.buffer, normals.buffer, scalars.buffer, indices.buffer]),
-        ]);
+        const transfer = [positions.buffer, normals.buffer, scalars.buffer, indices.buffer];
+        this.port.postMessage({ type: 'surface', ...state }, transfer);
     }
-}
-
-function isSubscription(result: unknown): result is Subscription {
-    return typeof result === 'object' && result !== null && 'subscription' in result;
 }
 
 function failureOf(error: unknown): CallFailure {
@@ -129,6 +147,10 @@ const port = self as unknown as WorkerPort;
 let worker: Promise<SessionWorker> | null = null;
 
 port.onmessage = ({ data }) => {
+    if (data.type === 'areYouThere') {
+        port.postMessage({ type: 'here' });
+        return;
+    }
     if (data.type === 'start') {
         const { baseUrl, token } = data;
         worker = loadDraco().then((draco) => new SessionWorker(port, draco, baseUrl, token));

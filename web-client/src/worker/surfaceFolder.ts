@@ -1,78 +1,134 @@
-// Folds the frames of all subscriptions into complete states. A state that a newer one has
-// overtaken before it was whole is never handed on: MeshDecoder starts afresh at each first frame.
+// Folds the frames of all subscriptions into states. What the page has not taken yet waits here as a note of what has
+// changed: a page that is slow or hidden gets the newest state when it asks, and no state in between.
 import type { Subscription } from '../protocol/messages.ts';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
-import { MeshDecoder, type WireMesh } from '../protocol/meshDecoder.ts';
+import { MeshDecoder } from '../protocol/meshDecoder.ts';
 import { surfaceOf } from '../protocol/meshFrame.ts';
-import { triangulate } from '../protocol/triangulate.ts';
-import { vertexNormals } from './normals.ts';
+import { DisplayArrays } from './displayArrays.ts';
 import type { SurfaceState } from './workerMessages.ts';
+
+/** One on its way to the screen, and one to be there at once afterwards. */
+const statesUntaken = 2;
+const shownAttribute = 'speed';
+
+export interface UpdatePlace {
+    epoch: number;
+    seq: number;
+}
 
 export interface SurfaceFolderOptions {
     draco: DracoPoints;
     onState: (state: SurfaceState) => void;
-    onTrouble: (subscription: number, reason: string) => void;
+    onApplied: (subscription: number, place: UpdatePlace) => void;
+    onTrouble: (surface: string, subscription: number, reason: string) => void;
+}
+
+interface Followed {
+    surface: string;
+    decoder: MeshDecoder;
+    display: DisplayArrays;
+    untaken: number;
+    news: boolean;
+    troubled: boolean;
 }
 
 export class SurfaceFolder {
     private readonly options: SurfaceFolderOptions;
-    private readonly decoders = new Map<number, MeshDecoder>();
-    private readonly troubled = new Set<number>();
+    private readonly followed = new Map<string, Followed>();
+    /** Only of this connection; the states outlive it. */
+    private readonly bySubscription = new Map<number, Followed>();
 
     constructor(options: SurfaceFolderOptions) {
         this.options = options;
     }
 
-    subscribed(agreed: Subscription): void {
-        const decoder = new MeshDecoder(this.options.draco, agreed.lattice, agreed.attributes);
-        this.decoders.set(agreed.subscription, decoder);
-        this.troubled.delete(agreed.subscription);
+    /** What a new subscription of the surface may go on from. */
+    placeOf(surface: string): UpdatePlace | undefined {
+        const decoder = this.followed.get(surface)?.decoder;
+        if (decoder?.newest === undefined || decoder.mesh === undefined) return undefined;
+        const { epoch, seq } = decoder.newest;
+        return { epoch, seq };
     }
 
-    unsubscribed(subscription: number): void {
-        this.decoders.delete(subscription);
+    subscribed(surface: string, agreed: Subscription): void {
+        const { subscription, lattice, attributes, resumed } = agreed;
+        const known = this.followed.get(surface);
+        if (known !== undefined && resumed === true && this.placeOf(surface) !== undefined) {
+            known.decoder.continueAs(subscription);
+            this.bySubscription.set(subscription, known);
+            return;
+        }
+        const followed = {
+            surface,
+            decoder: new MeshDecoder(this.options.draco, lattice, attributes.length),
+            display: new DisplayArrays(lattice, attributes.indexOf(shownAttribute)),
+            untaken: known?.untaken ?? 0,
+            news: false,
+            troubled: false,
+        };
+        this.followed.set(surface, followed);
+        this.bySubscription.set(subscription, followed);
+    }
+
+    forget(surface: string): void {
+        const followed = this.followed.get(surface);
+        this.followed.delete(surface);
+        for (const [subscription, each] of this.bySubscription) {
+            if (each === followed) this.bySubscription.delete(subscription);
+        }
     }
 
     /** Subscriptions do not outlive the connection. */
-    clear(): void {
-        this.decoders.clear();
-        this.troubled.clear();
+    disconnected(): void {
+        this.bySubscription.clear();
+    }
+
+    /** Another session: its surfaces may be called the same. */
+    forgetAll(): void {
+        this.bySubscription.clear();
+        this.followed.clear();
+    }
+
+    /** The page has put a state on the screen. */
+    taken(surface: string): void {
+        const followed = this.followed.get(surface);
+        if (followed === undefined) return;
+        followed.untaken = Math.max(0, followed.untaken - 1);
+        this.offer(followed);
     }
 
     receive(frame: Uint8Array): void {
         const subscription = surfaceOf(frame);
-        const decoder = subscription === undefined ? undefined : this.decoders.get(subscription);
-        if (subscription === undefined || decoder === undefined) return;
+        const followed = subscription === undefined ? undefined : this.bySubscription.get(subscription);
+        if (subscription === undefined || followed === undefined) return;
         try {
-            if (!decoder.fold(frame).last) return;
-            this.troubled.delete(subscription);
-            const mesh = decoder.take();
-            if (mesh !== undefined) this.options.onState(stateOf(mesh));
+            const applied = followed.decoder.fold(frame);
+            if (applied === undefined) return;
+            followed.troubled = false;
+            followed.news = true;
+            followed.display.note(applied);
+            this.options.onApplied(subscription, applied.header);
         } catch (error) {
             // Frames that follow a damaged one fail too; one report is enough.
-            if (this.troubled.has(subscription)) return;
-            this.troubled.add(subscription);
+            if (followed.troubled) return;
+            followed.troubled = true;
             const reason = error instanceof Error ? error.message : String(error);
-            this.options.onTrouble(subscription, reason);
+            this.options.onTrouble(followed.surface, subscription, reason);
+            return;
         }
+        this.offer(followed);
     }
-}
 
-function stateOf(mesh: WireMesh): SurfaceState {
-    const indices = triangulate(mesh.cells, mesh.positions);
-    const range = mesh.ranges['speed'];
-    return {
-        subscription: mesh.surface,
-        epoch: mesh.epoch,
-        final: mesh.final,
-        stateCrc: mesh.stateCrc,
-        vertices: mesh.vertexCount,
-        cells: mesh.cellCount,
-        triangles: indices.length / 3,
-        speedRange: range === undefined ? [0, 0] : [range.lo, range.hi],
-        positions: mesh.positions,
-        normals: vertexNormals(mesh.positions, indices),
-        scalars: mesh.attributes['speed'] ?? new Float32Array(mesh.vertexCount),
-        indices,
-    };
+    private offer(followed: Followed): void {
+        const { newest: header, mesh } = followed.decoder;
+        if (!followed.news || followed.untaken >= statesUntaken) return;
+        if (header === undefined || mesh === undefined) return;
+        followed.news = false;
+        followed.untaken += 1;
+        const { epoch, phase, time, stateSum } = header;
+        this.options.onState({
+            ...{ surface: followed.surface, epoch, phase, time, stateCrc: stateSum, cells: mesh.cellCount },
+            ...followed.display.take(mesh),
+        });
+    }
 }

@@ -1,4 +1,5 @@
-// The page's end of the worker: calls as promises, events as callbacks.
+// The page's end of the worker: calls as promises, events as callbacks. A worker that hangs is replaced.
+import { systemClock } from '../connection/clock.ts';
 import { errorWords, type MethodName, type ParamsOf, type ResultOf } from '../protocol/messages.ts';
 import type {
     CallFailure,
@@ -8,6 +9,7 @@ import type {
     MessageOf,
     ToWorker,
 } from './workerMessages.ts';
+import { Watchdog } from './watchdog.ts';
 
 /** A call that the server refused or that no connection carried. */
 export class CallError extends Error {
@@ -20,7 +22,12 @@ export class CallError extends Error {
     }
 }
 
-export type WorkerEvent = Exclude<MessageOf<FromWorker>, { type: 'reply' } | { type: 'failure' }>;
+export type WorkerEvent = Exclude<
+    MessageOf<FromWorker>,
+    { type: 'reply' } | { type: 'failure' } | { type: 'here' }
+>;
+
+const firstPauseMs = 500;
 
 interface Pending {
     resolve: (result: unknown) => void;
@@ -28,25 +35,67 @@ interface Pending {
 }
 
 export class WorkerClient {
-    private readonly worker: Worker;
+    private readonly onEvent: (event: WorkerEvent) => void;
     private readonly pending = new Map<number, Pending>();
+    private readonly watchdog: Watchdog;
+    private worker: Worker;
     private nextId = 1;
+    private hangs = 0;
+    private origin: { baseUrl: string; token: string | null } | null = null;
 
     constructor(onEvent: (event: WorkerEvent) => void) {
-        this.worker = new Worker(new URL('./sessionWorker.ts', import.meta.url), {
-            type: 'module',
-            name: 'wakesurf session',
+        this.onEvent = onEvent;
+        this.worker = this.makeWorker();
+        this.watchdog = new Watchdog({
+            clock: systemClock,
+            ask: () => this.post({ type: 'areYouThere' }),
+            onHang: () => this.replaceWorker(),
         });
-        this.worker.onmessage = ({ data }: { data: MessageOf<FromWorker> }) => {
-            if (data.type === 'reply') this.settle(data.id)?.resolve(data.result);
-            else if (data.type === 'failure') {
-                this.settle(data.id)?.reject(new CallError(data.failure));
-            } else onEvent(data);
-        };
     }
 
     start(baseUrl: string, token: string | null): void {
+        this.origin = { baseUrl, token };
         this.post({ type: 'start', baseUrl, token });
+    }
+
+    private makeWorker(): Worker {
+        const worker = new Worker(new URL('./sessionWorker.ts', import.meta.url), {
+            type: 'module',
+            name: 'wakesurf session',
+        });
+        worker.onmessage = ({ data }: { data: MessageOf<FromWorker> }) => {
+            this.watchdog.heard();
+            if (data.type === 'reply') this.settle(data.id)?.resolve(data.result);
+            else if (data.type === 'failure') {
+                this.settle(data.id)?.reject(new CallError(data.failure));
+            } else if (data.type !== 'here') this.onEvent(data);
+        };
+        return worker;
+    }
+
+    /** It connects and joins anew, each time later than before. */
+    private replaceWorker(): void {
+        this.worker.terminate();
+        const retryInMs = firstPauseMs * 2 ** this.hangs++;
+        const reason = 'The page was busy with one surface for too long.';
+        this.onEvent({ type: 'connection', state: 'waiting', attempt: 1, retryInMs, reason });
+        const lost = [...this.pending.values()];
+        this.pending.clear();
+        const failure = { kind: 'disconnected', code: 0, message: reason, hint: '' } as const;
+        for (const waiting of lost) waiting.reject(new CallError(failure));
+        setTimeout(() => {
+            this.worker = this.makeWorker();
+            if (this.origin !== null) this.start(this.origin.baseUrl, this.origin.token);
+        }, retryInMs);
+    }
+
+    /** A state of the surface is on the screen, or will never be. */
+    taken(surface: string): void {
+        this.post({ type: 'taken', surface });
+    }
+
+    forget(surface: string): void {
+        this.post({ type: 'forget', surface });
     }
 
     retryNow(): void {

@@ -1,5 +1,6 @@
 // Everything the page and its worker say to each other, one table for each direction.
 import type { ConnectionState } from '../connection/liveSocket.ts';
+import type { Phase } from '../protocol/meshFrame.ts';
 import type { Notification } from '../protocol/messages.ts';
 
 export interface ToWorker {
@@ -7,8 +8,14 @@ export interface ToWorker {
     start: { baseUrl: string; token: string | null };
     call: { id: number; method: string; params: object };
     obstacle: { id: number; dataset: string; lattice: LatticeMessage };
+    /** A state of this surface is on the screen: the next one may come. */
+    taken: { surface: string };
+    /** The surface is no more. */
+    forget: { surface: string };
     /** The browser believes that it is online again. */
     retryNow: object;
+    /** Answered at once, unless the worker hangs. */
+    areYouThere: object;
 }
 
 export interface FromWorker {
@@ -18,7 +25,8 @@ export interface FromWorker {
     notification: { notification: Notification };
     surface: SurfaceState;
     /** Frames of a surface did not fit together; it has to be subscribed again. */
-    frameTrouble: { subscription: number; reason: string };
+    frameTrouble: { surface: string; subscription: number; reason: string };
+    here: object;
 }
 
 export interface LatticeMessage {
@@ -34,19 +42,27 @@ export interface CallFailure {
     hint: string;
 }
 
-/** One complete state of a surface, ready for the GPU. */
-export interface SurfaceState {
-    subscription: number;
+/** One complete state of a surface: what is new in it since the state sent before, ready for the GPU. */
+export interface SurfaceState extends MeshChange {
+    surface: string;
     epoch: number;
-    final: boolean;
+    phase: Phase;
+    /** Simulation time. */
+    time: number;
     stateCrc: number;
-    vertices: number;
     cells: number;
+}
+
+export interface MeshChange {
+    vertices: number;
     triangles: number;
-    speedRange: [number, number];
+    /** The arrays hold the vertices from here to the last; those before are as they were. */
+    fromVertex: number;
     positions: Float32Array;
     normals: Float32Array;
     scalars: Float32Array;
+    /** The indices from here to the last; those before are as they were. */
+    fromIndex: number;
     indices: Uint32Array;
 }
 

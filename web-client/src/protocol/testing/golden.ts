@@ -52,14 +52,3 @@ export function goldenFrames(name: string): Uint8Array[] {
 export async function dracoPoints(): Promise<DracoPoints> {
     return new DracoPoints(await draco3d.createDecoderModule({}));
 }
-
-/// Numbers in 0 .. 2^32 - 1, the same on every run (xorshift32).
-export function seededRandom(seed: number): () => number {
-    let state = seed;
-    return () => {
-        state ^= state << 13;
-        state ^= state >>> 17;
-        state ^= state << 5;
-        return state >>> 0;
-    };
-}

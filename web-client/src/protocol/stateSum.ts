@@ -1,0 +1,43 @@
+// A checksum of 32 bit words that scripts compute fast: four lanes of xor, rotate, multiply.
+// protocol/README.md, State checksum. Twin: protocol/state_sum.hpp.
+
+const multiplier = 0x9e3779b1 | 0;
+
+function stir(lane: number, word: number): number {
+    const x = lane ^ word;
+    return Math.imul((x << 13) | (x >>> 19), multiplier);
+}
+
+/// Sums words in any number of steps, each of which but the last adds a multiple of four.
+export class WordSum {
+    private lanes = Int32Array.of(multiplier, 0x85ebca77, 0xc2b2ae3d, 0x27d4eb2f);
+    private count = 0;
+
+    add(words: Int32Array | Uint32Array): void {
+        const [lane0, lane1, lane2, lane3] = this.lanes;
+        let [a, b, c, d] = [lane0!, lane1!, lane2!, lane3!];
+        const whole = words.length & ~3;
+        for (let at = 0; at < whole; at += 4) {
+            a = stir(a, words[at]!);
+            b = stir(b, words[at + 1]!);
+            c = stir(c, words[at + 2]!);
+            d = stir(d, words[at + 3]!);
+        }
+        this.lanes = Int32Array.of(a, b, c, d);
+        for (let at = whole; at < words.length; at += 1)
+            this.lanes[at & 3] = stir(this.lanes[at & 3]!, words[at]!);
+        this.count += words.length;
+    }
+
+    value(): number {
+        const sum = this.lanes.reduce(stir, this.count | 0);
+        return (sum ^ (sum >>> 15)) >>> 0;
+    }
+}
+
+/// Of the words as an unsigned number.
+export function wordSum(words: Int32Array | Uint32Array): number {
+    const sum = new WordSum();
+    sum.add(words);
+    return sum.value();
+}

@@ -1,0 +1,138 @@
+// The state of a surface on the wire: integers that the server and all its clients hold alike.
+// protocol/README.md, Mesh frames. Twin: protocol/wire_mesh.hpp; unlike there, updates change it in place.
+import { cellStride } from './cellsCode.ts';
+import { roomFor } from './room.ts';
+import { WordSum, wordSum } from './stateSum.ts';
+import type { Runs } from './wireEdit.ts';
+import { Neighbours } from './wireTopology.ts';
+
+/// What the codes 0 and 65535 of an attribute stand for, until the next KEY.
+export interface AttributeRange {
+    lo: number;
+    hi: number;
+}
+
+export const lastCode = 65535;
+
+/// One number (or three, of a position) a vertex. Arrays may be longer than there are vertices.
+export class Channel {
+    readonly components: number;
+    readonly last: number; // values are 0 .. last
+    values = new Int32Array(0);
+    change = new Int32Array(0); // by the update that is being made, or else by the last
+    changeBefore = new Int32Array(0); // by the update before that one
+
+    constructor(components: number, last: number) {
+        this.components = components;
+        this.last = last;
+    }
+
+    remove(removed: Runs, vertices: number): void {
+        removeRuns(this.values, removed, vertices, this.components);
+        removeRuns(this.change, removed, vertices, this.components);
+    }
+
+    /// Nothing has changed yet. Only positions `remember` their last change; that of a code counts as 0.
+    begin(vertices: number, remember: boolean): void {
+        const length = vertices * this.components;
+        this.values = roomFor(this.values, length);
+        if (remember)
+            [this.change, this.changeBefore] = [this.changeBefore, roomFor(this.change, length)];
+        else
+            this.changeBefore = roomFor(this.changeBefore, length);
+        this.change = roomFor(this.change, length).fill(0, 0, length);
+    }
+}
+
+export class WireMesh {
+    readonly latticeBits: number;
+    readonly ranges: readonly AttributeRange[];
+    readonly position: Channel;
+    readonly codes: readonly Channel[]; // one an attribute
+    readonly neighbours = new Neighbours();
+    vertices = 0;
+    cellCount = 0;
+    private cellRoom = new Int32Array(0);
+    private cellSum = new WordSum();
+
+    constructor(latticeBits: number, ranges: readonly AttributeRange[]) {
+        this.latticeBits = latticeBits;
+        this.ranges = ranges;
+        this.position = new Channel(3, 2 ** latticeBits - 1);
+        this.codes = ranges.map(() => new Channel(1, lastCode));
+    }
+
+    /// cellStride ids a cell, noVertex as -1.
+    get cells(): Int32Array {
+        return this.cellRoom.subarray(0, this.cellCount * cellStride);
+    }
+
+    /// Vertices go, the others close up; `vertices` is how many there are afterwards.
+    beginVertices(removed: Runs, vertices: number): void {
+        for (const channel of [this.position, ...this.codes]) {
+            if (removed.count > 0)
+                channel.remove(removed, this.vertices);
+            channel.begin(vertices, channel === this.position);
+        }
+        this.vertices = vertices;
+    }
+
+    /// Cells go, the others close up.
+    removeCells(removed: Runs): void {
+        removeRuns(this.cellRoom, removed, this.cellCount, cellStride);
+        this.cellCount -= removed.count;
+    }
+
+    appendCells(cells: Int32Array): void {
+        const used = this.cellCount * cellStride;
+        this.cellRoom = roomFor(this.cellRoom, used + cells.length);
+        this.cellRoom.set(cells, used);
+        this.cellCount += cells.length / cellStride;
+    }
+
+    /// After cells have changed. The first `verticesBefore` vertices and `cellsBefore` cells are as they were.
+    cellsChanged(verticesBefore: number, cellsBefore: number): void {
+        const added = this.cells.subarray(cellsBefore * cellStride);
+        if (cellsBefore === 0)
+            this.cellSum = new WordSum();
+        this.cellSum.add(added);
+        this.neighbours.reset(cellsBefore === 0 ? 0 : verticesBefore, this.vertices);
+        this.neighbours.add(added);
+    }
+
+    /// The checksum of everything but the changes. Cost: O(vertices), cells were summed when they came.
+    stateSum(): number {
+        const positions = wordSum(this.position.values.subarray(0, 3 * this.vertices));
+        const parts = [this.vertices, positions, this.cellCount, this.cellSum.value()];
+        for (const { values } of this.codes)
+            parts.push(wordSum(pairs(values, this.vertices)));
+        return wordSum(Uint32Array.from(parts));
+    }
+}
+
+/// Two codes to a word, the first in the low half.
+function pairs(codes: Int32Array, count: number): Int32Array {
+    const words = new Int32Array((count + 1) >> 1);
+    const even = count & ~1;
+    for (let i = 0; i < even; i += 2)
+        words[i >> 1] = codes[i]! | (codes[i + 1]! << 16);
+    if (even < count)
+        words[even >> 1] = codes[even]!;
+    return words;
+}
+
+/// Closes up what stays of the first `count` things of `stride` numbers each.
+function removeRuns(array: Int32Array, removed: Runs, count: number, stride: number): void {
+    let to = 0;
+    let from = 0;
+    const keep = (end: number): void => {
+        if (to !== from)
+            array.copyWithin(to * stride, from * stride, end * stride);
+        to += end - from;
+    };
+    for (const { begin, end } of removed.all) {
+        keep(begin);
+        from = end;
+    }
+    keep(count);
+}

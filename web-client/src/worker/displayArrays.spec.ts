@@ -1,0 +1,100 @@
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { DracoPoints } from '../protocol/dracoPoints.ts';
+import { type AppliedUpdate, MeshDecoder } from '../protocol/meshDecoder.ts';
+import { dracoPoints } from '../protocol/testing/golden.ts';
+import { seededRandom } from '../protocol/testing/random.ts';
+import { ranges } from '../protocol/testing/randomSurface.ts';
+import { lattice, randomUpdates } from '../protocol/testing/randomUpdates.ts';
+import { DisplayArrays } from './displayArrays.ts';
+import { addNormals } from './normals.ts';
+import type { MeshChange } from './workerMessages.ts';
+
+let points: DracoPoints;
+beforeAll(async () => {
+    points = await dracoPoints();
+});
+
+/** What a page has that puts every change in its place. */
+class Screen {
+    private readonly room = { positions: new Float32Array(9000), normals: new Float32Array(9000) };
+    private readonly scalars = new Float32Array(3000);
+    private readonly indices = new Uint32Array(60_000);
+    private vertices = 0;
+    private triangles = 0;
+
+    put(change: MeshChange): void {
+        this.room.positions.set(change.positions, 3 * change.fromVertex);
+        this.room.normals.set(change.normals, 3 * change.fromVertex);
+        this.scalars.set(change.scalars, change.fromVertex);
+        this.indices.set(change.indices, change.fromIndex);
+        ({ vertices: this.vertices, triangles: this.triangles } = change);
+    }
+
+    get picture(): Record<'positions' | 'normals' | 'scalars' | 'indices', number[]> {
+        return {
+            positions: [...this.room.positions.subarray(0, 3 * this.vertices)],
+            normals: [...this.room.normals.subarray(0, 3 * this.vertices)],
+            scalars: [...this.scalars.subarray(0, this.vertices)],
+            indices: [...this.indices.subarray(0, 3 * this.triangles)],
+        };
+    }
+}
+
+function whole(update: AppliedUpdate): Screen {
+    const screen = new Screen();
+    screen.put(new DisplayArrays(lattice, 0).take(update.mesh));
+    return screen;
+}
+
+/** Calls `check` with the screen each time something has been taken. */
+function play(still: boolean, seed: number, check: (screen: Screen, update: AppliedUpdate) => void): number {
+    const random = seededRandom(seed);
+    const decoder = new MeshDecoder(points, lattice, ranges.length);
+    const display = new DisplayArrays(lattice, 0);
+    const screen = new Screen();
+    let partial = 0;
+    for (const frame of randomUpdates(seed, 150, still).flatMap(({ frames }) => frames)) {
+        const update = decoder.fold(frame);
+        if (update === undefined) continue;
+        display.note(update);
+        if (random() % 3 === 0) continue;
+        const change = display.take(update.mesh);
+        partial += change.fromVertex > 0 && change.fromIndex > 0 ? 1 : 0;
+        screen.put(change);
+        check(screen, update);
+    }
+    return partial;
+}
+
+describe('DisplayArrays', () => {
+    it('gives changes that add up to the whole, while vertices stay where they are', () => {
+        const partial = play(true, 31, (screen, update) => {
+            expect(screen.picture).toEqual(whole(update).picture);
+        });
+        expect(partial).toBeGreaterThan(20);
+    });
+
+    it('follows moving vertices, whose quads stay cut as they were', () => {
+        play(false, 32, (screen, update) => {
+            const [shown, expected] = [screen.picture, whole(update).picture];
+            expect(shown.positions).toEqual(expected.positions);
+            expect(shown.scalars).toEqual(expected.scalars);
+            expect(shown.indices).toHaveLength(expected.indices.length);
+            const normals = new Float32Array(shown.positions.length);
+            addNormals(Float32Array.from(shown.positions), Uint32Array.from(shown.indices), 0, normals);
+            expect(shown.normals).toEqual([...normals]);
+        });
+    });
+
+    it('puts vertices where the lattice says, with the values of their codes', () => {
+        const [{ frames, state }] = randomUpdates(33, 1) as [ReturnType<typeof randomUpdates>[0]];
+        const decoder = new MeshDecoder(points, lattice, ranges.length);
+        const update = frames.map((frame) => decoder.fold(frame)).at(-1)!;
+        const { positions, scalars } = new DisplayArrays(lattice, 0).take(update.mesh);
+        state.positions.forEach(([x, y, z], v) => {
+            const expected = [10 + x! / 4, -2 + y! / 4, 5 + z! / 4];
+            expect([...positions.subarray(3 * v, 3 * v + 3)]).toEqual(expected);
+            expect(scalars[v]).toBeCloseTo(-1 + (4 * state.codes[v]![0]!) / 65535, 6);
+        });
+    });
+});

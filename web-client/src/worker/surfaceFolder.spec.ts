@@ -1,0 +1,103 @@
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { DracoPoints } from '../protocol/dracoPoints.ts';
+import { dracoPoints } from '../protocol/testing/golden.ts';
+import { lattice, randomUpdates } from '../protocol/testing/randomUpdates.ts';
+import { sealed } from '../protocol/testing/wireWriter.ts';
+import { SurfaceFolder } from './surfaceFolder.ts';
+import type { SurfaceState } from './workerMessages.ts';
+
+let points: DracoPoints;
+beforeAll(async () => {
+    points = await dracoPoints();
+});
+
+const updates = randomUpdates(61, 12);
+
+class Bench {
+    states: SurfaceState[] = [];
+    applied: string[] = [];
+    troubles: string[] = [];
+    folder = new SurfaceFolder({
+        draco: points,
+        onState: (state) => this.states.push(state),
+        onApplied: (subscription, { epoch, seq }) => this.applied.push(`${subscription}: ${epoch} ${seq}`),
+        onTrouble: (surface, subscription) => this.troubles.push(`${surface} ${subscription}`),
+    });
+
+    subscribe(subscription: number, resumed = false): void {
+        const attributes = ['speed', 's', 't'];
+        this.folder.subscribed('s1', { subscription, lattice, attributes, epoch: 1, resumed });
+    }
+
+    /** The frames are written for subscription 3. */
+    receive(update: number, subscription = 3): void {
+        for (const frame of updates[update]!.frames) {
+            const bytes = frame.slice();
+            new DataView(bytes.buffer).setUint32(4, subscription, true);
+            this.folder.receive(sealed(bytes));
+        }
+    }
+}
+
+describe('SurfaceFolder', () => {
+    let bench: Bench;
+    beforeEach(() => {
+        bench = new Bench();
+        bench.subscribe(3);
+    });
+
+    it('acknowledges every update, and hands on no more states than are taken', () => {
+        for (let i = 0; i < 6; ++i) bench.receive(i);
+        expect(bench.applied).toEqual([0, 1, 2, 3, 4, 5].map((seq) => `3: 1 ${seq}`));
+        expect(bench.states.map(({ time }) => time * 8)).toEqual([0, 1]);
+        bench.folder.taken('s1');
+        bench.folder.taken('s1');
+        expect(bench.states.map(({ time }) => time * 8)).toEqual([0, 1, 5]);
+        expect(bench.states[2]).toMatchObject({ vertices: updates[5]!.state.positions.length });
+    });
+
+    it('goes on from the state it has under the next subscription, on the next connection', () => {
+        const cutOff = updates.findIndex(({ frames }, i) => i > 0 && frames.length > 1);
+        for (let i = 0; i < cutOff; ++i) bench.receive(i);
+        expect(bench.folder.placeOf('s1')).toEqual({ epoch: 1, seq: cutOff - 1 });
+        bench.folder.receive(updates[cutOff]!.frames[0]!);
+        bench.folder.disconnected();
+        bench.receive(cutOff);
+        expect(bench.applied).toHaveLength(cutOff);
+        bench.subscribe(8, true);
+        bench.receive(cutOff, 8);
+        expect(bench.applied.at(-1)).toBe(`8: 1 ${cutOff}`);
+        expect(bench.troubles).toEqual([]);
+    });
+
+    it('starts afresh where the server cannot go on', () => {
+        bench.receive(0);
+        bench.receive(1);
+        bench.folder.disconnected();
+        bench.subscribe(8, false);
+        expect(bench.folder.placeOf('s1')).toBeUndefined();
+        bench.receive(0, 8);
+        expect(bench.applied.at(-1)).toBe('8: 1 0');
+    });
+
+    it('reports trouble once, has nothing to go on from, and heals with a KEY', () => {
+        bench.receive(0);
+        bench.receive(2);
+        bench.receive(3);
+        expect(bench.troubles).toEqual(['s1 3']);
+        expect(bench.folder.placeOf('s1')).toBeUndefined();
+        bench.subscribe(4);
+        bench.receive(0, 4);
+        bench.receive(1, 4);
+        expect(bench.applied.slice(-2)).toEqual(['4: 1 0', '4: 1 1']);
+    });
+
+    it('knows nothing of another session', () => {
+        bench.receive(0);
+        bench.folder.forgetAll();
+        expect(bench.folder.placeOf('s1')).toBeUndefined();
+        bench.receive(1);
+        expect(bench.applied).toHaveLength(1);
+        expect(bench.troubles).toEqual([]);
+    });
+});

@@ -1,0 +1,59 @@
+import { describe, expect, it } from 'vitest';
+import { FakeClock } from '../connection/fakeClock.ts';
+import { Watchdog } from './watchdog.ts';
+
+class Bench {
+    clock = new FakeClock();
+    answers = true;
+    asked = 0;
+    hangs = 0;
+    watchdog = new Watchdog({
+        clock: this.clock,
+        ask: () => {
+            this.asked += 1;
+            if (this.answers) this.watchdog.heard();
+        },
+        onHang: () => (this.hangs += 1),
+    });
+}
+
+describe('Watchdog', () => {
+    it('is content with a worker that answers', async () => {
+        const bench = new Bench();
+        bench.watchdog.heard();
+        await bench.clock.pass(60_000);
+        expect(bench.hangs).toBe(0);
+        expect(bench.asked).toBe(60);
+    });
+
+    it('reports a worker that has not answered for two seconds, once', async () => {
+        const bench = new Bench();
+        bench.watchdog.heard();
+        await bench.clock.pass(5000);
+        bench.answers = false;
+        await bench.clock.pass(2999);
+        expect(bench.hangs).toBe(0);
+        await bench.clock.pass(1);
+        expect(bench.hangs).toBe(1);
+        await bench.clock.pass(60_000);
+        expect(bench.hangs).toBe(1);
+    });
+
+    it('takes anything that is heard for an answer', async () => {
+        const bench = new Bench();
+        bench.answers = false;
+        bench.watchdog.heard();
+        for (let i = 0; i < 40; ++i) {
+            await bench.clock.pass(1500);
+            bench.watchdog.heard();
+        }
+        expect(bench.hangs).toBe(0);
+    });
+
+    it('waits for the first sign of life', async () => {
+        const bench = new Bench();
+        bench.answers = false;
+        await bench.clock.pass(60_000);
+        expect(bench.asked).toBe(0);
+    });
+});
