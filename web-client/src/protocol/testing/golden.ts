@@ -6,24 +6,27 @@ import type { Lattice } from '../lattice.ts';
 
 export interface GoldenVertex {
     node: number[];
+    change: number[];
+    codes: number[];
     position: number[];
     attributes: number[];
 }
 
+/// What the C++ decoder made of the frames: of each whole update in turn, and of the last.
 export interface Golden {
     frames: number;
     lattice: Lattice;
-    attributes: string[];
     surface: number;
     epoch: number;
-    seq: number;
-    complete: boolean;
-    final: boolean;
+    seqs: number[];
+    stateSums: number[];
+    changeSums: number[];
+    phase: number;
+    lossless: boolean;
+    time: number;
+    attributes: number;
     vertices: number;
     cells: number;
-    stateCrc: number;
-    positionCrc: number;
-    attributeCrc: number;
     firstVertex?: GoldenVertex;
     lastVertex?: GoldenVertex;
     firstCell?: number[];
