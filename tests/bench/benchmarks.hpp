@@ -30,6 +30,9 @@ void register_kill_benchmarks();
 /// From a handle's move in Chromium to the drawn frame that shows its surface.
 void register_drag_benchmark(const std::string& dataset);
 
+/// Updates of a moving surface of 100,000 vertices, decoded by Chromium's worker.
+void register_decode_benchmark();
+
 /// Flow::advance on 30,000 particles, against a bare kernel (the machine's limit) and vtkStreaklineFilter.
 void register_advection_benchmarks();
 

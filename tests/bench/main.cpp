@@ -74,6 +74,7 @@ int measure(const server::BenchOptions& options) {
     register_fair_benchmark(dataset);
     register_kill_benchmarks();
     register_drag_benchmark(dataset);
+    register_decode_benchmark();
     initialize(options);
     const std::size_t ran = benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
