@@ -2,12 +2,13 @@
 
 type Numbers = Int32Array | Uint32Array;
 
-/// `array` itself if it has `length` numbers, else a longer one with the same beginning.
+/// `array` itself if it has `length` numbers, else one with the same beginning and room for half as many more: pages that are
+/// not used cost nothing, growing soon again costs a copy.
 export function roomFor<Kind extends Numbers>(array: Kind, length: number): Kind {
     if (array.length >= length)
         return array;
     const make = array.constructor as new (length: number) => Kind;
-    const longer = new make(Math.max(length, array.length + (array.length >> 1)));
+    const longer = new make(length + (length >> 1));
     longer.set(array);
     return longer;
 }

@@ -3,8 +3,7 @@ import { WordSum, wordSum } from './stateSum.ts';
 import { seededRandom } from './testing/random.ts';
 
 test('gives the values of the specification', () => {
-    expect(wordSum(new Uint32Array(0))).toBe(0xfd1c883d);
-    expect(wordSum(Uint32Array.of(1, 2, 3, 4, 5))).toBe(0x8b251d41);
+    expect(wordSum(new Int32Array(0))).toBe(0xfd1c883d);
     expect(wordSum(Int32Array.of(1, 2, 3, 4, 5))).toBe(0x8b251d41);
 });
 
@@ -16,16 +15,16 @@ test('equals its definition in whole numbers without overflow', () => {
         return ((((x << 13n) | (x >> 19n)) & mask) * 0x9e3779b1n) & mask;
     };
     for (let length = 0; length < 40; length += 1) {
-        const words = Uint32Array.from({ length }, random);
+        const words = Int32Array.from({ length }, random);
         const lanes = [0x9e3779b1n, 0x85ebca77n, 0xc2b2ae3dn, 0x27d4eb2fn];
-        words.forEach((word, i) => (lanes[i % 4] = stir(lanes[i % 4]!, BigInt(word))));
+        words.forEach((word, i) => (lanes[i % 4] = stir(lanes[i % 4]!, BigInt(word >>> 0))));
         const h = lanes.reduce(stir, BigInt(length));
         expect(wordSum(words)).toBe(Number(h ^ (h >> 15n)));
     }
 });
 
 test('of a whole is that of its parts in turn', () => {
-    const words = Uint32Array.from({ length: 50 }, seededRandom(6));
+    const words = Int32Array.from({ length: 50 }, seededRandom(6));
     for (let cut = 0; cut <= 50; cut += 4) {
         const sum = new WordSum();
         sum.add(words.subarray(0, cut));
@@ -35,7 +34,7 @@ test('of a whole is that of its parts in turn', () => {
 });
 
 test('changes with any change of one word', () => {
-    const words = Uint32Array.from({ length: 33 }, seededRandom(7));
+    const words = Int32Array.from({ length: 33 }, seededRandom(7));
     const before = wordSum(words);
     for (let i = 0; i < words.length; i += 1) {
         words[i]! ^= 1 << (i & 31);

@@ -10,12 +10,15 @@ function stir(lane: number, word: number): number {
 
 /// Sums words in any number of steps, each of which but the last adds a multiple of four.
 export class WordSum {
-    private lanes = Int32Array.of(multiplier, 0x85ebca77, 0xc2b2ae3d, 0x27d4eb2f);
+    private readonly lanes = Int32Array.of(multiplier, 0x85ebca77, 0xc2b2ae3d, 0x27d4eb2f);
     private count = 0;
 
-    add(words: Int32Array | Uint32Array): void {
-        const [lane0, lane1, lane2, lane3] = this.lanes;
-        let [a, b, c, d] = [lane0!, lane1!, lane2!, lane3!];
+    add(words: Int32Array): void {
+        const { lanes } = this;
+        let a = lanes[0]!;
+        let b = lanes[1]!;
+        let c = lanes[2]!;
+        let d = lanes[3]!;
         const whole = words.length & ~3;
         for (let at = 0; at < whole; at += 4) {
             a = stir(a, words[at]!);
@@ -23,9 +26,9 @@ export class WordSum {
             c = stir(c, words[at + 2]!);
             d = stir(d, words[at + 3]!);
         }
-        this.lanes = Int32Array.of(a, b, c, d);
+        lanes.set([a, b, c, d]);
         for (let at = whole; at < words.length; at += 1)
-            this.lanes[at & 3] = stir(this.lanes[at & 3]!, words[at]!);
+            lanes[at & 3] = stir(lanes[at & 3]!, words[at]!);
         this.count += words.length;
     }
 
@@ -36,7 +39,7 @@ export class WordSum {
 }
 
 /// Of the words as an unsigned number.
-export function wordSum(words: Int32Array | Uint32Array): number {
+export function wordSum(words: Int32Array): number {
     const sum = new WordSum();
     sum.add(words);
     return sum.value();

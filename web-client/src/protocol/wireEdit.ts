@@ -73,15 +73,14 @@ export function applyEdit(mesh: WireMesh, edit: TopologyEdit): void {
     const cellsBefore = mesh.cellCount;
     mesh.beginVertices(removedVertices, verticesBefore - removedVertices.count + addedVertices);
     mesh.removeCells(removedCells);
-    if (removedVertices.count > 0)
-        renumber(mesh.cells, removedVertices, verticesBefore);
+    const complete = removedVertices.count === 0 || renumber(mesh.cells, removedVertices, verticesBefore);
     let next = 0;
     for (const { begin, end } of replacedCells.all) {
         const length = (end - begin) * cellStride;
         mesh.cells.set(cells.subarray(next, next + length), begin * cellStride);
         next += length;
     }
-    if (removedVertices.count > 0)
+    if (!complete)
         checkCorners(mesh.cells);
     mesh.appendCells(cells.subarray(next));
     const onlyAdded = removedVertices.count + removedCells.count + replacedCells.count === 0;
@@ -91,8 +90,8 @@ export function applyEdit(mesh: WireMesh, edit: TopologyEdit): void {
         mesh.cellsChanged(verticesBefore, cellsBefore);
 }
 
-/// A cell's removed mid is freed; a removed corner becomes noVertex as well, which only a replacement cures.
-function renumber(cells: Int32Array, removed: Runs, vertices: number): void {
+/// A cell's removed mid is freed; a removed corner becomes noVertex as well, which only a replacement cures: then false.
+function renumber(cells: Int32Array, removed: Runs, vertices: number): boolean {
     const now = new Int32Array(vertices);
     let at = 0;
     let next = 0;
@@ -104,9 +103,17 @@ function renumber(cells: Int32Array, removed: Runs, vertices: number): void {
     }
     while (at < vertices)
         now[at++] = next++;
-    for (let i = 0; i < cells.length; i += 1)
-        if (cells[i]! >= 0)
-            cells[i] = now[cells[i]!]!;
+    let low = 0;
+    for (let i = 0; i < cells.length; i += 1) {
+        const id = cells[i]!;
+        if (id < 0)
+            continue;
+        const renumbered = now[id]!;
+        cells[i] = renumbered;
+        if ((i & 4) === 0)
+            low = Math.min(low, renumbered);
+    }
+    return low >= 0;
 }
 
 function checkCorners(cells: Int32Array): void {

@@ -20,16 +20,17 @@ export class Channel {
     readonly last: number; // values are 0 .. last
     values = new Int32Array(0);
     change = new Int32Array(0); // by the update that is being made, or else by the last
-    changeBefore = new Int32Array(0); // by the update before that one
+    changeBefore = new Int32Array(0); // of positions: by the update before that one
 
     constructor(components: number, last: number) {
         this.components = components;
         this.last = last;
     }
 
-    remove(removed: Runs, vertices: number): void {
+    remove(removed: Runs, vertices: number, remember: boolean): void {
         removeRuns(this.values, removed, vertices, this.components);
-        removeRuns(this.change, removed, vertices, this.components);
+        if (remember)
+            removeRuns(this.change, removed, vertices, this.components);
     }
 
     /// Nothing has changed yet. Only positions `remember` their last change; that of a code counts as 0.
@@ -38,8 +39,6 @@ export class Channel {
         this.values = roomFor(this.values, length);
         if (remember)
             [this.change, this.changeBefore] = [this.changeBefore, roomFor(this.change, length)];
-        else
-            this.changeBefore = roomFor(this.changeBefore, length);
         this.change = roomFor(this.change, length).fill(0, 0, length);
     }
 }
@@ -70,9 +69,10 @@ export class WireMesh {
     /// Vertices go, the others close up; `vertices` is how many there are afterwards.
     beginVertices(removed: Runs, vertices: number): void {
         for (const channel of [this.position, ...this.codes]) {
+            const remember = channel === this.position;
             if (removed.count > 0)
-                channel.remove(removed, this.vertices);
-            channel.begin(vertices, channel === this.position);
+                channel.remove(removed, this.vertices, remember);
+            channel.begin(vertices, remember);
         }
         this.vertices = vertices;
     }
@@ -106,7 +106,7 @@ export class WireMesh {
         const parts = [this.vertices, positions, this.cellCount, this.cellSum.value()];
         for (const { values } of this.codes)
             parts.push(wordSum(pairs(values, this.vertices)));
-        return wordSum(Uint32Array.from(parts));
+        return wordSum(Int32Array.from(parts));
     }
 }
 
@@ -121,18 +121,15 @@ function pairs(codes: Int32Array, count: number): Int32Array {
     return words;
 }
 
-/// Closes up what stays of the first `count` things of `stride` numbers each.
-function removeRuns(array: Int32Array, removed: Runs, count: number, stride: number): void {
-    let to = 0;
-    let from = 0;
-    const keep = (end: number): void => {
-        if (to !== from)
-            array.copyWithin(to * stride, from * stride, end * stride);
-        to += end - from;
-    };
-    for (const { begin, end } of removed.all) {
-        keep(begin);
-        from = end;
+/// Closes up what stays of the first `count` things of `stride` numbers each. Runs are short: one loop is quicker than
+/// many calls that move memory.
+function removeRuns(array: Int32Array, { all }: Runs, count: number, stride: number): void {
+    let to = (all[0]?.begin ?? count) * stride;
+    for (let run = 0; run < all.length; run += 1) {
+        const until = (all[run + 1]?.begin ?? count) * stride;
+        for (let from = all[run]!.end * stride; from < until; from += 1) {
+            array[to] = array[from]!;
+            to += 1;
+        }
     }
-    keep(count);
 }

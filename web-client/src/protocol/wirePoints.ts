@@ -29,6 +29,7 @@ interface Block {
     coded: boolean[]; // by channel: the position or change, then the attributes
     predictors: number[];
     scales: number[]; // what a residual of 1 stands for
+    still: boolean[]; // by channel: a code that stays as it is
 }
 
 /// Vertices of one kind that have not come yet, in order.
@@ -106,7 +107,11 @@ export class PointsReader {
             vertices += block.count;
             if (vertices > maxFrameVertices)
                 throw new FrameError('a mesh frame holds too many vertices');
-            this.readResiduals(reader, block);
+            const escapes = this.readResiduals(reader, block);
+            block.still = block.coded.map((coded, i) => {
+                const unmoved = block.kind === kinds.moved && i > 0 && block.predictors[i] === 0;
+                return unmoved && !coded && escapes === 0;
+            });
             this.apply(block);
         }
     }
@@ -132,7 +137,7 @@ export class PointsReader {
         const indices = Array.from({ length: used }, (_, i) => i);
         const predictors = indices.map(() => this.readPredictor(reader, kind));
         const scales = indices.map(() => (kind === kinds.changes ? 1 : readScale(reader)));
-        return { kind, count, coded: indices.map((i) => (channels & (1 << i)) !== 0), predictors, scales };
+        return { kind, count, coded: indices.map((i) => (channels & (1 << i)) !== 0), predictors, scales, still: [] };
     }
 
     private readPredictor(reader: ByteReader, kind: number): number {
@@ -143,7 +148,8 @@ export class PointsReader {
         return predictor;
     }
 
-    private readResiduals(reader: ByteReader, { count, coded }: Block): void {
+    /// How many vertices have residuals of their own.
+    private readResiduals(reader: ByteReader, { count, coded }: Block): number {
         const rooms = coded.map((_, i) => this.room.of(i, count * this.channels[i]!.components));
         const escaped: { vertex: number; residuals: number[] }[] = [];
         let vertex = 0;
@@ -171,6 +177,7 @@ export class PointsReader {
                     room[at * components + k] = residuals[next++]!;
             });
         }
+        return escaped.length;
     }
 
     private apply(block: Block): void {
@@ -183,6 +190,8 @@ export class PointsReader {
             }
             this.channels.forEach((channel, i) => {
                 const values = this.room.of(i, block.count * channel.components);
+                if (block.still[i])
+                    return;
                 const residuals = { values, at, scale: block.scales[i]! };
                 const predictor = block.predictors[i]!;
                 if (block.kind === kinds.moved)

@@ -30,41 +30,96 @@ export function move(
     to: number,
     residuals: Residuals,
 ): void {
-    const { components: n, last, values: x, change: d, changeBefore: h } = channel;
-    const { values: r, scale } = residuals;
-    let next = residuals.at * n;
-    for (let v = from; v < to; v += 1) {
-        const a = near.highest[v]! * n;
-        const b = near.lowest[v]! * n;
-        let formula = a < 0 ? 0 : predictor;
-        if (formula === 5 && near.opposite[v]! < 0)
-            formula = 2;
-        for (let i = v * n, k = 0; k < n; i += 1, k += 1, next += 1) {
-            let change = 0;
-            switch (formula) {
-                case 0:
-                    change = h[i]!;
-                    break;
-                case 1:
-                    change = d[a + k]!;
-                    break;
-                case 2:
-                    change = (d[a + k]! + d[b + k]!) >> 1;
-                    break;
-                case 3:
-                    change = h[i]! + d[a + k]! - h[a + k]!;
-                    break;
-                case 4:
-                    change = h[i]! + ((d[a + k]! - h[a + k]! + d[b + k]! - h[b + k]!) >> 1);
-                    break;
-                default:
-                    change = d[near.beside[v]! * n + k]! + d[near.beside2[v]! * n + k]! - d[near.opposite[v]! * n + k]!;
-            }
-            const before = x[i]!;
-            const after = clamp(before + change + r[next]! * scale, last);
-            x[i] = after;
-            d[i] = after - before;
+    if (channel.components === 3)
+        movePositions(channel, near, predictor, from, to, residuals);
+    else
+        moveCodes(channel, near, predictor, from, to, residuals);
+}
+
+/// Three components at a time: nearly all of the work of an update is here.
+function movePositions(
+    { last, values: x, change: d, changeBefore: h }: Channel,
+    { highest, lowest, beside, beside2, opposite }: Neighbours,
+    predictor: number,
+    from: number,
+    to: number,
+    { values: r, at, scale }: Residuals,
+): void {
+    for (let v = from, next = 3 * at; v < to; v += 1, next += 3) {
+        const i = 3 * v;
+        const a = 3 * highest[v]!;
+        const b = 3 * lowest[v]!;
+        let c0 = 0;
+        let c1 = 0;
+        let c2 = 0;
+        if (a < 0 || predictor === 0) {
+            c0 = h[i]!;
+            c1 = h[i + 1]!;
+            c2 = h[i + 2]!;
+        } else if (predictor === 1) {
+            c0 = d[a]!;
+            c1 = d[a + 1]!;
+            c2 = d[a + 2]!;
+        } else if (predictor === 3) {
+            c0 = (h[i]! + d[a]! - h[a]!) | 0;
+            c1 = (h[i + 1]! + d[a + 1]! - h[a + 1]!) | 0;
+            c2 = (h[i + 2]! + d[a + 2]! - h[a + 2]!) | 0;
+        } else if (predictor === 4) {
+            c0 = (h[i]! + ((d[a]! - h[a]! + d[b]! - h[b]!) >> 1)) | 0;
+            c1 = (h[i + 1]! + ((d[a + 1]! - h[a + 1]! + d[b + 1]! - h[b + 1]!) >> 1)) | 0;
+            c2 = (h[i + 2]! + ((d[a + 2]! - h[a + 2]! + d[b + 2]! - h[b + 2]!) >> 1)) | 0;
+        } else if (predictor === 5 && opposite[v]! >= 0) {
+            const p = 3 * beside[v]!;
+            const n = 3 * beside2[v]!;
+            const o = 3 * opposite[v]!;
+            c0 = (d[p]! + d[n]! - d[o]!) | 0;
+            c1 = (d[p + 1]! + d[n + 1]! - d[o + 1]!) | 0;
+            c2 = (d[p + 2]! + d[n + 2]! - d[o + 2]!) | 0;
+        } else {
+            c0 = (d[a]! + d[b]!) >> 1;
+            c1 = (d[a + 1]! + d[b + 1]!) >> 1;
+            c2 = (d[a + 2]! + d[b + 2]!) >> 1;
         }
+        const x0 = x[i]!;
+        const x1 = x[i + 1]!;
+        const x2 = x[i + 2]!;
+        const y0 = clamp(x0 + c0 + Math.imul(r[next]!, scale), last);
+        const y1 = clamp(x1 + c1 + Math.imul(r[next + 1]!, scale), last);
+        const y2 = clamp(x2 + c2 + Math.imul(r[next + 2]!, scale), last);
+        x[i] = y0;
+        x[i + 1] = y1;
+        x[i + 2] = y2;
+        d[i] = y0 - x0;
+        d[i + 1] = y1 - x1;
+        d[i + 2] = y2 - x2;
+    }
+}
+
+/// Codes remember no earlier change: h is 0.
+function moveCodes(
+    { last, values: x, change: d }: Channel,
+    { highest, lowest, beside, beside2, opposite }: Neighbours,
+    predictor: number,
+    from: number,
+    to: number,
+    { values: r, at, scale }: Residuals,
+): void {
+    for (let v = from, next = at; v < to; v += 1, next += 1) {
+        const a = highest[v]!;
+        const b = lowest[v]!;
+        let change = 0;
+        if (a < 0 || predictor === 0)
+            change = 0;
+        else if (predictor === 1 || predictor === 3)
+            change = d[a]!;
+        else if (predictor === 5 && opposite[v]! >= 0)
+            change = (d[beside[v]!]! + d[beside2[v]!]! - d[opposite[v]!]!) | 0;
+        else
+            change = (d[a]! + d[b]!) >> 1;
+        const before = x[v]!;
+        const after = clamp(before + change + Math.imul(r[next]!, scale), last);
+        x[v] = after;
+        d[v] = after - before;
     }
 }
 
@@ -104,44 +159,45 @@ export function append(
 ): void {
     const { components: n, last, values: x, change: d } = channel;
     const { values: r, scale } = residuals;
+    const { highest, lowest, beside, beside2, opposite } = near;
     let next = residuals.at * n;
     for (let v = from; v < to; v += 1) {
         const formula = usable(near, predictor, v, stayed);
-        const hasNeighbour = near.highest[v]! >= 0;
-        const a = hasNeighbour ? near.highest[v]! : v - 1;
-        const b = near.lowest[v]!;
-        const of = (id: number, k: number): number => x[id * n + k]!;
+        const hasNeighbour = highest[v]! >= 0;
+        const a = hasNeighbour ? highest[v]! : v - 1;
+        const b = lowest[v]!;
         for (let i = v * n, k = 0; k < n; i += 1, k += 1, next += 1) {
             let expected = 0;
             switch (formula) {
                 case 0:
-                    expected = a < 0 ? 0 : of(a, k);
+                    expected = a < 0 ? 0 : x[a * n + k]!;
                     break;
                 case 1:
-                    expected = of(b, k);
+                    expected = x[b * n + k]!;
                     break;
                 case 2:
-                    expected = 2 * of(a, k) - of(near.highest[a]!, k);
+                    expected = 2 * x[a * n + k]! - x[highest[a]! * n + k]!;
                     break;
                 case 3:
-                    expected = 2 * of(b, k) - of(near.lowest[b]!, k);
+                    expected = 2 * x[b * n + k]! - x[lowest[b]! * n + k]!;
                     break;
                 case 4:
-                    expected = of(near.beside[v]!, k) + of(near.beside2[v]!, k);
-                    expected = near.opposite[v]! < 0 ? expected >> 1 : expected - of(near.opposite[v]!, k);
+                    expected = x[beside[v]! * n + k]! + x[beside2[v]! * n + k]!;
+                    expected = opposite[v]! < 0 ? expected >> 1 : expected - x[opposite[v]! * n + k]!;
                     break;
                 case 5: {
-                    const ba = near.lowest[a]!;
-                    expected = 2 * of(b, k) - of(near.lowest[b]!, k) + of(a, k) - 2 * of(ba, k) + of(near.lowest[ba]!, k);
+                    const ba = lowest[a]!;
+                    expected = 2 * x[b * n + k]! - x[lowest[b]! * n + k]! + x[a * n + k]!;
+                    expected += x[lowest[ba]! * n + k]! - 2 * x[ba * n + k]!;
                     break;
                 }
                 case 6:
-                    expected = (of(a, k) + of(b, k)) >> 1;
+                    expected = (x[a * n + k]! + x[b * n + k]!) >> 1;
                     break;
                 default:
-                    expected = of(b, k) - d[b * n + k]!;
+                    expected = x[b * n + k]! - d[b * n + k]!;
             }
-            x[i] = clamp(expected + r[next]! * scale, last);
+            x[i] = clamp(expected + Math.imul(r[next]!, scale), last);
         }
     }
 }

@@ -25,53 +25,32 @@ export class Neighbours {
 
     /// Cells must come in order; those that were added before stay added.
     add(cells: Int32Array): void {
+        const { highest, lowest, beside, beside2, opposite } = this;
         for (let at = 0; at < cells.length; at += cellStride) {
-            this.addOutline(cells, at);
-            this.addHighestCorner(cells, at);
-            this.addMids(cells, at);
-        }
-    }
-
-    private addOutline(cells: Int32Array, at: number): void {
-        for (let i = 0; i < 4; i += 1) {
-            const from = cells[at + i]!;
-            const to = cells[at + ((i + 1) & 3)]!;
-            const mid = cells[at + 4 + i]!;
-            if (mid < 0)
-                this.join(from, to);
-            else {
-                this.join(from, mid);
-                this.join(mid, to);
+            const c0 = cells[at]!;
+            const c1 = cells[at + 1]!;
+            const c2 = cells[at + 2]!;
+            const c3 = cells[at + 3]!;
+            side(highest, lowest, c0, cells[at + 4]!, c1);
+            side(highest, lowest, c1, cells[at + 5]!, c2);
+            side(highest, lowest, c2, cells[at + 6]!, c3);
+            side(highest, lowest, c3, cells[at + 7]!, c0);
+            // Only a cell's highest corner can have the other three below it.
+            const v = Math.max(c0, c1, c2, c3);
+            if (beside[v]! < 0) {
+                const i = v === c0 ? 0 : v === c1 ? 1 : v === c2 ? 2 : 3;
+                const p = cells[at + ((i + 3) & 3)]!;
+                const n = cells[at + ((i + 1) & 3)]!;
+                const o = cells[at + ((i + 2) & 3)]!;
+                if (p !== v && n !== v && o !== v) {
+                    beside[v] = p;
+                    beside2[v] = n;
+                    opposite[v] = o;
+                }
             }
+            if ((cells[at + 4]! & cells[at + 5]! & cells[at + 6]! & cells[at + 7]!) >= 0)
+                this.addMids(cells, at);
         }
-    }
-
-    private join(u: number, w: number): void {
-        if (u === w)
-            return;
-        const low = u < w ? u : w;
-        const high = u < w ? w : u;
-        if (low > this.highest[high]!)
-            this.highest[high] = low;
-        if (this.lowest[high]! < 0 || low < this.lowest[high]!)
-            this.lowest[high] = low;
-    }
-
-    /// Only a cell's highest corner can have the other three below it.
-    private addHighestCorner(cells: Int32Array, at: number): void {
-        let i = 0;
-        for (let k = 1; k < 4; k += 1)
-            if (cells[at + k]! > cells[at + i]!)
-                i = k;
-        const v = cells[at + i]!;
-        const p = cells[at + ((i + 3) & 3)]!;
-        const n = cells[at + ((i + 1) & 3)]!;
-        const o = cells[at + ((i + 2) & 3)]!;
-        if (this.beside[v]! >= 0 || p === v || n === v || o === v)
-            return;
-        this.beside[v] = p;
-        this.beside2[v] = n;
-        this.opposite[v] = o;
     }
 
     /// That a vertex hangs says more of its place than a cell that it is a corner of.
@@ -89,4 +68,26 @@ export class Neighbours {
             this.opposite[mid] = none;
         }
     }
+}
+
+/// One side of a cell, over its mid if there is one.
+function side(highest: Int32Array, lowest: Int32Array, from: number, mid: number, to: number): void {
+    if (mid < 0)
+        join(highest, lowest, from, to);
+    else {
+        join(highest, lowest, from, mid);
+        join(highest, lowest, mid, to);
+    }
+}
+
+function join(highest: Int32Array, lowest: Int32Array, u: number, w: number): void {
+    if (u === w)
+        return;
+    const low = u < w ? u : w;
+    const high = u < w ? w : u;
+    if (low > highest[high]!)
+        highest[high] = low;
+    const lowestSoFar = lowest[high]!;
+    if (lowestSoFar < 0 || low < lowestSoFar)
+        lowest[high] = low;
 }

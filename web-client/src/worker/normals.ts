@@ -11,9 +11,13 @@ export function addNormals(
     normals: Float32Array,
 ): void {
     for (let i = 0; i < indices.length; i += 3) {
-        const [a, b, c] = [indices[i]!, indices[i + 1]!, indices[i + 2]!];
+        const a = indices[i]!;
+        const b = indices[i + 1]!;
+        const c = indices[i + 2]!;
         if (a < from && b < from && c < from) continue;
-        const [pa, pb, pc] = [3 * a, 3 * b, 3 * c];
+        const pa = 3 * a;
+        const pb = 3 * b;
+        const pc = 3 * c;
         const ux = positions[pb]! - positions[pa]!;
         const uy = positions[pb + 1]! - positions[pa + 1]!;
         const uz = positions[pb + 2]! - positions[pa + 2]!;
@@ -37,7 +41,9 @@ function add(normals: Float32Array, at: number, x: number, y: number, z: number)
 }
 
 function normalise(normals: Float32Array, at: number): void {
-    const [x, y, z] = [normals[at]!, normals[at + 1]!, normals[at + 2]!];
+    const x = normals[at]!;
+    const y = normals[at + 1]!;
+    const z = normals[at + 2]!;
     const squared = x * x + y * y + z * z;
     // Tiny triangles square to less than a float32 can hold, but these are doubles.
     if (squared === 0) return;
