@@ -54,7 +54,7 @@ async function expectServersMesh(): Promise<void> {
         vertices: stats.vertices,
         cells: stats.quads,
         stateCrc: stats.crc,
-        final: true,
+        phase: 'final',
     });
     expect(stats.quads).toBeGreaterThan(100);
 }

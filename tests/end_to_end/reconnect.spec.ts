@@ -75,13 +75,22 @@ describe('the connection', () => {
         const page = await open(server.link);
         await finalSurface(page);
         const session = await ask(page, (hook) => hook.session);
+        const before = await ask(page, (hook) => hook.displayed);
         await context.setOffline(true);
         await connectionIs(page, 'down', 12_500);
         await page.getByText(/Connection lost/).waitFor();
+        // The mesh stays, and nothing has happened to it meanwhile.
+        expect(await ask(page, (hook) => hook.displayed)).toEqual(before);
         await context.setOffline(false);
         await connectionIs(page, 'open', 10_000);
         await finalSurface(page);
         expect(await ask(page, (hook) => hook.session)).toBe(session);
+        expect(await ask(page, (hook) => hook.displayed)).toEqual(before);
+        // It goes on from there.
+        await page.getByRole('spinbutton', { name: 'Start x' }).fill('-1.5');
+        await page.keyboard.press('Enter');
+        await page.waitForFunction((old) => (window.wakesurf?.displayed?.epoch ?? 0) > old, before?.epoch ?? 0);
+        await finalSurface(page);
     });
 });
 

@@ -121,15 +121,20 @@ function pairs(codes: Int32Array, count: number): Int32Array {
     return words;
 }
 
-/// Closes up what stays of the first `count` things of `stride` numbers each. Runs are short: one loop is quicker than
-/// many calls that move memory.
+/// A call that moves memory costs as much as moving so many numbers one by one.
+const worthACall = 64;
+
+/// Closes up what stays of the first `count` things of `stride` numbers each.
 function removeRuns(array: Int32Array, { all }: Runs, count: number, stride: number): void {
     let to = (all[0]?.begin ?? count) * stride;
     for (let run = 0; run < all.length; run += 1) {
-        const until = (all[run + 1]?.begin ?? count) * stride;
-        for (let from = all[run]!.end * stride; from < until; from += 1) {
-            array[to] = array[from]!;
-            to += 1;
-        }
+        const begin = all[run]!.end * stride;
+        const end = (all[run + 1]?.begin ?? count) * stride;
+        if (end - begin > worthACall)
+            array.copyWithin(to, begin, end);
+        else
+            for (let from = begin, into = to; from < end; from += 1, into += 1)
+                array[into] = array[from]!;
+        to += end - begin;
     }
 }
