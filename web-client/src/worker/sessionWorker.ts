@@ -29,7 +29,6 @@ class SessionWorker {
     private readonly rpc = new RpcClient((text) => this.socket.send(text));
     private readonly folder: SurfaceFolder;
     private readonly socket: LiveSocket;
-    private session: string | null = null;
 
     constructor(port: WorkerPort, draco: DracoPoints, baseUrl: string, token: string | null) {
         this.port = port;
@@ -73,25 +72,35 @@ class SessionWorker {
             return this.subscribe(params as ParamsOf<'surface.subscribe'>);
         }
         const result = await this.rpc.call(method, params as ParamsOf<MethodName>);
-        if (method === 'session.join') this.joined(params as ParamsOf<'session.join'>);
+        if (method === 'session.join') {
+            const { resumeToken } = params as ParamsOf<'session.join'>;
+            this.joined(resumeToken, (result as ResultOf<'session.join'>).resumeToken);
+        }
         return result;
     }
 
-    /** Goes on from the state that is here, if the server can. */
+    /** Goes on from the state that is here, if the server can; else, or where it will not hear of that, with a whole one. */
     private async subscribe({
         surface,
     }: ParamsOf<'surface.subscribe'>): Promise<ResultOf<'surface.subscribe'>> {
         const from = this.folder.placeOf(surface);
-        const asked = from === undefined ? { surface } : { surface, from };
-        const agreed = await this.rpc.call('surface.subscribe', asked);
+        const whole = (): Promise<ResultOf<'surface.subscribe'>> =>
+            this.rpc.call('surface.subscribe', { surface });
+        const agreed =
+            from === undefined
+                ? await whole()
+                : await this.rpc.call('surface.subscribe', { surface, from }).catch(whole);
         // Before anything else is heard: the first frames follow the answer at once.
         this.folder.subscribed(surface, agreed);
         return agreed;
     }
 
-    private joined({ session }: ParamsOf<'session.join'>): void {
-        if (session !== this.session) this.folder.forgetAll();
-        this.session = session;
+    /**
+     * A server that knows us gives our token back. Any other, as after a restart, may call its session, its surfaces and
+     * their epochs as before, and mean others.
+     */
+    private joined(sent: string | undefined, received: string): void {
+        if (sent === undefined || sent !== received) this.folder.forgetAll();
     }
 
     private answer(id: number, outcome: Promise<unknown>): void {

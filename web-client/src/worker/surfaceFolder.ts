@@ -83,7 +83,7 @@ export class SurfaceFolder {
         this.bySubscription.clear();
     }
 
-    /** Another session: its surfaces may be called the same. */
+    /** Another session, or a server that has forgotten it: its surfaces may be called the same. */
     forgetAll(): void {
         this.bySubscription.clear();
         this.followed.clear();
