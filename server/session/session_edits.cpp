@@ -28,11 +28,15 @@ std::vector<Patch> patches_of(const std::vector<RecordChange>& changes,
     return patches;
 }
 
-JournalEntry entry_of_patch(const Patch& patch) {
+/// Nothing of the clock: a session comes back with it stopped, where every surface is complete.
+std::optional<JournalEntry> entry_of_patch(const Patch& patch) {
     return std::visit(
-        [](const auto& each) -> JournalEntry {
-            if constexpr (std::is_same_v<std::decay_t<decltype(each)>, DeletedRecord>)
-                return {std::string(each.type), each.id, std::nullopt};
+        [](const auto& each) -> std::optional<JournalEntry> {
+            using Changed = std::decay_t<decltype(each)>;
+            if constexpr (std::is_same_v<Changed, DeletedRecord>)
+                return JournalEntry{std::string(each.type), each.id, std::nullopt};
+            else if constexpr (std::is_same_v<Changed, protocol::ClockRecord>)
+                return std::nullopt;
             else
                 return entry_of(Record(each));
         },
@@ -104,7 +108,9 @@ void Session::announce(const std::vector<Patch>& patches) {
     changes_.add(++seq_, patches);
     if (services_.journal != nullptr) {
         std::vector<JournalEntry> entries{entry_of(head())};
-        std::transform(patches.begin(), patches.end(), std::back_inserter(entries), entry_of_patch);
+        for (const Patch& each : patches)
+            if (auto entry = entry_of_patch(each))
+                entries.push_back(std::move(*entry));
         services_.journal->write(id_, std::move(entries));
     }
     for (const Participant& each : participants_.present())

@@ -26,7 +26,7 @@ TEST(Document, OnlookersThatFoldThePatchesHaveTheSessionsRecords) {
         SessionBench bench;
         RandomEdits edits(bench, seed);
         Onlooker onlooker;
-        ASSERT_TRUE(bench.session->participants().join("onlooker", "", onlooker));
+        ASSERT_TRUE(bench.session->participants().join({"onlooker", "", "", {}}, onlooker));
         std::map<server::RecordKey, std::uint64_t> revs;
         for (int i = 0; i < 150; ++i) {
             edits.step();
@@ -132,7 +132,7 @@ TEST(Document, ASurfaceWhoseDatasetIsNotThereSaysSoAndIsBuiltOnceItIs) {
     SessionBench after;
     after.datasets.there = false;
     Onlooker onlooker;
-    ASSERT_TRUE(after.session->participants().join("onlooker", "", onlooker));
+    ASSERT_TRUE(after.session->participants().join({"onlooker", "", "", {}}, onlooker));
     EXPECT_EQ(after.sessions.restore("main", "main", before.journal.entries("main")).restored, 2u);
     const auto live = *after.session->live(surface->surface);
     ASSERT_TRUE(live->outcome().error);

@@ -47,7 +47,7 @@ TEST_F(LeaseTest, IsTakenRenewedAndEndedByItsHoldersEdits) {
 
 TEST_F(LeaseTest, RunsOutAndEverybodyIsTold) {
     Onlooker onlooker;
-    ASSERT_TRUE(session.participants().join("onlooker", "", onlooker));
+    ASSERT_TRUE(session.participants().join({"onlooker", "", "", {}}, onlooker));
     const auto rev = drag(bench.ada).rev;
     const auto seq = session.seq();
     bench.loop.pass(server::limits::lease - milliseconds(1));
