@@ -21,8 +21,8 @@ FrameCursor::FrameCursor(std::shared_ptr<UpdateRing> ring,
 }
 
 FrameCursor::Frame FrameCursor::next() {
-    if (sending_ && sending_->wire.epoch != ring_->epoch())
-        sending_.reset(); // nobody wants the rest
+    if (sending_ && (sending_->wire.epoch != ring_->epoch() || ring_->newest() == nullptr))
+        sending_.reset(); // nobody wants the rest of another epoch's, or of a surface that has gone
     if (!sending_) {
         sending_ = choose();
         frame_ = 0;

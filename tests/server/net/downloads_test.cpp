@@ -79,7 +79,7 @@ TEST_F(DownloadsTest, AreOneMeshWhateverTheFormat) {
     EXPECT_EQ(obj.points, ply.points);
     EXPECT_EQ(glb.points, drc.points);
     EXPECT_EQ(glb.points.size(), ply.points.size());
-    EXPECT_EQ(ply.about.at("dataset"), "flow:lamb-oseen");
+    EXPECT_EQ(ply.about.at("dataset"), "lamb-oseen");
 }
 
 TEST_F(DownloadsTest, AreNotSentAgainToWhoHasThem) {

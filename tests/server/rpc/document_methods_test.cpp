@@ -40,10 +40,12 @@ class DocumentMethods : public testing::Test {
 
     /// The next patch of one record type, as told to this client.
     static json patch_of(WebSocketClient& client, const std::string& type) {
-        for (;;)
-            for (const json& each : client.notification("session.patched")["patches"])
+        for (;;) {
+            const json told = client.notification("session.patched");
+            for (const json& each : told["patches"])
                 if (each["type"] == type)
                     return each;
+        }
     }
 
     static ServerProcess* server_;

@@ -139,7 +139,8 @@ struct PermissionTest : testing::Test {
 
     std::vector<std::string> methods() const {
         std::vector<std::string> names;
-        for (const json& each : json::parse(dispatcher.document())["methods"])
+        const json document = json::parse(dispatcher.document());
+        for (const json& each : document["methods"])
             names.push_back(each["name"]);
         return names;
     }

@@ -256,7 +256,8 @@ TEST_F(Sharing, GivesWhoeverComesBackWhatWasMissedAndItIsWhatTheOthersHave) {
         else
             records.erase(each["id"]);
     std::map<std::string, json> theirs;
-    for (const json& each : host.result("rake.list")["rakes"])
+    const json list = host.result("rake.list");
+    for (const json& each : list["rakes"])
         theirs[each["rake"]] = each;
     EXPECT_EQ(records, theirs);
 

@@ -92,12 +92,12 @@ TEST_F(TimeMethods, PlaysAStreakToAStateWhoseChecksumIsTheServers) {
 TEST_F(TimeMethods, StopsByItselfAtTheEndAndTellsEverybody) {
     WebSocketClient other(*server_, session);
     client.result("time.play", {{"speed", 40}});
-    json patch = other.notification("session.patched")["params"]["patches"][0];
+    json patch = other.notification("session.patched")["patches"][0];
     EXPECT_EQ(patch["type"], "clock");
     EXPECT_EQ(patch["record"]["playing"], true);
     EXPECT_EQ(patch["record"]["from"], 0.0);
     EXPECT_EQ(patch["record"]["to"], 4.0);
-    patch = other.notification("session.patched")["params"]["patches"][0];
+    patch = other.notification("session.patched")["patches"][0];
     EXPECT_EQ(patch["record"]["playing"], false);
     EXPECT_EQ(patch["record"]["time"], 4.0);
     EXPECT_EQ(other.result("session.state")["clock"], patch["record"]);
@@ -151,7 +151,7 @@ TEST_F(TimeMethods, HoldsUpdatesBackFromWhoDoesNotAcknowledgeThem) {
     };
     acknowledge();
     client.result("time.play", {{"speed", 0.5}, {"loop", true}});
-    EXPECT_EQ(client.notification("server.notice")["params"],
+    EXPECT_EQ(client.notification("server.notice"),
               (json{{"kind", "catchingUp"}, {"surface", surface}, {"subscription", number}}));
     const std::uint32_t before = decoder.newest()->header.seq;
     fold_until(client, decoder, [&](const auto& header) { return header.seq >= before + 8; });
@@ -159,7 +159,7 @@ TEST_F(TimeMethods, HoldsUpdatesBackFromWhoDoesNotAcknowledgeThem) {
     const auto& state =
         fold_until(client, decoder, [&](const auto& header) { return header.seq > before + 8; });
     EXPECT_TRUE(state.header.is_key()) << "what it missed comes as one keyframe";
-    EXPECT_EQ(client.notification("server.notice")["params"]["kind"], "caughtUp");
+    EXPECT_EQ(client.notification("server.notice")["kind"], "caughtUp");
     client.result("time.pause");
 }
 
