@@ -90,7 +90,7 @@ describe('LiveSocket', () => {
         const bench = new Bench();
         await bench.start();
         bench.failure = new Error('The server cannot be reached.');
-        bench.newest.onclose?.({});
+        bench.newest.onclose?.({ code: 1006 });
         await bench.clock.pass(250 + 500 + 1000);
         const waits = bench.states.flatMap((s) => (s.state === 'waiting' ? [s.retryInMs] : []));
         expect(waits).toEqual([250, 500, 1000, 2000]);
@@ -131,5 +131,19 @@ describe('LiveSocket', () => {
         bench.live.stop();
         await bench.clock.pass(60_000);
         expect(bench.sockets).toHaveLength(1);
+    });
+
+    it.each([
+        [4001, /newer window/],
+        [4002, /host has ended/],
+        [4003, /expired or was taken back/],
+    ])('does not come back by itself after code %i, and says why', async (code, why) => {
+        const bench = new Bench();
+        await bench.start();
+        bench.newest.onclose?.({ code });
+        bench.live.retryNow();
+        await bench.clock.pass(600_000);
+        expect(bench.sockets).toHaveLength(1);
+        expect(bench.states.at(-1)).toEqual({ state: 'ended', reason: expect.stringMatching(why) });
     });
 });

@@ -7,12 +7,22 @@ import type { Clock, Timer } from './clock.ts';
 export const pingEveryMs = 4000;
 export const downAfterMs = 10_000;
 
+/**
+ * Closings after which coming back by oneself is of no use (protocol/README.md). Two pages that displace each other
+ * would do so for ever.
+ */
+const endings: ReadonlyMap<number, string> = new Map([
+    [4001, 'This place in the session has been taken by a newer window.'],
+    [4002, 'A host has ended your stay in this session.'],
+    [4003, 'The link that opened this page has expired or was taken back.'],
+]);
+
 /** The part of WebSocket used here, already open. */
 export interface OpenSocket {
     send(data: string): void;
     close(): void;
     onmessage: ((event: { data: unknown }) => void) | null;
-    onclose: ((event: unknown) => void) | null;
+    onclose: ((event: { code: number }) => void) | null;
 }
 
 /** Thrown by a connector when trying again cannot help, for example without a valid token. */
@@ -22,6 +32,7 @@ export type ConnectionState =
     | { state: 'connecting'; attempt: number }
     | { state: 'open' }
     | { state: 'waiting'; attempt: number; retryInMs: number; reason: string }
+    | { state: 'ended'; reason: string }
     | { state: 'refused'; reason: string };
 
 export interface LiveSocketOptions {
@@ -98,7 +109,7 @@ export class LiveSocket {
             this.heardAt = this.options.clock.now();
             this.options.onMessage(event.data);
         };
-        socket.onclose = () => this.lose('The server closed the connection.');
+        socket.onclose = ({ code }) => this.closed(code);
         this.watch();
         this.options.onState({ state: 'open' });
     }
@@ -116,6 +127,16 @@ export class LiveSocket {
             }
             this.watch();
         });
+    }
+
+    private closed(code: number): void {
+        const reason = endings.get(code);
+        if (reason === undefined) {
+            this.lose('The server closed the connection.');
+            return;
+        }
+        this.stop();
+        this.options.onState({ state: 'ended', reason });
     }
 
     private lose(reason: string): void {

@@ -5,7 +5,7 @@ import type { SurfaceEpoch, SurfaceSetting, Vec3 } from '../protocol/messages.ts
 import type { RakeMove } from '../scene/rakeInteraction.ts';
 import { type AppState, withEntry } from '../state/appState.ts';
 import type { LatencyLog } from '../state/latency.ts';
-import type { WorkerClient } from '../worker/workerClient.ts';
+import { CallError, type WorkerClient } from '../worker/workerClient.ts';
 import {
     fulfils,
     intentOf,
@@ -15,6 +15,8 @@ import {
 } from './surfaceIntent.ts';
 
 const numbersEveryMs = 200;
+const notPermitted = -32003;
+const leased = -32011;
 
 interface RakeEdit {
     rake: string;
@@ -51,11 +53,14 @@ export class Edits {
     private lastSetting: SurfaceSetting | null = null;
     private lastRake: RakeEdit | null = null;
     private numbersShownAt = 0;
+    private refused = false;
 
     constructor(options: EditsOptions) {
         this.options = options;
         const onChange = (): void => {
-            options.state.editsPending.value = this.rakeWindow.busy || this.surfaceWindow.busy;
+            const busy = this.rakeWindow.busy || this.surfaceWindow.busy;
+            options.state.editsPending.value = busy;
+            if (!busy) this.takeBackRefused();
         };
         const shared = { requestFlush: options.requestFrame, onChange };
         this.rakeWindow = new EditWindow({ ...shared, send: (edit) => this.sendRake(edit) });
@@ -167,8 +172,26 @@ export class Edits {
             }
             if (reply.clipped) this.adoptClipped(edit.points, reply.points);
         } catch (error) {
-            state.editError.value = error instanceof Error ? error.message : String(error);
+            this.failed(error);
         }
+    }
+
+    private failed(error: unknown): void {
+        this.options.state.editError.value = error instanceof Error ? error.message : String(error);
+        if (!(error instanceof CallError)) return;
+        this.refused ||= [notPermitted, leased].includes(error.failure.code);
+    }
+
+    /**
+     * What may not be changed goes back to where everybody else sees it. Other mistakes stay, to be
+     * corrected.
+     */
+    private takeBackRefused(): void {
+        if (!this.refused || this.options.dragging()) return;
+        this.refused = false;
+        this.lastSetting = null;
+        this.lastRake = null;
+        this.recordsChanged();
     }
 
     private adoptClipped(sent: readonly Vec3[], kept: readonly Vec3[]): void {
@@ -185,7 +208,7 @@ export class Edits {
             latency.answered(surface, epoch, editedAt);
             this.requested({ surface, epoch });
         } catch (error) {
-            state.editError.value = error instanceof Error ? error.message : String(error);
+            this.failed(error);
         }
     }
 

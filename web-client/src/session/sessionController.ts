@@ -23,6 +23,8 @@ import { showFragment, type UrlState, writeFragment } from './urlState.ts';
 
 const notFound = -32004;
 const importPollMs = 1000;
+/** Notices before the server closes the connection, which the page tells in its own words. */
+const farewells: ReadonlySet<string> = new Set(['displaced', 'removed', 'linkEnded']);
 
 export interface SessionControllerOptions {
     state: AppState;
@@ -67,6 +69,7 @@ export class SessionController {
                 state.stage.value = 'starting';
                 state.catchingUp.value = new Set();
             }
+            if (connection.state === 'ended') state.stage.value = 'ended';
             if (connection.state === 'refused') state.fatal.value = connection.reason;
             if (connection.state === 'open') void this.begin();
         }
@@ -275,7 +278,9 @@ export class SessionController {
                 this.datasetPatched(notification.dataset, notification.change);
                 break;
             case 'server.notice':
-                if (notification.text !== null) state.notice.value = notification.text;
+                if (notification.text !== null && !farewells.has(notification.kind)) {
+                    state.notice.value = notification.text;
+                }
                 this.noticed(notification.kind, notification.surface ?? '');
                 break;
             case 'surface.progress':

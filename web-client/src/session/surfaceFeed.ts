@@ -86,12 +86,14 @@ export class SurfaceFeed {
                 scene.setSurface(surface, change);
                 worker.taken(surface);
             }
-            const { epoch, vertices, cells, triangles, stateCrc, phase, time } = arrived.at(-1)!;
+            const { epoch, vertices, cells, triangles, stateCrc, phase, time, keys, deltas } = arrived.at(-1)!;
             scene.whenDrawn((at) => {
                 latency.shown(surface, epoch, at);
                 state.latencyMs.value = latency.samples.at(-1)?.milliseconds ?? null;
             });
-            const shown = { surface, epoch, vertices, cells, triangles, stateCrc, phase, time };
+            const shown = {
+                ...{ surface, epoch, vertices, cells, triangles, stateCrc, phase, time, keys, deltas },
+            };
             state.displayed.value = withEntry(state.displayed.value, surface, shown);
             this.requested(surface, epoch);
         }

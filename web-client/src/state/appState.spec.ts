@@ -8,6 +8,8 @@ const displayed: DisplayedSurface = {
     cells: 4,
     triangles: 8,
     stateCrc: 1,
+    keys: 1,
+    deltas: 0,
     phase: 'final' as const, time: 0,
 };
 

@@ -24,9 +24,12 @@ export interface DisplayedSurface {
     phase: Phase;
     /** Simulation time. */
     time: number;
+    /** Updates from which it came, since the page knows it: whole states, and changes of the one before. */
+    keys: number;
+    deltas: number;
 }
 
-export type Stage = 'starting' | 'importing' | 'running' | 'failed';
+export type Stage = 'starting' | 'importing' | 'running' | 'failed' | 'ended';
 
 export class AppState {
     /** Why nothing can be shown at all; null when all is well. */
@@ -63,6 +66,7 @@ export class AppState {
     readonly surface = computed(() => this.surfaces.value.get(this.activeSurface.value ?? ''));
     readonly rake = computed(() => this.rakes.value.get(this.surface.value?.rake ?? ''));
     readonly phase = computed((): SurfacePhase => {
+        if (this.stage.value === 'ended') return 'ended';
         if (this.stage.value !== 'running') return 'waiting';
         const id = this.activeSurface.value ?? '';
         return surfacePhase({
@@ -89,6 +93,7 @@ export class AppState {
 
 export type SurfacePhase =
     | 'waiting'
+    | 'ended'
     | 'none'
     | 'updating'
     | 'coarse'

@@ -50,6 +50,7 @@ export class Banner extends SignalElement {
         const connection = state.connection.value;
         this.keepCounting(connection.state === 'waiting');
         if (connection.state === 'open' || connection.state === 'refused') return nothing;
+        if (connection.state === 'ended') return this.ended(connection.reason);
         if (connection.state === 'connecting' && connection.attempt === 1) return nothing;
         const seconds = Math.ceil(Math.max(0, state.retryAt.value - performance.now()) / 1000);
         const lead = state.everConnected.value ? 'Connection lost.' : 'No connection.';
@@ -58,6 +59,13 @@ export class Banner extends SignalElement {
         return html`<div class="banner down" id="connection">
             <span class="words"><strong>${lead}</strong> ${reason} ${next}</span>
             <button type="button" @click=${retryNow}>Try now</button>
+        </div>`;
+    }
+
+    private ended(reason: string): TemplateResult {
+        return html`<div class="banner down" id="ended">
+            <span class="words"><strong>Connection ended.</strong> ${reason} The picture stays as it was.</span>
+            <button type="button" @click=${() => location.reload()}>Reload</button>
         </div>`;
     }
 

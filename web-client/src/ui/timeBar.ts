@@ -98,8 +98,7 @@ export class TimeBar extends SignalElement {
         const { state, clock } = this.model;
         const record = state.clock.value;
         const intent = this.model.edits.intent.value;
-        const known = state.capabilities.value.includes('clock') && record !== null;
-        if (!known || intent === null || intent.kind === 'stream') return nothing;
+        if (record === null || intent === null || intent.kind === 'stream') return nothing;
         const [from, to] = [record.from ?? intent.from, record.to ?? intent.from + intent.length];
         const time = this.shownTime(record) ?? to;
         const speed = record.from === null ? (to - from) / secondsToPlay : record.speed;

@@ -112,7 +112,7 @@ class SessionWorker {
     }
 
     private connectionChanged(state: ConnectionState): void {
-        if (state.state === 'waiting') {
+        if (state.state === 'waiting' || state.state === 'ended') {
             this.folder.disconnected();
             this.rpc.disconnected();
         }

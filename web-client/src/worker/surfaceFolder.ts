@@ -28,6 +28,8 @@ interface Followed {
     decoder: MeshDecoder;
     display: DisplayArrays;
     untaken: number;
+    keys: number;
+    deltas: number;
     news: boolean;
     troubled: boolean;
 }
@@ -63,6 +65,8 @@ export class SurfaceFolder {
             decoder: new MeshDecoder(this.options.draco, lattice, attributes.length),
             display: new DisplayArrays(lattice, attributes.indexOf(shownAttribute)),
             untaken: known?.untaken ?? 0,
+            keys: known?.keys ?? 0,
+            deltas: known?.deltas ?? 0,
             news: false,
             troubled: false,
         };
@@ -106,6 +110,8 @@ export class SurfaceFolder {
             if (applied === undefined) return;
             followed.troubled = false;
             followed.news = true;
+            if (applied.header.key) followed.keys += 1;
+            else followed.deltas += 1;
             followed.display.note(applied);
             this.options.onApplied(subscription, applied.header);
         } catch (error) {
@@ -126,8 +132,9 @@ export class SurfaceFolder {
         followed.news = false;
         followed.untaken += 1;
         const { epoch, phase, time, stateSum } = header;
+        const { surface, keys, deltas } = followed;
         this.options.onState({
-            ...{ surface: followed.surface, epoch, phase, time, stateCrc: stateSum, cells: mesh.cellCount },
+            ...{ surface, epoch, phase, time, stateCrc: stateSum, cells: mesh.cellCount, keys, deltas },
             ...followed.display.take(mesh),
         });
     }

@@ -51,6 +51,9 @@ export interface SurfaceState extends MeshChange {
     time: number;
     stateCrc: number;
     cells: number;
+    /** Updates applied so far: whole states, and changes of the state before. */
+    keys: number;
+    deltas: number;
 }
 
 export interface MeshChange {
