@@ -2,8 +2,10 @@
 // what the server computed for the rake as it was left.
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import type { SurfaceStats, Vec3 } from '../../web-client/src/protocol/messages.ts';
+import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { dragHandle } from './support/rake_drag.ts';
+import { expectServersMesh } from './support/server_mesh.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
 
 const store = temporaryFolder();
@@ -35,30 +37,6 @@ afterEach(async () => {
     await context.close();
 });
 
-/** What the server says of the surface that the page shows. */
-async function serverStats(epoch: number): Promise<SurfaceStats> {
-    const session = await ask(page, (hook) => hook.session);
-    const surface = await ask(page, (hook) => hook.displayed?.surface ?? '');
-    const asked = { session, surface, epoch, timeoutMs: 20_000 };
-    return (await server.call('surface.wait', asked)) as unknown as SurfaceStats;
-}
-
-/** The mesh on the screen is the server's, whole: counts, and a checksum over every vertex and quad. */
-async function expectServersMesh(): Promise<void> {
-    await finalSurface(page);
-    const displayed = await ask(page, (hook) => hook.displayed);
-    const stats = await serverStats(displayed?.epoch ?? 0);
-    expect(stats.complete).toBe(true);
-    expect(displayed).toMatchObject({
-        epoch: stats.epoch,
-        vertices: stats.vertices,
-        cells: stats.quads,
-        stateCrc: stats.crc,
-        phase: 'final',
-    });
-    expect(stats.quads).toBeGreaterThan(100);
-}
-
 /** The epoch on the screen, to be overtaken by what the test does. */
 function epochNow(): Promise<number> {
     return ask(page, (hook) => hook.displayed?.epoch ?? 0);
@@ -67,36 +45,12 @@ function epochNow(): Promise<number> {
 /** The surface of an edit made after `epoch` is on the screen, and is the server's. */
 async function expectNewSurface(epoch: number): Promise<void> {
     await page.waitForFunction((old) => (window.wakesurf?.displayed?.epoch ?? 0) > old, epoch);
-    await expectServersMesh();
-}
-
-async function dragHandle(handle: number | 'middle', dx: number, dy: number, steps: number): Promise<void> {
-    const from = await page.evaluate((name) => window.wakesurf?.handleOnScreen(name) ?? null, handle);
-    const size = page.viewportSize();
-    if (from === null || size === null) throw new Error('the handle is not in front of the camera');
-    for (const [value, limit] of [
-        [from.x, size.width],
-        [from.x + dx, size.width],
-        [from.y, size.height],
-        [from.y + dy, size.height],
-    ] as const) {
-        expect(value).toBeGreaterThan(0);
-        expect(value).toBeLessThan(limit);
-    }
-    await page.mouse.move(from.x, from.y);
-    await page.mouse.down();
-    for (let i = 1; i <= steps; ++i) {
-        const pointer = { x: from.x + (dx * i) / steps, y: from.y + (dy * i) / steps };
-        await page.mouse.move(pointer.x, pointer.y);
-        const now = await page.evaluate((name) => window.wakesurf?.handleOnScreen(name), handle);
-        expect(Math.hypot((now?.x ?? 0) - pointer.x, (now?.y ?? 0) - pointer.y)).toBeLessThan(1);
-    }
-    await page.mouse.up();
+    await expectServersMesh(server, page);
 }
 
 describe('the page', () => {
     it('shows the final surface of the default rake and hides the token', async () => {
-        await expectServersMesh();
+        await expectServersMesh(server, page);
         expect(page.url()).not.toContain('token');
         expect(page.url()).toContain('session=');
         await screenshot(page, 'first-surface');
@@ -105,7 +59,7 @@ describe('the page', () => {
     it('follows a dragged handle, and then shows exactly the surface of the new rake', async () => {
         const before = await ask(page, (hook) => hook.displayed);
         const camera = await ask(page, (hook) => hook.camera);
-        await dragHandle(1, 46, 32, 10);
+        await dragHandle(page, 1, 46, 32, 10);
         expect(await ask(page, (hook) => hook.camera)).toEqual(camera);
         await expectNewSurface(before?.epoch ?? 0);
         const after = await ask(page, (hook) => hook.displayed);
@@ -121,7 +75,7 @@ describe('the page', () => {
     it('moves the whole rake by its middle handle', async () => {
         const before = await ask(page, (hook) => hook.rakePoints);
         const epoch = await epochNow();
-        await dragHandle('middle', -15, 8, 6);
+        await dragHandle(page, 'middle', -15, 8, 6);
         const after = await ask(page, (hook) => hook.rakePoints);
         const [a, b] = before.map((point, i) => point.map((v, k) => (after[i]?.[k] ?? 0) - v));
         a?.forEach((v, k) => expect(v).toBeCloseTo(b?.[k] ?? 0, 6));
@@ -198,7 +152,7 @@ describe('a link', () => {
         await finalSurface(other);
         expect(await ask(other, (hook) => hook.session)).toBe(await ask(page, (hook) => hook.session));
         const epoch = await epochNow();
-        await dragHandle(0, 20, 10, 6);
+        await dragHandle(page, 0, 20, 10, 6);
         await expectNewSurface(epoch);
         const shown = await ask(page, (hook) => hook.displayed);
         await other.waitForFunction(

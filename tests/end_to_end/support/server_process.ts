@@ -9,6 +9,10 @@ import { projectRoot } from './project_root.ts';
 export interface ServerOptions {
     port?: number;
     tokenFile?: string;
+    /** Folder that sessions are kept in. */
+    state?: string;
+    /** A further page address that may connect. */
+    origin?: string;
     /** Kept between servers of one test, so that only the first imports. */
     store: string;
 }
@@ -23,16 +27,17 @@ export class ServerProcess {
         this.link = link;
     }
 
-    static async start({ port = 0, tokenFile, store }: ServerOptions): Promise<ServerProcess> {
+    static async start({ port = 0, tokenFile, state, origin, store }: ServerOptions): Promise<ServerProcess> {
         const binary = process.env['WAKESURF_BINARY'] ?? join(projectRoot, 'build/release/bin/wakesurf');
-        const token = tokenFile === undefined ? [] : ['--token-file', tokenFile];
+        const optional = Object.entries({ '--token-file': tokenFile, '--state': state, '--origin': origin });
+        const given = optional.flatMap(([name, value]) => (value === undefined ? [] : [name, value]));
         const child = spawn(
             binary,
             [
                 'serve',
                 process.env['WAKESURF_DATA'] ?? join(projectRoot, 'data/sqcyl/sqcyl.pvd'),
                 ...['--listen', `127.0.0.1:${port}`, '--store', store],
-                ...['--web', join(projectRoot, 'web-client/dist'), ...token],
+                ...['--web', join(projectRoot, 'web-client/dist'), ...given],
             ],
             { stdio: ['ignore', 'pipe', 'pipe'] },
         );

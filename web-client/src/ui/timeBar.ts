@@ -34,6 +34,10 @@ export class TimeBar extends SignalElement {
                 background: var(--ground);
                 border-top: 1px solid var(--line);
             }
+            button {
+                width: 40px; /* the same for all that may stand in it, or the sliders would jump */
+                padding-inline: 0;
+            }
             .clock {
                 display: contents;
             }

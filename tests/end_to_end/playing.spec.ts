@@ -1,0 +1,93 @@
+// A streak surface that moves with the session's clock: what the page plays are changes of the state before, and where
+// it stops is the server's state, whatever happened to the network meanwhile.
+import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { CuttingProxy } from './support/cutting_proxy.ts';
+import { expectServersMesh } from './support/server_mesh.ts';
+import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+
+const store = temporaryFolder();
+let network: CuttingProxy;
+let server: ServerProcess;
+let browser: Browser;
+let context: BrowserContext;
+let page: Page;
+
+beforeAll(async () => {
+    network = await CuttingProxy.start();
+    server = await ServerProcess.start({ store: store.path, origin: network.origin });
+    network.lead(server.port);
+    browser = await launchBrowser();
+});
+
+afterAll(async () => {
+    await browser?.close();
+    network?.stop();
+    await server?.stop();
+    store.remove();
+});
+
+beforeEach(async () => {
+    context = await newContext(browser, { height: 900 });
+    ({ page } = await openPage(context, `${network.origin}/${new URL(server.link).hash}`));
+    await finalSurface(page);
+    await page.getByRole('radio', { name: 'Streak' }).check();
+    await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
+    await finalSurface(page);
+});
+
+afterEach(async () => {
+    network.mend();
+    await context.close();
+});
+
+interface Played {
+    time: number;
+    keys: number;
+    deltas: number;
+}
+
+function played(): Promise<Played> {
+    return ask(page, ({ displayed }) => ({
+        time: displayed!.time,
+        keys: displayed!.keys,
+        deltas: displayed!.deltas,
+    }));
+}
+
+/** At least so many changes more than then have been applied. */
+function playsOn({ deltas }: Played, more: number): Promise<unknown> {
+    return page.waitForFunction((least) => window.wakesurf!.displayed!.deltas >= least, deltas + more);
+}
+
+describe('a streak surface', () => {
+    it('plays by changes of the state before, and stops at the state of the server', async () => {
+        await page.getByRole('button', { name: 'Play' }).click();
+        await page.waitForFunction(() => window.wakesurf?.phase === 'live');
+        const begun = await played();
+        await playsOn(begun, 20);
+        await screenshot(page, 'playing');
+        const later = await played();
+        expect(later.keys - begun.keys).toBeLessThanOrEqual(1);
+        expect(later.time).not.toBe(begun.time);
+        await page.getByRole('button', { name: 'Pause' }).click();
+        await expectServersMesh(server, page);
+        await screenshot(page, 'paused');
+    });
+
+    it('goes on from the state it has after a short cut of the network', async () => {
+        await page.getByRole('button', { name: 'Play' }).click();
+        await page.waitForFunction(() => window.wakesurf?.phase === 'live');
+        await playsOn(await played(), 5);
+        network.cut();
+        await page.waitForFunction(() => window.wakesurf?.connection !== 'open');
+        const before = await played();
+        network.mend();
+        await page.waitForFunction(() => window.wakesurf?.phase === 'live');
+        await playsOn(before, 10);
+        expect((await played()).keys).toBe(before.keys);
+        await page.getByRole('button', { name: 'Pause' }).click();
+        await expectServersMesh(server, page);
+    });
+});

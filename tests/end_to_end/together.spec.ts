@@ -1,0 +1,187 @@
+// Several people in one session: links that let look on, a rake that somebody else holds, and the ends of a connection
+// after which a page must not come back by itself.
+import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import WebSocket from 'ws';
+import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
+import { subprotocol } from '../../web-client/src/protocol/version.ts';
+import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { dragHandle } from './support/rake_drag.ts';
+import { expectServersMesh } from './support/server_mesh.ts';
+import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+
+const store = temporaryFolder();
+const contexts: BrowserContext[] = [];
+let server: ServerProcess;
+let browser: Browser;
+let page: Page;
+let session: string;
+
+beforeAll(async () => {
+    server = await ServerProcess.start({ store: store.path });
+    browser = await launchBrowser();
+});
+
+afterAll(async () => {
+    await browser?.close();
+    await server?.stop();
+    store.remove();
+});
+
+beforeEach(async () => {
+    page = await visit(server.link);
+    session = (await ask(page, (hook) => hook.session))!;
+});
+
+afterEach(async () => {
+    for (const context of contexts.splice(0)) await context.close();
+});
+
+/** A browser of its own: cookies are not shared. */
+async function visit(link: string): Promise<Page> {
+    const context = await newContext(browser);
+    contexts.push(context);
+    await context.addInitScript(keepResumeToken);
+    const { page: visited } = await openPage(context, link);
+    await finalSurface(visited);
+    return visited;
+}
+
+declare global {
+    interface Window {
+        resumeToken?: string;
+    }
+}
+
+/** What the worker answers the page of session.join, for a second client in the same place. */
+function keepResumeToken(): void {
+    const RealWorker = window.Worker;
+    window.Worker = class extends RealWorker {
+        constructor(url: string | URL, options?: WorkerOptions) {
+            super(url, options);
+            this.addEventListener('message', ({ data }) => {
+                const token = data.result?.resumeToken;
+                if (typeof token === 'string') window.resumeToken = token;
+            });
+        }
+    };
+}
+
+async function share(role: string): Promise<{ grant: string; link: string }> {
+    const { grant, link } = await server.call('session.share', { session, role });
+    return { grant: String(grant), link: new URL(String(link), server.link).href };
+}
+
+async function recordedRake(): Promise<{ rake: string; kind: string; points: Vec3[]; seeds: number }> {
+    const { rakes } = await server.call('rake.list', { session });
+    return (rakes as Awaited<ReturnType<typeof recordedRake>>[])[0]!;
+}
+
+async function participants(): Promise<string[]> {
+    const state = await server.call('session.state', { session });
+    return (state['participants'] as { participant: string }[]).map(({ participant }) => participant);
+}
+
+/** The page says why it has ended, keeps its picture, and is alone with that for longer than any first wait. */
+async function expectEnded(ended: Page, why: RegExp): Promise<void> {
+    await ended.getByText('Connection ended.').waitFor({ timeout: 5000 });
+    await ended.getByText(why).waitFor();
+    expect(await ask(ended, (hook) => hook.connection)).toBe('ended');
+    expect((await ask(ended, (hook) => hook.displayed?.cells)) ?? 0).toBeGreaterThan(100);
+    const others = await participants();
+    await ended.waitForTimeout(1500);
+    expect(await ask(ended, (hook) => hook.connection)).toBe('ended');
+    expect(await participants()).toEqual(others);
+}
+
+function sameRakes(mine: readonly Vec3[], theirs: readonly Vec3[]): void {
+    expect(theirs).toHaveLength(mine.length);
+    theirs.flat().forEach((value, i) => expect(value).toBeCloseTo(mine.flat()[i]!, 6));
+}
+
+describe('a link for looking on', () => {
+    it('sees what an editor drags, and is refused in words when it drags itself', async () => {
+        const viewer = await visit((await share('viewer')).link);
+        await viewer.getByText(/for looking on/).waitFor();
+        expect(viewer.url()).not.toContain('token');
+        const before = await recordedRake();
+
+        await dragHandle(viewer, 1, 30, 20, 6);
+        await viewer.getByRole('alert').filter({ hasText: /viewer/i }).waitFor();
+        await viewer.waitForFunction((y) => window.wakesurf!.rakePoints[1]![1] === y, before.points[1]![1]);
+        sameRakes(before.points, await ask(viewer, (hook) => hook.rakePoints));
+        expect(await recordedRake()).toEqual(before);
+        await screenshot(viewer, 'viewer-refused');
+
+        const epoch = await ask(viewer, (hook) => hook.displayed!.epoch);
+        await dragHandle(page, 1, 30, 20, 6);
+        await viewer.waitForFunction((old) => window.wakesurf!.displayed!.epoch > old, epoch);
+        await expectServersMesh(server, page);
+        await expectServersMesh(server, viewer);
+        sameRakes((await recordedRake()).points, await ask(viewer, (hook) => hook.rakePoints));
+    });
+
+    it('ends in words when it is taken back, and the page does not come back', async () => {
+        const { grant, link } = await share('viewer');
+        const viewer = await visit(link);
+        await server.call('session.unshare', { session, grant });
+        await expectEnded(viewer, /expired or was taken back/);
+        await screenshot(viewer, 'link-ended');
+        expect(await ask(page, (hook) => hook.connection)).toBe('open');
+    });
+});
+
+describe('a rake that somebody else holds', () => {
+    it('cannot be dragged, and the page says by whom it is held', async () => {
+        const { rake, kind, points, seeds } = await recordedRake();
+        await server.call('rake.set', { session, rake, kind, points, seeds, dragging: true });
+        await dragHandle(page, 0, 20, 10, 4);
+        const alert = page.getByRole('alert').filter({ hasText: /drag/i });
+        await alert.waitFor({ timeout: 4000 });
+        await screenshot(page, 'leased');
+        await page.waitForFunction((y) => window.wakesurf!.rakePoints[0]![1] === y, points[0]![1]);
+        sameRakes(points, await ask(page, (hook) => hook.rakePoints));
+
+        await server.call('rake.set', { session, rake, kind, points, seeds, dragging: false });
+        await dragHandle(page, 0, 20, 10, 4);
+        await expectServersMesh(server, page);
+        expect((await recordedRake()).points).not.toEqual(points);
+        expect(await page.getByRole('alert').textContent()).toBe('');
+    });
+});
+
+describe('a page whose place is gone', () => {
+    it('leaves it to the newer connection with the same resume token', async () => {
+        const resumeToken = await page.evaluate(() => window.resumeToken);
+        const address = new URL('/ws', server.link);
+        address.protocol = 'ws:';
+        const headers = { Authorization: `Bearer ${server.token}` };
+        const newer = new WebSocket(address, subprotocol, { headers });
+        let closed = false;
+        newer.on('close', () => (closed = true));
+        await new Promise((resolve, reject) => newer.once('open', resolve).once('error', reject));
+        const params = { session, resumeToken };
+        newer.send(JSON.stringify({ jsonrpc: '2.0', id: 1, method: 'session.join', params }));
+        await expectEnded(page, /taken by a newer window/);
+        expect(closed).toBe(false);
+        await screenshot(page, 'displaced');
+
+        // By the button it is somebody new; the other stays.
+        await page.getByRole('button', { name: 'Reload' }).click();
+        await page.waitForFunction(() => window.wakesurf?.connection === 'open');
+        await finalSurface(page);
+        expect(await ask(page, (hook) => hook.session)).toBe(session);
+        expect(await participants()).toHaveLength(2);
+        expect(closed).toBe(false);
+        newer.terminate();
+    });
+
+    it('stays away when a host has sent it away', async () => {
+        const editor = await visit((await share('editor')).link);
+        const all = await participants();
+        expect(all).toHaveLength(2);
+        await server.call('session.kick', { session, participant: all.at(-1) });
+        await expectEnded(editor, /host has ended your stay/);
+        expect(await participants()).toHaveLength(1);
+    });
+});
