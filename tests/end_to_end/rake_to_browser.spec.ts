@@ -64,6 +64,8 @@ describe('the page', () => {
         await expectNewSurface(before?.epoch ?? 0);
         const after = await ask(page, (hook) => hook.displayed);
         expect(after?.stateCrc).not.toBe(before?.stateCrc);
+        const updates = (shown: typeof after): number => shown!.keys + shown!.deltas;
+        expect(updates(after) - updates(before)).toBeGreaterThan(2);
         const session = await ask(page, (hook) => hook.session);
         const { rakes } = (await server.call('rake.list', { session })) as { rakes: { points: Vec3[] }[] };
         const shown = await ask(page, (hook) => hook.rakePoints);

@@ -177,9 +177,13 @@ export class Edits {
     }
 
     private failed(error: unknown): void {
-        this.options.state.editError.value = error instanceof Error ? error.message : String(error);
+        const { editError } = this.options.state;
+        editError.value = error instanceof Error ? error.message : String(error);
         if (!(error instanceof CallError)) return;
-        this.refused ||= [notPermitted, leased].includes(error.failure.code);
+        const { code, message } = error.failure;
+        // The hint is for scripts, which can take the rake away from others.
+        if (code === leased) editError.value = `${message}: wait until it is let go`;
+        this.refused ||= [notPermitted, leased].includes(code);
     }
 
     /**

@@ -1,4 +1,5 @@
-// What stands in the way at the moment: no connection, data still being imported, a notice.
+// What stands in the way at the moment: no connection, data still being imported, a notice, an edit that was refused.
+// Over the picture, because the panel may be scrolled.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { errorWords } from '../protocol/messages.ts';
 import type { AppModel } from './appModel.ts';
@@ -41,8 +42,9 @@ export class Banner extends SignalElement {
 
     override render(): TemplateResult {
         return html`<div role="status" aria-live="polite">
-            ${this.connection()} ${this.importing()} ${this.catchingUp()} ${this.notice()}
-        </div>`;
+                ${this.connection()} ${this.importing()} ${this.catchingUp()} ${this.notice()}
+            </div>
+            <div role="alert">${this.editError()}</div>`;
     }
 
     private connection(): TemplateResult | typeof nothing {
@@ -91,6 +93,15 @@ export class Banner extends SignalElement {
         if (this.model.state.catchingUp.value.size === 0) return nothing;
         return html`<div class="banner" id="catching-up">
             <span class="words">Catching up: the surface changes faster than it arrives here …</span>
+        </div>`;
+    }
+
+    private editError(): TemplateResult | typeof nothing {
+        const { editError } = this.model.state;
+        if (editError.value === null) return nothing;
+        return html`<div class="banner down" id="edit-error">
+            <span class="words">${editError.value}</span>
+            <button type="button" @click=${() => (editError.value = null)}>Dismiss</button>
         </div>`;
     }
 

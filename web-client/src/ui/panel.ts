@@ -94,7 +94,6 @@ export class Panel extends SignalElement {
             <section aria-labelledby="rake-head" ?hidden=${none}>
                 <h2 id="rake-head">Rake</h2>
                 <wakesurf-rake .model=${this.model}></wakesurf-rake>
-                <p class="problem" role="alert">${state.editError.value ?? ''}</p>
             </section>
             <section aria-labelledby="status-head" ?hidden=${none}>
                 <h2 id="status-head">Status</h2>
