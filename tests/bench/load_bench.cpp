@@ -19,15 +19,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t viewers = 500;
-constexpr std::size_t wanted_bytes = 8192; ///< of one state of the surface, about
-constexpr double first_guess_quads = 6'000;
+constexpr double quads = 1'300; ///< of the surface: its update is about 8 KiB
 constexpr int edits = 100;
 constexpr std::chrono::milliseconds between_edits{100};
 
 /// A session that many look at, with a surface of about 8 KiB a state.
 struct Audience {
     explicit Audience(const std::string& dataset)
-        : server(dataset), surface(server.address(), first_guess_quads),
+        : server(dataset), surface(server.address(), quads),
           swarm(server.address(), {surface.session(), surface.surface()}) {}
 
     LiveServer server;
