@@ -1,11 +1,8 @@
 // annotation.set, annotation.delete, annotation.list.
-#include "protocol/checked_json.hpp"
 #include "server/limits.hpp"
-#include "server/rpc/author.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/rpc/record_handlers.hpp"
 #include "server/rpc/records_json.hpp"
-#include "server/rpc/session_choice.hpp"
-#include "server/rpc/stale_revision.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,6 +13,9 @@ using nlohmann::json;
 
 namespace {
 
+constexpr RecordHandlers<protocol::AnnotationRecord> handlers{
+    "annotation", &Session::annotation, protocol::annotation_json, &Session::delete_annotation};
+
 void set(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const auto setting =
@@ -23,11 +23,8 @@ void set(const Call& call, Reply reply) {
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    if (setting.annotation)
-        if (const auto now = (*session)->annotation(*setting.annotation))
-            if (const auto stale =
-                    stale_revision(setting.if_rev, now->rev, protocol::annotation_json(*now)))
-                return reply.fault(*stale);
+    if (const auto stale = handlers.stale(**session, setting.annotation, setting.if_rev))
+        return reply.fault(*stale);
     const auto record = (*session)->set_annotation(setting, author_of(call, **session));
     if (!record)
         return reply.fault(record.error());
@@ -36,27 +33,11 @@ void set(const Call& call, Reply reply) {
 }
 
 void remove(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const std::string annotation = in.text("annotation");
-    const auto if_rev = in.count_if("ifRev", 0, protocol::most_rev);
-    const auto session = read_session(in, call);
-    if (!session)
-        return reply.fault(session.error());
-    if (const auto now = (*session)->annotation(annotation))
-        if (const auto stale = stale_revision(if_rev, now->rev, protocol::annotation_json(*now)))
-            return reply.fault(*stale);
-    const auto done = (*session)->delete_annotation(annotation, author_of(call, **session));
-    if (!done)
-        return reply.fault(done.error());
-    reply.result({{"seq", (*session)->seq()}});
+    handlers.remove(call, std::move(reply));
 }
 
 void list(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const auto session = read_session(in, call);
-    if (!session)
-        return reply.fault(session.error());
-    reply.result({{"annotations", annotations_json(**session)}});
+    list_records(call, std::move(reply), "annotations", annotations_json);
 }
 
 } // namespace

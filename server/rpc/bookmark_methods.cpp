@@ -1,11 +1,8 @@
 // bookmark.set, bookmark.delete, bookmark.list.
-#include "protocol/checked_json.hpp"
 #include "server/limits.hpp"
-#include "server/rpc/author.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/rpc/record_handlers.hpp"
 #include "server/rpc/records_json.hpp"
-#include "server/rpc/session_choice.hpp"
-#include "server/rpc/stale_revision.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,6 +13,9 @@ using nlohmann::json;
 
 namespace {
 
+constexpr RecordHandlers<protocol::BookmarkRecord> handlers{
+    "bookmark", &Session::bookmark, protocol::bookmark_json, &Session::delete_bookmark};
+
 void set(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const auto setting =
@@ -23,11 +23,8 @@ void set(const Call& call, Reply reply) {
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    if (setting.bookmark)
-        if (const auto now = (*session)->bookmark(*setting.bookmark))
-            if (const auto stale =
-                    stale_revision(setting.if_rev, now->rev, protocol::bookmark_json(*now)))
-                return reply.fault(*stale);
+    if (const auto stale = handlers.stale(**session, setting.bookmark, setting.if_rev))
+        return reply.fault(*stale);
     const auto record = (*session)->set_bookmark(setting, author_of(call, **session));
     if (!record)
         return reply.fault(record.error());
@@ -36,26 +33,11 @@ void set(const Call& call, Reply reply) {
 }
 
 void remove(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const std::string bookmark = in.text("bookmark");
-    const auto if_rev = in.count_if("ifRev", 0, protocol::most_rev);
-    const auto session = read_session(in, call);
-    if (!session)
-        return reply.fault(session.error());
-    if (const auto now = (*session)->bookmark(bookmark))
-        if (const auto stale = stale_revision(if_rev, now->rev, protocol::bookmark_json(*now)))
-            return reply.fault(*stale);
-    if (const auto done = (*session)->delete_bookmark(bookmark, author_of(call, **session)); !done)
-        return reply.fault(done.error());
-    reply.result({{"seq", (*session)->seq()}});
+    handlers.remove(call, std::move(reply));
 }
 
 void list(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const auto session = read_session(in, call);
-    if (!session)
-        return reply.fault(session.error());
-    reply.result({{"bookmarks", bookmarks_json(**session)}});
+    list_records(call, std::move(reply), "bookmarks", bookmarks_json);
 }
 
 } // namespace

@@ -1,13 +1,10 @@
 // rake.set, rake.delete, rake.list.
-#include "protocol/checked_json.hpp"
 #include "protocol/messages_rake.hpp"
 #include "server/limits.hpp"
-#include "server/rpc/author.hpp"
 #include "server/rpc/leased.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/rpc/record_handlers.hpp"
 #include "server/rpc/records_json.hpp"
-#include "server/rpc/session_choice.hpp"
-#include "server/rpc/stale_revision.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -83,11 +80,7 @@ void remove(const Call& call, Reply reply) {
 }
 
 void list(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const auto session = read_session(in, call);
-    if (!session)
-        return reply.fault(session.error());
-    reply.result({{"rakes", rakes_json(**session)}});
+    list_records(call, std::move(reply), "rakes", rakes_json);
 }
 
 } // namespace

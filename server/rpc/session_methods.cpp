@@ -140,7 +140,8 @@ std::vector<Method> session_methods() {
           {"resumeToken", text, false, "of an earlier stay, to take up its place again"},
           {"lastSeq", R"({"type":"integer","minimum":0})", false,
            "with resumeToken: the last seq seen; what was missed comes instead of the snapshot"}},
-         "{resumed, snapshot: {session, name, rakes, surfaces, bookmarks, annotations, clock} or patches: "
+         "{resumed, snapshot: {session, name, rakes, surfaces, bookmarks, annotations, clock} or "
+         "patches: "
          "[{op, type, id, record?}], seq, participants: [{participant, name, colour, role, "
          "connected, pointer, camera, dragging, selected}], you, role, resumeToken}",
          websocket_viewer,

@@ -1,12 +1,9 @@
 // surface.set, .delete, .list.
-#include "protocol/checked_json.hpp"
 #include "protocol/messages_surface.hpp"
 #include "server/limits.hpp"
-#include "server/rpc/author.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/rpc/record_handlers.hpp"
 #include "server/rpc/records_json.hpp"
-#include "server/rpc/session_choice.hpp"
-#include "server/rpc/stale_revision.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,6 +14,9 @@ using nlohmann::json;
 
 namespace {
 
+constexpr RecordHandlers<protocol::SurfaceRecord> handlers{
+    "surface", &Session::surface, protocol::surface_json, &Session::delete_surface};
+
 void set(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const auto setting =
@@ -24,11 +24,8 @@ void set(const Call& call, Reply reply) {
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    if (setting.surface)
-        if (const auto now = (*session)->surface(*setting.surface))
-            if (const auto stale =
-                    stale_revision(setting.if_rev, now->rev, protocol::surface_json(*now)))
-                return reply.fault(*stale);
+    if (const auto stale = handlers.stale(**session, setting.surface, setting.if_rev))
+        return reply.fault(*stale);
     const auto record = (*session)->set_surface(setting, author_of(call, **session));
     if (!record)
         return reply.fault(record.error());
@@ -39,26 +36,11 @@ void set(const Call& call, Reply reply) {
 }
 
 void remove(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const std::string surface = in.text("surface");
-    const auto if_rev = in.count_if("ifRev", 0, protocol::most_rev);
-    const auto session = read_session(in, call);
-    if (!session)
-        return reply.fault(session.error());
-    if (const auto now = (*session)->surface(surface))
-        if (const auto stale = stale_revision(if_rev, now->rev, protocol::surface_json(*now)))
-            return reply.fault(*stale);
-    if (const auto done = (*session)->delete_surface(surface, author_of(call, **session)); !done)
-        return reply.fault(done.error());
-    reply.result({{"seq", (*session)->seq()}});
+    handlers.remove(call, std::move(reply));
 }
 
 void list(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const auto session = read_session(in, call);
-    if (!session)
-        return reply.fault(session.error());
-    reply.result({{"surfaces", surfaces_json(**session)}});
+    list_records(call, std::move(reply), "surfaces", surfaces_json);
 }
 
 std::vector<Parameter> set_parameters() {

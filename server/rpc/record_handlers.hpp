@@ -1,0 +1,61 @@
+// What the methods on every type of record share: a list, a deletion, and a setter that may be meant for one revision only.
+#pragma once
+
+#include "protocol/checked_json.hpp"
+#include "server/rpc/author.hpp"
+#include "server/rpc/method.hpp"
+#include "server/rpc/session_choice.hpp"
+#include "server/rpc/stale_revision.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace wakesurf::server {
+
+/// A type of record as its methods name, find, tell and delete it.
+template <class Record>
+struct RecordHandlers {
+    const char* type; ///< the member with its id
+    core::Result<Record> (Session::*find)(const std::string& id) const;
+    nlohmann::json (*text)(const Record& record);
+    core::Result<void> (Session::*erase)(const std::string& id, const Author& author);
+
+    /// Why an edit is refused that was meant for another revision.
+    std::optional<protocol::RpcFault> stale(const Session& session,
+                                            const std::optional<std::string>& id,
+                                            std::optional<std::uint64_t> if_rev) const {
+        const auto now = id ? (session.*find)(*id) : core::fail(core::Error::Code::NotFound, type);
+        return now ? stale_revision(if_rev, now->rev, text(*now)) : std::nullopt;
+    }
+
+    void remove(const Call& call, Reply reply) const {
+        protocol::CheckedJson in(call.parameters);
+        const std::string id = in.text(type);
+        const auto if_rev = in.count_if("ifRev", 0, protocol::most_rev);
+        const auto session = read_session(in, call);
+        if (!session)
+            return reply.fault(session.error());
+        if (const auto refused = stale(**session, id, if_rev))
+            return reply.fault(*refused);
+        if (const auto done = ((**session).*erase)(id, author_of(call, **session)); !done)
+            return reply.fault(done.error());
+        reply.result({{"seq", (*session)->seq()}});
+    }
+};
+
+/// {NAME: all of them}
+inline void list_records(const Call& call,
+                         Reply reply,
+                         const char* name,
+                         nlohmann::json (*all)(const Session& session)) {
+    protocol::CheckedJson in(call.parameters);
+    const auto session = read_session(in, call);
+    if (!session)
+        return reply.fault(session.error());
+    reply.result({{name, all(**session)}});
+}
+
+} // namespace wakesurf::server
