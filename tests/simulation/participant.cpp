@@ -249,13 +249,15 @@ void Participant::edit_surface() {
     const auto rake = any("rake");
     if (!rake)
         return edit_rake();
-    static constexpr std::array kinds{"stream", "path", "streak"};
+    static constexpr std::array kinds{"stream", "path", "streak", "time"};
     json surface{{"rake", *rake},
                  {"kind", kinds[world_.pick(kinds.size())]},
                  {"dataset", "flow"},
                  {"from", 0},
                  {"to", world_.between(0.5, 3)},
                  {"separation", 1}};
+    if (surface["kind"] == "time")
+        surface["sweep"] = {0.5, 0.0, 0.0};
     if (const auto id = any("surface"); id && !(world_.chance(0.3) && few("surface")))
         surface["surface"] = *id;
     call("surface.set", std::move(surface),
