@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { WordSum, wordSum } from './stateSum.ts';
+import { pairSum, WordSum, wordSum } from './stateSum.ts';
 import { seededRandom } from './testing/random.ts';
 
 test('gives the values of the specification', () => {
@@ -40,5 +40,16 @@ test('changes with any change of one word', () => {
         words[i]! ^= 1 << (i & 31);
         expect(wordSum(words)).not.toBe(before);
         words[i]! ^= 1 << (i & 31);
+    }
+});
+
+test('of codes is that of their pairs, whatever stands behind them', () => {
+    const codes = Int32Array.from({ length: 5000 }, seededRandom(8)).map((code) => code & 0xffff);
+    for (const count of [0, 1, 2, 7, 8, 2047, 2048, 2049, 2050, 4097]) {
+        const words = Int32Array.from({ length: (count + 1) >> 1 }, (_, i) => {
+            const high = 2 * i + 1 < count ? codes[2 * i + 1]! : 0;
+            return codes[2 * i]! | (high << 16);
+        });
+        expect(pairSum(codes, count)).toBe(wordSum(words));
     }
 });

@@ -38,9 +38,24 @@ export class WordSum {
     }
 }
 
+/// Small enough for the nearest cache; a multiple of four.
+const piece = new Int32Array(1024);
+
 /// Of the words as an unsigned number.
 export function wordSum(words: Int32Array): number {
     const sum = new WordSum();
     sum.add(words);
+    return sum.value();
+}
+
+/// Of the first `count` codes below 2^16, two to a word, the first in the low half; an odd number is padded with 0.
+export function pairSum(codes: Int32Array, count: number): number {
+    const sum = new WordSum();
+    for (let at = 0; at < count; at += 2 * piece.length) {
+        const words = Math.min(piece.length, (count - at + 1) >> 1);
+        for (let i = 0, from = at; i < words; i += 1, from += 2)
+            piece[i] = codes[from]! | (from + 1 < count ? codes[from + 1]! << 16 : 0);
+        sum.add(piece.subarray(0, words));
+    }
     return sum.value();
 }

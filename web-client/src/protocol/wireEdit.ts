@@ -103,17 +103,21 @@ function renumber(cells: Int32Array, removed: Runs, vertices: number): boolean {
     }
     while (at < vertices)
         now[at++] = next++;
-    let low = 0;
-    for (let i = 0; i < cells.length; i += 1) {
-        const id = cells[i]!;
-        if (id < 0)
+    let signs = 0;
+    for (let cell = 0; cell < cells.length; cell += cellStride) {
+        const c0 = (cells[cell] = now[cells[cell]!]!);
+        const c1 = (cells[cell + 1] = now[cells[cell + 1]!]!);
+        const c2 = (cells[cell + 2] = now[cells[cell + 2]!]!);
+        const c3 = (cells[cell + 3] = now[cells[cell + 3]!]!);
+        signs |= c0 | c1 | c2 | c3;
+        // Few cells have mids: noVertex has all bits set, no id has.
+        if ((cells[cell + 4]! & cells[cell + 5]! & cells[cell + 6]! & cells[cell + 7]!) === noVertex)
             continue;
-        const renumbered = now[id]!;
-        cells[i] = renumbered;
-        if ((i & 4) === 0)
-            low = Math.min(low, renumbered);
+        for (let mid = cell + 4; mid < cell + cellStride; mid += 1)
+            if (cells[mid]! >= 0)
+                cells[mid] = now[cells[mid]!]!;
     }
-    return low >= 0;
+    return signs >= 0;
 }
 
 function checkCorners(cells: Int32Array): void {

@@ -2,7 +2,7 @@
 // protocol/README.md, Mesh frames. Twin: protocol/wire_mesh.hpp; unlike there, updates change it in place.
 import { cellStride } from './cellsCode.ts';
 import { roomFor } from './room.ts';
-import { WordSum, wordSum } from './stateSum.ts';
+import { pairSum, WordSum, wordSum } from './stateSum.ts';
 import type { Runs } from './wireEdit.ts';
 import { Neighbours } from './wireTopology.ts';
 
@@ -105,20 +105,9 @@ export class WireMesh {
         const positions = wordSum(this.position.values.subarray(0, 3 * this.vertices));
         const parts = [this.vertices, positions, this.cellCount, this.cellSum.value()];
         for (const { values } of this.codes)
-            parts.push(wordSum(pairs(values, this.vertices)));
+            parts.push(pairSum(values, this.vertices));
         return wordSum(Int32Array.from(parts));
     }
-}
-
-/// Two codes to a word, the first in the low half.
-function pairs(codes: Int32Array, count: number): Int32Array {
-    const words = new Int32Array((count + 1) >> 1);
-    const even = count & ~1;
-    for (let i = 0; i < even; i += 2)
-        words[i >> 1] = codes[i]! | (codes[i + 1]! << 16);
-    if (even < count)
-        words[even >> 1] = codes[even]!;
-    return words;
 }
 
 /// A call that moves memory costs as much as moving so many numbers one by one.
