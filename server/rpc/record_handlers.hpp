@@ -7,13 +7,23 @@
 #include "server/rpc/session_choice.hpp"
 #include "server/rpc/stale_revision.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace wakesurf::server {
+
+/// The answer to a deletion: {seq}
+void reply_with_seq(Reply reply, const Session& session);
+
+/// {NAME: all of them}
+void list_records(const Call& call,
+                  Reply reply,
+                  const char* name,
+                  nlohmann::json (*all)(const Session& session));
 
 /// A type of record as its methods name, find, tell and delete it.
 template <class Record>
@@ -42,20 +52,8 @@ struct RecordHandlers {
             return reply.fault(*refused);
         if (const auto done = ((**session).*erase)(id, author_of(call, **session)); !done)
             return reply.fault(done.error());
-        reply.result({{"seq", (*session)->seq()}});
+        reply_with_seq(std::move(reply), **session);
     }
 };
-
-/// {NAME: all of them}
-inline void list_records(const Call& call,
-                         Reply reply,
-                         const char* name,
-                         nlohmann::json (*all)(const Session& session)) {
-    protocol::CheckedJson in(call.parameters);
-    const auto session = read_session(in, call);
-    if (!session)
-        return reply.fault(session.error());
-    reply.result({{name, all(**session)}});
-}
 
 } // namespace wakesurf::server

@@ -1,0 +1,22 @@
+#include "server/rpc/record_handlers.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::server {
+
+void reply_with_seq(Reply reply, const Session& session) {
+    reply.result({{"seq", session.seq()}});
+}
+
+void list_records(const Call& call,
+                  Reply reply,
+                  const char* name,
+                  nlohmann::json (*all)(const Session& session)) {
+    protocol::CheckedJson in(call.parameters);
+    const auto session = read_session(in, call);
+    if (!session)
+        return reply.fault(session.error());
+    reply.result({{name, all(**session)}});
+}
+
+} // namespace wakesurf::server
