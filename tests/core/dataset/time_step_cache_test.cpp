@@ -177,9 +177,10 @@ TEST(TimeStepCache, TwoCallersOfOneColdStepCauseOneLoad) {
     }
     EXPECT_EQ(got[0].get(), got[1].get());
     EXPECT_EQ(bench.source->order().size(), 1u);
-    EXPECT_EQ(bench.cache.status().hits, 0u);
+    const auto hits = bench.cache.status().hits;
+    EXPECT_LE(hits, 1u) << "of a second caller who came when all was loaded";
     (void)bench.cache.acquire(5);
-    EXPECT_EQ(bench.cache.status().hits, 1u);
+    EXPECT_EQ(bench.cache.status().hits, hits + 1);
     EXPECT_EQ(bench.cache.status().loads, 1u);
 }
 
