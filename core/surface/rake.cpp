@@ -44,7 +44,8 @@ std::string fault(const Rake& rake) {
                    ? "a circle rake needs a centre and 2 points of its rim"
                    : "a rake needs at least 2 points";
     for (std::size_t i = 1; i < rake.points.size(); ++i)
-        if (glm::length(rake.points[i] - rake.points[i - 1]) == 0.0) // 1e-320 apart is no length either
+        if (glm::length(rake.points[i] - rake.points[i - 1]) ==
+            0.0) // 1e-320 apart is no length either
             return "two neighbouring rake points coincide";
     if (rake.kind == Rake::Kind::Circle) {
         const Vec3 u = rake.points[1] - rake.points[0];

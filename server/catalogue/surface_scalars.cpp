@@ -21,10 +21,10 @@ core::Result<void> check_fields(const LoadedDataset& dataset,
 }
 
 core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset,
-                                                   const core::Surface& surface,
-                                                   const core::SurfaceParameters& parameters,
-                                                   const std::vector<std::string>& fields,
-                                                   const std::stop_token& stop) {
+                                                    const core::Surface& surface,
+                                                    const core::SurfaceParameters& parameters,
+                                                    const std::vector<std::string>& fields,
+                                                    const std::stop_token& stop) {
     if (auto known = check_fields(dataset, fields); !known)
         return tl::unexpected(known.error());
     protocol::MeshScalars scalars;

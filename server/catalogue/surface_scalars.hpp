@@ -19,9 +19,9 @@ core::Result<void> check_fields(const LoadedDataset& dataset,
 /// Each named field, with a value a vertex. The velocity may be named too: every export has it.
 /// Error: as check_fields, and what reading reports.
 core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset,
-                                                   const core::Surface& surface,
-                                                   const core::SurfaceParameters& parameters,
-                                                   const std::vector<std::string>& fields,
-                                                   const std::stop_token& stop);
+                                                    const core::Surface& surface,
+                                                    const core::SurfaceParameters& parameters,
+                                                    const std::vector<std::string>& fields,
+                                                    const std::stop_token& stop);
 
 } // namespace wakesurf::server

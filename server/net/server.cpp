@@ -57,8 +57,8 @@ struct Server::Parts {
         dispatcher.emplace(
             method_table(),
             MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); },
-                          prober, grants, clock, loop, journal.get(),
-                          [this] { return standing(); }, &metrics},
+                          prober, grants, clock, loop, journal.get(), [this] { return standing(); },
+                          &metrics},
             protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
         downloads.emplace(loop, pool, *sessions, *catalogue);
         routes.emplace(*gate, files, *dispatcher, *downloads,
