@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t viewers = 500;
-constexpr double quads = 1'300; ///< of the surface: its update is about 8 KiB
+constexpr double quads = 560; ///< of the surface: its updates of an edit are about 8 KiB together
 constexpr int edits = 100;
 constexpr std::chrono::milliseconds between_edits{100};
 
