@@ -19,11 +19,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t viewers = 500;
-constexpr double quads = 560; ///< of the surface: its updates of an edit are about 8 KiB together
+constexpr double quads =
+    560; ///< of the surface: an edit's states, coarse and final, are about 11 KiB together
 constexpr int edits = 100;
 constexpr std::chrono::milliseconds between_edits{100};
 
-/// A session that many look at, with a surface of about 8 KiB a state.
+/// A session that many look at, with a surface of some KiB a state.
 struct Audience {
     explicit Audience(const std::string& dataset)
         : server(dataset), surface(server.address(), quads),
