@@ -4,6 +4,7 @@
 
 #include "core/base/box.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -30,24 +31,48 @@ Lattice lattice_over(const core::Box& domain, int bits = 16);
 /// Finite, a positive step, 1 to max_lattice_bits bits.
 bool valid(const Lattice& lattice);
 
-/// The nearest node is what is below this.
-inline core::Vec3 node_above(const Lattice& lattice, const core::Vec3& p) {
-    return (p - lattice.origin) / lattice.step + core::Vec3(0.5);
-}
+/// Rounds many points to the nodes of one lattice.
+class LatticeRounding {
+  public:
+    explicit LatticeRounding(const Lattice& lattice)
+        : origin_(lattice.origin), per_step_(1.0 / lattice.step), end_(lattice.last() + 1.0) {}
+
+    /// Whether the node nearest to `p` exists; false for points that are not finite.
+    bool holds(const core::Vec3& p) const {
+        const core::Vec3 n = above(p);
+        return n.x >= 0.0 && n.x < end_ && n.y >= 0.0 && n.y < end_ && n.z >= 0.0 && n.z < end_;
+    }
+
+    /// The nearest node, halves rounded up; some node where holds() is false.
+    LatticePoint nearest(const core::Vec3& p) const {
+        const core::Vec3 n = above(p); // nothing is negative: cutting off rounds down
+        return {cut(n.x), cut(n.y), cut(n.z)};
+    }
+
+  private:
+    /// The nearest node is what is below this.
+    core::Vec3 above(const core::Vec3& p) const {
+        return (p - origin_) * per_step_ + core::Vec3(0.5);
+    }
+
+    /// In this order NaN becomes 0.
+    std::int32_t cut(double value) const {
+        return static_cast<std::int32_t>(std::min(std::max(0.0, value), end_));
+    }
+
+    core::Vec3 origin_;
+    double per_step_;
+    double end_;
+};
 
 /// Whether the node nearest to `p` exists; false for points that are not finite.
 inline bool on_lattice(const Lattice& lattice, const core::Vec3& p) {
-    const double end = lattice.last() + 1.0;
-    const core::Vec3 node = node_above(lattice, p);
-    return node.x >= 0.0 && node.x < end && node.y >= 0.0 && node.y < end && node.z >= 0.0 &&
-           node.z < end;
+    return LatticeRounding(lattice).holds(p);
 }
 
 /// The nearest node, halves rounded up. REQUIRES: on_lattice(lattice, p).
 inline LatticePoint quantise(const Lattice& lattice, const core::Vec3& p) {
-    const core::Vec3 node = node_above(lattice, p); // nothing is negative: cutting off rounds down
-    return {static_cast<std::int32_t>(node.x), static_cast<std::int32_t>(node.y),
-            static_cast<std::int32_t>(node.z)};
+    return LatticeRounding(lattice).nearest(p);
 }
 
 core::Vec3 dequantise(const Lattice& lattice, const LatticePoint& node);

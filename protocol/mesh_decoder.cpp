@@ -21,11 +21,6 @@ tl::unexpected<Error> corrupt(std::string message) {
     return core::fail(Error::Code::Corrupt, std::move(message), "subscribe to the surface again");
 }
 
-MeshSize size_of(const WireMesh& mesh) {
-    return {static_cast<std::uint32_t>(mesh.vertices()),
-            static_cast<std::uint32_t>(mesh.cells().size())};
-}
-
 std::vector<std::uint32_t> numbers_from(std::uint32_t first, std::uint32_t last) {
     std::vector<std::uint32_t> all;
     for (std::uint32_t v = first; v < last; ++v)
@@ -140,18 +135,19 @@ core::Result<void> MeshDecoder::Update::take(const MeshFrame& frame) {
 
 core::Result<void> MeshDecoder::Update::begin() {
     const MeshSize after{header.vertices, header.cells};
-    const auto edit = read_edit(topology, size_of(before), after);
-    if (!edit)
-        return tl::unexpected(edit.error());
+    auto read =
+        read_edit(topology, {static_cast<std::uint32_t>(before.vertices()), before.cells()}, after);
+    if (!read)
+        return tl::unexpected(read.error());
+    const TopologyEdit& edit = read->edit;
     auto shared = before.topology;
-    if (!edit->keeps_topology()) {
-        auto cells = edit_cells(*edit, before.cells(), size_of(before).vertices);
-        if (!cells)
-            return tl::unexpected(cells.error());
-        shared = std::make_shared<const WireTopology>(std::move(*cells), after.vertices);
+    if (!edit.keeps_topology()) {
+        auto cells = edited_cells(std::move(read->kept.cells), edit);
+        shared = std::make_shared<const WireTopology>(*before.topology, read->kept, edit.cells,
+                                                      std::move(cells), after.vertices);
     }
-    draft = begin_draft(before, *edit, std::move(shared));
-    for (const Run& run : edit->moved_vertices.all())
+    draft = begin_draft(before, edit, std::move(shared));
+    for (const Run& run : edit.moved_vertices.all())
         for (std::uint32_t v = run.begin; v < run.end; ++v)
             coded[0].push_back(v);
     coded[1] = numbers_from(draft.stay, draft.vertices());

@@ -72,8 +72,9 @@ guard_mesh(const core::QuadComplex& mesh, const Lattice& lattice, bool attribute
         return core::fail(Error::Code::InvalidArgument, "the lattice of the dataset is not usable",
                           "check the dataset's bounds");
     const std::size_t n = mesh.vertices();
+    const LatticeRounding rounding(lattice);
     return refuse(n, Error::Code::OutOfDomain, "vertices are not finite or lie outside the dataset",
-                  [&](std::size_t i) { return !on_lattice(lattice, mesh.position[i]); })
+                  [&](std::size_t i) { return !rounding.holds(mesh.position[i]); })
         .and_then([&] {
             return refuse(mesh.cells.size(), Error::Code::Corrupt,
                           "cells use a vertex that does not exist", [&](std::size_t i) {

@@ -36,8 +36,8 @@ PointCoding coding_of(PointKind kind, std::size_t attributes, const Tolerance& t
     coding.kind = kind;
     coding.attributes = static_cast<std::uint8_t>(attributes);
     coding.tolerance[0] = tolerance.position;
-    if (attributes > 0)
-        coding.tolerance[1] = tolerance.speed;
+    for (std::size_t a = 0; a < attributes; ++a)
+        coding.tolerance[a + 1] = a == 0 ? tolerance.speed : tolerance.parameter;
     return coding;
 }
 
@@ -94,6 +94,7 @@ std::vector<std::uint32_t> numbers(const Runs& runs) {
 struct Step {
     FrameHeader header;
     TopologyEdit edit;
+    KeptCells kept;
     WireMesh truth;
     std::shared_ptr<const WireTopology> topology; ///< after the edit
     Tolerance tolerance;
@@ -131,7 +132,7 @@ core::Result<EncodedUpdate> encode(const WireMesh& before, Step step) {
     header.state_sum = state_sum(draft.after);
     const auto ranges = header.is_key() ? std::span<const AttributeRange>(draft.after.ranges)
                                         : std::span<const AttributeRange>{};
-    auto frames = write_update(header, ranges, write_edit(step.edit), points);
+    auto frames = write_update(header, ranges, write_edit(step.edit, step.kept), points);
     if (!frames)
         return tl::unexpected(frames.error());
     EncodedUpdate update;
@@ -243,11 +244,14 @@ core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
     step.header = held.header(mesh, options.phase, key);
     step.truth =
         quantise_mesh(mesh.mesh, held.lattice, values, ranges, matched.places.vertices.place);
-    step.topology =
-        !key && matched.edit.keeps_topology()
-            ? held.state->topology
-            : std::make_shared<const WireTopology>(std::move(matched.cells), mesh.mesh.vertices());
+    static const WireTopology none;
+    step.topology = !key && matched.edit.keeps_topology()
+                        ? held.state->topology
+                        : std::make_shared<const WireTopology>(
+                              key ? none : *held.state->topology, matched.kept, matched.edit.cells,
+                              std::move(matched.cells), mesh.mesh.vertices());
     step.edit = std::move(matched.edit);
+    step.kept = std::move(matched.kept);
     step.tolerance = options.tolerance;
     auto update = encode(key ? nothing(held.lattice.bits, ranges) : *held.state, std::move(step));
     if (!update)

@@ -16,17 +16,19 @@
 
 namespace wakesurf::protocol {
 
-/// What errors a state may keep, in lattice units and in codes; s and t have none. At most 32767.
+/// What errors a state may keep, in lattice units and in codes. At most 32767.
 struct Tolerance {
     std::uint16_t position = 0;
     std::uint16_t speed = 0;
+    std::uint16_t parameter = 0; ///< s and t
 
-    bool exact() const { return position == 0 && speed == 0; }
+    bool exact() const { return position == 0 && speed == 0 && parameter == 0; }
 };
 
 inline constexpr Tolerance exact_tolerance{};
-/// On a 16 bit lattice no more than what rounding to 14 bits makes; of the speed what rounding to 8 bits makes.
-inline constexpr Tolerance live_tolerance{2, 128};
+/// On a 16 bit lattice no more than what rounding to 14 bits makes; of the speed what rounding to 8 bits makes, of s and t
+/// what rounding to 11 bits makes.
+inline constexpr Tolerance live_tolerance{2, 128, 16};
 
 struct UpdateOptions {
     Phase phase = Phase::Final;

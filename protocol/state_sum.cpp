@@ -1,43 +1,47 @@
 #include "protocol/state_sum.hpp"
 
-#include "protocol/bytes.hpp"
-
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cstring>
+#include <cstddef>
 
 namespace wakesurf::protocol {
 
 namespace {
 
-constexpr std::size_t word = sizeof(std::uint32_t);
+constexpr std::size_t lanes = 4;
 
-std::uint32_t stir(std::uint32_t lane, std::uint32_t value) {
-    return std::rotl(lane ^ value, 13) * 0x9e3779b1u;
+std::uint32_t stir(std::uint32_t sum, std::uint32_t value) {
+    return std::rotl(sum ^ value, 13) * 0x9e3779b1u;
+}
+
+template <class Word>
+std::uint32_t sum_of(std::span<const Word> words) {
+    std::array<std::uint32_t, lanes> sum{};
+    std::array<std::uint32_t, lanes> of_sums{};
+    const std::size_t whole = words.size() / lanes * lanes;
+    for (std::size_t at = 0; at < whole; at += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            sum[lane] += words[at + lane];
+            of_sums[lane] += sum[lane];
+        }
+    for (std::size_t at = whole; at < words.size(); ++at) {
+        sum[at - whole] += words[at];
+        of_sums[at - whole] += sum[at - whole];
+    }
+    auto result = static_cast<std::uint32_t>(words.size());
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        result = stir(stir(result, sum[lane]), of_sums[lane]);
+    return result ^ (result >> 15);
 }
 
 } // namespace
 
-std::uint32_t word_sum(std::span<const std::byte> bytes) {
-    std::uint32_t a = 0x9e3779b1u, b = 0x85ebca77u, c = 0xc2b2ae3du, d = 0x27d4eb2fu;
-    std::size_t at = 0;
-    for (; at + 4 * word <= bytes.size(); at += 4 * word) {
-        a = stir(a, number_at<std::uint32_t>(bytes, at));
-        b = stir(b, number_at<std::uint32_t>(bytes, at + word));
-        c = stir(c, number_at<std::uint32_t>(bytes, at + 2 * word));
-        d = stir(d, number_at<std::uint32_t>(bytes, at + 3 * word));
-    }
-    std::array<std::uint32_t, 4> lane{a, b, c, d};
-    for (std::size_t i = 0; at < bytes.size(); ++i, at += word) {
-        std::uint32_t value = 0;
-        std::memcpy(&value, bytes.data() + at, std::min(word, bytes.size() - at));
-        lane[i] = stir(lane[i], value);
-    }
-    auto result = static_cast<std::uint32_t>((bytes.size() + word - 1) / word);
-    for (const std::uint32_t value : lane)
-        result = stir(result, value);
-    return result ^ (result >> 15);
+std::uint32_t word_sum(std::span<const std::uint32_t> words) {
+    return sum_of(words);
+}
+
+std::uint32_t word_sum(std::span<const std::uint16_t> codes) {
+    return sum_of(codes);
 }
 
 } // namespace wakesurf::protocol

@@ -1,14 +1,16 @@
-// A checksum of 32 bit words that scripts compute fast: four lanes of xor, rotate, multiply. protocol/README.md, State
-// checksum. Twin: web-client/src/protocol/stateSum.ts.
+// A checksum of 32 bit words that scripts and vector units compute fast: sums, and sums of sums, in four lanes.
+// protocol/README.md, State checksum. Twin: web-client/src/protocol/stateSum.ts.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace wakesurf::protocol {
 
-/// Of 32 bit words as they lie in memory; the last one padded with zeros. Any change of one word changes it.
-std::uint32_t word_sum(std::span<const std::byte> bytes);
+/// Any change of one word changes it, as does any exchange of two (but for one chance in 2^32).
+std::uint32_t word_sum(std::span<const std::uint32_t> words);
+
+/// The same of codes, each one word.
+std::uint32_t word_sum(std::span<const std::uint16_t> codes);
 
 } // namespace wakesurf::protocol

@@ -63,46 +63,22 @@ class EditReader {
     bool failed_ = false;
 };
 
-/// The cell's vertices in their new numbers; false when it has lost a corner.
-bool follow(core::Cell& cell, std::span<const std::uint32_t> now) {
-    bool whole = true;
-    for (std::uint32_t& v : cell.corner) {
-        v = now[v];
-        whole = whole && v != no_vertex;
-    }
-    for (std::uint32_t& v : cell.mid)
-        v = v == no_vertex ? no_vertex : now[v];
-    return whole;
+/// Whether a cell that stays and is not replaced has lost a corner.
+bool corner_lost(const KeptCells& kept, const Runs& replaced) {
+    bool lost = false;
+    if (!kept.now.empty())
+        for_each_gap(replaced, static_cast<std::uint32_t>(kept.cells.size()),
+                     [&](std::uint32_t begin, std::uint32_t end) {
+                         for (std::uint32_t i = begin; i < end; ++i)
+                             for (const std::uint32_t corner : kept.cells[i].corner)
+                                 lost = lost || corner == no_vertex;
+                     });
+    return lost;
 }
 
 } // namespace
 
-std::vector<std::uint32_t> numbers_after(const Runs& removed, std::uint32_t count) {
-    std::vector<std::uint32_t> now(count);
-    std::uint32_t at = 0;
-    std::uint32_t next = 0;
-    for (const Run& run : removed.all()) {
-        while (at < run.begin)
-            now[at++] = next++;
-        while (at < run.end)
-            now[at++] = no_vertex;
-    }
-    while (at < count)
-        now[at++] = next++;
-    return now;
-}
-
-void Runs::take(Run run, std::uint32_t bridge) {
-    if (!runs_.empty() && run.begin - runs_.back().end <= bridge) {
-        count_ += run.end - runs_.back().end;
-        runs_.back().end = run.end;
-    } else {
-        count_ += run.end - run.begin;
-        runs_.push_back(run);
-    }
-}
-
-Bytes write_edit(const TopologyEdit& edit) {
+Bytes write_edit(const TopologyEdit& edit, const KeptCells& kept) {
     Bytes bytes;
     append_runs(bytes, edit.removed_vertices);
     append_varint(bytes, edit.added_vertices);
@@ -110,24 +86,23 @@ Bytes write_edit(const TopologyEdit& edit) {
     append_runs(bytes, edit.removed_cells);
     append_runs(bytes, edit.replaced_cells);
     append_varint(bytes, edit.added_cells);
-    CellsEncoder cells;
-    for (const core::Cell& cell : edit.cells)
-        cells.put(cell);
-    const Bytes code = cells.finish();
+    const Bytes code =
+        encode_cells(edit.cells, {kept.stay + edit.added_vertices, kept, edit.replaced_cells});
     bytes.insert(bytes.end(), code.begin(), code.end());
     return bytes;
 }
 
-core::Result<TopologyEdit>
-read_edit(std::span<const std::byte> bytes, MeshSize before, MeshSize after) {
+core::Result<ReadEdit>
+read_edit(std::span<const std::byte> bytes, const EditedFrom& before, MeshSize after) {
     EditReader in(bytes);
+    const auto cells_before = static_cast<std::uint32_t>(before.cells.size());
     TopologyEdit edit;
     edit.removed_vertices = in.runs(before.vertices);
     edit.added_vertices = in.number();
     const std::uint32_t vertices_stay = before.vertices - edit.removed_vertices.count();
     edit.moved_vertices = in.runs(vertices_stay);
-    edit.removed_cells = in.runs(before.cells);
-    const std::uint32_t cells_stay = before.cells - edit.removed_cells.count();
+    edit.removed_cells = in.runs(cells_before);
+    const std::uint32_t cells_stay = cells_before - edit.removed_cells.count();
     edit.replaced_cells = in.runs(cells_stay);
     edit.added_cells = in.number();
     if (in.failed())
@@ -137,39 +112,28 @@ read_edit(std::span<const std::byte> bytes, MeshSize before, MeshSize after) {
         return corrupt(fmt::format("a mesh update leads to another number of vertices or cells "
                                    "than {} and {}",
                                    after.vertices, after.cells));
-    if (auto fine = decode_cells(in.rest(), edit.replaced_cells.count() + edit.added_cells,
-                                 after.vertices, edit.cells);
-        !fine)
-        return tl::unexpected(fine.error());
-    return edit;
+    KeptCells kept;
+    if (!edit.keeps_topology() || edit.replaced_cells.count() + edit.added_cells > 0) {
+        kept = keep_cells(edit.removed_vertices, before.vertices, edit.removed_cells, before.cells);
+        kept.touch(edit.replaced_cells);
+        if (corner_lost(kept, edit.replaced_cells))
+            return corrupt("a mesh update takes a corner from a cell that stays");
+    }
+    auto cells = decode_cells(in.rest(), edit.replaced_cells.count() + edit.added_cells,
+                              {after.vertices, kept, edit.replaced_cells});
+    if (!cells)
+        return tl::unexpected(cells.error());
+    edit.cells = std::move(*cells);
+    return ReadEdit{std::move(edit), std::move(kept)};
 }
 
-core::Result<std::vector<core::Cell>> edit_cells(const TopologyEdit& edit,
-                                                 std::span<const core::Cell> before,
-                                                 std::uint32_t vertices_before) {
-    std::vector<core::Cell> cells = without(edit.removed_cells, before);
+std::vector<core::Cell> edited_cells(std::vector<core::Cell> kept, const TopologyEdit& edit) {
     auto source = edit.cells.begin();
-    std::size_t kept = 0;
-    const bool renumber = edit.removed_vertices.count() > 0;
-    const auto now = renumber ? numbers_after(edit.removed_vertices, vertices_before)
-                              : std::vector<std::uint32_t>{};
-    bool whole = true;
-    const auto keep_until = [&](std::size_t end) {
-        if (renumber)
-            for (std::size_t i = kept; i < end; ++i)
-                whole = follow(cells[i], now) && whole;
-    };
-    for (const Run& run : edit.replaced_cells.all()) {
-        keep_until(run.begin);
+    for (const Run& run : edit.replaced_cells.all())
         for (std::uint32_t i = run.begin; i < run.end; ++i)
-            cells[i] = *source++;
-        kept = run.end;
-    }
-    keep_until(cells.size());
-    if (!whole)
-        return corrupt("a mesh update takes a corner from a cell that stays");
-    cells.insert(cells.end(), source, edit.cells.end());
-    return cells;
+            kept[i] = *source++;
+    kept.insert(kept.end(), source, edit.cells.end());
+    return kept;
 }
 
 } // namespace wakesurf::protocol

@@ -11,9 +11,12 @@ static_assert(sizeof(LatticePoint) == 12 && sizeof(core::Cell) == 32,
 
 namespace {
 
+/// Of the 32 bit words that the values consist of.
 template <class T>
 std::uint32_t sum_of(const std::vector<T>& values) {
-    return word_sum(std::as_bytes(std::span(values)));
+    static_assert(sizeof(T) % sizeof(std::uint32_t) == 0);
+    return word_sum(std::span(reinterpret_cast<const std::uint32_t*>(values.data()),
+                              values.size() * (sizeof(T) / sizeof(std::uint32_t))));
 }
 
 } // namespace
@@ -36,7 +39,7 @@ std::uint32_t state_sum(const WireMesh& mesh) {
         static_cast<std::uint32_t>(mesh.vertices()), sum_of(mesh.position),
         static_cast<std::uint32_t>(mesh.cells().size()), sum_of(mesh.cells())};
     for (const auto& attribute : mesh.codes)
-        parts.push_back(sum_of(attribute));
+        parts.push_back(word_sum(std::span(attribute)));
     return sum_of(parts);
 }
 

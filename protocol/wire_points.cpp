@@ -51,10 +51,26 @@ void sort_unique(std::vector<std::uint32_t>& values) {
     values.erase(rest.begin(), rest.end());
 }
 
+/// Whether no vertex escapes, by sums that need no vertex looked at: nearly always so.
+bool all_for_draco(const Slice& slice) {
+    static_assert((draco_limit & (draco_limit - 1)) == 0);
+    std::int32_t bits = 0;
+    std::size_t nonzero = 0;
+    for (const std::int32_t value : slice.values) {
+        bits |= std::abs(value);
+        nonzero += value != 0 ? 1u : 0u;
+    }
+    return bits < draco_limit && nonzero > few * slice.components;
+}
+
 Division divide(std::span<const Slice> slices, std::uint32_t count) {
     Division division;
     for (std::size_t c = 0; c < slices.size(); ++c) {
         const auto [values, components] = slices[c];
+        if (all_for_draco(slices[c])) {
+            division.channels = static_cast<std::uint8_t>(division.channels | (1u << c));
+            continue;
+        }
         std::vector<std::uint32_t> large;
         std::vector<std::uint32_t> small;
         for (std::uint32_t i = 0; i < count; ++i) {

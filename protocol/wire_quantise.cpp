@@ -59,8 +59,9 @@ WireMesh quantise_mesh(const core::QuadComplex& mesh,
     result.lattice_bits = lattice.bits;
     result.ranges.assign(ranges.begin(), ranges.end());
     result.position.resize(place.size());
+    const LatticeRounding rounding(lattice);
     for (std::size_t i = 0; i < place.size(); ++i)
-        result.position[place[i]] = quantise(lattice, mesh.position[i]);
+        result.position[place[i]] = rounding.nearest(mesh.position[i]);
     for (std::size_t a = 0; a < ranges.size(); ++a) {
         auto& codes = result.codes.emplace_back(place.size());
         const auto all = values.all()[a];

@@ -1,5 +1,6 @@
 #include "protocol/wire_residuals.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -20,22 +21,17 @@ std::int32_t wrapped(std::int32_t prediction, std::int32_t residual, std::int32_
 /// Rounds differences to whole steps of 2 tolerance + 1; no difference lies in the middle of two.
 class Steps {
   public:
-    explicit Steps(std::uint16_t tolerance)
-        : tolerance_(tolerance), step_(2 * tolerance + 1), per_unit_(1.0 / step_) {}
+    explicit Steps(std::uint16_t tolerance) : step_(2 * tolerance + 1), per_unit_(1.0 / step_) {}
 
     std::int32_t step() const { return step_; }
 
+    /// Without a branch: which way a residual goes cannot be guessed.
     std::int32_t residual(std::int32_t difference) const {
-        if (tolerance_ == 0 || difference == 0)
-            return difference;
-        if (std::abs(difference) <= tolerance_)
-            return 0;
         const double steps = difference * per_unit_;
-        return static_cast<std::int32_t>(steps + (steps < 0.0 ? -0.5 : 0.5));
+        return static_cast<std::int32_t>(steps + std::copysign(0.5, steps));
     }
 
   private:
-    std::int32_t tolerance_;
     std::int32_t step_;
     double per_unit_;
 };
@@ -200,6 +196,16 @@ auto change_of(const WireMesh& truth) {
 
 } // namespace
 
+namespace {
+
+/// Whether the vertices that stay keep all their codes: s and t of a moving surface do.
+bool keeps_codes(const WireDraft& draft, const WireMesh& truth, std::size_t attribute) {
+    const auto& before = draft.codes_before[attribute];
+    return std::equal(before.begin(), before.end(), truth.codes[attribute].begin());
+}
+
+} // namespace
+
 PointCoding choose_predictors(WireDraft& draft,
                               const WireMesh& truth,
                               PointCoding coding,
@@ -210,8 +216,9 @@ PointCoding choose_predictors(WireDraft& draft,
     coding.predictor[0] =
         best_predictor(draft, positions_of(draft), position_of(truth), coding, 0, coded);
     for (std::size_t a = 0; a < coding.attributes; ++a)
-        coding.predictor[a + 1] =
-            best_predictor(draft, codes_of(draft, a), code_of(truth, a), coding, a + 1, coded);
+        if (coding.kind != PointKind::Moved || !keeps_codes(draft, truth, a))
+            coding.predictor[a + 1] =
+                best_predictor(draft, codes_of(draft, a), code_of(truth, a), coding, a + 1, coded);
     return coding;
 }
 
@@ -226,9 +233,12 @@ Residuals make_residuals(WireDraft& draft,
         return result;
     }
     encode(draft, positions_of(draft), position_of(truth), coding, 0, coded, result.position);
-    for (std::size_t a = 0; a < coding.attributes; ++a)
-        encode(draft, codes_of(draft, a), code_of(truth, a), coding, a + 1, coded,
-               result.codes.emplace_back(coded.size()));
+    for (std::size_t a = 0; a < coding.attributes; ++a) {
+        auto& codes = result.codes.emplace_back(coded.size());
+        if (coding.kind != PointKind::Moved || coding.predictor[a + 1] != 0 ||
+            !keeps_codes(draft, truth, a))
+            encode(draft, codes_of(draft, a), code_of(truth, a), coding, a + 1, coded, codes);
+    }
     return result;
 }
 

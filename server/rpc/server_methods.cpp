@@ -24,7 +24,7 @@ json capabilities() {
 json info() {
     return {{"name", "wakesurf"},
             {"version", WAKESURF_VERSION},
-            {"apiLevel", 2},
+            {"apiLevel", 3},
             {"capabilities", capabilities()},
             {"limits",
              {{"messageBytes", limits::message_bytes},

@@ -49,7 +49,7 @@ void expect_close(const WireMesh& state,
                                  mesh.mesh.t[i]};
         for (std::size_t a = 0; a < 3; ++a)
             ASSERT_LE(std::abs(state.ranges[a].code(values[a]) - state.codes[a][place]),
-                      a == 0 ? tolerance.speed : 0);
+                      a == 0 ? tolerance.speed : tolerance.parameter);
     }
     ASSERT_EQ(state.cells().size(), places.cells().size());
     for (std::size_t at = 0; at < state.cells().size(); ++at) {
@@ -68,6 +68,7 @@ UpdateOptions any_options(std::mt19937& random) {
     if (random() % 4 != 0)
         options.tolerance = random() % 2 == 0 ? live_tolerance
                                               : Tolerance{static_cast<std::uint16_t>(random() % 40),
+                                                          static_cast<std::uint16_t>(random() % 9),
                                                           static_cast<std::uint16_t>(random() % 9)};
     options.unrelated = random() % 50 == 0;
     return options;

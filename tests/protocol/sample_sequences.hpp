@@ -151,6 +151,20 @@ class PlacesTwin {
     void follow(const core::KeyedMesh& mesh, bool key) {
         follow(vertices_, mesh.vertex_id, key);
         follow(cells_, mesh.cell_id, key);
+        if (!key)
+            return;
+        const auto vertex = [&](std::uint32_t id) { return index(mesh.vertex_id, id); };
+        const auto first_corner = [&](std::uint32_t id) {
+            return mesh.mesh.cells[index(mesh.cell_id, id)].corner[0];
+        };
+        std::map<std::size_t, std::size_t> place;
+        std::ranges::stable_sort(vertices_, {}, [&](std::uint32_t id) {
+            return std::pair(mesh.mesh.s[vertex(id)], mesh.mesh.t[vertex(id)]);
+        });
+        for (const std::uint32_t id : vertices_)
+            place.emplace(vertex(id), place.size());
+        std::ranges::stable_sort(cells_, {},
+                                 [&](std::uint32_t id) { return place.at(first_corner(id)); });
     }
 
     const std::vector<std::uint32_t>& vertices() const { return vertices_; }
@@ -158,6 +172,10 @@ class PlacesTwin {
     const std::vector<std::uint32_t>& cells() const { return cells_; }
 
   private:
+    static std::size_t index(const std::vector<std::uint32_t>& ids, std::uint32_t id) {
+        return static_cast<std::size_t>(std::ranges::lower_bound(ids, id) - ids.begin());
+    }
+
     static void
     follow(std::vector<std::uint32_t>& held, const std::vector<std::uint32_t>& ids, bool key) {
         if (key)

@@ -22,35 +22,51 @@ Runs random_runs(std::mt19937& random, std::uint32_t over) {
 }
 
 struct RandomEdit {
-    MeshSize before, after;
+    std::uint32_t vertices = 0; ///< before
+    std::vector<core::Cell> cells;
+    KeptCells kept;
+    MeshSize after;
     TopologyEdit edit;
+
+    EditedFrom before() const { return {vertices, cells}; }
 };
 
+/// No cell that stays loses a corner, though some lose mids.
 RandomEdit random_edit(std::uint32_t seed) {
     std::mt19937 random(seed);
     RandomEdit r;
-    r.before = {below(random, 1000), below(random, 900)};
-    r.edit.removed_vertices = random_runs(random, r.before.vertices);
-    r.edit.added_vertices = 1 + below(random, 50);
-    const std::uint32_t vertices_stay = r.before.vertices - r.edit.removed_vertices.count();
+    r.vertices = 8 + below(random, 1000);
+    r.cells = samples::chaos(r.vertices, below(random, 900), seed + 1).cells;
+    r.edit.removed_vertices = random_runs(random, r.vertices);
+    const auto now = numbers_after(r.edit.removed_vertices, r.vertices);
+    for (std::uint32_t i = 0; i < r.cells.size(); ++i)
+        if (below(random, 5) == 0 || std::ranges::any_of(r.cells[i].corner, [&](std::uint32_t v) {
+                return now[v] == core::no_vertex;
+            }))
+            r.edit.removed_cells.take(i);
+    r.edit.added_vertices = 4 + below(random, 50);
+    const std::uint32_t vertices_stay = r.vertices - r.edit.removed_vertices.count();
     r.edit.moved_vertices = random_runs(random, vertices_stay);
-    r.edit.removed_cells = random_runs(random, r.before.cells);
-    const std::uint32_t cells_stay = r.before.cells - r.edit.removed_cells.count();
+    const auto cells_stay =
+        static_cast<std::uint32_t>(r.cells.size()) - r.edit.removed_cells.count();
     r.edit.replaced_cells = random_runs(random, cells_stay);
     r.edit.added_cells = below(random, 60);
     r.after = {vertices_stay + r.edit.added_vertices, cells_stay + r.edit.added_cells};
     r.edit.cells =
         samples::chaos(r.after.vertices, r.edit.replaced_cells.count() + r.edit.added_cells, seed)
             .cells;
+    r.kept = keep_cells(r.edit.removed_vertices, r.vertices, r.edit.removed_cells, r.cells);
+    r.kept.touch(r.edit.replaced_cells);
     return r;
 }
 
 TEST(WireEdit, ReadsBackWhatItWrote) {
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
         const RandomEdit r = random_edit(seed);
-        const auto read = read_edit(write_edit(r.edit), r.before, r.after);
+        const auto read = read_edit(write_edit(r.edit, r.kept), r.before(), r.after);
         ASSERT_TRUE(read.has_value()) << read.error().message;
-        ASSERT_EQ(*read, r.edit) << seed;
+        ASSERT_EQ(read->edit, r.edit) << seed;
+        ASSERT_EQ(read->kept.cells, r.kept.cells) << seed;
     }
 }
 
@@ -58,24 +74,28 @@ TEST(WireEdit, IsRefusedWhenItLeadsToAnotherMeshOrIsDamaged) {
     std::mt19937 random(4);
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         const RandomEdit r = random_edit(seed);
-        const Bytes good = write_edit(r.edit);
+        const Bytes good = write_edit(r.edit, r.kept);
         MeshSize other = r.after;
         ++other.vertices;
-        EXPECT_FALSE(read_edit(good, r.before, other).has_value());
+        EXPECT_FALSE(read_edit(good, r.before(), other).has_value());
         other = r.after;
         ++other.cells;
-        EXPECT_FALSE(read_edit(good, r.before, other).has_value());
+        EXPECT_FALSE(read_edit(good, r.before(), other).has_value());
         for (std::size_t size = 0; size < good.size(); ++size)
-            EXPECT_FALSE(read_edit(std::span(good).first(size), r.before, r.after).has_value());
+            EXPECT_FALSE(read_edit(std::span(good).first(size), r.before(), r.after).has_value());
         for (int i = 0; i < 200; ++i) {
             Bytes bad = good;
             bad[random() % bad.size()] ^= static_cast<std::byte>(1 + random() % 255);
             if (const auto read =
-                    read_edit(bad, r.before, r.after)) { // another edit, but a whole one
-                EXPECT_EQ(read->cells.size(),
-                          read->replaced_cells.count() + std::size_t{read->added_cells});
-                EXPECT_EQ(r.before.vertices - read->removed_vertices.count() + read->added_vertices,
+                    read_edit(bad, r.before(), r.after)) { // another edit, but a whole one
+                const TopologyEdit& edit = read->edit;
+                EXPECT_EQ(edit.cells.size(),
+                          edit.replaced_cells.count() + std::size_t{edit.added_cells});
+                EXPECT_EQ(r.vertices - edit.removed_vertices.count() + edit.added_vertices,
                           r.after.vertices);
+                for (const core::Cell& cell : edited_cells(read->kept.cells, edit))
+                    for (const auto corner : cell.corner)
+                        ASSERT_LT(corner, r.after.vertices);
             }
         }
     }
@@ -89,25 +109,40 @@ TEST(WireEdit, AnnouncingMoreThanThereIsAllocatesNothing) {
     EXPECT_FALSE(read_edit(huge, {}, {0, 1u << 24}).has_value());
 }
 
-TEST(WireEdit, GivesTheCellsThatStayTheirVerticesNewNumbers) {
+TEST(KeptCells, HaveNewNumbersAndTellWhichVerticesHaveLostSomething) {
     core::Cell cell;
     cell.corner = {0, 2, 4, 6};
     cell.mid = {3, core::no_vertex, core::no_vertex, 5};
+    core::Cell apart;
+    apart.corner = {7, 8, 9, 10};
+    Runs removed;
+    removed.take({1, 2});
+    removed.take({5, 6}); // a mid
+    const KeptCells kept = keep_cells(removed, 11, {}, std::array{cell, apart});
+    EXPECT_EQ(kept.cells.front().corner, (std::array<core::VertexId, 4>{0, 1, 3, 4}));
+    EXPECT_EQ(kept.cells.front().mid, (std::array<core::VertexId, 4>{
+                                          2, core::no_vertex, core::no_vertex, core::no_vertex}));
+    EXPECT_EQ(kept.touched, (std::vector<std::uint8_t>{1, 1, 1, 1, 1, 0, 0, 0, 0}));
+}
+
+TEST(WireEdit, IsRefusedWhenItTakesACornerFromACellThatStaysUnlessItReplacesTheCell) {
+    core::Cell cell;
+    cell.corner = {0, 1, 2, 3};
     TopologyEdit edit;
-    edit.removed_vertices.take({1, 2});
-    edit.removed_vertices.take({5, 6}); // a mid
-    auto cells = edit_cells(edit, std::span(&cell, 1), 7);
-    ASSERT_TRUE(cells.has_value());
-    EXPECT_EQ(cells->front().corner, (std::array<core::VertexId, 4>{0, 1, 3, 4}));
-    EXPECT_EQ(cells->front().mid, (std::array<core::VertexId, 4>{
-                                      2, core::no_vertex, core::no_vertex, core::no_vertex}));
-    edit.removed_vertices.take({6, 7}); // a corner
-    EXPECT_FALSE(edit_cells(edit, std::span(&cell, 1), 7).has_value());
+    edit.removed_vertices.take({3, 4});
+    edit.added_vertices = 1;
+    const std::array before{cell};
+    const auto read = [&] {
+        KeptCells kept = keep_cells(edit.removed_vertices, 4, {}, before);
+        kept.touch(edit.replaced_cells);
+        return read_edit(write_edit(edit, kept), {4, before}, {4, 1});
+    };
+    EXPECT_FALSE(read().has_value());
     edit.replaced_cells.take(0);
     edit.cells = {cell};
-    cells = edit_cells(edit, std::span(&cell, 1), 7);
-    ASSERT_TRUE(cells.has_value());
-    EXPECT_EQ(cells->front(), cell) << "a replaced cell comes in new numbers";
+    const auto replaced = read();
+    ASSERT_TRUE(replaced.has_value());
+    EXPECT_EQ(edited_cells(replaced->kept.cells, replaced->edit), std::vector{cell});
 }
 
 TEST(Runs, TakeGapsAlongThatAreShorterThanTheBridge) {

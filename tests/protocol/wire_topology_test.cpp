@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <random>
 
 namespace wakesurf::protocol {
 namespace {
@@ -82,6 +83,44 @@ TEST(WireTopology, FindsWhatTheDefinitionsSayInAnyCells) {
                 ASSERT_EQ(topology.neighbours[v], by_definition(mesh.cells, v))
                     << "vertex " << v << ", seed " << seed;
         }
+}
+
+TEST(WireTopology, FollowsAnEditToWhatItWouldFindAnew) {
+    for (std::uint32_t seed = 1; seed < 60; ++seed) {
+        std::mt19937 random(seed);
+        const auto mesh = seed % 2 == 0 ? samples::hanging_sheet(9, 20, seed)
+                                        : samples::chaos(60 + seed, 40, seed);
+        const auto vertices = static_cast<std::uint32_t>(mesh.vertices());
+        Runs gone;
+        for (std::uint32_t v = 0; v < vertices; ++v)
+            if (random() % 30 == 0)
+                gone.take(v);
+        const auto now = numbers_after(gone, vertices);
+        Runs removed;
+        for (std::uint32_t i = 0; i < mesh.cells.size(); ++i)
+            if (random() % 15 == 0 ||
+                std::ranges::any_of(mesh.cells[i].corner,
+                                    [&](std::uint32_t v) { return now[v] == no_vertex; }))
+                removed.take(i);
+        KeptCells kept = keep_cells(gone, vertices, removed, mesh.cells);
+        Runs replaced;
+        for (std::uint32_t i = 0; i < kept.cells.size(); ++i)
+            if (random() % 15 == 0)
+                replaced.take(i);
+        kept.touch(replaced);
+        const std::uint32_t after = kept.stay + 10;
+        const auto changed = samples::chaos(after, replaced.count() + 12, seed + 100).cells;
+        auto cells = kept.cells;
+        auto source = changed.begin();
+        for (const auto& run : replaced.all())
+            for (std::uint32_t i = run.begin; i < run.end; ++i)
+                cells[i] = *source++;
+        cells.insert(cells.end(), source, changed.end());
+        const WireTopology anew(cells, after);
+        const WireTopology followed(WireTopology(mesh.cells, vertices), kept, changed, cells,
+                                    after);
+        ASSERT_EQ(followed.neighbours, anew.neighbours) << seed;
+    }
 }
 
 } // namespace

@@ -141,7 +141,7 @@ TEST_F(Transport, TellsWhatTheServerIs) {
     const json info =
         json::parse(server_->rpc(R"({"jsonrpc":"2.0","method":"server.info","id":1})"))["result"];
     EXPECT_EQ(info["name"], "wakesurf");
-    EXPECT_EQ(info["apiLevel"], 2);
+    EXPECT_EQ(info["apiLevel"], 3);
     EXPECT_EQ(info["limits"]["messageBytes"], 65536);
     const json dataset = json::parse(server_->rpc(
         R"({"jsonrpc":"2.0","method":"dataset.describe","params":{"dataset":"lamb-oseen"},"id":1})"))

@@ -1,70 +1,83 @@
 import { expect, test } from 'vitest';
-import { cellStride, decodeCells, noVertex } from './cellsCode.ts';
+import { cellStride, noVertex } from './cell.ts';
+import { decodeCells } from './cellsCode.ts';
+import { nothingKept, type PlainKept, writeCells } from './testing/cellsWriter.ts';
 import { seededRandom } from './testing/random.ts';
-import { writeCells } from './testing/wireWriter.ts';
 
 const n = noVertex;
 
-
-function decode(code: number[], count: number, vertices: number): number[][] {
-    const cells = new Int32Array(count * cellStride);
-    decodeCells(Uint8Array.from(code), vertices, cells);
+function decode(code: number[], count: number, vertices: number, kept: PlainKept = nothingKept): number[][] {
+    const touched = new Uint8Array(vertices);
+    kept.touched.forEach((v) => (touched[v] = 1));
+    const all = kept.replaced.flatMap((is, i) => (is ? [{ begin: i, end: i + 1 }] : []));
+    const cells = decodeCells(Uint8Array.from(code), count, {
+        vertices,
+        stay: kept.stay,
+        kept: Int32Array.from(kept.cells.flat()),
+        replaced: { all, count: all.length },
+        touched,
+    });
     return Array.from({ length: count }, (_, i) => [...cells.subarray(i * cellStride, (i + 1) * cellStride)]);
 }
 
-test('reads a strip between two columns of ten: one explicit cell, then a run', () => {
-    // 0x60: both ends predicted; corner 0 = 0, corner 1 = 0 + 10 (zigzag 20); then 0xf0: a run of 2.
-    expect(decode([0x60, 0, 20, 0xf0, 2], 3, 20)).toEqual([
-        [0, 10, 11, 1, n, n, n, n],
-        [1, 11, 12, 2, n, n, n, n],
-        [2, 12, 13, 3, n, n, n, n],
-    ]);
+/// Columns of ten.
+function strip(column: number, cells: number): number[][] {
+    return Array.from({ length: cells }, (_, i) => {
+        const at = 10 * column + i;
+        return [at, at + 10, at + 11, at + 1, n, n, n, n];
+    });
+}
+
+test('reads a sheet, whose later cells are as expected and cost hardly a byte', () => {
+    const sheet = [...strip(0, 9), ...strip(1, 9), ...strip(2, 9), ...strip(3, 9)];
+    const code = writeCells(sheet, nothingKept, 50);
+    expect(decode(code, 36, 50)).toEqual(sheet);
+    expect(code.length).toBeLessThan(36);
 });
 
-test('reads mids along both columns and across', () => {
-    // 0x6f: all mids; left mid as predicted, right mid as predicted, mid 0 = 0 + 5, mid 2 = 5 + 1.
-    expect(decode([0x6f, 0, 20, 0, 0, 10, 2], 1, 20)).toEqual([[0, 10, 12, 2, 5, 11, 6, 1]]);
-});
-
-/// Two strips with hanging nodes, and a run: 8 cells of vertices below 30.
+/// Two strips with hanging nodes: 5 cells of vertices below 30.
 const mixed = [
-    ...writeCells([
-        [0, 10, 11, 1, n, n, n, n],
-        [1, 11, 13, 2, n, 12, n, n],
-        [2, 13, 14, 4, 25, n, 26, 3],
-        [10, 20, 21, 11, n, n, n, n],
-        [11, 21, 22, 13, n, n, n, 12],
-    ]),
-    ...[0xf0, 3],
+    [0, 10, 11, 1, n, n, n, n],
+    [1, 11, 13, 2, n, 12, n, n],
+    [2, 13, 14, 4, 25, n, 26, 3],
+    [10, 20, 21, 11, n, n, n, n],
+    [11, 21, 22, 13, n, n, n, 12],
 ];
 
-test('refuses every truncation, more cells, fewer cells and fewer vertices', () => {
-    const count = 8;
-    expect(decode(mixed, count, 30)).toHaveLength(count);
-    for (let size = 0; size < mixed.length; size += 1)
-        expect(() => decode(mixed.slice(0, size), count, 30)).toThrow();
-    expect(() => decode(mixed, count - 1, 30)).toThrow();
-    expect(() => decode(mixed, count + 1, 30)).toThrow();
-    expect(() => decode(mixed, count, 8)).toThrow();
+test('reads what replaces a cell and what fills a hole from the cells around it', () => {
+    const cells = [...strip(0, 3), ...strip(1, 3)];
+    const touched = new Set([1, 11, 12, 2]);
+    const kept: PlainKept = { cells, replaced: cells.map((_, i) => i === 1), touched, stay: 24 };
+    const wanted = [
+        [1, 11, 24, 25, n, n, n, n],
+        [25, 24, 12, 2, n, n, n, n],
+    ];
+    const code = writeCells(wanted, kept, 26);
+    expect(decode(code, 2, 26, kept)).toEqual(wanted);
 });
 
-test('refuses impossible runs and numbers of more than 32 bits', () => {
-    for (const code of [[0xf0, 0], [0xf0, 9], [0xf1, 1, 0], [0xf0, 255, 255, 255, 255, 31], [0x10, 255, 255, 255, 255, 16]])
-        expect(() => decode(code, 8, 100)).toThrow();
-    expect(() => decode([0xf0, 8], 8, 8)).toThrow();
-    expect(decode([0xf0, 8], 8, 100)).toHaveLength(8);
+test('refuses every truncation, more cells, fewer cells and fewer vertices', () => {
+    const code = writeCells(mixed, nothingKept, 30);
+    expect(decode(code, 5, 30)).toEqual(mixed);
+    for (let size = 0; size < code.length; size += 1)
+        expect(() => decode(code.slice(0, size), 5, 30)).toThrow();
+    expect(() => decode([...code, 0], 5, 30)).toThrow();
+    expect(() => decode(code, 0, 30)).toThrow();
+    expect(() => decode(code, 500, 30)).toThrow();
+    expect(() => decode(code, 5, 8)).toThrow();
 });
 
 test('survives mutations with ids in range or an error', () => {
     const random = seededRandom(7);
+    const code = writeCells(mixed, nothingKept, 30);
     let survived = 0;
     for (let i = 0; i < 20_000; i += 1) {
-        const bad = [...mixed];
+        const bad = [...code];
         for (let k = random() % 4; k >= 0; k -= 1)
             bad[random() % bad.length] = random() & 0xff;
         let cells: number[][];
         try {
-            cells = decode(bad, 8, 30);
+            cells = decode(bad, 5, 30);
         } catch {
             continue;
         }

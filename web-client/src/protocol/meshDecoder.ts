@@ -58,6 +58,7 @@ class Collected {
 export interface AppliedUpdate {
     header: FrameHeader;
     edit: TopologyEdit;
+    cells: Int32Array; // those that are new: the replaced, then the added ones
     mesh: WireMesh;
 }
 
@@ -163,7 +164,7 @@ export class MeshDecoder {
         const edit = readEdit(update.topology(), before, h);
         if (edit.movedVertices.count + edit.addedVertices > maxFrameVertices * h.frameCount)
             throw new FrameError('a mesh update announces more vertices than its frames can hold');
-        applyEdit(mesh, edit);
+        const cells = applyEdit(mesh, edit);
         this.points.begin(mesh, edit, h.history);
         for (const points of update.points)
             this.points.take(points);
@@ -173,6 +174,6 @@ export class MeshDecoder {
         this.header = h;
         this.surface = h.surface;
         this.state = mesh;
-        return { header: h, edit, mesh };
+        return { header: h, edit, cells, mesh };
     }
 }

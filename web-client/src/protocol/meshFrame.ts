@@ -6,7 +6,7 @@ import { maxLatticeBits } from './lattice.ts';
 import type { AttributeRange } from './wireMesh.ts';
 
 export const frameMagic = 0x5357;
-export const frameVersion = 2;
+export const frameVersion = 3;
 export const frameHeaderBytes = 64;
 export const frameCrcAt = 60;
 

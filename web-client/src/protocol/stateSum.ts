@@ -1,61 +1,52 @@
-// A checksum of 32 bit words that scripts compute fast: four lanes of xor, rotate, multiply.
+// A checksum of 32 bit words that scripts and vector units compute fast: sums, and sums of sums, in four lanes.
 // protocol/README.md, State checksum. Twin: protocol/state_sum.hpp.
 
-const multiplier = 0x9e3779b1 | 0;
-
-function stir(lane: number, word: number): number {
-    const x = lane ^ word;
-    return Math.imul((x << 13) | (x >>> 19), multiplier);
+function stir(sum: number, word: number): number {
+    const x = sum ^ word;
+    return Math.imul((x << 13) | (x >>> 19), 0x9e3779b1);
 }
 
 /// Sums words in any number of steps, each of which but the last adds a multiple of four.
 export class WordSum {
-    private readonly lanes = Int32Array.of(multiplier, 0x85ebca77, 0xc2b2ae3d, 0x27d4eb2f);
+    private readonly sums = new Int32Array(4);
+    private readonly ofSums = new Int32Array(4);
     private count = 0;
 
     add(words: Int32Array): void {
-        const { lanes } = this;
-        let a = lanes[0]!;
-        let b = lanes[1]!;
-        let c = lanes[2]!;
-        let d = lanes[3]!;
+        const { sums, ofSums } = this;
+        let [a, b, c, d] = sums as unknown as [number, number, number, number];
+        let [e, f, g, h] = ofSums as unknown as [number, number, number, number];
         const whole = words.length & ~3;
         for (let at = 0; at < whole; at += 4) {
-            a = stir(a, words[at]!);
-            b = stir(b, words[at + 1]!);
-            c = stir(c, words[at + 2]!);
-            d = stir(d, words[at + 3]!);
+            a = (a + words[at]!) | 0;
+            b = (b + words[at + 1]!) | 0;
+            c = (c + words[at + 2]!) | 0;
+            d = (d + words[at + 3]!) | 0;
+            e = (e + a) | 0;
+            f = (f + b) | 0;
+            g = (g + c) | 0;
+            h = (h + d) | 0;
         }
-        lanes.set([a, b, c, d]);
-        for (let at = whole; at < words.length; at += 1)
-            lanes[at & 3] = stir(lanes[at & 3]!, words[at]!);
+        sums.set([a, b, c, d]);
+        ofSums.set([e, f, g, h]);
+        for (let at = whole; at < words.length; at += 1) {
+            sums[at & 3]! += words[at]!;
+            ofSums[at & 3]! += sums[at & 3]!;
+        }
         this.count += words.length;
     }
 
     value(): number {
-        const sum = this.lanes.reduce(stir, this.count | 0);
+        let sum = this.count | 0;
+        for (let lane = 0; lane < 4; lane += 1)
+            sum = stir(stir(sum, this.sums[lane]!), this.ofSums[lane]!);
         return (sum ^ (sum >>> 15)) >>> 0;
     }
 }
-
-/// Small enough for the nearest cache; a multiple of four.
-const piece = new Int32Array(1024);
 
 /// Of the words as an unsigned number.
 export function wordSum(words: Int32Array): number {
     const sum = new WordSum();
     sum.add(words);
-    return sum.value();
-}
-
-/// Of the first `count` codes below 2^16, two to a word, the first in the low half; an odd number is padded with 0.
-export function pairSum(codes: Int32Array, count: number): number {
-    const sum = new WordSum();
-    for (let at = 0; at < count; at += 2 * piece.length) {
-        const words = Math.min(piece.length, (count - at + 1) >> 1);
-        for (let i = 0, from = at; i < words; i += 1, from += 2)
-            piece[i] = codes[from]! | (from + 1 < count ? codes[from + 1]! << 16 : 0);
-        sum.add(piece.subarray(0, words));
-    }
     return sum.value();
 }

@@ -1,9 +1,10 @@
 // The state of a surface on the wire: integers that the server and all its clients hold alike.
 // protocol/README.md, Mesh frames. Twin: protocol/wire_mesh.hpp; unlike there, updates change it in place.
-import { cellStride } from './cellsCode.ts';
+import { cellStride } from './cell.ts';
+import type { KeptCells } from './keptCells.ts';
 import { roomFor } from './room.ts';
-import { pairSum, WordSum, wordSum } from './stateSum.ts';
-import type { Runs } from './wireEdit.ts';
+import { removeRuns, type Runs } from './runs.ts';
+import { WordSum, wordSum } from './stateSum.ts';
 import { Neighbours } from './wireTopology.ts';
 
 /// What the codes 0 and 65535 of an attribute stand for, until the next KEY.
@@ -90,14 +91,13 @@ export class WireMesh {
         this.cellCount += cells.length / cellStride;
     }
 
-    /// After cells have changed. The first `verticesBefore` vertices and `cellsBefore` cells are as they were.
-    cellsChanged(verticesBefore: number, cellsBefore: number): void {
-        const added = this.cells.subarray(cellsBefore * cellStride);
-        if (cellsBefore === 0)
+    /// After cells have changed. `kept` marks all vertices whose cells are others than before; the first `sameCells` cells and the
+    /// numbers of their vertices are as they were.
+    cellsChanged(kept: KeptCells, sameCells: number): void {
+        if (sameCells === 0)
             this.cellSum = new WordSum();
-        this.cellSum.add(added);
-        this.neighbours.reset(cellsBefore === 0 ? 0 : verticesBefore, this.vertices);
-        this.neighbours.add(added);
+        this.cellSum.add(this.cells.subarray(sameCells * cellStride));
+        this.neighbours.follow(kept, this.cells, this.vertices);
     }
 
     /// The checksum of everything but the changes. Cost: O(vertices), cells were summed when they came.
@@ -105,25 +105,7 @@ export class WireMesh {
         const positions = wordSum(this.position.values.subarray(0, 3 * this.vertices));
         const parts = [this.vertices, positions, this.cellCount, this.cellSum.value()];
         for (const { values } of this.codes)
-            parts.push(pairSum(values, this.vertices));
+            parts.push(wordSum(values.subarray(0, this.vertices)));
         return wordSum(Int32Array.from(parts));
-    }
-}
-
-/// A call that moves memory costs as much as moving so many numbers one by one.
-const worthACall = 64;
-
-/// Closes up what stays of the first `count` things of `stride` numbers each.
-function removeRuns(array: Int32Array, { all }: Runs, count: number, stride: number): void {
-    let to = (all[0]?.begin ?? count) * stride;
-    for (let run = 0; run < all.length; run += 1) {
-        const begin = all[run]!.end * stride;
-        const end = (all[run + 1]?.begin ?? count) * stride;
-        if (end - begin > worthACall)
-            array.copyWithin(to, begin, end);
-        else
-            for (let from = begin, into = to; from < end; from += 1, into += 1)
-                array[into] = array[from]!;
-        to += end - begin;
     }
 }

@@ -4,7 +4,8 @@ import { ByteReader } from './bytes.ts';
 import type { DracoPoints } from './dracoPoints.ts';
 import { FrameError } from './frameError.ts';
 import { roomFor } from './room.ts';
-import type { Run, TopologyEdit } from './wireEdit.ts';
+import type { Run } from './runs.ts';
+import type { TopologyEdit } from './wireEdit.ts';
 import type { Channel, WireMesh } from './wireMesh.ts';
 import {
     append,

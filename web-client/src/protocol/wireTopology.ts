@@ -1,6 +1,8 @@
 // The cells of a state and what predictions need of them: for each vertex the neighbours of lower index.
 // protocol/README.md, Neighbours. Twin: protocol/wire_topology.hpp.
-import { cellStride } from './cellsCode.ts';
+import { cellStride } from './cell.ts';
+import { hasMarked } from './cellsCode.ts';
+import type { KeptCells } from './keptCells.ts';
 import { roomFor } from './room.ts';
 
 /// Stands where there is no such neighbour.
@@ -14,30 +16,34 @@ export class Neighbours {
     beside2 = new Int32Array(0); // n(v)
     opposite = new Int32Array(0); // o(v); none where p and n are the ends of the side the vertex hangs on
 
-    /// Vertices from `from` on have no neighbours yet.
-    reset(from: number, vertices: number): void {
-        this.highest = roomFor(this.highest, vertices).fill(none, from, vertices);
-        this.lowest = roomFor(this.lowest, vertices).fill(none, from, vertices);
-        this.beside = roomFor(this.beside, vertices).fill(none, from, vertices);
-        this.beside2 = roomFor(this.beside2, vertices).fill(none, from, vertices);
-        this.opposite = roomFor(this.opposite, vertices).fill(none, from, vertices);
+    /// After an update: finds the neighbours of the vertices that are marked, the others keep theirs in new numbers.
+    /// Vertices keep their order, so that which neighbour is the highest or the lowest stays as well.
+    follow({ now, touched }: KeptCells, cells: Int32Array, vertices: number): void {
+        this.highest = followed(this.highest, now, touched, vertices);
+        this.lowest = followed(this.lowest, now, touched, vertices);
+        this.beside = followed(this.beside, now, touched, vertices);
+        this.beside2 = followed(this.beside2, now, touched, vertices);
+        this.opposite = followed(this.opposite, now, touched, vertices);
+        this.add(cells, touched);
     }
 
-    /// Cells must come in order; those that were added before stay added.
-    add(cells: Int32Array): void {
+    /// Of those cells that have a marked vertex, for the marked ones.
+    private add(cells: Int32Array, marked: Uint8Array): void {
         const { highest, lowest, beside, beside2, opposite } = this;
         for (let at = 0; at < cells.length; at += cellStride) {
+            if (!hasMarked(cells, at, marked))
+                continue;
             const c0 = cells[at]!;
             const c1 = cells[at + 1]!;
             const c2 = cells[at + 2]!;
             const c3 = cells[at + 3]!;
-            side(highest, lowest, c0, cells[at + 4]!, c1);
-            side(highest, lowest, c1, cells[at + 5]!, c2);
-            side(highest, lowest, c2, cells[at + 6]!, c3);
-            side(highest, lowest, c3, cells[at + 7]!, c0);
+            side(highest, lowest, marked, c0, cells[at + 4]!, c1);
+            side(highest, lowest, marked, c1, cells[at + 5]!, c2);
+            side(highest, lowest, marked, c2, cells[at + 6]!, c3);
+            side(highest, lowest, marked, c3, cells[at + 7]!, c0);
             // Only a cell's highest corner can have the other three below it.
             const v = Math.max(c0, c1, c2, c3);
-            if (beside[v]! < 0) {
+            if (marked[v] !== 0 && beside[v]! < 0) {
                 const i = v === c0 ? 0 : v === c1 ? 1 : v === c2 ? 2 : 3;
                 const p = cells[at + ((i + 3) & 3)]!;
                 const n = cells[at + ((i + 1) & 3)]!;
@@ -49,17 +55,17 @@ export class Neighbours {
                 }
             }
             if ((cells[at + 4]! & cells[at + 5]! & cells[at + 6]! & cells[at + 7]!) >= 0)
-                this.addMids(cells, at);
+                this.addMids(cells, at, marked);
         }
     }
 
     /// That a vertex hangs says more of its place than a cell that it is a corner of.
-    private addMids(cells: Int32Array, at: number): void {
+    private addMids(cells: Int32Array, at: number, marked: Uint8Array): void {
         for (let i = 0; i < 4; i += 1) {
             const mid = cells[at + 4 + i]!;
             const from = cells[at + i]!;
             const to = cells[at + ((i + 1) & 3)]!;
-            if (from >= mid || to >= mid)
+            if (from >= mid || to >= mid || marked[mid] === 0)
                 continue;
             if (this.beside[mid]! >= 0 && this.opposite[mid]! < 0)
                 continue;
@@ -70,21 +76,49 @@ export class Neighbours {
     }
 }
 
+/// One kind of neighbour of each vertex after an update; none where it has to be found.
+function followed(
+    near: Int32Array<ArrayBuffer>,
+    now: Int32Array | undefined,
+    touched: Uint8Array,
+    vertices: number,
+): Int32Array<ArrayBuffer> {
+    const after = roomFor(near, vertices);
+    // From the first to the last: a vertex never gets a higher number.
+    if (now !== undefined)
+        for (let v = 0; v < now.length; v += 1) {
+            const to = now[v]!;
+            if (to >= 0)
+                after[to] = after[v]! < 0 ? none : now[after[v]!]!;
+        }
+    for (let v = 0; v < vertices; v += 1)
+        if (touched[v] !== 0)
+            after[v] = none;
+    return after;
+}
+
 /// One side of a cell, over its mid if there is one.
-function side(highest: Int32Array, lowest: Int32Array, from: number, mid: number, to: number): void {
+function side(
+    highest: Int32Array,
+    lowest: Int32Array,
+    marked: Uint8Array,
+    from: number,
+    mid: number,
+    to: number,
+): void {
     if (mid < 0)
-        join(highest, lowest, from, to);
+        join(highest, lowest, marked, from, to);
     else {
-        join(highest, lowest, from, mid);
-        join(highest, lowest, mid, to);
+        join(highest, lowest, marked, from, mid);
+        join(highest, lowest, marked, mid, to);
     }
 }
 
-function join(highest: Int32Array, lowest: Int32Array, u: number, w: number): void {
-    if (u === w)
-        return;
+function join(highest: Int32Array, lowest: Int32Array, marked: Uint8Array, u: number, w: number): void {
     const low = u < w ? u : w;
     const high = u < w ? w : u;
+    if (low === high || marked[high] === 0)
+        return;
     if (low > highest[high]!)
         highest[high] = low;
     const lowestSoFar = lowest[high]!;

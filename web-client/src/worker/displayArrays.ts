@@ -1,6 +1,6 @@
 // The state of a surface as the GPU takes it: float32 positions, normals, one scalar, triangles. Keeps what
 // it has made, so that a surface that only grows costs what has grown.
-import { cellStride } from '../protocol/cellsCode.ts';
+import { cellStride } from '../protocol/cell.ts';
 import { dequantise, type Lattice } from '../protocol/lattice.ts';
 import type { AppliedUpdate } from '../protocol/meshDecoder.ts';
 import { triangleCount, triangulate } from '../protocol/triangulate.ts';
@@ -26,8 +26,8 @@ export class DisplayArrays {
     }
 
     /** Notes what an update has changed; cheap, because states that are never shown need no arrays. */
-    note({ header, edit, mesh }: AppliedUpdate): void {
-        const { removedVertices, movedVertices, removedCells, replacedCells, cells } = edit;
+    note({ header, edit, cells, mesh }: AppliedUpdate): void {
+        const { removedVertices, movedVertices, removedCells, replacedCells } = edit;
         if (header.key || removedVertices.count + removedCells.count > 0) this.fromVertex = this.fromCell = 0;
         // A vertex that has moved turns the normals all around it, in front of it and behind it in the order.
         else if (movedVertices.count > 0) this.fromVertex = 0;

@@ -2,6 +2,7 @@
 // small. Shares no code with the reader but the byte counts, so that each checks the other.
 import { crc32c } from '../crc32c.ts';
 import { frameCrcAt, frameHeaderBytes } from '../meshFrame.ts';
+import { type PlainKept, writeCells } from './cellsWriter.ts';
 
 export interface PlainState {
     positions: number[][];
@@ -169,6 +170,7 @@ function runs(flags: boolean[]): number[] {
 function writeTopology(edit: PlainEdit, cells: number[][], before: PlainState): number[] {
     const stay = before.cells.length - edit.removedCells.filter(Boolean).length;
     const changed = cells.filter((_, i) => i >= stay || edit.replacedCells[i]);
+    const kept = keptOf(edit, before);
     return [
         ...runs(edit.removedVertices),
         ...varint(edit.addedVertices),
@@ -176,62 +178,22 @@ function writeTopology(edit: PlainEdit, cells: number[][], before: PlainState): 
         ...runs(edit.removedCells),
         ...runs(edit.replacedCells),
         ...varint(cells.length - stay),
-        ...writeCells(changed),
+        ...writeCells(changed, kept, kept.stay + edit.addedVertices),
     ];
 }
 
-/// Without runs; everything else of the cells code.
-export function writeCells(cells: number[][]): number[] {
-    const bytes: number[] = [];
-    const strip = [0, 0];
-    const columns = [
-        { stride: 1, last: 1 },
-        { stride: 1, last: 1 },
+function keptOf(edit: PlainEdit, before: PlainState): PlainKept {
+    const stays = before.positions.flatMap((_, v) => (edit.removedVertices[v] ? [] : [v]));
+    const now = before.positions.map((_, v) => stays.indexOf(v));
+    const renumbered = before.cells.map((cell) => cell.map((id) => (id === none ? none : now[id]!)));
+    const cells = renumbered.filter((_, i) => !edit.removedCells[i]);
+    const lost = before.cells.map((cell, i) => cell.some((id, k) => id !== renumbered[i]![k] && renumbered[i]![k] === none));
+    const touching = [
+        ...renumbered.filter((_, i) => edit.removedCells[i] || lost[i]),
+        ...cells.filter((_, i) => edit.replacedCells[i]),
     ];
-    let next: number[] = [0, 0];
-    let cross = 0;
-    for (const cell of cells) {
-        const body: number[] = [];
-        let header = 0;
-        [0, 1, 2, 3].forEach((side) => (header |= cell[4 + side] !== none ? 1 << side : 0));
-        if (cell[0] === next[0] && cell[1] === next[1])
-            header |= 16;
-        else {
-            body.push(...signed(cell[0]! - strip[1]!), ...signed(cell[1]! - (cell[0]! + strip[1]! - strip[0]!)));
-            strip.splice(0, 2, cell[0]!, cell[1]!);
-        }
-        [
-            { from: cell[0]!, mid: cell[7]!, to: cell[3]!, bit: 32 },
-            { from: cell[1]!, mid: cell[5]!, to: cell[2]!, bit: 64 },
-        ].forEach(({ from, mid, to, bit }, i) => {
-            const column = columns[i]!;
-            let at = from;
-            const saw = (id: number): void => {
-                if (id - at === column.last)
-                    column.stride = id - at;
-                column.last = id - at;
-                at = id;
-            };
-            if (mid !== none) {
-                body.push(...signed(mid - (at + column.stride)));
-                saw(mid);
-            }
-            if (to === at + column.stride)
-                header |= bit;
-            else
-                body.push(...signed(to - (at + column.stride)));
-            saw(to);
-        });
-        for (const mid of [cell[4]!, cell[6]!]) {
-            if (mid === none)
-                continue;
-            body.push(...signed(mid - cross));
-            cross = mid;
-        }
-        next = [cell[3]!, cell[2]!];
-        bytes.push(header, ...body);
-    }
-    return bytes;
+    const touched = new Set(touching.flat().filter((id) => id !== none));
+    return { cells, replaced: cells.map((_, i) => edit.replacedCells[i] ?? false), touched, stay: stays.length };
 }
 
 interface Near {
@@ -318,20 +280,23 @@ function predicted(
 }
 
 function sumOf(words: number[]): number {
-    const lanes = [0x9e3779b1n, 0x85ebca77n, 0xc2b2ae3dn, 0x27d4eb2fn];
-    const stir = (lane: bigint, word: bigint): bigint => {
-        const mixed = lane ^ word;
-        return BigInt.asUintN(32, ((mixed << 13n) | (mixed >> 19n)) & 0xffffffffn) * 0x9e3779b1n & 0xffffffffn;
+    const wrap = (value: bigint): bigint => BigInt.asUintN(32, value);
+    const lanes = [0, 1, 2, 3].map((lane) => words.filter((_, i) => i % 4 === lane).map((word) => BigInt(word >>> 0)));
+    const stir = (sum: bigint, word: bigint): bigint => {
+        const mixed = sum ^ wrap(word);
+        return wrap(wrap((mixed << 13n) | (mixed >> 19n)) * 0x9e3779b1n);
     };
-    words.forEach((word, i) => (lanes[i % 4] = stir(lanes[i % 4]!, BigInt(word >>> 0))));
-    const h = lanes.reduce(stir, BigInt(words.length));
+    let h = BigInt(words.length);
+    for (const lane of lanes) {
+        h = stir(h, lane.reduce((sum, word) => sum + word, 0n));
+        h = stir(h, lane.reduce((sum, word, i) => sum + word * BigInt(lane.length - i), 0n));
+    }
     return Number(h ^ (h >> 15n));
 }
 
 export function stateSumOf(state: PlainState): number {
     const attributes = (state.codes[0] ?? []).map((_, i) => {
-        const codes = state.codes.map((values) => values[i]!);
-        return sumOf(codes.flatMap((low, v) => (v % 2 ? [] : [low + 65536 * (codes[v + 1] ?? 0)])));
+        return sumOf(state.codes.map((values) => values[i]!));
     });
     const { positions, cells } = state;
     return sumOf([positions.length, sumOf(positions.flat()), cells.length, sumOf(cells.flat()), ...attributes]);
@@ -358,7 +323,7 @@ function pack(
         const bytes = new Uint8Array(body + part.topology.length + part.points.length);
         const view = new DataView(bytes.buffer);
         view.setUint16(0, 0x5357, true);
-        view.setUint8(2, 2);
+        view.setUint8(2, 3);
         view.setUint8(3, (options.key ? 1 : 0) | (options.history ? 4 : 0));
         const { surface, epoch, seq, baseSeq } = options;
         [surface, epoch, seq, baseSeq].forEach((value, i) => view.setUint32(4 + 4 * i, value, true));
