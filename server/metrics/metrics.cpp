@@ -112,7 +112,7 @@ struct Metrics::State {
                               "Times a client fell behind and got a keyframe instead.");
     Counter& dropped = counter(registry,
                                "wakesurf_frames_dropped_total",
-                               "Stale frames a client that fell behind did not get.");
+                               "Stale frames clients were spared, by a keyframe or a newer edit.");
     Family<Counter>& errors =
         counters(registry, "wakesurf_rpc_errors_total", "Calls answered with an error, by code.");
     Family<Gauge>& durable = gauges(
@@ -156,8 +156,11 @@ void Metrics::keyframe() {
     state_->keyframes.Increment();
 }
 
-void Metrics::catching_up(std::uint64_t frames) {
+void Metrics::catching_up() {
     state_->behind.Increment();
+}
+
+void Metrics::frames_dropped(std::uint64_t frames) {
     state_->dropped.Increment(static_cast<double>(frames));
 }
 

@@ -59,8 +59,10 @@ class Metrics {
     void message_received(std::size_t bytes);
     /// A whole state went out where others get what has changed.
     void keyframe();
-    /// A client fell behind and will get a keyframe instead of `frames` stale ones.
-    void catching_up(std::uint64_t frames);
+    /// A client fell behind and will get a keyframe.
+    void catching_up();
+    /// Stale frames a client was spared: by a keyframe, or by a newer edit.
+    void frames_dropped(std::uint64_t frames);
     void reject(Rejection reason);
     /// A call was answered with a JSON-RPC error.
     void error(int code);

@@ -1,6 +1,7 @@
 #include "server/rpc/client.hpp"
 
 #include "protocol/json_rpc.hpp"
+#include "server/metrics/metrics.hpp"
 #include "server/rpc/outcome_json.hpp"
 #include "server/rpc/patch_json.hpp"
 
@@ -65,14 +66,21 @@ void Client::part(void (Participants::*how)(const Observer&)) {
 
 FrameCursor Client::cursor(const std::string& surface,
                            const LiveSurface& live,
-                           std::optional<UpdatePosition> from) {
-    return FrameCursor(live.ring(), from,
-                       [&wire = wire_, surface, number = live.number()](bool behind) {
-                           wire.send(protocol::rpc_notification(
-                               "server.notice", {{"kind", behind ? "catchingUp" : "caughtUp"},
-                                                 {"surface", surface},
-                                                 {"subscription", number}}));
-                       });
+                           std::optional<UpdatePosition> from,
+                           Metrics* metrics) {
+    auto notice = [&wire = wire_, surface, number = live.number(), metrics](bool behind) {
+        if (behind && metrics != nullptr)
+            metrics->catching_up();
+        wire.send(protocol::rpc_notification("server.notice",
+                                             {{"kind", behind ? "catchingUp" : "caughtUp"},
+                                              {"surface", surface},
+                                              {"subscription", number}}));
+    };
+    auto left_out = [metrics](std::uint64_t frames) {
+        if (metrics != nullptr)
+            metrics->frames_dropped(frames);
+    };
+    return FrameCursor(live.ring(), from, std::move(notice), std::move(left_out));
 }
 
 void Client::patched(const std::string& session,

@@ -45,8 +45,11 @@ class Client final : public Observer, public GrantHolder {
     void leave();
 
     /// Where a subscription to `surface` begins: after the state the client has from before, or with a keyframe.
-    FrameCursor
-    cursor(const std::string& surface, const LiveSurface& live, std::optional<UpdatePosition> from);
+    /// @param metrics  counts what is left out; may be null, else outlives the subscription
+    FrameCursor cursor(const std::string& surface,
+                       const LiveSurface& live,
+                       std::optional<UpdatePosition> from,
+                       Metrics* metrics);
 
     /// Whether there is room for a further subscription.
     bool may_subscribe(std::uint32_t number) const { return wire_.may_follow(number); }

@@ -73,7 +73,7 @@ void subscribe(const Call& call, Reply reply) {
     json attributes = json::array();
     for (const std::string_view each : protocol::surface_attributes)
         attributes.push_back(each);
-    FrameCursor cursor = call.client->cursor(surface, **live, *from);
+    FrameCursor cursor = call.client->cursor(surface, **live, *from, call.context.metrics);
     if (!call.client->may_subscribe((*live)->number()))
         return reply.fault(core::Error{core::Error::Code::OverLimit,
                                        "the connection has as many subscriptions as it may have",

@@ -8,8 +8,9 @@ namespace wakesurf::server {
 
 FrameCursor::FrameCursor(std::shared_ptr<UpdateRing> ring,
                          std::optional<UpdatePosition> from,
-                         Notice notice)
-    : ring_(std::move(ring)), notice_(std::move(notice)) {
+                         Notice notice,
+                         LeftOut left_out)
+    : ring_(std::move(ring)), notice_(std::move(notice)), left_out_(std::move(left_out)) {
     const SharedUpdate newest = ring_->newest();
     if (!from || !newest || from->epoch != ring_->epoch())
         return;
@@ -17,16 +18,15 @@ FrameCursor::FrameCursor(std::shared_ptr<UpdateRing> ring,
     if (resumed_) {
         state_ = from;
         met_ = true;
+        passed_ = ring_->frames_before(from->seq + 1);
     }
 }
 
 FrameCursor::Frame FrameCursor::next() {
     if (sending_ && (sending_->wire.epoch != ring_->epoch() || ring_->newest() == nullptr))
-        sending_.reset(); // nobody wants the rest of another epoch's, or of a surface that has gone
-    if (!sending_) {
-        sending_ = choose();
-        frame_ = 0;
-    }
+        stop(); // nobody wants the rest of another epoch's, or of a surface that has gone
+    if (!sending_)
+        start(choose());
     if (!sending_)
         return nullptr;
     Frame frame = sending_->wire.frames[frame_++];
@@ -41,6 +41,30 @@ FrameCursor::Frame FrameCursor::next() {
     if (std::exchange(behind_, false))
         notice_(false);
     return frame;
+}
+
+void FrameCursor::start(SharedUpdate update) {
+    sending_ = std::move(update);
+    frame_ = 0;
+    if (!sending_)
+        return;
+    const std::uint32_t seq = sending_->wire.seq;
+    const std::uint64_t through = ring_->frames_before(seq + 1);
+    // A key made on request comes instead of the update to its state as well.
+    const std::uint64_t before = ring_->holds(sending_) ? ring_->frames_before(seq) : through;
+    if (passed_ && before > *passed_)
+        leave_out(before - *passed_);
+    passed_ = through;
+}
+
+void FrameCursor::stop() {
+    leave_out(sending_->wire.frames.size() - frame_);
+    sending_.reset();
+}
+
+void FrameCursor::leave_out(std::uint64_t frames) const {
+    if (left_out_)
+        left_out_(frames);
 }
 
 /// What to send after a whole update.

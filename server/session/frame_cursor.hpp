@@ -27,11 +27,14 @@ class FrameCursor {
     using Frame = std::shared_ptr<const std::vector<std::byte>>;
     /// true: it has fallen behind and stale updates are left out; false: it has caught up.
     using Notice = std::function<void(bool behind)>;
+    /// So many stale frames have not been sent, and will not be.
+    using LeftOut = std::function<void(std::uint64_t frames)>;
 
     /// @param from  the state the client has, from an earlier connection
     FrameCursor(std::shared_ptr<UpdateRing> ring,
                 std::optional<UpdatePosition> from,
-                Notice notice);
+                Notice notice,
+                LeftOut left_out = {});
 
     /// True when what follows `from` is still there.
     bool resumed() const { return resumed_; }
@@ -52,18 +55,23 @@ class FrameCursor {
 
   private:
     SharedUpdate choose();
+    void start(SharedUpdate update);
+    void stop();
+    void leave_out(std::uint64_t frames) const;
     void fall_behind();
     bool window_open(bool half) const;
 
     std::shared_ptr<UpdateRing> ring_;
     std::shared_ptr<void> news_;
     Notice notice_;
+    LeftOut left_out_;
     bool resumed_ = false;
     bool behind_ = false;
     bool met_ = false;                    ///< the client has a state, of whichever epoch
     std::optional<UpdatePosition> state_; ///< of the newest whole update sent
     SharedUpdate sending_;
-    std::size_t frame_ = 0; ///< of `sending_`
+    std::size_t frame_ = 0;               ///< of `sending_`
+    std::optional<std::uint64_t> passed_; ///< frames of the ring up to the newest update begun
     bool acknowledges_ = false;
     std::deque<UpdatePosition> unacknowledged_;
 };

@@ -27,6 +27,7 @@ void UpdateRing::add(SharedUpdate update) {
     if (closed_ || update->wire.epoch != epoch_)
         return;
     bytes_ += update->wire.bytes;
+    frames_ += update->wire.frames.size();
     if (update->wire.key)
         key_bytes_ = update->wire.bytes;
     updates_.push_back(std::move(update));
@@ -79,6 +80,17 @@ bool UpdateRing::far_behind(std::uint32_t seq) const {
     for (auto it = updates_.rbegin(); it != updates_.rend() && (*it)->wire.seq > seq; ++it)
         bytes += (*it)->wire.bytes;
     return bytes > std::max(limits::behind_bytes, key_bytes_);
+}
+
+bool UpdateRing::holds(const SharedUpdate& update) const {
+    return std::find(updates_.begin(), updates_.end(), update) != updates_.end();
+}
+
+std::uint64_t UpdateRing::frames_before(std::uint32_t seq) const {
+    std::uint64_t frames = frames_;
+    for (auto it = updates_.rbegin(); it != updates_.rend() && (*it)->wire.seq >= seq; ++it)
+        frames -= (*it)->wire.frames.size();
+    return frames;
 }
 
 SharedUpdate UpdateRing::key(std::optional<std::uint32_t> after_seq) {

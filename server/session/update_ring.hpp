@@ -80,6 +80,12 @@ class UpdateRing {
 
     std::size_t bytes() const { return bytes_; }
 
+    /// Whether it is one of the updates in a row, and no key made of one on request.
+    bool holds(const SharedUpdate& update) const;
+
+    /// How many frames there have been, of all epochs, before the update `seq` of this one: the difference of two is what lies between them.
+    std::uint64_t frames_before(std::uint32_t seq) const;
+
   private:
     using Listener = std::function<void()>;
 
@@ -94,6 +100,7 @@ class UpdateRing {
     std::deque<SharedUpdate> updates_; ///< oldest first, consecutive
     std::deque<std::chrono::steady_clock::time_point> since_;
     std::size_t bytes_ = 0;
+    std::uint64_t frames_ = 0;  ///< of all updates ever added
     std::size_t key_bytes_ = 0; ///< of the epoch's newest key
     SharedUpdate key_;          ///< of one of updates_, made on request
     std::chrono::steady_clock::time_point key_since_;

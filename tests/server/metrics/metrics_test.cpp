@@ -84,7 +84,8 @@ TEST(MetricsTest, CountsWhatWasSentDroppedRefusedAndFailed) {
     metrics.frame_sent(24);
     metrics.message_sent(7);
     metrics.keyframe();
-    metrics.catching_up(5);
+    metrics.catching_up();
+    metrics.frames_dropped(5);
     metrics.reject(Rejection::Stalled);
     metrics.error(-32602);
     metrics.error(-32602);

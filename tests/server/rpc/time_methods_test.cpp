@@ -56,6 +56,13 @@ class TimeMethods : public testing::Test {
         return answer.contains("error") ? answer["error"] : json("was not refused");
     }
 
+    /// Of /metrics.
+    static int counted(const std::string& name) {
+        const std::string text = http(server_->port(), "GET", "/metrics", server_->bearer()).body;
+        const auto at = text.find("\n" + name + " ");
+        return at == std::string::npos ? -1 : std::stoi(text.substr(at + name.size() + 2));
+    }
+
     static ServerProcess* server_;
     WebSocketClient client;
     std::string session, surface;
@@ -161,6 +168,8 @@ TEST_F(TimeMethods, HoldsUpdatesBackFromWhoDoesNotAcknowledgeThem) {
     EXPECT_TRUE(state.header.is_key()) << "what it missed comes as one keyframe";
     EXPECT_EQ(client.notification("server.notice")["kind"], "caughtUp");
     client.result("time.pause");
+    EXPECT_GE(counted("wakesurf_catching_up_total"), 1);
+    EXPECT_GE(counted("wakesurf_frames_dropped_total"), 1);
 }
 
 TEST_F(TimeMethods, RefusesNumbersThatAreNoneAndSaysWhich) {

@@ -31,7 +31,9 @@ class Cursors : public testing::Test {
     }
 
     FrameCursor cursor(std::optional<UpdatePosition> from = {}) {
-        return FrameCursor(ring, from, [this](bool behind) { notices.push_back(behind); });
+        return FrameCursor(
+            ring, from, [this](bool behind) { notices.push_back(behind); },
+            [this](std::uint64_t frames) { left_out += frames; });
     }
 
     void add(std::uint32_t seq, bool key = false, std::size_t frames = 1, std::size_t bytes = 3) {
@@ -51,6 +53,7 @@ class Cursors : public testing::Test {
     int keys_made = 0;
     bool make_keys = true;
     std::vector<bool> notices;
+    std::uint64_t left_out = 0; ///< frames
     std::shared_ptr<UpdateRing> ring = make_ring();
 };
 
@@ -228,6 +231,64 @@ TEST_F(Cursors, GoesOnWhereAnEarlierConnectionEnded) {
     FrameCursor late = cursor(UpdatePosition{1, 1});
     EXPECT_FALSE(late.resumed());
     EXPECT_EQ(drain(late), (Frames{{4, 0, true}, {4, 1, true}}));
+}
+
+TEST_F(Cursors, CountTheStaleFramesThatAKeyframeReplaces) {
+    FrameCursor fast = cursor(), slow = cursor();
+    add(0, true, 2);
+    drain(fast);
+    drain(slow);
+    for (std::uint32_t seq = 1; seq <= 20; ++seq) {
+        clock.time += std::chrono::seconds(1);
+        add(seq, false, 3);
+        drain(fast);
+    }
+    EXPECT_EQ(left_out, 0U) << "the fast one has had all";
+    EXPECT_EQ(drain(slow).size(), 2U);
+    EXPECT_EQ(left_out, 20U * 3U) << "all that lead to the state of the keyframe";
+    FrameCursor late = cursor();
+    drain(late);
+    EXPECT_EQ(left_out, 20U * 3U) << "who has just come has missed nothing";
+    FrameCursor back = cursor(UpdatePosition{1, 18});
+    drain(back);
+    EXPECT_EQ(left_out, 20U * 3U) << "nor has who comes back in time";
+}
+
+TEST_F(Cursors, CountTheStaleFramesThatANewerEditReplaces) {
+    FrameCursor reader = cursor();
+    add(0, true, 4);
+    reader.next();
+    add(1, false, 2);
+    ring->begin(2);
+    reader.next();
+    EXPECT_EQ(left_out, 3U) << "the rest of the update that was being sent";
+    add(0, true);
+    drain(reader);
+    EXPECT_EQ(left_out, 5U) << "and the next one";
+}
+
+TEST_F(Cursors, SendOrLeaveOutEveryFrame) {
+    std::mt19937 random(5);
+    for (int run = 0; run < 100; ++run) {
+        ring = make_ring();
+        left_out = 0;
+        FrameCursor reader = cursor();
+        add(0, true);
+        std::uint64_t added = 1, sent = drain(reader).size();
+        for (std::uint32_t epoch = 2; epoch < 12; ++epoch) {
+            ring->begin(epoch);
+            for (std::uint32_t seq = 0; seq < 5; ++seq) {
+                const std::size_t frames = 1 + random() % 3;
+                add(seq, seq == 0 || random() % 4 == 0, frames);
+                added += frames;
+                for (auto turns = random() % 6; turns > 0; --turns)
+                    sent += reader.next() ? 1 : 0;
+            }
+        }
+        sent += drain(reader).size();
+        EXPECT_EQ(sent + left_out, added) << "run " << run;
+    }
+    EXPECT_EQ(keys_made, 0) << "one made on request would be one more";
 }
 
 TEST_F(Cursors, ReadsNothingOfAClosedRing) {
