@@ -1,5 +1,6 @@
 #include "protocol/json_rpc.hpp"
 
+#include "core/base/machine_memory.hpp"
 #include "protocol/json_text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -112,6 +113,8 @@ RpcFault fault_of(const core::Error& error) {
         break;
     case Code::OverLimit:
         fault.code = RpcCode::OverLimit;
+        fault.detail = std::make_shared<const json>(
+            json{{"limit", error.limit.value_or(core::machine_memory())}});
         break;
     case Code::Cancelled:
         fault.code = RpcCode::Cancelled;

@@ -51,7 +51,8 @@ struct RpcFault {
 /// The word for a code in error.data.kind: `notFound`, `outsideDomain`, ...
 std::string_view kind_of(RpcCode code);
 
-/// The answer for an error of the engine or of a dataset.
+/// The answer for an error of the engine or of a dataset. Over a limit, data.limit is the most there may be; where memory ran out, the
+/// machine's, in bytes.
 RpcFault fault_of(const core::Error& error);
 
 /// An id as the JSON text it came in: a string, a number or null. It is only ever echoed.

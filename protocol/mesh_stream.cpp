@@ -25,10 +25,11 @@ constexpr double least_staying = 0.3;
 core::Result<void> check_size(const core::QuadComplex& mesh) {
     if (mesh.vertices() <= max_mesh_vertices && mesh.cells.size() <= max_mesh_cells)
         return {};
-    return core::fail(core::Error::Code::OverLimit,
-                      fmt::format("a mesh of {} vertices and {} cells is too large to send",
-                                  mesh.vertices(), mesh.cells.size()),
-                      "ask for fewer quads or a larger separation");
+    const bool vertices = mesh.vertices() > max_mesh_vertices;
+    return core::over_limit(vertices ? max_mesh_vertices : max_mesh_cells,
+                            fmt::format("a mesh of {} vertices and {} cells is too large to send",
+                                        mesh.vertices(), mesh.cells.size()),
+                            "ask for fewer quads or a larger separation");
 }
 
 PointCoding coding_of(PointKind kind, std::size_t attributes, const Tolerance& tolerance) {

@@ -105,8 +105,9 @@ core::Result<SharedFrames> write_update(FrameHeader header,
         return tl::unexpected(blocks.error());
     const auto parts = pack(topology, *blocks);
     if (parts.size() > std::numeric_limits<std::uint16_t>::max())
-        return core::fail(core::Error::Code::OverLimit, "an update needs too many frames",
-                          "ask for fewer quads or a larger separation");
+        return core::over_limit(std::numeric_limits<std::uint16_t>::max(),
+                                "an update needs too many frames",
+                                "ask for fewer quads or a larger separation");
     header.topology_size = static_cast<std::uint32_t>(topology.size());
     header.frame_count = static_cast<std::uint16_t>(parts.size());
     SharedFrames frames;

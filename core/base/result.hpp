@@ -3,6 +3,7 @@
 
 #include <tl/expected.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -25,6 +26,8 @@ struct Error {
     std::string hint;    ///< what to do about it; may be empty
     /// Of a time-step that cannot be read: the time up to which the series can, on the way things were going.
     std::optional<double> readable_until{};
+    /// Of OverLimit: the most there may be. Nothing: what ran out is the machine's memory.
+    std::optional<std::uint64_t> limit{};
 };
 
 template <class T>
@@ -33,6 +36,13 @@ using Result = tl::expected<T, Error>;
 /// Shorthand for `return fail(Error::Code::NotFound, "no rake r7", "list them with rake.list")`.
 inline tl::unexpected<Error> fail(Error::Code code, std::string message, std::string hint = {}) {
     return tl::unexpected(Error{code, std::move(message), std::move(hint)});
+}
+
+/// The same for more than `limit` of something.
+inline tl::unexpected<Error>
+over_limit(std::uint64_t limit, std::string message, std::string hint = {}) {
+    return tl::unexpected(
+        Error{Error::Code::OverLimit, std::move(message), std::move(hint), {}, limit});
 }
 
 } // namespace wakesurf::core

@@ -369,10 +369,10 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
     if (entry.failures != failures)
         return tl::unexpected(entry.error);
     if (given_up)
-        return fail(Error::Code::OverLimit,
-                    "the time-step cache is full of time-steps in use (" +
-                        std::to_string(window.capacity) + ")",
-                    "try again when other surfaces are done, or start with more --memory");
+        return over_limit(window.capacity,
+                          "the time-step cache is full of time-steps in use (" +
+                              std::to_string(window.capacity) + ")",
+                          "try again when other surfaces are done, or start with more --memory");
     return fail(Error::Code::Cancelled,
                 "waiting for time-step " + std::to_string(index) + " was cancelled");
 }

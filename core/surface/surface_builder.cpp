@@ -97,9 +97,9 @@ Result<Sheets> build_within_budget(const Flow& flow,
             return tl::unexpected(directions.error());
         const std::uint64_t most = directions->front().max_quads;
         if (rake.seeds > most)
-            return fail(Error::Code::OverLimit,
-                        "the rake has more seeds than the surface may have quads",
-                        "use fewer seeds or a larger maxQuads");
+            return over_limit(p.max_quads,
+                              "the rake has more seeds than the surface may have quads",
+                              "use fewer seeds or a larger maxQuads");
         if (first) {
             first = false;
             const auto needed = coarsest_needed(flow, rake, directions->front(), stop);

@@ -1,12 +1,12 @@
 #include "server/catalogue/import_process.hpp"
 
+#include "core/base/machine_memory.hpp"
 #include "protocol/dataset_json.hpp"
 #include "protocol/json_text.hpp"
 #include "server/catalogue/child_process.hpp"
 #include "server/catalogue/shipped_files.hpp"
 
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 namespace wakesurf::server {
 
@@ -44,12 +44,9 @@ std::size_t address_space() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     return 0; // the sanitizers' shadow memory takes terabytes of addresses
 #else
-    const auto pages = ::sysconf(_SC_PHYS_PAGES);
-    const auto page = ::sysconf(_SC_PAGESIZE);
+    const std::size_t memory = core::machine_memory();
     constexpr std::size_t libraries = std::size_t{2} << 30;
-    return pages > 0 && page > 0
-               ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) + libraries
-               : 0;
+    return memory > 0 ? memory + libraries : 0;
 #endif
 }
 

@@ -42,8 +42,8 @@ core::Result<std::size_t> cache_budget(const core::StoreReader& reader, std::siz
     if (budget >= fixed && budget - fixed >= steps)
         return budget - fixed;
     const auto up = [](std::size_t bytes) { return std::ceil(static_cast<double>(bytes) / mebi); };
-    return core::fail(
-        core::Error::Code::OverLimit,
+    return core::over_limit(
+        budget,
         fmt::format(
             "the dataset needs at least {:.0f} MiB of memory, for {} time-steps of {:.1f} MiB "
             "and its grid, and is given {:.0f} MiB",

@@ -235,8 +235,9 @@ void Downloads::surface(const HttpRequest& request,
             if (names(known, tag))
                 return respond({304, {{"ETag", tag}, {"Cache-Control", "private, no-cache"}}});
             if (state->computing >= limits::downloads)
-                return respond(http_error(
-                    503, fmt::format("{} downloads are being made already", limits::downloads),
+                return respond(http_over_limit(
+                    503, limits::downloads,
+                    fmt::format("{} downloads are being made already", limits::downloads),
                     "ask again in a few seconds"));
             compute<File>(
                 state->loop, state->pool,

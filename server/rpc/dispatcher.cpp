@@ -5,7 +5,6 @@
 #include "server/rpc/held_answer.hpp"
 #include "server/rpc/openrpc.hpp"
 #include "server/rpc/permission.hpp"
-#include "server/rpc/quota.hpp"
 #include "server/session/log_text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -128,7 +127,7 @@ void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, An
         stop = pending->stop();
         answer = [pending](std::string text) { pending->answer(std::move(text)); };
     }
-    Reply reply([id = call.id, name = call.method, metrics = context_.metrics,
+    Reply reply([id = call.id, metrics = context_.metrics,
                  answer = std::move(answer)](const json* result, const RpcFault* fault) {
         if (fault != nullptr && metrics != nullptr)
             metrics->error(static_cast<int>(fault->code));
@@ -137,8 +136,7 @@ void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, An
         else if (result != nullptr)
             answer(protocol::rpc_result(*id, *result));
         else
-            answer(protocol::rpc_error(
-                *id, fault->code == RpcCode::OverLimit ? with_limit(*fault, name) : *fault));
+            answer(protocol::rpc_error(*id, *fault));
     });
     const Method* method = call.refused ? nullptr : find(call.method);
     if (const auto fault = too_fast(method != nullptr && method->traits.edits, caller))

@@ -9,10 +9,14 @@ namespace wakesurf::server {
 
 nlohmann::json error_json(const core::Error& error) {
     const protocol::RpcFault fault = protocol::fault_of(error);
-    return {{"code", static_cast<int>(fault.code)},
-            {"message", fault.message},
-            {"kind", fault.kind.empty() ? std::string(protocol::kind_of(fault.code)) : fault.kind},
-            {"hint", fault.hint}};
+    nlohmann::json out{
+        {"code", static_cast<int>(fault.code)},
+        {"message", fault.message},
+        {"kind", fault.kind.empty() ? std::string(protocol::kind_of(fault.code)) : fault.kind},
+        {"hint", fault.hint}};
+    if (fault.detail)
+        out.update(*fault.detail);
+    return out;
 }
 
 nlohmann::json outcome_json(const SurfaceOutcome& outcome) {

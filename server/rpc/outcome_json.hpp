@@ -9,7 +9,7 @@ namespace wakesurf::server {
 
 nlohmann::json outcome_json(const SurfaceOutcome& outcome);
 
-/// {code, message, kind, hint}
+/// {code, message, kind, hint, limit?}
 nlohmann::json error_json(const core::Error& error);
 
 } // namespace wakesurf::server

@@ -25,7 +25,7 @@ constexpr std::string_view shapes = R"json({
   "type": "object", "description": "an error as a value, where the call itself did not fail",
   "properties": {
     "code": {"type": "integer"}, "message": {"type": "string"}, "kind": {"type": "string"},
-    "hint": {"type": "string"}}},
+    "hint": {"type": "string"}, "limit?": {"type": "number", "minimum": 0}}},
 "ErrorData": {
   "type": "object", "additionalProperties": true,
   "properties": {
@@ -34,7 +34,7 @@ constexpr std::string_view shapes = R"json({
     "current?": {"type": "object", "description": "of stale: the record as it is now"},
     "by?": {"type": "string", "description": "of leased: the participant who holds the rake"},
     "until?": {"type": "string", "description": "of leased: when the lease ends unless renewed, in UTC"},
-    "retryAfterMs?": "#Count", "limit?": {"description": "of overLimit: the most that is granted"}}},
+    "retryAfterMs?": "#Count", "limit?": {"type": "number", "minimum": 0, "description": "of overLimit: the most that is granted"}}},
 "DatasetEntry": {
   "type": "object",
   "properties": {

@@ -41,6 +41,12 @@ json info() {
               {"bookmarks", limits::bookmarks},
               {"annotations", limits::annotations},
               {"undo", limits::undo_steps},
+              {"shareLinks", limits::grants},
+              {"subscriptions", limits::subscriptions},
+              {"waiters", limits::waiters},
+              {"pendingCalls", limits::pending_calls},
+              {"probes", limits::probes},
+              {"downloads", limits::downloads},
               {"quads", limits::quads_most},
               {"waitMs", limits::wait_ms}}}};
 }

@@ -1,6 +1,7 @@
 // surface.stats, .subscribe, .unsubscribe, frame.ack: what those who look at a surface ask of it.
 #include "protocol/checked_json.hpp"
 #include "protocol/mesh_encoder.hpp"
+#include "server/limits.hpp"
 #include "server/rpc/lattice_json.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/outcome_json.hpp"
@@ -77,7 +78,9 @@ void subscribe(const Call& call, Reply reply) {
     if (!call.client->may_subscribe((*live)->number()))
         return reply.fault(core::Error{core::Error::Code::OverLimit,
                                        "the connection has as many subscriptions as it may have",
-                                       "end some with surface.unsubscribe"});
+                                       "end some with surface.unsubscribe",
+                                       {},
+                                       limits::subscriptions});
     reply.result({{"subscription", (*live)->number()},
                   {"lattice", lattice_json((*live)->wanted().lattice)},
                   {"attributes", std::move(attributes)},

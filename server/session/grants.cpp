@@ -40,9 +40,10 @@ core::Result<Grants::Made> Grants::make(const std::string& session,
                                         Role role,
                                         std::optional<std::chrono::seconds> expires_in) {
     if (of(session).size() >= limits::grants)
-        return fail(Error::Code::OverLimit,
-                    "a session may have at most " + std::to_string(limits::grants) + " share links",
-                    "take some back with session.unshare");
+        return core::over_limit(limits::grants,
+                                "a session may have at most " + std::to_string(limits::grants) +
+                                    " share links",
+                                "take some back with session.unshare");
     std::string key = random_hex(services_.entropy, 32);
     const std::uint64_t number = next_++;
     const std::string id = "g" + std::to_string(number);

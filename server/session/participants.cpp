@@ -65,8 +65,9 @@ core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observ
         leave(observer);
     const bool here = std::any_of(present_.begin(), present_.end(), same);
     if (!here && present_.size() >= limits::participants)
-        return fail(Error::Code::OverLimit, "the session has as many participants as it may have",
-                    "wait until somebody leaves, or create another session");
+        return core::over_limit(limits::participants,
+                                "the session has as many participants as it may have",
+                                "wait until somebody leaves, or create another session");
     Joined joined{take_place(token), arrival.resume_token, false};
     Participant& place = joined.you;
     joined.returned = !place.id.empty();

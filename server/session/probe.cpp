@@ -98,9 +98,9 @@ void Prober::ask(OpenDataset dataset,
                  const std::stop_token& unwanted,
                  std::function<void(core::Result<ProbeResult>)> answer) {
     if (*running_ >= limits::probes)
-        return answer(fail(Error::Code::OverLimit,
-                           fmt::format("{} probes are running already", limits::probes),
-                           "wait for their answers, and put many points into one"));
+        return answer(core::over_limit(limits::probes,
+                                       fmt::format("{} probes are running already", limits::probes),
+                                       "wait for their answers, and put many points into one"));
     ++*running_;
     compute<ProbeResult>(
         loop_, pool_,

@@ -54,7 +54,7 @@ core::Result<void> take(const RecordKey& key, const std::string& text, SessionRe
     if (key_of(*record) != key)
         return core::fail(Error::Code::Corrupt, "the record has another id");
     if (into.count(key.type) >= most_records(key.type))
-        return core::fail(Error::Code::OverLimit, "there are too many");
+        return core::over_limit(most_records(key.type), "there are too many");
     if (const auto* surface = std::get_if<protocol::SurfaceRecord>(&*record))
         if (auto sound = check_surface(*surface, into); !sound)
             return sound;

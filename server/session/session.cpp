@@ -89,10 +89,10 @@ core::Result<void> Session::may_put(const RecordKey& key, bool is_new) const {
     const std::size_t most = most_records(key.type);
     if (records_.count(key.type) < most)
         return {};
-    return fail(Error::Code::OverLimit,
-                "a session may have at most " + std::to_string(most) + " " +
-                    std::string(server::name(key.type)) + "s",
-                "delete some, or use another session");
+    return core::over_limit(most,
+                            "a session may have at most " + std::to_string(most) + " " +
+                                std::string(server::name(key.type)) + "s",
+                            "delete some, or use another session");
 }
 
 RecordChange Session::change_to(Record after) const {

@@ -64,10 +64,10 @@ RestoreReport SessionDirectory::restore(const std::string& id,
 
 core::Result<std::shared_ptr<Session>> SessionDirectory::add_new(std::string name) {
     if (sessions_.size() >= limits::sessions && !make_room())
-        return core::fail(core::Error::Code::OverLimit,
-                          "the server has as many sessions as it may have, " +
-                              std::to_string(limits::sessions),
-                          "join one of them: session.list");
+        return core::over_limit(limits::sessions,
+                                "the server has as many sessions as it may have, " +
+                                    std::to_string(limits::sessions),
+                                "join one of them: session.list");
     std::string id = std::string(id_start) + std::to_string(next_session_++);
     if (name.empty())
         name = id;

@@ -12,9 +12,9 @@ std::uint64_t SurfaceWaiters::add(std::uint32_t epoch,
                                   std::function<SurfaceOutcome()> give_up,
                                   Waiter waiter) {
     if (waiting_.size() >= limits::waiters) {
-        waiter(core::fail(core::Error::Code::OverLimit,
-                          "too many surface.wait calls are open for this surface",
-                          "let some of them finish first"));
+        waiter(core::over_limit(limits::waiters,
+                                "too many surface.wait calls are open for this surface",
+                                "let some of them finish first"));
         return 0;
     }
     const std::uint64_t id = next_++;

@@ -118,4 +118,13 @@ TEST(JsonRpc, GivesEveryErrorOfTheEngineACodeOfTheContract) {
     EXPECT_EQ(fault_of({Code::Unsupported, "m", "h"}).kind, "unsupported");
 }
 
+TEST(JsonRpc, SaysOfEveryErrorOverALimitWhichThatIs) {
+    using Code = core::Error::Code;
+    const core::Result<int> quota = core::over_limit(7, "m", "h");
+    EXPECT_EQ(*fault_of(quota.error()).detail, (json{{"limit", 7}}));
+    const core::Result<int> memory = core::fail(Code::OverLimit, "m", "h");
+    EXPECT_GT((*fault_of(memory.error()).detail)["limit"], 1U << 27) << "the machine's, in bytes";
+    EXPECT_EQ(fault_of({Code::NotFound, "m", "h"}).detail, nullptr);
+}
+
 } // namespace wakesurf::protocol

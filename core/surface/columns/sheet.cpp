@@ -72,10 +72,10 @@ Sheet::trace(const std::set<double>& parameters, const Clock& clock, const std::
 
 Result<void> Sheet::check_budget(std::size_t quads) const {
     if (quads > options_.max_quads)
-        return fail(Error::Code::OverLimit,
-                    "the surface would have more than " + std::to_string(options_.max_quads) +
-                        " quads",
-                    "raise maxQuads or the separation");
+        return over_limit(options_.max_quads,
+                          "the surface would have more than " + std::to_string(options_.max_quads) +
+                              " quads",
+                          "raise maxQuads or the separation");
     return {};
 }
 

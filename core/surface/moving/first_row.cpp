@@ -148,9 +148,9 @@ Result<void> lay_patch(MovingMesh& mesh,
                        std::uint64_t max_quads,
                        std::stop_token stop) {
     if (columns.count * rows > static_cast<double>(max_quads))
-        return fail(Error::Code::OverLimit,
-                    "the patch would have more than " + std::to_string(max_quads) + " quads",
-                    "raise maxQuads or the separation");
+        return over_limit(max_quads,
+                          "the patch would have more than " + std::to_string(max_quads) + " quads",
+                          "raise maxQuads or the separation");
     std::vector<double> s, t;
     for (double row = 0; row <= rows; ++row)
         for (const double here : columns.s) {

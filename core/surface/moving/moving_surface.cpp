@@ -103,9 +103,8 @@ Result<MovingSurface> MovingSurface::start(const Flow& flow,
                                            const Clock& clock) {
     const auto began = clock.now();
     if (rake.seeds > p.max_quads)
-        return fail(Error::Code::OverLimit,
-                    "the rake has more seeds than the surface may have quads",
-                    "use fewer seeds or a larger maxQuads");
+        return over_limit(p.max_quads, "the rake has more seeds than the surface may have quads",
+                          "use fewer seeds or a larger maxQuads");
     const auto speed = largest_speed(flow, rake, p.from, stop);
     if (!speed)
         return tl::unexpected(speed.error());

@@ -118,6 +118,9 @@ void expect_typed(const json& answer, const std::string& what) {
     EXPECT_TRUE(error["data"]["kind"].is_string() && error["data"]["hint"].is_string())
         << what << "\n"
         << error;
+    EXPECT_EQ(error["code"] == -32014, error["data"].value("limit", json()).is_number())
+        << what << ": which limit?\n"
+        << error;
     EXPECT_NE(error["code"], -32603) << what << ": the server did not expect this\n" << error;
     EXPECT_LT(error["message"].get<std::string>().size(), 500u) << what;
 }
@@ -342,9 +345,31 @@ TEST_F(Bombs, OfManyWaitsEndAtAQuotaThatIsNamed) {
         if (!answer.contains("error"))
             continue;
         ++refused;
+        expect_typed(answer, "surface.wait");
         EXPECT_EQ(answer["error"]["code"], -32014);
+        EXPECT_EQ(answer["error"]["data"]["limit"], 64);
     }
     EXPECT_EQ(refused, 36);
+    EXPECT_EQ(client.result("server.info")["limits"]["waiters"], 64);
+}
+
+TEST_F(Bombs, OfASurfaceThatIsTooLargeEndAtTheQuadsItMayHave) {
+    WebSocketClient client(*server_);
+    json rake{{"kind", "line"}, {"points", {{0.5, 0, 0}, {1, 0, 0}}}, {"seeds", 4096}};
+    rake["rake"] = client.result("rake.set", rake)["rake"];
+    json answer = client.call("surface.set", {{"rake", rake["rake"]},
+                                              {"kind", "streak"},
+                                              {"dataset", "lamb-oseen"},
+                                              {"from", 0},
+                                              {"to", 1},
+                                              {"maxQuads", 100}});
+    if (answer.contains("result"))
+        answer = client.call("surface.wait",
+                             {{"surface", answer["result"]["surface"]}, {"timeoutMs", 60000}});
+    expect_typed(answer, "surface.wait");
+    EXPECT_EQ(answer["error"]["code"], -32014) << answer;
+    EXPECT_EQ(answer["error"]["data"]["limit"], 100) << answer;
+    client.result("rake.delete", {{"rake", rake["rake"]}});
 }
 
 TEST_F(Bombs, OfManySessionsEndAtAQuotaThatIsNamedWhileAllAreInUse) {
