@@ -120,21 +120,39 @@ std::string presence_patched(const std::string& session,
 }
 
 std::string place_text(const PlaceRecord& record) {
-    return json{{"name", record.name},
-                {"colour", record.colour},
-                {"role", record.role},
-                {"grant", record.grant},
-                {"sha256", record.digest}}
-        .dump();
+    json out{{"name", record.name},   {"colour", record.colour}, {"role", record.role},
+             {"grant", record.grant}, {"sha256", record.digest}, {"roleSet", record.role_set}};
+    if (record.left)
+        out["left"] = *record.left;
+    if (!record.former.empty())
+        out["formerSha256"] = record.former;
+    return out.dump();
 }
 
 core::Result<PlaceRecord> read_place(std::string_view text) {
     const json kept = json::parse(text, nullptr, false);
+    const auto corrupt = core::fail(core::Error::Code::Corrupt, "a place that was kept is not one",
+                                    "join the session anew");
     for (const char* name : {"name", "colour", "role", "grant", "sha256"})
         if (!kept.is_object() || !kept.contains(name) || !kept[name].is_string())
-            return core::fail(core::Error::Code::Corrupt, "a place that was kept is not one",
-                              "join the session anew");
-    return PlaceRecord{kept["name"], kept["colour"], kept["role"], kept["grant"], kept["sha256"]};
+            return corrupt;
+    PlaceRecord record{kept["name"], kept["colour"], kept["role"], kept["grant"], kept["sha256"]};
+    if (kept.contains("roleSet")) { // before that only those were kept whose role was set
+        if (!kept["roleSet"].is_boolean())
+            return corrupt;
+        record.role_set = kept["roleSet"];
+    }
+    if (kept.contains("formerSha256")) {
+        if (!kept["formerSha256"].is_string())
+            return corrupt;
+        record.former = kept["formerSha256"];
+    }
+    if (kept.contains("left")) {
+        if (!kept["left"].is_number_integer())
+            return corrupt;
+        record.left = kept["left"].get<std::int64_t>();
+    }
+    return record;
 }
 
 } // namespace wakesurf::protocol

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -86,13 +87,18 @@ std::string presence_patched(const std::string& session,
                              std::span<const std::string> participants,
                              std::span<const std::string> left);
 
-/// A place in a session whose role a host has set, as it is kept. Of the resume token only the digest.
+/// A place in a session, as it is kept. Of the resume token only the digest.
 struct PlaceRecord {
     std::string name;
     std::string colour;
     std::string role;
-    std::string grant;  ///< share link it came by, or empty
-    std::string digest; ///< of the resume token, 64 hexadecimal digits
+    std::string grant;                  ///< share link it came by, or empty
+    std::string digest;                 ///< of the resume token, 64 hexadecimal digits
+    bool role_set = true;               ///< by a host, and so not the link's
+    std::optional<std::int64_t> left{}; ///< seconds since 1970; nothing: was connected
+    std::string former;                 ///< digest of the token before, or empty
+
+    bool operator==(const PlaceRecord&) const = default;
 };
 
 /// JSON text.

@@ -41,4 +41,20 @@ nlohmann::json clock_json(const ClockRecord& record) {
             {"from", or_null(record.from)}, {"to", or_null(record.to)}};
 }
 
+ClockRecord read_clock_record(CheckedJson& in, double most_speed) {
+    const PlaySetting played = read_play_setting(in, most_speed);
+    ClockRecord record;
+    record.time = in.number_if("time", -most_time, most_time);
+    record.playing = in.flag_or("playing", false);
+    record.speed = played.speed.value_or(record.speed);
+    record.loop = played.loop.value_or(record.loop);
+    record.from = played.from;
+    record.to = played.to;
+    if (record.from.has_value() != record.to.has_value())
+        in.fault("to", "goes with `from`");
+    if (record.playing && !(record.time && record.from))
+        in.fault("playing", "needs a time and what is played");
+    return record;
+}
+
 } // namespace wakesurf::protocol

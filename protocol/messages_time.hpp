@@ -34,4 +34,7 @@ struct ClockRecord {
 
 nlohmann::json clock_json(const ClockRecord& record);
 
+/// What clock_json gave; faults stay in `in`.
+ClockRecord read_clock_record(CheckedJson& in, double most_speed);
+
 } // namespace wakesurf::protocol

@@ -49,6 +49,10 @@ std::string record_text(const AnnotationRecord& record) {
     return json_text(annotation_json(record));
 }
 
+std::string record_text(const ClockRecord& record) {
+    return json_text(clock_json(record));
+}
+
 std::string record_text(const SessionHead& head) {
     return json_text({{"name", head.name},
                       {"seq", head.seq},
@@ -81,6 +85,10 @@ core::Result<BookmarkRecord> parse_bookmark(std::string_view text, const RecordL
 core::Result<AnnotationRecord> parse_annotation(std::string_view text, const RecordLimits& limits) {
     return parse(text,
                  [&](CheckedJson& in) { return read_annotation_record(in, limits.annotation); });
+}
+
+core::Result<ClockRecord> parse_clock(std::string_view text, const RecordLimits& limits) {
+    return parse(text, [&](CheckedJson& in) { return read_clock_record(in, limits.clock_speed); });
 }
 
 core::Result<SessionHead> parse_session_head(std::string_view text) {

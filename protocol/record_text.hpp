@@ -7,6 +7,7 @@
 #include "protocol/messages_bookmark.hpp"
 #include "protocol/messages_rake.hpp"
 #include "protocol/messages_surface.hpp"
+#include "protocol/messages_time.hpp"
 
 #include <cstdint>
 #include <string>
@@ -19,6 +20,7 @@ struct RecordLimits {
     SurfaceLimits surface;
     BookmarkLimits bookmark;
     AnnotationLimits annotation;
+    double clock_speed = 1.0;
 };
 
 /// What a session is besides its records.
@@ -38,6 +40,7 @@ std::string record_text(const RakeRecord& record);
 std::string record_text(const SurfaceRecord& record);
 std::string record_text(const BookmarkRecord& record);
 std::string record_text(const AnnotationRecord& record);
+std::string record_text(const ClockRecord& record);
 std::string record_text(const SessionHead& head);
 
 /// Error: Corrupt, OverLimit. A number comes back with the very same bits.
@@ -45,6 +48,7 @@ core::Result<RakeRecord> parse_rake(std::string_view text, const RecordLimits& l
 core::Result<SurfaceRecord> parse_surface(std::string_view text, const RecordLimits& limits);
 core::Result<BookmarkRecord> parse_bookmark(std::string_view text, const RecordLimits& limits);
 core::Result<AnnotationRecord> parse_annotation(std::string_view text, const RecordLimits& limits);
+core::Result<ClockRecord> parse_clock(std::string_view text, const RecordLimits& limits);
 core::Result<SessionHead> parse_session_head(std::string_view text);
 
 } // namespace wakesurf::protocol

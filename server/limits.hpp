@@ -53,6 +53,8 @@ inline constexpr std::size_t subscriptions = 1024; ///< of one WebSocket
 inline constexpr std::size_t sessions = 64;
 inline constexpr std::size_t participants = 1536;
 inline constexpr std::chrono::seconds absence{10}; ///< how long a lost connection is shown
+inline constexpr std::chrono::seconds place_kept{7 * 24 *
+                                                 3600};       ///< for whoever left, to come back to
 inline constexpr std::chrono::milliseconds presence_rest{50}; ///< between two tellings, at least
 inline constexpr std::size_t presence_bytes_per_ms =
     4000;                                             ///< of a session, to all its participants
@@ -88,6 +90,8 @@ inline constexpr std::size_t history_bytes = std::size_t{128}
 // Clocks.
 inline constexpr double clock_speed = 1e6; ///< simulation time a second
 inline constexpr std::chrono::milliseconds clock_tick{33};
+inline constexpr std::chrono::milliseconds clock_kept{
+    1000}; ///< between two times in the journal while it runs
 
 // Downloads.
 inline constexpr std::size_t downloads = 8; ///< whole meshes made at a time

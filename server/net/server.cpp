@@ -7,6 +7,7 @@
 #include "server/net/listener.hpp"
 #include "server/rpc/cache_news.hpp"
 #include "server/rpc/dataset_entry.hpp"
+#include "server/rpc/durability_notice.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/session/catalogue_datasets.hpp"
 #include "server/session/session_restoring.hpp"
@@ -103,15 +104,10 @@ struct Server::Parts {
     }
 
     void tell_durability(const core::Result<void>& turn) {
-        const std::string text = turn ? "edits are kept again, and so are all made meanwhile"
-                                      : "edits are not kept for now: " + turn.error().message;
         metrics.durable(turn.has_value());
         spdlog::log(turn ? spdlog::level::info : spdlog::level::warn, "event=durable yes={}",
                     turn.has_value());
-        connections.announce(protocol::rpc_notification(
-            "server.notice", {{"kind", turn ? "durableAgain" : "notDurable"},
-                              {"level", turn ? "info" : "warning"},
-                              {"text", text}}));
+        connections.announce(durability_notice(turn));
     }
 
     void tell_all(const std::string& dataset) {
@@ -236,6 +232,7 @@ void Server::run() {
     all.run_what_is_left();
     if (!all.journal)
         return;
+    all.sessions->keep_times();
     all.journal->finish();
     all.run_what_is_left();
 }

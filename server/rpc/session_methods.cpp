@@ -1,6 +1,7 @@
 // session.create, session.fork, session.list, session.join, session.leave, session.state.
 #include "protocol/checked_json.hpp"
 #include "server/limits.hpp"
+#include "server/rpc/durability_notice.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/patch_json.hpp"
 #include "server/rpc/records_json.hpp"
@@ -86,13 +87,17 @@ void join(const Call& call, Reply reply) {
              {"role", name(joined->you.role)},
              {"resumeToken", joined->resume_token}};
     const auto missed =
-        joined->returned && last_seq ? (*session)->changes_since(*last_seq) : std::nullopt;
+        joined->same_life && last_seq ? (*session)->changes_since(*last_seq) : std::nullopt;
     out["resumed"] = missed.has_value();
     if (missed)
         out["patches"] = patches_json(*missed);
     else
         out["snapshot"] = records_json(**session);
     reply.result(out);
+    // Those who were here when the disk began to refuse have been told then.
+    if (const Journal* journal = call.context.journal)
+        if (auto refusal = journal->refusal())
+            call.client->notify(durability_notice(tl::unexpected(std::move(*refusal))));
 }
 
 void state(const Call& call, Reply reply) {

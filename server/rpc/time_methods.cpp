@@ -53,7 +53,7 @@ std::vector<Method> time_methods() {
     const char* number = R"({"type":"number"})";
     const Parameter session = session_parameter();
     const std::string result = "{clock: {time, playing, speed, loop, from, to}}";
-    // Nothing of it is kept on the disk.
+    // It is kept, but nobody waits for the disk.
     const MethodTraits editor{Role::Editor, false, false};
     return {
         {"time.set",

@@ -28,12 +28,6 @@ std::optional<std::uint64_t> number_of(std::string_view id) {
 
 } // namespace
 
-std::int64_t unix_seconds() {
-    return std::chrono::duration_cast<std::chrono::seconds>(
-               std::chrono::system_clock::now().time_since_epoch())
-        .count();
-}
-
 Grants::Grants(GrantServices services) : services_(std::move(services)) {}
 
 core::Result<Grants::Made> Grants::make(const std::string& session,

@@ -10,6 +10,7 @@
 #include "server/session/journal.hpp"
 #include "server/session/loop.hpp"
 #include "server/session/secret.hpp"
+#include "server/session/unix_time.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -43,12 +44,9 @@ struct GrantServices {
     Loop& loop;
     const core::Clock& clock;
     Entropy& entropy;
-    std::function<std::int64_t()> wall_clock; ///< seconds since 1970: what survives a restart
-    Journal* journal = nullptr;               ///< nothing: not kept
+    UnixTime wall_clock;
+    Journal* journal = nullptr; ///< nothing: not kept
 };
-
-/// The system's wall clock.
-std::int64_t unix_seconds();
 
 /// Loop thread only. While it runs, links expire by the steady clock: setting the wall clock neither prolongs nor ends them.
 class Grants {

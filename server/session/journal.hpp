@@ -31,6 +31,9 @@ class Journal {
 
     /// Calls back on the loop once everything written so far is on the disk. Error: Io while that cannot be.
     virtual void settled(std::function<void(core::Result<void>)> done) = 0;
+
+    /// Why the disk does not take changes just now; nothing while it does.
+    virtual std::optional<core::Error> refusal() const { return std::nullopt; }
 };
 
 } // namespace wakesurf::server

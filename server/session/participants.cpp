@@ -37,6 +37,10 @@ std::optional<std::size_t> number_of(std::string_view id) {
     return number;
 }
 
+bool opens(const SecretDigest& token, const Participant& place) {
+    return same_digest(place.token, token) || (place.former && same_digest(*place.former, token));
+}
+
 /// Takes over `value` where it was given and is another; the bit of what changed.
 template <class T>
 unsigned take(T& mine, const T& value, unsigned given, unsigned bit) {
@@ -48,8 +52,10 @@ unsigned take(T& mine, const T& value, unsigned given, unsigned bit) {
 
 } // namespace
 
-Participants::Participants(std::string session, Loop& loop, Entropy& entropy, Journal* journal)
+Participants::Participants(
+    std::string session, Loop& loop, Entropy& entropy, Journal* journal, UnixTime unix_time)
     : session_(std::move(session)), loop_(loop), entropy_(entropy), journal_(journal),
+      unix_time_(std::move(unix_time)),
       news_(
           loop,
           [this] {
@@ -60,7 +66,7 @@ Participants::Participants(std::string session, Loop& loop, Entropy& entropy, Jo
 
 core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observer) {
     const SecretDigest token = secret_digest(arrival.resume_token);
-    const auto same = [&](const Participant& each) { return same_digest(each.token, token); };
+    const auto same = [&](const Participant& each) { return opens(token, each); };
     if (const Participant* mine = find(observer); mine != nullptr && !same(*mine))
         leave(observer);
     const bool here = std::any_of(present_.begin(), present_.end(), same);
@@ -71,6 +77,11 @@ core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observ
     Joined joined{take_place(token), arrival.resume_token, false};
     Participant& place = joined.you;
     joined.returned = !place.id.empty();
+    joined.same_life = joined.returned && !place.restored && same_digest(place.token, token);
+    if (joined.same_life)
+        place.former.reset(); // it has got the new one
+    else if (joined.returned)
+        joined.resume_token = renew_token(place, token);
     if (place.id.empty()) {
         joined.resume_token = random_hex(entropy_, 16);
         place.token = secret_digest(joined.resume_token);
@@ -90,16 +101,26 @@ core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observ
         place.colour = arrival.colour;
     Observer* const before = std::exchange(place.observer, &observer);
     present_.push_back(place);
+    keep(place);
     if (before != nullptr && before != &observer)
         before->sent_away(Farewell::Displaced);
     news_.changed(place.id, member::person | protocol::said(place.presence));
     return joined;
 }
 
+/// Clients know by it that what they remember was told by another life of the server.
+std::string Participants::renew_token(Participant& place, const SecretDigest& shown) {
+    std::string token = random_hex(entropy_, 16);
+    place.former = shown;
+    place.token = secret_digest(token);
+    place.restored = false;
+    return token;
+}
+
 /// Out of the lists; a place without an id where there is none.
 Participant Participants::take_place(const SecretDigest& token) {
     Participant place;
-    const auto same = [&](const Participant& each) { return same_digest(each.token, token); };
+    const auto same = [&](const Participant& each) { return opens(token, each); };
     if (const auto here = std::find_if(present_.begin(), present_.end(), same);
         here != present_.end()) {
         place = std::move(*here);
@@ -137,40 +158,50 @@ std::string Participants::free_colour() const {
     return std::string(participant_colours[static_cast<std::size_t>(least)]);
 }
 
-void Participants::leave(const Observer& observer) {
+/// Nothing for who is not connected here.
+std::optional<Participant> Participants::take_out(const Observer& observer) {
     const auto found = std::find_if(present_.begin(), present_.end(), [&](const Participant& each) {
         return each.observer == &observer;
     });
     if (found == present_.end())
-        return;
+        return std::nullopt;
     Participant place = std::move(*found);
     present_.erase(found);
-    const std::string id = place.id;
-    put_away(std::move(place), false);
+    return place;
+}
+
+void Participants::leave(const Observer& observer) {
+    auto place = take_out(observer);
+    if (!place)
+        return;
+    const std::string id = place->id;
+    const std::int64_t now = unix_time_();
+    keep(*place, now);
+    put_away(std::move(*place), now, false);
     news_.left(id);
 }
 
 void Participants::lose(const Observer& observer) {
-    const auto found = std::find_if(present_.begin(), present_.end(), [&](const Participant& each) {
-        return each.observer == &observer;
-    });
-    if (found == present_.end())
+    auto place = take_out(observer);
+    if (!place)
         return;
-    Participant place = std::move(*found);
-    present_.erase(found);
-    const std::string id = place.id;
-    put_away(std::move(place), true);
+    const std::string id = place->id;
+    const std::int64_t now = unix_time_();
+    keep(*place, now);
+    put_away(std::move(*place), now, true);
     news_.changed(id, member::connected);
 }
 
-void Participants::put_away(Participant place, bool show) {
+void Participants::put_away(Participant place, std::int64_t left, bool show) {
     place.observer = nullptr;
     if (!show)
         place.presence = {};
-    Absent absent{std::move(place), nullptr};
+    Absent absent{std::move(place), left, nullptr};
     if (show)
         absent.shown = loop_.after(limits::absence, [this, id = absent.place.id] { hide(id); });
-    absent_.push_back(std::move(absent));
+    const auto later = std::find_if(absent_.rbegin(), absent_.rend(),
+                                    [&](const Absent& each) { return each.left <= left; });
+    absent_.insert(later.base(), std::move(absent));
     trim();
 }
 
@@ -184,19 +215,24 @@ void Participants::hide(const std::string& id) {
     news_.left(id);
 }
 
-/// The oldest places that nobody sees any more.
+/// Those who left too long ago, and the oldest of too many, first of those nobody sees any more.
 void Participants::trim() {
+    const std::int64_t expired = unix_time_() - limits::place_kept.count();
+    while (!absent_.empty() && absent_.front().left < expired)
+        forget(absent_.begin());
     while (absent_.size() > limits::participants) {
         const auto oldest = std::find_if(absent_.begin(), absent_.end(),
                                          [](const Absent& each) { return !each.shown; });
-        const auto going = oldest == absent_.end() ? absent_.begin() : oldest;
-        const std::string id = going->place.id;
-        const bool shown = going->shown != nullptr;
-        strike(going->place);
-        absent_.erase(going);
-        if (shown)
-            news_.left(id);
+        forget(oldest == absent_.end() ? absent_.begin() : oldest);
     }
+}
+
+void Participants::forget(std::deque<Absent>::iterator going) {
+    const Absent gone = std::move(*going);
+    absent_.erase(going);
+    strike(gone.place);
+    if (gone.shown)
+        news_.left(gone.place.id);
 }
 
 void Participants::update(const Observer& observer, const protocol::PresenceUpdate& update) {
@@ -257,7 +293,9 @@ void Participants::set_role(const std::string& id, Role role) {
     Participant* const place = known(id);
     place->role = role;
     place->role_set = true;
-    keep(*place);
+    const auto away = std::find_if(absent_.begin(), absent_.end(),
+                                   [&](const Absent& each) { return each.place.id == id; });
+    keep(*place, away == absent_.end() ? std::nullopt : std::optional(away->left));
     if (visible(id) != nullptr)
         news_.changed(id, member::role);
 }
@@ -309,17 +347,18 @@ std::size_t Participants::tell(const PresenceNews::Batch& batch) const {
     return bytes;
 }
 
-void Participants::keep(const Participant& place) {
+void Participants::keep(const Participant& place, std::optional<std::int64_t> left) {
     if (journal_ != nullptr)
         journal_->write(
             session_,
             {{"participant", place.id,
               protocol::place_text({place.name, place.colour, std::string(name(place.role)),
-                                    place.grant, digest_text(place.token)})}});
+                                    place.grant, digest_text(place.token), place.role_set, left,
+                                    place.former ? digest_text(*place.former) : std::string()})}});
 }
 
 void Participants::strike(const Participant& place) {
-    if (journal_ != nullptr && place.role_set)
+    if (journal_ != nullptr)
         journal_->write(session_, {{"participant", place.id, std::nullopt}});
 }
 
@@ -330,7 +369,9 @@ core::Result<void> Participants::restore(const std::string& id, std::string_view
     const auto role = role_named(kept->role);
     const auto token = read_digest(kept->digest);
     const auto number = number_of(id);
-    if (!role || !token || !number || !is_colour(kept->colour))
+    const auto former = kept->former.empty() ? std::nullopt : read_digest(kept->former);
+    if (!role || !token || !number || !is_colour(kept->colour) ||
+        former.has_value() == kept->former.empty())
         return fail(Error::Code::Corrupt, "a place that was kept is not one",
                     "join the session anew");
     next_ = std::max(next_, *number + 1);
@@ -340,9 +381,14 @@ core::Result<void> Participants::restore(const std::string& id, std::string_view
     place.colour = kept->colour;
     place.role = *role;
     place.grant = kept->grant;
-    place.role_set = true;
+    place.role_set = kept->role_set;
     place.token = *token;
-    put_away(std::move(place), false);
+    place.former = former;
+    place.restored = true;
+    const std::int64_t left = kept->left.value_or(unix_time_());
+    if (!kept->left) // connected when the server ended: gone since now, as far as anybody knows
+        keep(place, left);
+    put_away(std::move(place), left, false);
     return {};
 }
 

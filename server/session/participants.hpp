@@ -1,5 +1,5 @@
 // Who is in a session: name, colour, role and presence. A lost connection is shown for ten seconds more, so that a quick
-// return is no news; with its resume token it keeps its place for longer.
+// return is no news; with its resume token it keeps its place for a week, also beyond the server's end.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -11,10 +11,13 @@
 #include "server/session/observer.hpp"
 #include "server/session/presence_news.hpp"
 #include "server/session/secret.hpp"
+#include "server/session/unix_time.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,9 +29,12 @@ struct Participant {
     std::string name;
     std::string colour;
     Role role = Role::Viewer;
-    std::string grant;            ///< the share link it came by; empty: the server's own token
-    bool role_set = false;        ///< by a host, and so not the link's
-    SecretDigest token{};         ///< of its resume token
+    std::string grant;     ///< the share link it came by; empty: the server's own token
+    bool role_set = false; ///< by a host, and so not the link's
+    SecretDigest token{};  ///< of its resume token
+    /// Of the token before, from an earlier life of the server, as long as the answer with the new one may have been lost.
+    std::optional<SecretDigest> former;
+    bool restored = false;        ///< nobody has come back to it since the server started
     Observer* observer = nullptr; ///< nothing: its connection is lost
     protocol::Presence presence;
 };
@@ -45,12 +51,18 @@ struct Joined {
     Participant you;
     std::string resume_token;
     bool returned = false; ///< to a place of an earlier stay
+    /// What the client saw was told by this server, since it started: it can go on from there. Else its token is another one now.
+    bool same_life = false;
 };
 
 /// Loop thread only. Observers leave before they end; the loop outlives the participants.
 class Participants {
   public:
-    Participants(std::string session, Loop& loop, Entropy& entropy, Journal* journal = nullptr);
+    Participants(std::string session,
+                 Loop& loop,
+                 Entropy& entropy,
+                 Journal* journal = nullptr,
+                 UnixTime unix_time = unix_seconds);
     Participants(const Participants&) = delete;
     Participants& operator=(const Participants&) = delete;
 
@@ -73,7 +85,7 @@ class Participants {
     /// Sends somebody away for good; the place is gone. REQUIRES: find(id).
     void remove(const std::string& id);
 
-    /// A place out of the journal. Error: Corrupt.
+    /// A place out of the journal. One that nobody has come back to for too long is struck from it. Error: Corrupt.
     core::Result<void> restore(const std::string& id, std::string_view record);
 
     /// Those connected.
@@ -91,27 +103,32 @@ class Participants {
   private:
     struct Absent {
         Participant place;
+        std::int64_t left;           ///< seconds since 1970
         std::shared_ptr<void> shown; ///< runs while it is shown; nothing: not shown any more
     };
 
     Participant take_place(const SecretDigest& token);
+    std::string renew_token(Participant& place, const SecretDigest& shown);
+    std::optional<Participant> take_out(const Observer& observer);
     bool taken(const std::string& name) const;
     std::string free_colour() const;
     Participant* known(const std::string& id);
     const Participant* visible(const std::string& id) const;
-    void put_away(Participant place, bool show);
+    void put_away(Participant place, std::int64_t left, bool show);
     void hide(const std::string& id);
     void trim();
+    void forget(std::deque<Absent>::iterator going);
     std::size_t tell(const PresenceNews::Batch& batch) const;
-    void keep(const Participant& place);
+    void keep(const Participant& place, std::optional<std::int64_t> left = {});
     void strike(const Participant& place);
 
     std::string session_;
     Loop& loop_;
     Entropy& entropy_;
     Journal* journal_;
+    UnixTime unix_time_;
     std::vector<Participant> present_;
-    std::deque<Absent> absent_; ///< newest last
+    std::deque<Absent> absent_; ///< who left last comes last
     std::size_t next_ = 1;
     PresenceNews news_;
 };

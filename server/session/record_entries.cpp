@@ -16,7 +16,8 @@ constexpr protocol::RecordLimits record_limits{
     {limits::seeds_least, limits::seeds_most, limits::rake_points, limits::name_bytes},
     {limits::quads_default, limits::quads_most},
     {limits::name_bytes, limits::view_bytes},
-    {limits::annotation_bytes, limits::name_bytes}};
+    {limits::annotation_bytes, limits::name_bytes},
+    limits::clock_speed};
 
 core::Result<Record> parse(RecordType type, const std::string& text) {
     const auto wide = [](auto record) { return Record(std::move(record)); };
@@ -77,12 +78,25 @@ void take_head(const std::string& text, KeptRecords& into) {
     into.records.skip_numbers(RecordType::Annotation, head->next_annotation);
 }
 
+void take_clock(const std::string& text, KeptRecords& into) {
+    auto clock = protocol::parse_clock(text, record_limits);
+    if (clock)
+        into.clock = *clock;
+    else
+        into.report.refused.push_back(
+            {clock.error().code, "clock: " + clock.error().message, clock.error().hint});
+}
+
 } // namespace
 
 JournalEntry entry_of(const Record& record) {
     RecordKey key = key_of(record);
     return {std::string(name(key.type)), std::move(key.id),
             std::visit([](const auto& each) { return protocol::record_text(each); }, record)};
+}
+
+JournalEntry entry_of(const protocol::ClockRecord& clock) {
+    return {"clock", "", protocol::record_text(clock)};
 }
 
 JournalEntry entry_of(const protocol::SessionHead& head) {
@@ -98,6 +112,8 @@ KeptRecords read_entries(std::span<const JournalEntry> entries) {
     for (const JournalEntry& entry : entries)
         if (entry.type == "session" && entry.record)
             take_head(*entry.record, out);
+        else if (entry.type == "clock" && entry.record)
+            take_clock(*entry.record, out);
     for (const RecordType type : record_types) // rakes first: surfaces hang on them
         for (const JournalEntry& entry : entries) {
             if (entry.type != name(type) || !entry.record)

@@ -8,6 +8,7 @@
 #include "server/session/session_records.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 namespace wakesurf::server {
 
 JournalEntry entry_of(const Record& record);
+JournalEntry entry_of(const protocol::ClockRecord& clock);
 JournalEntry entry_of(const protocol::SessionHead& head);
 JournalEntry entry_without(const RecordKey& key);
 
@@ -27,6 +29,7 @@ struct KeptRecords {
     std::string name; ///< of the session; empty where it was not kept
     std::uint64_t seq = 0;
     SessionRecords records;
+    std::optional<protocol::ClockRecord> clock; ///< as it was when it was kept
     RestoreReport report;
 };
 

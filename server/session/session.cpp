@@ -34,13 +34,16 @@ Session::Session(std::string id,
                  SessionServices services,
                  std::uint32_t& next_number)
     : id_(std::move(id)), name_(std::move(name)), services_(services),
-      participants_(id_, services.loop, services.entropy, services.journal),
+      participants_(id_, services.loop, services.entropy, services.journal, services.unix_time),
       leases_(services, [this](const std::string& rake) { lease_ended(rake); }),
       builds_(id_, services, records_, next_number, build_events()),
       clock_(services.loop,
              services.wall(),
-             {[this] { announce({clock_.record()}); },
-              [this](bool jumped) { builds_.show(clock_.time(), clock_.playing(), jumped); }}) {}
+             {[this] {
+                  time_kept_ = services_.now();
+                  announce({clock_.record()});
+              },
+              [this](bool jumped) { time_moved(jumped); }}) {}
 
 std::optional<std::vector<Patch>> Session::changes_since(std::uint64_t seq) const {
     auto changes = changes_.since(seq);

@@ -18,6 +18,7 @@
 #include "server/session/surface_builds.hpp"
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -131,6 +132,9 @@ class Session {
     /// Writes the session into the journal as it is, name and all.
     void keep();
 
+    /// Writes the time into the journal if the clock runs: otherwise it is there already.
+    void keep_time();
+
   private:
     using Epochs = std::vector<std::pair<std::string, std::uint32_t>>; ///< of surfaces
 
@@ -150,6 +154,7 @@ class Session {
     Epochs build(const std::vector<RecordChange>& changes);
     void begin(std::uint32_t epochs_before);
     protocol::SessionHead head() const;
+    void time_moved(bool jumped);
     void announce(const std::vector<Patch>& patches);
     SurfaceBuilds::Events build_events();
 
@@ -167,6 +172,7 @@ class Session {
     History history_;
     SurfaceBuilds builds_; ///< its jobs' events use what is above
     SessionClock clock_;
+    std::chrono::steady_clock::time_point time_kept_{}; ///< of the clock, in the journal
 };
 
 } // namespace wakesurf::server

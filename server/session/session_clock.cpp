@@ -75,6 +75,11 @@ void SessionClock::pause() {
     told();
 }
 
+void SessionClock::restore(const protocol::ClockRecord& kept) {
+    record_ = kept;
+    record_.playing = false;
+}
+
 void SessionClock::told() {
     ticker_.reset();
     last_ = record_.time.value_or(0.0);

@@ -41,6 +41,9 @@ class SessionClock {
 
     void pause();
 
+    /// As it was kept, stopped. Nobody is told: before anybody looks.
+    void restore(const protocol::ClockRecord& kept);
+
     /// Simulation time now; nothing: never set.
     std::optional<double> time() const;
 

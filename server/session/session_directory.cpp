@@ -107,6 +107,11 @@ bool SessionDirectory::make_room() {
     return true;
 }
 
+void SessionDirectory::keep_times() const {
+    for (const auto& [id, session] : sessions_)
+        session->keep_time();
+}
+
 void SessionDirectory::dataset_changed(const std::string& dataset) {
     for (const auto& [id, session] : sessions_)
         session->dataset_changed(dataset);

@@ -35,6 +35,9 @@ class SessionDirectory {
     /// Tells every session that more time-steps of a dataset can be read, or that it was opened again.
     void dataset_changed(const std::string& dataset);
 
+    /// Writes the times of clocks that run into the journal: the server is ending.
+    void keep_times() const;
+
     /// Called with the id of a session that had to make room.
     void on_removed(std::function<void(const std::string&)> tell) { removed_ = std::move(tell); }
 

@@ -28,15 +28,14 @@ std::vector<Patch> patches_of(const std::vector<RecordChange>& changes,
     return patches;
 }
 
-/// Nothing of the clock: a session comes back with it stopped, where every surface is complete.
-std::optional<JournalEntry> entry_of_patch(const Patch& patch) {
+JournalEntry entry_of_patch(const Patch& patch) {
     return std::visit(
-        [](const auto& each) -> std::optional<JournalEntry> {
+        [](const auto& each) -> JournalEntry {
             using Changed = std::decay_t<decltype(each)>;
             if constexpr (std::is_same_v<Changed, DeletedRecord>)
                 return JournalEntry{std::string(each.type), each.id, std::nullopt};
             else if constexpr (std::is_same_v<Changed, protocol::ClockRecord>)
-                return std::nullopt;
+                return entry_of(each);
             else
                 return entry_of(Record(each));
         },
@@ -109,8 +108,7 @@ void Session::announce(const std::vector<Patch>& patches) {
     if (services_.journal != nullptr) {
         std::vector<JournalEntry> entries{entry_of(head())};
         for (const Patch& each : patches)
-            if (auto entry = entry_of_patch(each))
-                entries.push_back(std::move(*entry));
+            entries.push_back(entry_of_patch(each));
         services_.journal->write(id_, std::move(entries));
     }
     for (const Participant& each : participants_.present())

@@ -1,4 +1,5 @@
 // A session beyond its life: to the journal, back from it, and as a copy.
+#include "server/limits.hpp"
 #include "server/session/session.hpp"
 
 #include <algorithm>
@@ -29,7 +30,22 @@ void Session::keep() {
     std::vector<JournalEntry> entries{entry_of(head())};
     std::transform(records.begin(), records.end(), std::back_inserter(entries),
                    [](const Record& each) { return entry_of(each); });
+    if (const protocol::ClockRecord clock = clock_.record(); clock != protocol::ClockRecord{})
+        entries.push_back(entry_of(clock));
     services_.journal->write(id_, std::move(entries));
+}
+
+void Session::keep_time() {
+    if (services_.journal == nullptr || !clock_.playing())
+        return;
+    services_.journal->write(id_, {entry_of(clock_.record())});
+    time_kept_ = services_.now();
+}
+
+void Session::time_moved(bool jumped) {
+    if (services_.now() - time_kept_ >= limits::clock_kept)
+        keep_time();
+    builds_.show(clock_.time(), clock_.playing(), jumped);
 }
 
 void Session::begin(std::uint32_t epochs_before) {
@@ -55,6 +71,10 @@ RestoreReport Session::restore(std::span<const JournalEntry> entries) {
     seq_ = kept.seq + restart_gap;
     changes_.start(seq_);
     records_ = std::move(kept.records);
+    if (kept.clock) { // its surfaces are built for that time
+        clock_.restore(*kept.clock);
+        builds_.show(clock_.time(), false, true);
+    }
     begin(restart_gap);
     return std::move(kept.report);
 }

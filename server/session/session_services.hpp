@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/clock.hpp"
+#include "server/session/unix_time.hpp"
 
 #include <chrono>
 
@@ -23,6 +24,7 @@ struct SessionServices {
     Metrics* metrics = nullptr;         ///< nobody counts without
     Journal* journal = nullptr;         ///< nothing is kept without
     const core::Clock* clock = nullptr; ///< the machine's without
+    UnixTime unix_time = unix_seconds;
 
     const core::Clock& wall() const {
         static const core::SteadyClock machine;

@@ -56,6 +56,11 @@ void SqliteJournal::settled(std::function<void(core::Result<void>)> done) {
         loop_.post([done = std::move(done)] { done({}); });
 }
 
+std::optional<core::Error> SqliteJournal::refusal() const {
+    const std::lock_guard lock(mutex_);
+    return refusal_;
+}
+
 void SqliteJournal::wait_for_work(std::unique_lock<std::mutex>& lock) {
     if (refusal_)
         wake_.wait_for(lock, retry_, [this] { return stopping_; });

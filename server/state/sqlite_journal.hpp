@@ -39,6 +39,7 @@ class SqliteJournal final : public Journal {
     void write(const std::string& session, std::vector<JournalEntry> entries) override;
     void remove(const std::string& session) override;
     void settled(std::function<void(core::Result<void>)> done) override;
+    std::optional<core::Error> refusal() const override;
 
     /// Writes what is still to be written, if the disk takes it, and posts the last callbacks. Waits for the disk. What comes after it
     /// is not kept.
@@ -56,7 +57,7 @@ class SqliteJournal final : public Journal {
     Turn turned_;
     std::chrono::milliseconds retry_;
 
-    std::mutex mutex_; ///< guards all below; never held while the disk is waited for
+    mutable std::mutex mutex_; ///< guards all below; never held while the disk is waited for
     std::condition_variable wake_;
     PendingWrites changes_;
     Waiting waiting_;

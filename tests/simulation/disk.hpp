@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -67,6 +68,12 @@ class WorldJournal final : public server::Journal {
     void settled(std::function<void(core::Result<void>)> done) override {
         waiting_.push_back({written_, std::move(done)});
         work();
+    }
+
+    std::optional<core::Error> refusal() const override {
+        if (world_.now() >= disk_.full_until)
+            return std::nullopt;
+        return core::Error{core::Error::Code::Io, "the disk is full", "make room"};
     }
 
   private:

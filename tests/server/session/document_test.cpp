@@ -77,6 +77,55 @@ TEST(Document, RestoredFromTheJournalAfterAnyEditItIsTheSameSession) {
     }
 }
 
+TEST(Document, TheClockComesBackStoppedWhereItWas) {
+    SessionBench before;
+    before.session->clock().set(2.0);
+    const auto restored = [&] {
+        SessionBench after;
+        EXPECT_TRUE(
+            after.sessions.restore("main", "main", before.journal.entries("main")).refused.empty());
+        const protocol::ClockRecord once = after.session->clock().record();
+        SessionBench again;
+        again.sessions.restore("main", "main", after.journal.entries("main"));
+        EXPECT_EQ(again.session->clock().record(), once) << "restored twice";
+        return once;
+    };
+    EXPECT_EQ(restored(), before.session->clock().record());
+    ASSERT_TRUE(before.session->clock().play({0.5, true, 1.0, 40.0}, std::nullopt));
+    const std::size_t batches = before.journal.batches;
+    before.loop.pass(std::chrono::milliseconds(20'700));
+    EXPECT_LE(before.journal.batches, batches + 21) << "one a second, not one a tick";
+    const protocol::ClockRecord running = before.session->clock().record();
+    const protocol::ClockRecord killed = restored();
+    EXPECT_FALSE(killed.playing);
+    EXPECT_LE(killed.time, running.time);
+    EXPECT_GE(*killed.time, *running.time - 0.55) << "half a unit a second, and a tick";
+    EXPECT_EQ(killed.speed, 0.5);
+    EXPECT_EQ(killed.loop, true);
+    EXPECT_EQ(killed.from, 1.0);
+    EXPECT_EQ(killed.to, 40.0);
+    before.sessions.keep_times();
+    EXPECT_EQ(restored().time, running.time) << "a server that ends in order keeps all of it";
+    before.session->clock().pause();
+    EXPECT_EQ(restored(), before.session->clock().record());
+    before.session->clock().set(std::nullopt);
+    EXPECT_EQ(restored().time, std::nullopt);
+}
+
+TEST(Document, ADamagedClockIsLeftOutAndTheRestIsThere) {
+    SessionBench before;
+    ASSERT_TRUE(before.session->set_rake(rake_at(1)));
+    for (const char* text : {"", "{}x", R"({"time":1e300})", R"({"speed":0})", R"({"from":1})",
+                             R"({"loop":1})", R"({"from":2,"to":1})", R"({"playing":true})"}) {
+        auto entries = before.journal.entries("main");
+        entries.push_back({"clock", "", text});
+        SessionBench after;
+        EXPECT_EQ(after.sessions.restore("main", "main", entries).refused.size(), 1u) << text;
+        EXPECT_EQ(after.session->clock().record(), protocol::ClockRecord{});
+        EXPECT_EQ(after.session->rakes().size(), 1u);
+    }
+}
+
 TEST(Document, EveryEditIsOneBatchOfTheJournal) {
     SessionBench bench;
     const auto rake = bench.session->set_rake(rake_at(0), bench.ada)->record.rake;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <random>
@@ -94,7 +95,9 @@ struct ParticipantsTest : testing::Test {
     HandLoop loop{clock};
     SystemEntropy entropy;
     Disk disk;
-    Participants people{"main", loop, entropy, &disk};
+    std::int64_t now = 1'700'000'000;
+    UnixTime unix_time = [this] { return now; };
+    Participants people{"main", loop, entropy, &disk, unix_time};
     Watcher ada{clock}, bob{clock}, eve{clock};
 };
 
@@ -260,7 +263,6 @@ TEST_F(ParticipantsTest, BringsARoleThatWasSetThroughARestart) {
     const Joined before = join(bob, "Bob", {}, link);
     join(ada);
     people.set_role(before.you.id, Role::Editor);
-    ASSERT_EQ(disk.records.size(), 1u);
     const std::string kept = *disk.records.at(before.you.id);
     EXPECT_EQ(kept.find(before.resume_token), std::string::npos);
     Participants after("main", loop, entropy, &disk);
@@ -274,6 +276,90 @@ TEST_F(ParticipantsTest, BringsARoleThatWasSetThroughARestart) {
     EXPECT_NE(after.join({}, fresh)->you.id, before.you.id);
     EXPECT_FALSE(after.restore("p9", "{}"));
     EXPECT_FALSE(after.restore("nine", kept));
+}
+
+TEST_F(ParticipantsTest, BringsEverybodysPlaceThroughARestartWithoutKeepingATokenOfIt) {
+    const Identity link{Role::Editor, "main", "g1"};
+    const Joined first = join(ada, "Ada");
+    const Joined second = *people.join({"Bob", "#123456", {}, link}, bob);
+    people.lose(bob); // one is connected when the server ends, the other has just gone
+    Participants after("main", loop, entropy, &disk, unix_time);
+    for (const auto& [id, record] : std::map(disk.records)) {
+        ASSERT_TRUE(record);
+        for (const Joined* each : {&first, &second})
+            EXPECT_EQ(record->find(each->resume_token), std::string::npos);
+        EXPECT_TRUE(after.restore(id, *record));
+    }
+    EXPECT_TRUE(after.shown().empty()) << "nobody is here yet";
+    Watcher ada_again(clock), bob_again(clock), stranger(clock);
+    const Joined back = *after.join({{}, {}, second.resume_token, link}, bob_again);
+    EXPECT_TRUE(back.returned);
+    EXPECT_EQ(back.you.id, second.you.id) << "and so what is undone, leased and said stays theirs";
+    EXPECT_EQ(back.you.name, "Bob");
+    EXPECT_EQ(back.you.colour, "#123456");
+    EXPECT_EQ(back.you.role, Role::Editor);
+    const Identity viewer{Role::Viewer, "main", "g2"};
+    EXPECT_EQ(after.join({{}, {}, second.resume_token, viewer}, bob_again)->you.role, Role::Viewer)
+        << "the role is the link's, not the place's";
+    EXPECT_EQ(after.join({{}, {}, first.resume_token, {}}, ada_again)->you.name, "Ada");
+    EXPECT_FALSE(after.join({{}, {}, "guessed", {}}, stranger)->returned);
+}
+
+TEST_F(ParticipantsTest, GivesAnotherTokenAfterARestartAndTakesTheOldOneUntilThatIsUsed) {
+    const Joined before = join(ada);
+    EXPECT_TRUE(join(ada, {}, before.resume_token).same_life);
+    const auto restart = [&](Participants& after) {
+        for (const auto& [id, record] : std::map(disk.records))
+            EXPECT_TRUE(after.restore(id, *record));
+    };
+    Participants second("main", loop, entropy, &disk, unix_time);
+    restart(second);
+    const Joined lost = *second.join({{}, {}, before.resume_token, {}}, ada); // its answer is
+    EXPECT_NE(lost.resume_token, before.resume_token);
+    EXPECT_FALSE(lost.same_life) << "what it remembers was told by another server";
+    Participants third("main", loop, entropy, &disk, unix_time);
+    restart(third);
+    const Joined back = *third.join({{}, {}, before.resume_token, {}}, bob);
+    EXPECT_EQ(back.you.id, before.you.id);
+    EXPECT_FALSE(back.same_life);
+    const Joined again = *third.join({{}, {}, before.resume_token, {}}, eve);
+    EXPECT_EQ(again.you.id, before.you.id);
+    EXPECT_FALSE(again.same_life) << "it has not got what the one before was told";
+    const Joined known = *third.join({{}, {}, again.resume_token, {}}, bob);
+    EXPECT_TRUE(known.same_life);
+    EXPECT_EQ(known.resume_token, again.resume_token);
+    EXPECT_FALSE(third.join({{}, {}, before.resume_token, {}}, ada)->returned)
+        << "it has done its duty";
+}
+
+TEST_F(ParticipantsTest, ForgetsWhoHasNotComeBackForAWeekAndSoDoesTheDisk) {
+    const auto week = limits::place_kept.count();
+    const Joined early = join(ada), late = join(bob);
+    people.leave(ada);
+    now += week / 2;
+    people.leave(bob);
+    now += week / 2 + 1;
+    Participants after("main", loop, entropy, &disk, unix_time);
+    for (const auto& [id, record] : std::map(disk.records))
+        EXPECT_TRUE(after.restore(id, *record));
+    EXPECT_EQ(disk.records.at(early.you.id), std::nullopt);
+    EXPECT_TRUE(disk.records.at(late.you.id));
+    EXPECT_FALSE(after.join({{}, {}, early.resume_token, {}}, ada)->returned);
+    EXPECT_TRUE(after.join({{}, {}, late.resume_token, {}}, bob)->returned);
+    now += 2 * week;
+    join(eve);
+    people.leave(eve);
+    EXPECT_FALSE(join(eve, {}, late.resume_token).returned) << "a server that runs forgets as well";
+}
+
+TEST_F(ParticipantsTest, KeepsNoMorePlacesOnTheDiskThanTheLimit) {
+    for (std::size_t i = 0; i < limits::participants + 50; ++i) {
+        join(ada);
+        people.leave(ada);
+    }
+    const auto kept = std::count_if(disk.records.begin(), disk.records.end(),
+                                    [](const auto& each) { return each.second.has_value(); });
+    EXPECT_EQ(kept, static_cast<std::ptrdiff_t>(limits::participants));
 }
 
 TEST_F(ParticipantsTest, RemovesSomebodyForGood) {

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdio>
+#include <memory>
 
 namespace wakesurf::tests {
 
@@ -109,6 +110,88 @@ TEST_F(DurableServer, BringsSessionsBackByNameAndForgetsNone) {
     const json fresh = client.result("session.create", {{"name", "Mary"}})["session"];
     EXPECT_NE(fresh, ids[0]);
     EXPECT_NE(fresh, ids[1]);
+}
+
+TEST_F(DurableServer, HasTheClockWhereItWas) {
+    const auto clock = [](WebSocketClient& client) {
+        return client.result("session.state")["clock"];
+    };
+    {
+        ServerProcess server(arguments());
+        WebSocketClient client(server);
+        client.result("time.set", {{"time", 1.25}});
+        EXPECT_EQ(client.result("rake.set", rake_at(1))["durable"], true);
+        server.kill();
+    }
+    json stopped;
+    {
+        ServerProcess server(arguments());
+        WebSocketClient client(server);
+        EXPECT_EQ(clock(client)["time"], 1.25);
+        client.result("time.play", {{"speed", 0.1}, {"from", 1}, {"to", 9}});
+        stopped = clock(client);
+        EXPECT_EQ(server.stop().status, 0);
+    }
+    ServerProcess server(arguments());
+    WebSocketClient client(server);
+    EXPECT_EQ(clock(client)["playing"], false);
+    EXPECT_GE(clock(client)["time"], stopped["time"]);
+    EXPECT_EQ(clock(client)["speed"], 0.1);
+}
+
+TEST_F(DurableServer, GivesEverybodyTheirPlaceAgain) {
+    json ada, bob, link;
+    const auto bearer = [](const json& made) {
+        return Headers{{"Authorization", "Bearer " + made["key"].get<std::string>()}};
+    };
+    {
+        ServerProcess server(arguments());
+        WebSocketClient host(server, "");
+        ada = host.result("session.join",
+                          {{"session", "main"}, {"name", "Ada"}, {"colour", "#102030"}});
+        link = host.result("session.share", {{"session", "main"}, {"role", "editor"}});
+        WebSocketClient guest(server, "", bearer(link));
+        bob = guest.result("session.join", {{"session", "main"}, {"name", "Bob"}});
+        EXPECT_EQ(host.result("rake.set", rake_at(1))["durable"], true);
+        server.kill();
+    }
+    ServerProcess server(arguments());
+    const auto rejoin = [&](WebSocketClient& client, const json& before) {
+        return client.result("session.join", {{"session", "main"},
+                                              {"resumeToken", before["resumeToken"]},
+                                              {"lastSeq", before["seq"]}});
+    };
+    WebSocketClient host(server, "");
+    const json back = rejoin(host, ada);
+    EXPECT_EQ(back["you"], ada["you"]);
+    EXPECT_EQ(back["role"], "host");
+    ASSERT_EQ(back["participants"].size(), 1u);
+    EXPECT_EQ(back["participants"][0]["name"], "Ada");
+    EXPECT_EQ(back["participants"][0]["colour"], "#102030");
+    EXPECT_EQ(back["resumed"], false) << "of what was missed nobody knows: a snapshot";
+    EXPECT_NE(back["resumeToken"], ada["resumeToken"]) << "so that the page forgets what it saw";
+    WebSocketClient guest(server, "", bearer(link));
+    const json again = rejoin(guest, bob);
+    EXPECT_EQ(again["you"], bob["you"]);
+    EXPECT_EQ(again["role"], "editor");
+    EXPECT_EQ(
+        read_file(folder / "state" / "sessions.sqlite").find(ada["resumeToken"].get<std::string>()),
+        std::string::npos);
+}
+
+TEST_F(DurableServer, TellsWhoComesWhileNothingCanBeWritten) {
+    ServerProcess server(arguments());
+    WebSocketClient early(server);
+    std::unique_ptr<WebSocketClient> late;
+    {
+        const FullDisk full(server.pid());
+        EXPECT_EQ(early.result("rake.set", rake_at(1))["durable"], false);
+        late = std::make_unique<WebSocketClient>(server);
+        const json notice = late->notification("server.notice");
+        EXPECT_EQ(notice["kind"], "notDurable");
+        EXPECT_EQ(notice, early.notification("server.notice")) << "as those who were there";
+    }
+    EXPECT_EQ(late->notification("server.notice")["kind"], "durableAgain");
 }
 
 TEST_F(DurableServer, LetsPeopleInByAShareLinkThatWasMadeBefore) {

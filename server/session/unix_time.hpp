@@ -1,0 +1,19 @@
+// The time that outlives a restart: for people setting clocks it may jump, so nothing is measured by it while the server runs.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+
+namespace wakesurf::server {
+
+/// Gives seconds since 1970.
+using UnixTime = std::function<std::int64_t()>;
+
+/// The machine's.
+inline std::int64_t unix_seconds() {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::seconds>(now).count();
+}
+
+} // namespace wakesurf::server
