@@ -9,8 +9,6 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr std::string_view cookie_name = "wakesurf_session";
-
 std::string lower(std::string_view text) {
     std::string out(text);
     for (char& c : out)
@@ -30,8 +28,19 @@ std::optional<std::string_view> bearer(std::string_view header) {
     return header;
 }
 
-/// Several cookies of our name may come: one of another wakesurf on this host, whatever its port.
-std::vector<std::string_view> our_cookies(const HttpRequest& request) {
+/// Browsers send a cookie to every port of a host, so its name says which: two servers would log each other out. It is the port
+/// browsers know, which may be another than ours behind a proxy or in a container.
+std::string cookie_name(const HttpRequest& request, std::uint16_t own_port) {
+    const std::string_view authority = request.header("host");
+    const auto colon = authority.rfind(':');
+    const bool port =
+        colon != std::string_view::npos && authority.find(']', colon) == std::string_view::npos;
+    return "wakesurf_session_" +
+           (port ? std::string(authority.substr(colon + 1)) : std::to_string(own_port));
+}
+
+/// Several of one name may come, from a host and the domain above it.
+std::vector<std::string_view> cookies_named(std::string_view name, const HttpRequest& request) {
     std::vector<std::string_view> found;
     for (std::string_view header : request.all("cookie"))
         while (!header.empty()) {
@@ -40,7 +49,7 @@ std::vector<std::string_view> our_cookies(const HttpRequest& request) {
             header.remove_prefix(std::min(end + 1, header.size()));
             pair.remove_prefix(std::min(pair.find_first_not_of(' '), pair.size()));
             const auto equals = pair.find('=');
-            if (equals != std::string_view::npos && pair.substr(0, equals) == cookie_name)
+            if (equals != std::string_view::npos && pair.substr(0, equals) == name)
                 found.push_back(pair.substr(equals + 1));
         }
     return found;
@@ -154,7 +163,8 @@ tl::expected<Identity, Refusal> Gate::check_token(const HttpRequest& request) {
             return *identity;
         return tl::unexpected(wrong_token());
     }
-    for (const std::string_view cookie : our_cookies(request))
+    for (const std::string_view cookie :
+         cookies_named(cookie_name(request, options_.port), request))
         if (const auto grant = cookies_.grant_of(cookie))
             if (const auto identity = holder_of_grant(*grant))
                 return *identity;
@@ -191,13 +201,14 @@ tl::expected<std::string, Refusal> Gate::login(const HttpRequest& request, std::
     const auto identity = options_.token.empty() ? Identity{} : holder_of(token);
     if (!identity)
         return tl::unexpected(wrong_token());
+    const std::string name = cookie_name(request, options_.port);
     std::string value;
-    for (const std::string_view cookie : our_cookies(request))
+    for (const std::string_view cookie : cookies_named(name, request))
         if (cookies_.grant_of(cookie) == identity->grant)
             value = cookie;
     if (value.empty())
         value = cookies_.make(identity->grant);
-    return std::string(cookie_name) + "=" + value + "; HttpOnly; SameSite=Strict; Path=/" +
+    return name + "=" + value + "; HttpOnly; SameSite=Strict; Path=/" +
            (options_.tls ? "; Secure" : "");
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 namespace wakesurf::server {
 namespace {
@@ -27,6 +29,16 @@ TEST(ChildProcess, GivesOutputByLineAndTheExitStatus) {
 TEST(ChildProcess, HasNothingOnStandardInput) {
     (void)shell("cat; echo end");
     EXPECT_EQ(lines, (std::vector<std::string>{"end"}));
+}
+
+TEST(ChildProcess, HasNoneOfTheServersSockets) {
+    const int socket = ::socket(AF_INET, SOCK_STREAM, 0); // as Asio opens them
+    ASSERT_GE(socket, 0);
+    (void)shell("for file in /proc/$$/fd/*; do readlink $file; done");
+    for (const std::string& line : lines)
+        EXPECT_EQ(line.find("socket:"), std::string::npos) << line;
+    EXPECT_EQ(lines.size(), 3u) << "standard input, output and error";
+    ::close(socket);
 }
 
 TEST(ChildProcess, TellsACrash) {

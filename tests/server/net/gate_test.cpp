@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -141,8 +142,8 @@ TEST_F(GateTest, TakesTheTokenAsBearerOrItsCookie) {
     EXPECT_EQ(status(with("authorization", "Bearer " + token.substr(1))), 401u);
     EXPECT_EQ(status(with("authorization", "Bearer ")), 401u);
     EXPECT_EQ(status(with("cookie", cookie())), 200u);
-    EXPECT_EQ(status(with("cookie", "a=b; wakesurf_session=0; " + cookie())), 200u);
-    EXPECT_EQ(status(with("cookie", "wakesurf_session=" + token)), 401u)
+    EXPECT_EQ(status(with("cookie", "a=b; wakesurf_session_8080=0; " + cookie())), 200u);
+    EXPECT_EQ(status(with("cookie", "wakesurf_session_8080=" + token)), 401u)
         << "the cookie is not the token";
     EXPECT_EQ(status(with("cookie", "x" + cookie())), 401u);
     EXPECT_EQ(status(request("GET", {{"host", "localhost"},
@@ -193,7 +194,7 @@ TEST_F(GateTest, KnowsWhoComesByTheTokenTheKeyOfAShareLinkOrTheirCookies) {
     EXPECT_EQ(who("authorization", "Bearer " + made->key), editor);
     EXPECT_EQ(who("cookie", cookie()), host);
     EXPECT_EQ(who("cookie", cookie(made->key)), editor);
-    EXPECT_EQ(who("cookie", "wakesurf_session=" + made->key), std::nullopt);
+    EXPECT_EQ(who("cookie", "wakesurf_session_8080=" + made->key), std::nullopt);
     EXPECT_EQ(who("authorization", "Bearer " + made->grant.id), std::nullopt);
 }
 
@@ -223,6 +224,39 @@ TEST_F(GateTest, GivesABrowserThatLogsInAgainTheCookieItHas) {
     const std::string viewer = cookie(made->key, request("POST", {{"cookie", mine}}));
     EXPECT_NE(viewer, mine) << "a link never gives what the token gave";
     EXPECT_EQ(who("cookie", viewer)->role, Role::Viewer);
+}
+
+TEST_F(GateTest, LeavesTheLoginsOfOtherServersOnTheHostAlone) {
+    Gate other{{"another-token", "127.0.0.1", 9000, {}}, entropy, clock, grants};
+    std::map<std::string, std::string> jar; ///< of a browser: one for the host, whatever the port
+    const auto cookies = [&] {
+        std::string out;
+        for (const auto& [name, value] : jar)
+            out += (out.empty() ? "" : "; ") + name + "=" + value;
+        return out;
+    };
+    const auto login = [&](Gate& to, const char* host, const std::string& secret) {
+        const auto value =
+            *to.login(request("POST", {{"host", host}, {"cookie", cookies()}}), secret);
+        const auto equals = value.find('=');
+        jar[value.substr(0, equals)] = value.substr(equals + 1, value.find(';') - equals - 1);
+    };
+    const auto comes_in = [&](Gate& to, const char* host) {
+        return to.check(request("GET", {{"host", host}, {"cookie", cookies()}})).has_value();
+    };
+    login(gate, "localhost:8080", token);
+    login(other, "localhost:9000", "another-token");
+    EXPECT_TRUE(comes_in(gate, "localhost:8080"));
+    EXPECT_TRUE(comes_in(other, "localhost:9000"));
+    EXPECT_EQ(jar.size(), 2u);
+    // In containers both listen on one port, and browsers know them by others.
+    Gate twin{{"a-third-token", "127.0.0.1", 8080, {}}, entropy, clock, grants};
+    login(gate, "[::1]:8081", token);
+    login(twin, "[::1]:8082", "a-third-token");
+    EXPECT_TRUE(comes_in(gate, "[::1]:8081"));
+    EXPECT_TRUE(comes_in(twin, "[::1]:8082"));
+    login(gate, "[::1]", token);
+    EXPECT_TRUE(comes_in(gate, "[::1]")) << "a default port is not said";
 }
 
 TEST_F(GateTest, ForgetsTheOldestCookieOfWhoeverLogsInTooOften) {

@@ -142,7 +142,7 @@ TEST_F(Http, ChecksEveryHandshakeBeforeTheUpgrade) {
         {{{"Origin", "http://evil.example"}}, 403},
         {{{"Authorization", "Bearer nonsense"}}, 401},
         {{{"Authorization", "Bearer "}}, 401},
-        {{{"Cookie", "wakesurf_session=" + server_->token()}, {"Origin", here}}, 401},
+        {{{"Cookie", "wakesurf_session_" + port + "=" + server_->token()}, {"Origin", here}}, 401},
     };
     for (const auto& [headers, expected] : table) {
         RawSocket socket(server_->port());
