@@ -86,6 +86,10 @@ inline constexpr std::uint64_t quads_most = 4'000'000;
 inline constexpr std::uint64_t wait_ms = 600'000;
 inline constexpr std::size_t history_bytes = std::size_t{128}
                                              << 20; ///< of a moving surface, to step back to
+inline constexpr std::size_t histories_bytes = std::size_t{512} << 20; ///< of all together
+inline constexpr std::chrono::seconds history_rest{
+    30}; ///< a history not used for so long goes before others get smaller
+inline constexpr std::size_t restoring = 2; ///< surfaces built at a time that nobody looks at yet
 
 // Clocks.
 inline constexpr double clock_speed = 1e6; ///< simulation time a second

@@ -87,6 +87,7 @@ void subscribe(const Call& call, Reply reply) {
                   {"epoch", (*live)->epoch()},
                   {"resumed", cursor.resumed()}});
     call.client->subscribe(std::move(cursor));
+    (*live)->begin_now();
 }
 
 void unsubscribe(const Call& call, Reply reply) {

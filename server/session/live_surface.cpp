@@ -2,6 +2,7 @@
 
 #include "server/limits.hpp"
 #include "server/metrics/metrics.hpp"
+#include "server/session/build_turns.hpp"
 
 #include <limits>
 #include <new>
@@ -58,6 +59,8 @@ void LiveSurface::stop_jobs() {
 void LiveSurface::begin_epoch() {
     stop_jobs();
     ++epoch_;
+    held_ = false;
+    turn_.reset();
     build_.reset();
     error_.reset();
     full_.reset();
@@ -67,7 +70,7 @@ void LiveSurface::begin_epoch() {
     ring_->begin(epoch_);
 }
 
-std::uint32_t LiveSurface::rebuild(SurfaceJob wanted) {
+std::uint32_t LiveSurface::rebuild(SurfaceJob wanted, BuildTurns* turns) {
     begin_epoch();
     if (wanted.parameters.kind != wanted_.parameters.kind || !wanted_.flow)
         budgets_ = PassBudgets(!moves(wanted.parameters));
@@ -77,9 +80,24 @@ std::uint32_t LiveSurface::rebuild(SurfaceJob wanted) {
     wanted_.number = number_;
     wanted_.epoch = epoch_;
     building_ = true;
-    build_ = std::make_shared<SurfaceBuild>(wanted_, services_.clock);
+    build_ = std::make_shared<SurfaceBuild>(wanted_, services_.clock, services_.histories);
+    if (turns != nullptr) {
+        held_ = true;
+        turns->queue([weak = weak_from_this(), epoch = epoch_](std::shared_ptr<void> turn) {
+            const auto self = weak.lock();
+            if (self && self->epoch_ == epoch)
+                self->begin_now(std::move(turn));
+        });
+    }
     advance();
     return epoch_;
+}
+
+void LiveSurface::begin_now(std::shared_ptr<void> turn) {
+    if (!std::exchange(held_, false))
+        return;
+    turn_ = std::move(turn);
+    advance();
 }
 
 std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error) {
@@ -164,6 +182,8 @@ Pace LiveSurface::pace(const SurfacePass& pass) const {
 }
 
 void LiveSurface::advance() {
+    if (held_)
+        return;
     for (const auto& lane : lanes_)
         if (lane && lane->epoch == epoch_)
             return; // its end comes here
@@ -236,6 +256,7 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
                                          ring->trim();
                                  });
     if (pass.phase == Phase::Live) {
+        turn_.reset();
         waiters_->answer(epoch_, outcome());
         return;
     }
@@ -261,6 +282,7 @@ void LiveSurface::failed(const SurfacePass& pass, core::Error error, double seco
 
 /// The epoch has ended, as things are.
 void LiveSurface::conclude() {
+    turn_.reset();
     events_.done(outcome());
     if (error_)
         waiters_->answer(epoch_, tl::unexpected(*error_));
@@ -285,7 +307,8 @@ SurfaceOutcome LiveSurface::outcome() const {
 
 void LiveSurface::retire() {
     stop_jobs();
-    building_ = false;
+    building_ = held_ = false;
+    turn_.reset();
     ++epoch_; // what the running jobs still give is nobody's
     ring_->close();
     waiters_->answer(std::numeric_limits<std::uint32_t>::max(),
@@ -301,6 +324,7 @@ LiveSurface::wait(std::uint32_t epoch, std::chrono::milliseconds patience, Waite
                          : core::Result<SurfaceOutcome>(now));
         return 0;
     }
+    begin_now();
     return waiters_->add(
         epoch, patience,
         [weak = weak_from_this()] {

@@ -23,6 +23,7 @@
 
 namespace wakesurf::server {
 
+class BuildTurns;
 class Metrics;
 
 /// Loop thread only. Held by shared_ptr because a job's result finds its way back through a weak one.
@@ -38,7 +39,8 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
         Loop& loop;
         ComputePool& pool;
         const core::Clock& clock;
-        Metrics* metrics; ///< may be null
+        Metrics* metrics;                         ///< may be null
+        const HistoryBudget* histories = nullptr; ///< each surface has its own without
     };
 
     using Waiter = SurfaceWaiters::Waiter;
@@ -54,7 +56,11 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     LiveSurface& operator=(const LiveSurface&) = delete;
 
     /// Makes `wanted` (whose number and epoch are filled in here) the surface to build; returns its epoch.
-    std::uint32_t rebuild(SurfaceJob wanted);
+    /// @param turns  begins when its turn comes, or somebody looks at it or waits; null: at once
+    std::uint32_t rebuild(SurfaceJob wanted, BuildTurns* turns = nullptr);
+
+    /// Somebody looks at it: if it still waits for its turn, it begins now.
+    void begin_now(std::shared_ptr<void> turn = nullptr);
 
     /// There is nothing to build just now: an epoch whose outcome is `error`, told from the loop. Returns the epoch.
     std::uint32_t refuse(core::SurfaceKind kind, core::Error error);
@@ -131,7 +137,9 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::shared_ptr<SurfaceWaiters> waiters_;
 
     std::uint32_t epoch_ = 0;
-    bool building_ = false; ///< there is a wanted surface, and it has not failed
+    bool building_ = false;      ///< there is a wanted surface, and it has not failed
+    bool held_ = false;          ///< its turn has not come
+    std::shared_ptr<void> turn_; ///< while it is built in its turn
     SurfaceJob wanted_;
     std::optional<core::Error> error_;
     std::optional<double> time_; ///< of the session's clock

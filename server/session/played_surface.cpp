@@ -93,6 +93,18 @@ core::Result<PlayedSurface> PlayedSurface::start(const SurfaceJob& job,
     return played;
 }
 
+void PlayedSurface::limit(std::size_t budget_bytes) {
+    for (Part& part : parts_)
+        part.history.limit(budget_bytes / parts_.size());
+}
+
+std::size_t PlayedSurface::bytes() const {
+    std::size_t sum = 0;
+    for (const Part& part : parts_)
+        sum += part.history.bytes() + part.history.surface().state().bytes();
+    return sum;
+}
+
 core::Result<KeyedMesh>
 PlayedSurface::part_at(Part& part, double age, const std::stop_token& stop) {
     for (;;) {

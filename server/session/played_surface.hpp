@@ -34,6 +34,12 @@ class PlayedSurface {
     /// Error: Cancelled, what stepping reports.
     core::Result<Shown> at(double age, const std::stop_token& stop);
 
+    /// Another budget for what is kept to step back to.
+    void limit(std::size_t budget_bytes);
+
+    /// What it takes.
+    std::size_t bytes() const;
+
   private:
     struct Part {
         core::SurfaceHistory history;

@@ -151,7 +151,7 @@ class Session {
 
     Epochs edit(std::vector<RecordChange> changes, const Author& author, std::uint64_t drag = 0);
     Epochs commit(const std::vector<RecordChange>& changes);
-    Epochs build(const std::vector<RecordChange>& changes);
+    Epochs build(const std::vector<RecordChange>& changes, BuildTurns* turns = nullptr);
     void begin(std::uint32_t epochs_before);
     protocol::SessionHead head() const;
     void time_moved(bool jumped);

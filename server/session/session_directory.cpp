@@ -22,7 +22,11 @@ std::size_t number_of(std::string_view id) {
 
 } // namespace
 
-SessionDirectory::SessionDirectory(SessionServices services) : services_(services) {
+SessionDirectory::SessionDirectory(SessionServices services)
+    : turns_(services.loop, limits::restoring),
+      histories_(limits::histories_bytes, limits::history_bytes), services_(std::move(services)) {
+    services_.turns = &turns_;
+    services_.histories = &histories_;
     add("main", "main");
 }
 

@@ -2,6 +2,8 @@
 // arranging anything.
 #pragma once
 
+#include "server/session/build_turns.hpp"
+#include "server/session/history_budget.hpp"
 #include "server/session/session.hpp"
 
 #include <deque>
@@ -48,6 +50,8 @@ class SessionDirectory {
     core::Result<std::shared_ptr<Session>> add_new(std::string name);
     bool make_room();
 
+    BuildTurns turns_;
+    HistoryBudget histories_;
     SessionServices services_;
     std::uint32_t next_surface_number_ = 1;
     std::size_t next_session_ = 1;

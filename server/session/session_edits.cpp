@@ -78,7 +78,7 @@ Session::Epochs Session::commit(const std::vector<RecordChange>& changes) {
     return epochs;
 }
 
-Session::Epochs Session::build(const std::vector<RecordChange>& changes) {
+Session::Epochs Session::build(const std::vector<RecordChange>& changes, BuildTurns* turns) {
     std::set<std::string> set;
     std::set<std::string> hanging;
     for (const RecordChange& each : changes) {
@@ -91,7 +91,7 @@ Session::Epochs Session::build(const std::vector<RecordChange>& changes) {
     Epochs epochs;
     for (const auto& [id, record] : records_.all<protocol::SurfaceRecord>())
         if (set.contains(id))
-            epochs.emplace_back(id, builds_.build(record));
+            epochs.emplace_back(id, builds_.build(record, turns));
         else if (hanging.contains(id))
             if (const auto epoch = builds_.rebuild(record))
                 epochs.emplace_back(id, *epoch);

@@ -60,7 +60,8 @@ void Session::begin(std::uint32_t epochs_before) {
         records_.put(record);
         changes.push_back({key_of(record), nullptr, std::make_shared<const Record>(record)});
     }
-    build(changes);
+    // Nobody may ever look at what is restored; a copy is made to be looked at.
+    build(changes, epochs_before == 0 ? nullptr : services_.turns);
     keep();
 }
 

@@ -8,9 +8,11 @@
 
 namespace wakesurf::server {
 
+class BuildTurns;
 class ComputePool;
 class Datasets;
 class Entropy;
+class HistoryBudget;
 class Journal;
 class Loop;
 class Metrics;
@@ -25,6 +27,8 @@ struct SessionServices {
     Journal* journal = nullptr;         ///< nothing is kept without
     const core::Clock* clock = nullptr; ///< the machine's without
     UnixTime unix_time = unix_seconds;
+    BuildTurns* turns = nullptr;              ///< restored surfaces are built at once without
+    const HistoryBudget* histories = nullptr; ///< each surface has its own without
 
     const core::Clock& wall() const {
         static const core::SteadyClock machine;

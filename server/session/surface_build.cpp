@@ -28,11 +28,26 @@ double age_at(const core::SurfaceParameters& p, std::optional<double> time) {
     return time ? std::clamp(time_sign(p) * (*time - p.from), 0.0, span(p)) : span(p);
 }
 
-SurfaceBuild::SurfaceBuild(SurfaceJob job, const core::Clock& clock)
-    : job_(std::move(job)), clock_(clock), stream_(job_.number, job_.epoch, job_.lattice) {}
+SurfaceBuild::SurfaceBuild(SurfaceJob job, const core::Clock& clock, const HistoryBudget* histories)
+    : job_(std::move(job)), clock_(clock), stream_(job_.number, job_.epoch, job_.lattice) {
+    if (histories != nullptr)
+        place_ = std::make_unique<HistoryBudget::Place>(
+            *histories, [this](std::size_t bytes) { return shrink_history(bytes); });
+}
+
+std::size_t SurfaceBuild::shrink_history(std::size_t bytes) {
+    if (bytes == 0)
+        played_.reset();
+    if (!played_)
+        return 0;
+    played_->limit(bytes);
+    return played_->bytes();
+}
 
 void SurfaceBuild::renew_flow(std::shared_ptr<const core::Flow> flow) {
-    played_.reset(); // it follows the old one
+    if (place_) // it follows the old one
+        place_->clear();
+    played_.reset();
     grown_.reset();
     last_ = Source::Nothing;
     job_.flow = std::move(flow);
@@ -130,11 +145,32 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::grow(double age, const std::stop
 }
 
 core::Result<SurfaceBuild::Shown> SurfaceBuild::play(double age, const std::stop_token& stop) {
-    if (!played_) {
-        auto started = PlayedSurface::start(job_, limits::history_bytes, clock_, stop);
+    if (!place_)
+        return play_within(limits::history_bytes, age, stop);
+
+    struct Use {
+        explicit Use(SurfaceBuild& of) : build(of), bytes(of.place_->begin(of.clock_.now())) {}
+
+        ~Use() { build.place_->end(build.played_ ? build.played_->bytes() : 0); }
+
+        SurfaceBuild& build;
+        std::size_t bytes;
+    };
+
+    const Use use(*this);
+    return play_within(use.bytes, age, stop);
+}
+
+core::Result<SurfaceBuild::Shown>
+SurfaceBuild::play_within(std::size_t bytes, double age, const std::stop_token& stop) {
+    if (played_) {
+        played_->limit(bytes);
+    } else {
+        auto started = PlayedSurface::start(job_, bytes, clock_, stop);
         if (!started)
             return tl::unexpected(started.error());
         played_ = std::move(*started);
+        last_ = Source::Nothing; // ids begin anew
     }
     return played_->at(age, stop).map([](PlayedSurface::Shown&& shown) {
         return Shown{std::move(shown.mesh), shown.statistics, Source::Played};

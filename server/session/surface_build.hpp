@@ -5,11 +5,13 @@
 #include "core/base/clock.hpp"
 #include "protocol/mesh_stream.hpp"
 #include "server/session/growing_mesh.hpp"
+#include "server/session/history_budget.hpp"
 #include "server/session/played_surface.hpp"
 #include "server/session/surface_job.hpp"
 #include "server/session/update_ring.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stop_token>
 
@@ -27,8 +29,11 @@ double age_at(const core::SurfaceParameters& parameters, std::optional<double> t
 /// One pass at a time, on any thread.
 class SurfaceBuild {
   public:
-    /// @param clock  outlives it
-    SurfaceBuild(SurfaceJob job, const core::Clock& clock);
+    /// @param clock      outlives it
+    /// @param histories  where its memory to step back comes from; nothing: of its own
+    SurfaceBuild(SurfaceJob job,
+                 const core::Clock& clock,
+                 const HistoryBudget* histories = nullptr);
 
     /// Builds and encodes. Never throws. Once it has begun to encode it gives the update even if `stop` has fired: the next
     /// one is based on it. Error: Cancelled; OverLimit out of memory; what the engine and the encoder report.
@@ -54,6 +59,8 @@ class SurfaceBuild {
     core::Result<Shown> build_whole(const std::stop_token& stop) const;
     core::Result<Shown> grow(double age, const std::stop_token& stop);
     core::Result<Shown> play(double age, const std::stop_token& stop);
+    core::Result<Shown> play_within(std::size_t bytes, double age, const std::stop_token& stop);
+    std::size_t shrink_history(std::size_t bytes);
     core::Result<Update> encode(Shown shown, const SurfacePass& pass);
 
     SurfaceJob job_;
@@ -62,7 +69,8 @@ class SurfaceBuild {
     Source last_ = Source::Nothing;
     std::optional<GrowingMesh> grown_;
     core::SurfaceStatistics grown_statistics_;
-    std::optional<PlayedSurface> played_;
+    std::optional<PlayedSurface> played_;         ///< while not in use, others may shrink or end it
+    std::unique_ptr<HistoryBudget::Place> place_; ///< of `played_`
 };
 
 } // namespace wakesurf::server

@@ -51,10 +51,10 @@ core::Result<SurfaceJob> SurfaceBuilds::job_for(const protocol::SurfaceRecord& r
     return job;
 }
 
-std::uint32_t SurfaceBuilds::build(const protocol::SurfaceRecord& record) {
+std::uint32_t SurfaceBuilds::build(const protocol::SurfaceRecord& record, BuildTurns* turns) {
     LiveSurface& live = live_for(record);
     auto job = job_for(record);
-    return job ? live.rebuild(std::move(*job))
+    return job ? live.rebuild(std::move(*job), turns)
                : live.refuse(record.parameters.kind, std::move(job.error()));
 }
 
@@ -80,7 +80,8 @@ LiveSurface& SurfaceBuilds::live_for(const protocol::SurfaceRecord& record) {
     };
     entry.live = std::make_shared<LiveSurface>(
         id, next_number_++, session_,
-        LiveSurface::Services{services_.loop, services_.pool, services_.wall(), services_.metrics},
+        LiveSurface::Services{services_.loop, services_.pool, services_.wall(), services_.metrics,
+                              services_.histories},
         std::move(events));
     entry.live->show(time_, playing_, true);
     entry.live->continue_after(record.epoch);

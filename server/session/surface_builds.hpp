@@ -44,7 +44,8 @@ class SurfaceBuilds {
 
     /// Begins a build and gives its epoch, which is above the record's. Where there is nothing to build now, the outcome
     /// says why, and it is tried again when data come.
-    std::uint32_t build(const protocol::SurfaceRecord& record);
+    /// @param turns  see LiveSurface::rebuild
+    std::uint32_t build(const protocol::SurfaceRecord& record, BuildTurns* turns = nullptr);
 
     /// The same for a surface whose rake moved; nothing where it cannot be built any more: it stays what it is.
     std::optional<std::uint32_t> rebuild(const protocol::SurfaceRecord& record);

@@ -25,6 +25,15 @@ void SurfaceHistory::keep() {
     if (!fresh)
         return;
     bytes_ += place->second.bytes();
+    thin();
+}
+
+void SurfaceHistory::limit(std::size_t budget_bytes) {
+    budget_ = budget_bytes;
+    thin();
+}
+
+void SurfaceHistory::thin() {
     while (bytes_ > budget_ && checkpoints_.size() > 1) {
         every_ *= 2;
         for (auto it = checkpoints_.begin(); it != checkpoints_.end();) {

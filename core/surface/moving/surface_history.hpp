@@ -24,7 +24,11 @@ class SurfaceHistory {
     /// Times one can go back to at once, in order of play.
     std::vector<double> checkpoints() const;
 
+    /// Of the checkpoints.
     std::size_t bytes() const { return bytes_; }
+
+    /// Another budget for checkpoints; gives up at once what is over it.
+    void limit(std::size_t budget_bytes);
 
     /// Where the steps have led, at or before what at() gave last.
     const MovingSurface& surface() const { return surface_; }
@@ -33,6 +37,7 @@ class SurfaceHistory {
     double since_start(double time) const { return direction_ * (time - start_); }
 
     void keep();
+    void thin();
     Result<void> go_to(double time, const std::stop_token& stop);
 
     MovingSurface surface_;

@@ -170,6 +170,23 @@ TEST(SurfaceHistory, KeepsItsBudget) {
     }
 }
 
+TEST(SurfaceHistory, GivesUpWhatALaterBudgetDoesNotHoldAndShowsTheSame) {
+    SurfaceHistory twin(surface(streak()), plenty);
+    SurfaceHistory history(surface(streak()), plenty);
+    const auto last = shown(history, 3.0);
+    const std::size_t all = history.bytes();
+    for (const std::size_t budget : {all / 2, all / 5, std::size_t{0}}) {
+        history.limit(budget);
+        EXPECT_TRUE(history.bytes() <= budget || history.checkpoints().size() == 1);
+        EXPECT_EQ(history.checkpoints().front(), 0.0);
+        for (const double time : times())
+            EXPECT_EQ(shown(history, time), shown(twin, time)) << time;
+        EXPECT_TRUE(history.bytes() <= budget || history.checkpoints().size() == 1);
+    }
+    history.limit(plenty);
+    EXPECT_EQ(shown(history, 3.0), last);
+}
+
 TEST(SurfaceHistory, OutsideItsTimesThereIsNothing) {
     SurfaceHistory forward(surface(streak()), plenty);
     SurfaceHistory backward(surface(patch()), plenty);

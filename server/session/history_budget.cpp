@@ -1,0 +1,105 @@
+#include "server/session/history_budget.hpp"
+
+#include "server/limits.hpp"
+
+#include <algorithm>
+#include <list>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct HistoryBudget::Entry {
+    Place::GiveWay give_way;
+    std::size_t bytes = 0; ///< taken; in use: that may be taken
+    bool in_use = false;
+    Time used{};
+};
+
+struct HistoryBudget::State {
+    State(std::size_t all, std::size_t one) : total(all), each(one) {}
+
+    std::size_t taken(bool in_use) const {
+        std::size_t sum = 0;
+        for (const Entry* entry : entries)
+            sum += entry->in_use == in_use ? entry->bytes : 0;
+        return sum;
+    }
+
+    /// Those not in use get down to `room` together.
+    void make_room(std::size_t room, Time now) {
+        std::vector<Entry*> idle;
+        for (Entry* entry : entries)
+            if (!entry->in_use && entry->bytes > 0)
+                idle.push_back(entry);
+        const auto used_before = [](const Entry* a, const Entry* b) { return a->used < b->used; };
+        std::sort(idle.begin(), idle.end(), used_before);
+        std::size_t sum = taken(false);
+        std::size_t left = idle.size();
+        const auto shrink = [&](Entry& entry, std::size_t bytes) {
+            sum -= entry.bytes;
+            entry.bytes = entry.give_way(bytes);
+            sum += entry.bytes;
+            left -= bytes == 0 ? 1 : 0;
+        };
+        for (Entry* entry : idle)
+            if (sum > room && now - entry->used >= limits::history_rest)
+                shrink(*entry, 0);
+        const std::size_t share = left == 0 ? 0 : room / left;
+        for (Entry* entry : idle)
+            if (sum > room && share > 0 && entry->bytes > share)
+                shrink(*entry, share);
+        for (Entry* entry : idle)
+            if (sum > room && entry->bytes > 0)
+                shrink(*entry, 0);
+    }
+
+    const std::size_t total;
+    const std::size_t each;
+    mutable std::mutex mutex;
+    std::list<Entry*> entries;
+};
+
+HistoryBudget::HistoryBudget(std::size_t total, std::size_t each)
+    : state_(std::make_shared<State>(total, each)) {}
+
+std::size_t HistoryBudget::bytes() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->taken(false) + state_->taken(true);
+}
+
+HistoryBudget::Place::Place(const HistoryBudget& budget, GiveWay give_way)
+    : state_(budget.state_), entry_(new Entry{std::move(give_way)}) {
+    const std::lock_guard lock(state_->mutex);
+    state_->entries.push_back(entry_.get());
+}
+
+HistoryBudget::Place::~Place() {
+    const std::lock_guard lock(state_->mutex);
+    state_->entries.remove(entry_.get());
+}
+
+// Of what nobody uses at the moment at most half, so that something is left for whoever comes meanwhile.
+std::size_t HistoryBudget::Place::begin(Time now) {
+    const std::lock_guard lock(state_->mutex);
+    const std::size_t free = state_->total - state_->taken(true);
+    entry_->bytes = std::min(state_->each, free / 2);
+    entry_->in_use = true;
+    entry_->used = now;
+    state_->make_room(free - entry_->bytes, now);
+    return entry_->bytes;
+}
+
+void HistoryBudget::Place::end(std::size_t bytes) {
+    const std::lock_guard lock(state_->mutex);
+    entry_->bytes = bytes;
+    entry_->in_use = false;
+}
+
+void HistoryBudget::Place::clear() {
+    const std::lock_guard lock(state_->mutex);
+    entry_->bytes = entry_->give_way(0);
+}
+
+} // namespace wakesurf::server

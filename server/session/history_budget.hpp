@@ -1,0 +1,58 @@
+// Memory for stepping back, shared by the moving surfaces of a server: what is not used just now gives way to what is, so that
+// their checkpoints never take more than one budget together, however many there are.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace wakesurf::server {
+
+/// Thread safety: everything may be called from any thread.
+class HistoryBudget {
+    struct State;
+    struct Entry;
+
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    /// @param total  bytes of all histories together
+    /// @param each   bytes of one at most
+    HistoryBudget(std::size_t total, std::size_t each);
+
+    /// One surface's history, which is counted while this lives.
+    class Place {
+      public:
+        /// Makes the history fit into so many bytes, 0: forgets it; gives what it takes now. Called by whoever needs room, while
+        /// this history is not in use. Must not call the budget.
+        using GiveWay = std::function<std::size_t(std::size_t bytes)>;
+
+        Place(const HistoryBudget& budget, GiveWay give_way);
+        ~Place();
+        Place(const Place&) = delete;
+        Place& operator=(const Place&) = delete;
+
+        /// The history is in use until end(): nobody else touches it. Gives the bytes it may take. Those not used for
+        /// `limits::history_rest` go first if there is no room, then all are made smaller.
+        std::size_t begin(Time now);
+
+        /// @param bytes  that it takes now
+        void end(std::size_t bytes);
+
+        /// Forgets the history. REQUIRES: not in use.
+        void clear();
+
+      private:
+        std::shared_ptr<State> state_;
+        std::unique_ptr<Entry> entry_;
+    };
+
+    /// What all that are not in use take, and those in use may take.
+    std::size_t bytes() const;
+
+  private:
+    std::shared_ptr<State> state_;
+};
+
+} // namespace wakesurf::server
