@@ -31,17 +31,19 @@ Result<std::vector<Sheet>> build_sheets(const Flow& flow,
                                         const Rake& rake,
                                         const std::vector<SheetOptions>& directions,
                                         const Clock& clock,
-                                        const std::stop_token& stop) {
+                                        const std::stop_token& stop,
+                                        const WorkPart& work) {
     std::vector<Sheet> sheets;
     for (const SheetOptions& options : directions)
         sheets.emplace_back(flow, rake, options);
     std::set<double> seeds = first_seeds(rake, directions.front().separation);
     for (std::size_t before = 0; before != seeds.size();) {
         before = seeds.size();
-        for (Sheet& sheet : sheets) {
+        for (std::size_t i = 0; i < sheets.size(); ++i) {
+            Sheet& sheet = sheets[i];
             if (sheet.seeds() == seeds)
                 continue;
-            if (auto done = sheet.build(seeds, clock, stop); !done)
+            if (auto done = sheet.build(seeds, clock, stop, work.part(i, sheets.size())); !done)
                 return tl::unexpected(done.error());
             seeds.insert(sheet.seeds().begin(), sheet.seeds().end());
         }
@@ -84,7 +86,8 @@ Result<Sheets> build_within_budget(const Flow& flow,
                                    const Rake& rake,
                                    const SurfaceParameters& p,
                                    const Clock& clock,
-                                   const std::stop_token& stop) {
+                                   const std::stop_token& stop,
+                                   const WorkPart& work) {
     const auto start = clock.now();
     const auto speed = largest_speed(flow, rake, p.from, stop);
     const double load = std::chrono::duration<double>(clock.now() - start).count();
@@ -110,7 +113,7 @@ Result<Sheets> build_within_budget(const Flow& flow,
                 continue;
             }
         }
-        auto sheets = build_sheets(flow, rake, *directions, clock, stop);
+        auto sheets = build_sheets(flow, rake, *directions, clock, stop, work);
         if (sheets)
             return Sheets{std::move(*sheets), separation, load};
         if (sheets.error().code != Error::Code::OverLimit)
@@ -140,11 +143,13 @@ Result<Surface> build_whole(const Flow& flow,
                             const Rake& rake,
                             const SurfaceParameters& parameters,
                             const std::stop_token& stop,
-                            const Clock& clock) {
+                            const Clock& clock,
+                            const WorkPart& work) {
     const auto start = clock.now();
     if (parameters.kind == SurfaceKind::Streak || parameters.kind == SurfaceKind::Time)
-        return build_moving_surface(flow, rake, parameters, stop, clock);
-    auto built = build_within_budget(flow, rake, parameters, clock, stop);
+        return build_moving_surface(flow, rake, parameters, stop, clock, work);
+    // What its vertices carry takes about as long as the sheets.
+    auto built = build_within_budget(flow, rake, parameters, clock, stop, work.part(0, 2));
     if (!built)
         return tl::unexpected(built.error());
 
@@ -190,10 +195,11 @@ Result<Surface> build_surface(const Flow& flow,
                               const Rake& rake,
                               const SurfaceParameters& parameters,
                               std::stop_token stop,
-                              const Clock& clock) {
+                              const Clock& clock,
+                              WorkDone* work) {
     if (auto sound = check_request(parameters); !sound)
         return tl::unexpected(sound.error());
-    auto surface = build_whole(flow, rake, parameters, stop, clock);
+    auto surface = build_whole(flow, rake, parameters, stop, clock, work);
     std::string stopped;
     for (auto p = parameters; !surface;) {
         const auto part = readable_part(p, surface.error());
@@ -201,9 +207,10 @@ Result<Surface> build_surface(const Flow& flow,
             return surface;
         p = *part;
         stopped = surface.error().message;
-        surface = build_whole(flow, rake, p, stop, clock);
+        surface = build_whole(flow, rake, p, stop, clock, work);
     }
     surface->statistics.stopped = std::move(stopped);
+    WorkPart(work).reached(1.0);
     return surface;
 }
 

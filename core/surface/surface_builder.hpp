@@ -3,6 +3,7 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
+#include "core/base/work_done.hpp"
 #include "core/field/flow.hpp"
 #include "core/surface/quad_complex.hpp"
 #include "core/surface/rake.hpp"
@@ -16,6 +17,7 @@ namespace wakesurf::core {
 /// Builds a surface of any kind. Runs in the calling thread's oneTBB arena.
 ///
 /// @param rake  inside the flow's domain (see clip_rake)
+/// @param work  told how far it is: of a streak or time surface the time, else mostly the part of the rake; null: nobody waits
 /// @return      the surface; the same bytes for any number of threads. Where a time-step in its way cannot be read it ends at the
 ///              last one before that can, and its statistics say why; that costs building it twice.
 /// Error: InvalidArgument, OutOfTime, OverLimit, Cancelled within 50 ms of `stop`,
@@ -25,6 +27,7 @@ Result<Surface> build_surface(const Flow& flow,
                               const Rake& rake,
                               const SurfaceParameters& parameters,
                               std::stop_token stop = {},
-                              const Clock& clock = SteadyClock{});
+                              const Clock& clock = SteadyClock{},
+                              WorkDone* work = nullptr);
 
 } // namespace wakesurf::core

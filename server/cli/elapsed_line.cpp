@@ -3,13 +3,15 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
 
 namespace wakesurf::server {
 
-ElapsedLine::ElapsedLine(std::string text) : text_(std::move(text)) {
+ElapsedLine::ElapsedLine(std::string text, const core::WorkDone* work)
+    : text_(std::move(text)), work_(work) {
     if (::isatty(STDERR_FILENO) == 0) {
         std::fprintf(stderr, "%s\n", text_.c_str());
         return;
@@ -21,7 +23,11 @@ ElapsedLine::ElapsedLine(std::string text) : text_(std::move(text)) {
         std::unique_lock lock(mutex);
         while (!done.stop_requested()) {
             const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - start;
-            std::fprintf(stderr, "\r%s ... %.1f s", text_.c_str(), gone.count());
+            if (work_ != nullptr)
+                std::fprintf(stderr, "\r%s ... %.0f %%, %.1f s", text_.c_str(),
+                             std::floor(100.0 * work_->fraction()), gone.count());
+            else
+                std::fprintf(stderr, "\r%s ... %.1f s", text_.c_str(), gone.count());
             ended.wait_for(lock, done, std::chrono::milliseconds(200), [] { return false; });
         }
         std::fprintf(stderr, "\r\033[K");

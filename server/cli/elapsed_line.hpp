@@ -1,5 +1,8 @@
-// Progress of work whose length is unknown: a line with the seconds gone on a terminal, one plain line otherwise.
+// Progress of work that takes its time: a line with the seconds gone, and the part done if it is counted, on a terminal; one plain line
+// otherwise.
 #pragma once
+
+#include "core/base/work_done.hpp"
 
 #include <string>
 #include <thread>
@@ -9,13 +12,15 @@ namespace wakesurf::server {
 /// Writes to standard error; the terminal's line is wiped at the end.
 class ElapsedLine {
   public:
-    explicit ElapsedLine(std::string text);
+    /// @param work  outlives it; null: nothing to count
+    explicit ElapsedLine(std::string text, const core::WorkDone* work = nullptr);
     ~ElapsedLine();
     ElapsedLine(const ElapsedLine&) = delete;
     ElapsedLine& operator=(const ElapsedLine&) = delete;
 
   private:
     std::string text_;
+    const core::WorkDone* work_;
     std::jthread ticker_;
 };
 

@@ -43,16 +43,20 @@ core::Result<core::Surface> build(const LoadedDataset& dataset,
                                   const SurfaceRequest& request,
                                   int threads,
                                   std::stop_token stop) {
+    core::WorkDone work;
     const ElapsedLine progress("building a " +
-                               std::string(protocol::name(request.parameters.kind)) +
-                               " surface of " + dataset.info.name);
+                                   std::string(protocol::name(request.parameters.kind)) +
+                                   " surface of " + dataset.info.name,
+                               &work);
     const int used = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
     // The global limit is what lets an arena be larger than the machine, as `--threads 8` on two cores.
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(used));
     tbb::task_arena arena(used);
-    return arena.execute(
-        [&] { return core::build_surface(*dataset.flow, request.rake, request.parameters, stop); });
+    return arena.execute([&] {
+        return core::build_surface(*dataset.flow, request.rake, request.parameters, stop,
+                                   core::SteadyClock{}, &work);
+    });
 }
 
 core::Result<void> write(const SurfaceOptions& options,

@@ -29,6 +29,7 @@ json look_at(const LiveSurface& live) {
                             ? fmt::format("{}: {} quads", phase, now.statistics.quads)
                             : std::string(phase)},
             {"phase", phase},
+            {"percentage", static_cast<int>(100.0 * live.fraction_done())},
             {"epoch", now.epoch},
             {"quads", now.statistics.quads},
             {"vertices", now.statistics.vertices}};

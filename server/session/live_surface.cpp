@@ -198,14 +198,17 @@ void LiveSurface::advance() {
 void LiveSurface::start(Pace pace, const SurfacePass& pass) {
     if (build_->job().flow != wanted_.flow)
         build_->renew_flow(wanted_.flow);
-    Running& running = lanes_[index(pace)].emplace(
-        Running{epoch_, pass, std::stop_source(), services_.clock.now()});
+    const bool early = pass.phase == Phase::Coarse || pass.phase == Phase::Refined;
+    Running& running =
+        lanes_[index(pace)].emplace(Running{epoch_, pass, std::stop_source(), services_.clock.now(),
+                                            early ? nullptr : std::make_shared<core::WorkDone>()});
     services_.pool.run(
         session_, pace,
         [build = build_, pass, pace, stop = running.stop.get_token(), weak = weak_from_this(),
-         services = services_, first = !full_, queued = running.since] {
+         services = services_, first = !full_, queued = running.since, work = running.work] {
             const auto start = services.clock.now();
-            auto result = std::make_shared<core::Result<Update>>(build->run(pass, stop));
+            auto result =
+                std::make_shared<core::Result<Update>>(build->run(pass, stop, work.get()));
             const std::chrono::duration<double> taken = services.clock.now() - start;
             if (services.metrics != nullptr)
                 count(*services.metrics, start - queued, *result, first);
@@ -303,6 +306,15 @@ SurfaceOutcome LiveSurface::outcome() const {
         out.statistics = state->statistics;
     }
     return out;
+}
+
+double LiveSurface::fraction_done() const {
+    if (outcome().complete)
+        return 1.0;
+    for (const auto& lane : lanes_)
+        if (lane && lane->epoch == epoch_ && lane->work)
+            return lane->work->fraction();
+    return 0.0;
 }
 
 void LiveSurface::retire() {

@@ -89,6 +89,9 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
 
     SurfaceOutcome outcome() const;
 
+    /// How much of what it takes to be complete is done: 1 once it is. Early passes count for nothing.
+    double fraction_done() const;
+
     /// The newest state, if there is one of the current epoch.
     SharedUpdate newest() const { return ring_->newest(); }
 
@@ -108,6 +111,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
         SurfacePass pass;
         std::stop_source stop;
         std::chrono::steady_clock::time_point since;
+        std::shared_ptr<core::WorkDone> work; ///< of a pass of full quality, else null
     };
 
     /// One a pace: the coarse pass of an edit does not wait for the long one that it ends.

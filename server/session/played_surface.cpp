@@ -105,13 +105,15 @@ std::size_t PlayedSurface::bytes() const {
     return sum;
 }
 
-core::Result<KeyedMesh>
-PlayedSurface::part_at(Part& part, double age, const std::stop_token& stop) {
+core::Result<KeyedMesh> PlayedSurface::part_at(Part& part,
+                                               double age,
+                                               const std::stop_token& stop,
+                                               const core::WorkPart& work) {
     for (;;) {
         const double reach = std::min(age, part.most);
         const double end = part.history.surface().end_time();
         const double time = part.from + part.sign * reach;
-        auto mesh = part.history.at(part.sign * (time - end) > 0.0 ? end : time, stop);
+        auto mesh = part.history.at(part.sign * (time - end) > 0.0 ? end : time, stop, work);
         if (mesh || !mesh.error().readable_until)
             return mesh;
         const double readable = part.sign * (*mesh.error().readable_until - part.from);
@@ -122,11 +124,13 @@ PlayedSurface::part_at(Part& part, double age, const std::stop_token& stop) {
     }
 }
 
-core::Result<PlayedSurface::Shown> PlayedSurface::at(double age, const std::stop_token& stop) {
+core::Result<PlayedSurface::Shown>
+PlayedSurface::at(double age, const std::stop_token& stop, const core::WorkPart& work) {
     Shown shown;
     bool short_of = false;
-    for (Part& part : parts_) {
-        auto mesh = part_at(part, age, stop);
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        Part& part = parts_[i];
+        auto mesh = part_at(part, age, stop, work.part(i, parts_.size()));
         if (!mesh)
             return tl::unexpected(mesh.error());
         short_of = short_of || age > part.most;

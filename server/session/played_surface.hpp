@@ -32,7 +32,8 @@ class PlayedSurface {
     /// @return     where a time-step in its way cannot be read it is shown at the last one before that can, and its statistics
     ///             say why
     /// Error: Cancelled, what stepping reports.
-    core::Result<Shown> at(double age, const std::stop_token& stop);
+    core::Result<Shown>
+    at(double age, const std::stop_token& stop, const core::WorkPart& work = {});
 
     /// Another budget for what is kept to step back to.
     void limit(std::size_t budget_bytes);
@@ -47,7 +48,8 @@ class PlayedSurface {
         double most = std::numeric_limits<double>::infinity(); ///< readable age
     };
 
-    core::Result<core::KeyedMesh> part_at(Part& part, double age, const std::stop_token& stop);
+    core::Result<core::KeyedMesh>
+    part_at(Part& part, double age, const std::stop_token& stop, const core::WorkPart& work);
 
     std::vector<Part> parts_;
     std::string stopped_;

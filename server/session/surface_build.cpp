@@ -54,12 +54,13 @@ void SurfaceBuild::renew_flow(std::shared_ptr<const core::Flow> flow) {
 }
 
 core::Result<Update> SurfaceBuild::run(const SurfacePass& pass,
-                                       const std::stop_token& stop) noexcept {
+                                       const std::stop_token& stop,
+                                       core::WorkDone* work) noexcept {
     try {
         const auto start = clock_.now();
         if (stop.stop_requested())
             return cancelled();
-        auto shown = build(pass, stop);
+        auto shown = build(pass, stop, work);
         if (!shown)
             return tl::unexpected(shown.error());
         if (stop.stop_requested())
@@ -83,15 +84,16 @@ core::Result<Update> SurfaceBuild::run(const SurfacePass& pass,
     }
 }
 
-core::Result<SurfaceBuild::Shown> SurfaceBuild::build(const SurfacePass& pass,
-                                                      const std::stop_token& stop) {
+core::Result<SurfaceBuild::Shown>
+SurfaceBuild::build(const SurfacePass& pass, const std::stop_token& stop, core::WorkDone* work) {
     const bool timed = pass.time && moves(job_.parameters);
     const double age = age_at(job_.parameters, pass.time);
     if (pass.phase == Phase::Coarse || pass.phase == Phase::Refined)
         return build_early(pass, stop);
     if (!timed)
-        return build_whole(stop);
-    return job_.parameters.kind == core::SurfaceKind::Path ? grow(age, stop) : play(age, stop);
+        return build_whole(stop, work);
+    return job_.parameters.kind == core::SurfaceKind::Path ? grow(age, stop, work)
+                                                           : play(age, stop, work);
 }
 
 /// The engine's quad budget bounds the work whatever the separation asked for.
@@ -122,17 +124,19 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::build_early(const SurfacePass& p
                  Source::Nothing};
 }
 
-core::Result<SurfaceBuild::Shown> SurfaceBuild::build_whole(const std::stop_token& stop) const {
-    auto surface = core::build_surface(*job_.flow, job_.rake, job_.parameters, stop, clock_);
+core::Result<SurfaceBuild::Shown> SurfaceBuild::build_whole(const std::stop_token& stop,
+                                                            core::WorkDone* work) const {
+    auto surface = core::build_surface(*job_.flow, job_.rake, job_.parameters, stop, clock_, work);
     if (!surface)
         return tl::unexpected(surface.error());
     return Shown{protocol::with_ids(std::move(surface->mesh)), surface->statistics, Source::Whole};
 }
 
-core::Result<SurfaceBuild::Shown> SurfaceBuild::grow(double age, const std::stop_token& stop) {
+core::Result<SurfaceBuild::Shown>
+SurfaceBuild::grow(double age, const std::stop_token& stop, core::WorkDone* work) {
     if (!grown_) {
         const auto surface =
-            core::build_surface(*job_.flow, job_.rake, job_.parameters, stop, clock_);
+            core::build_surface(*job_.flow, job_.rake, job_.parameters, stop, clock_, work);
         if (!surface)
             return tl::unexpected(surface.error());
         grown_.emplace(surface->mesh, span(job_.parameters));
@@ -144,9 +148,10 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::grow(double age, const std::stop
     return shown;
 }
 
-core::Result<SurfaceBuild::Shown> SurfaceBuild::play(double age, const std::stop_token& stop) {
+core::Result<SurfaceBuild::Shown>
+SurfaceBuild::play(double age, const std::stop_token& stop, core::WorkDone* work) {
     if (!place_)
-        return play_within(limits::history_bytes, age, stop);
+        return play_within(limits::history_bytes, age, stop, work);
 
     struct Use {
         explicit Use(SurfaceBuild& of) : build(of), bytes(of.place_->begin(of.clock_.now())) {}
@@ -158,11 +163,13 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play(double age, const std::stop
     };
 
     const Use use(*this);
-    return play_within(use.bytes, age, stop);
+    return play_within(use.bytes, age, stop, work);
 }
 
-core::Result<SurfaceBuild::Shown>
-SurfaceBuild::play_within(std::size_t bytes, double age, const std::stop_token& stop) {
+core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
+                                                            double age,
+                                                            const std::stop_token& stop,
+                                                            core::WorkDone* work) {
     if (played_) {
         played_->limit(bytes);
     } else {
@@ -172,7 +179,7 @@ SurfaceBuild::play_within(std::size_t bytes, double age, const std::stop_token& 
         played_ = std::move(*started);
         last_ = Source::Nothing; // ids begin anew
     }
-    return played_->at(age, stop).map([](PlayedSurface::Shown&& shown) {
+    return played_->at(age, stop, work).map([](PlayedSurface::Shown&& shown) {
         return Shown{std::move(shown.mesh), shown.statistics, Source::Played};
     });
 }

@@ -37,7 +37,10 @@ class SurfaceBuild {
 
     /// Builds and encodes. Never throws. Once it has begun to encode it gives the update even if `stop` has fired: the next
     /// one is based on it. Error: Cancelled; OverLimit out of memory; what the engine and the encoder report.
-    core::Result<Update> run(const SurfacePass& pass, const std::stop_token& stop) noexcept;
+    /// @param work  told how far the pass is; null: nobody waits
+    core::Result<Update> run(const SurfacePass& pass,
+                             const std::stop_token& stop,
+                             core::WorkDone* work = nullptr) noexcept;
 
     const SurfaceJob& job() const { return job_; }
 
@@ -54,12 +57,14 @@ class SurfaceBuild {
         Source source;
     };
 
-    core::Result<Shown> build(const SurfacePass& pass, const std::stop_token& stop);
+    core::Result<Shown>
+    build(const SurfacePass& pass, const std::stop_token& stop, core::WorkDone* work);
     core::Result<Shown> build_early(const SurfacePass& pass, const std::stop_token& stop) const;
-    core::Result<Shown> build_whole(const std::stop_token& stop) const;
-    core::Result<Shown> grow(double age, const std::stop_token& stop);
-    core::Result<Shown> play(double age, const std::stop_token& stop);
-    core::Result<Shown> play_within(std::size_t bytes, double age, const std::stop_token& stop);
+    core::Result<Shown> build_whole(const std::stop_token& stop, core::WorkDone* work) const;
+    core::Result<Shown> grow(double age, const std::stop_token& stop, core::WorkDone* work);
+    core::Result<Shown> play(double age, const std::stop_token& stop, core::WorkDone* work);
+    core::Result<Shown>
+    play_within(std::size_t bytes, double age, const std::stop_token& stop, core::WorkDone* work);
     std::size_t shrink_history(std::size_t bytes);
     core::Result<Update> encode(Shown shown, const SurfacePass& pass);
 

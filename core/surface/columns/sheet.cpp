@@ -128,7 +128,18 @@ void Sheet::cut_at(const std::vector<double>& new_seeds) {
     strips_ = std::move(strips);
 }
 
-Result<void> Sheet::build(const std::set<double>& seeds, const Clock& clock, std::stop_token stop) {
+/// Of the rake: what lies before the strips that are not done.
+double Sheet::part_without(const std::vector<std::size_t>& dirty) const {
+    double rest = 0.0;
+    for (const std::size_t i : dirty)
+        rest += strips_[i].right_s() - strips_[i].left_s();
+    return 1.0 - rest;
+}
+
+Result<void> Sheet::build(const std::set<double>& seeds,
+                          const Clock& clock,
+                          std::stop_token stop,
+                          WorkPart work) {
     seeds_ = seeds;
     if (auto traced = trace(seeds_, clock, stop); !traced)
         return traced;
@@ -171,6 +182,7 @@ Result<void> Sheet::build(const std::set<double>& seeds, const Clock& clock, std
         if (!again)
             return tl::unexpected(again.error());
         dirty = std::move(*again);
+        work.reached(part_without(dirty));
     }
     return {};
 }

@@ -4,6 +4,7 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
+#include "core/base/work_done.hpp"
 #include "core/surface/columns/strip.hpp"
 #include "core/surface/rake.hpp"
 
@@ -34,7 +35,11 @@ class Sheet {
     /// Builds the strips between `seeds` (parameters, increasing; a closed rake's last one is below 1).
     /// Error: OverLimit when the quads would exceed max_quads, Cancelled, and what tracing reports.
     /// Cost: tracing, plus O(quads of the strips that changed) a round.
-    Result<void> build(const std::set<double>& seeds, const Clock& clock, std::stop_token stop);
+    /// @param work  told which part of the rake is done
+    Result<void> build(const std::set<double>& seeds,
+                       const Clock& clock,
+                       std::stop_token stop,
+                       WorkPart work = {});
 
     /// Seed parameters at which the sheet now leaves the rake: `seeds` and those it added.
     const std::set<double>& seeds() const { return seeds_; }
@@ -72,6 +77,7 @@ class Sheet {
     Result<std::vector<std::size_t>>
     meet(const std::vector<StripDemand>& demands, const Clock& clock, const std::stop_token& stop);
     Result<void> check_budget(std::size_t quads) const;
+    double part_without(const std::vector<std::size_t>& dirty) const;
     void cut_at(const std::vector<double>& new_seeds);
     Strip strip_between(double left, double right_s) const;
     void make_end_columns();

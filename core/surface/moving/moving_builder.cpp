@@ -60,7 +60,8 @@ Result<Surface> build_moving_surface(const Flow& flow,
                                      const Rake& rake,
                                      const SurfaceParameters& parameters,
                                      std::stop_token stop,
-                                     const Clock& clock) {
+                                     const Clock& clock,
+                                     const WorkPart& work) {
     const auto began = clock.now();
     SurfaceParameters p = parameters;
     p.separation = p.separation > 0.0 ? p.separation : flow.finest_spacing();
@@ -78,7 +79,10 @@ Result<Surface> build_moving_surface(const Flow& flow,
         auto moving = MovingSurface::start(flow, rake, p, stop, clock);
         if (!moving)
             return tl::unexpected(moving.error());
-        if (auto moved = moving->advance_to(moving->end_time(), stop); !moved)
+        const WorkPart part = parameters.direction == Direction::Both
+                                  ? work.part(direction == Direction::Backward ? 1 : 0, 2)
+                                  : work;
+        if (auto moved = moving->advance_to(moving->end_time(), stop, part); !moved)
             return tl::unexpected(moved.error());
         if (direction == Direction::Backward)
             surface.first_backward = static_cast<VertexId>(surface.mesh.vertices());

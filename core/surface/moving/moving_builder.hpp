@@ -3,6 +3,7 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
+#include "core/base/work_done.hpp"
 #include "core/field/flow.hpp"
 #include "core/surface/rake.hpp"
 #include "core/surface/surface.hpp"
@@ -17,6 +18,7 @@ Result<Surface> build_moving_surface(const Flow& flow,
                                      const Rake& rake,
                                      const SurfaceParameters& parameters,
                                      std::stop_token stop,
-                                     const Clock& clock);
+                                     const Clock& clock,
+                                     const WorkPart& work = {});
 
 } // namespace wakesurf::core

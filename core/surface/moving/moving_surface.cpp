@@ -313,12 +313,14 @@ Result<void> MovingSurface::step(double to, std::stop_token stop) {
     return sample_velocity(stop);
 }
 
-Result<void> MovingSurface::advance_to(double to, std::stop_token stop) {
+Result<void> MovingSurface::advance_to(double to, std::stop_token stop, const WorkPart& work) {
+    const double from = time();
     while (time() != to) {
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "the surface was cancelled");
         if (auto stepped = step(to, stop); !stepped)
             return stepped;
+        work.reached((time() - from) / (to - from));
     }
     return {};
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/clock.hpp"
+#include "core/base/work_done.hpp"
 #include "core/surface/keyed_mesh.hpp"
 #include "core/surface/moving/origin.hpp"
 #include "core/surface/moving/refinement.hpp"
@@ -48,7 +49,7 @@ class MovingSurface {
     Result<void> step(double to, std::stop_token stop);
 
     /// Steps until `to`.
-    Result<void> advance_to(double to, std::stop_token stop);
+    Result<void> advance_to(double to, std::stop_token stop, const WorkPart& work = {});
 
     /// The time the next step towards `to` will reach.
     double next_time(double to) const;

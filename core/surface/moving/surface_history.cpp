@@ -48,12 +48,13 @@ void SurfaceHistory::thin() {
 }
 
 /// To the last state of the uninterrupted run that is not after `time`.
-Result<void> SurfaceHistory::go_to(double time, const std::stop_token& stop) {
+Result<void> SurfaceHistory::go_to(double time, const std::stop_token& stop, const WorkPart& work) {
     const auto after = checkpoints_.upper_bound(since_start(time));
     const MovingState& nearest = std::prev(after)->second;
     if (since_start(surface_.time()) > since_start(time) ||
         since_start(nearest.mesh.time) > since_start(surface_.time()))
         surface_.restore(nearest);
+    const double from = surface_.time();
     while (since_start(surface_.next_time(surface_.end_time())) <= since_start(time) &&
            surface_.time() != surface_.end_time()) {
         if (auto stepped = surface_.step(surface_.end_time(), stop); !stepped) {
@@ -61,18 +62,19 @@ Result<void> SurfaceHistory::go_to(double time, const std::stop_token& stop) {
             return stepped;
         }
         keep();
+        work.reached((surface_.time() - from) / (time - from));
     }
     return {};
 }
 
-Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop) {
+Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop, const WorkPart& work) {
     if (!(since_start(time) >= 0.0 && since_start(time) <= since_start(surface_.end_time()))) {
         std::ostringstream text;
         text << "time " << time << " is outside the surface's " << start_ << " to "
              << surface_.end_time();
         return fail(Error::Code::OutOfTime, text.str(), "choose a time between them");
     }
-    if (auto there = go_to(time, stop); !there)
+    if (auto there = go_to(time, stop, work); !there)
         return tl::unexpected(there.error());
     if (surface_.time() == time)
         return surface_.mesh();

@@ -18,8 +18,8 @@ class SurfaceHistory {
     SurfaceHistory(MovingSurface surface, std::size_t budget_bytes);
 
     /// The mesh at a time between the surface's first and its end. Steps from the newest checkpoint before it, or from where
-    /// it stands. Error: OutOfTime, Cancelled (the next call goes on from a checkpoint), what stepping reports.
-    Result<KeyedMesh> at(double time, std::stop_token stop);
+    /// it stands, telling `work` how far of the way it is. Error: OutOfTime, Cancelled (the next call goes on from a checkpoint), what stepping reports.
+    Result<KeyedMesh> at(double time, std::stop_token stop, const WorkPart& work = {});
 
     /// Times one can go back to at once, in order of play.
     std::vector<double> checkpoints() const;
@@ -38,7 +38,7 @@ class SurfaceHistory {
 
     void keep();
     void thin();
-    Result<void> go_to(double time, const std::stop_token& stop);
+    Result<void> go_to(double time, const std::stop_token& stop, const WorkPart& work);
 
     MovingSurface surface_;
     double start_;

@@ -144,8 +144,12 @@ TEST_F(Cancel, ProgressBeginsReportsAndEndsBeforeTheAnswer) {
     EXPECT_EQ(told.back()["kind"], "end");
     EXPECT_EQ(told.back()["phase"], "final");
     EXPECT_EQ(told.back()["quads"], answer["result"]["quads"]);
-    for (std::size_t i = 1; i + 1 < told.size(); ++i)
+    EXPECT_EQ(told.back()["percentage"], 100);
+    for (std::size_t i = 1; i + 1 < told.size(); ++i) {
         EXPECT_EQ(told[i]["kind"], "report") << told[i];
+        EXPECT_GE(told[i]["percentage"], i == 1 ? json(0) : told[i - 1]["percentage"]) << told[i];
+        EXPECT_LE(told[i]["percentage"], 100);
+    }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     EXPECT_LE(static_cast<double>(told.size()) - 2, 10 * took.count() + 1) << "ten a second";
     EXPECT_EQ(client.result("server.ping"), json::object()) << "nothing follows the end";
