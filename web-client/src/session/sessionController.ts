@@ -119,7 +119,7 @@ export class SessionController {
             showFragment(writeFragment(session, this.options.url.dataset));
             return snapshot;
         } catch (error) {
-            if (!(error instanceof CallError) || error.failure.code !== notFound) throw error;
+            if (!isNotFound(error)) throw error;
             this.resumeToken = undefined;
             if (state.rakes.value.size === 0) {
                 state.notice.value = 'The session of this link no longer exists; this is a new one.';
@@ -186,6 +186,7 @@ export class SessionController {
         };
         const points = state.rakePoints.value;
         const active = state.rake.value?.rake;
+        const forgotten = this.session;
         const { session } = await worker.call('session.create', {});
         this.rebuilding = true;
         try {
@@ -193,6 +194,10 @@ export class SessionController {
             await this.makeAnew(remembered, dataset, (rake, recorded) =>
                 rake === active && points.length > 0 ? [...points] : recorded,
             );
+        } catch (error) {
+            // What is on the page is not all in the new session: the next connection begins again with another.
+            this.session = forgotten;
+            throw error;
         } finally {
             this.rebuilding = false;
         }
@@ -237,10 +242,27 @@ export class SessionController {
     }
 
     private async subscribeAll(): Promise<void> {
-        this.options.feed.reset();
-        this.options.edits.reconnected();
-        for (const surface of this.options.state.surfaces.value.keys()) {
-            await this.options.feed.subscribe(surface);
+        const { feed, edits } = this.options;
+        feed.reset();
+        edits.reconnected();
+        const asked = new Set<string>();
+        const next = (): string | undefined => {
+            const { surfaces } = this.options.state;
+            return [...surfaces.value.keys()].find((surface) => !asked.has(surface));
+        };
+        // Others make and delete surfaces meanwhile.
+        for (let surface = next(); surface !== undefined; surface = next()) {
+            asked.add(surface);
+            await this.subscribe(surface);
+        }
+    }
+
+    private async subscribe(surface: string): Promise<void> {
+        const { feed, state } = this.options;
+        try {
+            await feed.subscribe(surface);
+        } catch (error) {
+            if (!isNotFound(error) || state.surfaces.value.has(surface)) throw error;
         }
     }
 
@@ -334,6 +356,10 @@ export class SessionController {
         // The range of the velocity is known in full only now.
         if (change.state === 'ready') void this.describe(dataset).catch(() => undefined);
     }
+}
+
+function isNotFound(error: unknown): boolean {
+    return error instanceof CallError && error.failure.code === notFound;
 }
 
 function noDataset(id: string | null): string {
