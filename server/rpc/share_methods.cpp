@@ -78,18 +78,27 @@ std::optional<protocol::RpcFault> out_of_hand(const Participant& place, const Id
                               {}};
 }
 
+/// Reads `session`, where the participant is one whom the caller may do something to.
+tl::expected<std::shared_ptr<Session>, protocol::RpcFault>
+read_session_of(const std::string& participant, protocol::CheckedJson& in, const Call& call) {
+    const auto session = read_session(in, call);
+    if (!session)
+        return tl::unexpected(protocol::fault_of(session.error()));
+    const auto place = (*session)->participants().find(participant);
+    if (!place)
+        return tl::unexpected(protocol::fault_of(place.error()));
+    if (const auto fault = out_of_hand(*place, call.identity))
+        return tl::unexpected(*fault);
+    return *session;
+}
+
 void set_role(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const std::string id = in.text("participant");
     const Role role = read_role(in);
-    const auto session = read_session(in, call);
+    const auto session = read_session_of(id, in, call);
     if (!session)
         return reply.fault(session.error());
-    const auto place = (*session)->participants().find(id);
-    if (!place)
-        return reply.fault(place.error());
-    if (const auto fault = out_of_hand(*place, call.identity))
-        return reply.fault(*fault);
     (*session)->participants().set_role(id, role);
     reply.result({{"participant", id}, {"role", name(role)}});
 }
@@ -97,14 +106,9 @@ void set_role(const Call& call, Reply reply) {
 void kick(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const std::string id = in.text("participant");
-    const auto session = read_session(in, call);
+    const auto session = read_session_of(id, in, call);
     if (!session)
         return reply.fault(session.error());
-    const auto place = (*session)->participants().find(id);
-    if (!place)
-        return reply.fault(place.error());
-    if (const auto fault = out_of_hand(*place, call.identity))
-        return reply.fault(*fault);
     (*session)->participants().remove(id);
     reply.result(json::object());
 }

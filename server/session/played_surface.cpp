@@ -1,13 +1,11 @@
 #include "server/session/played_surface.hpp"
 
-#include "core/surface/surface_request.hpp"
+#include "core/surface/moving/moving_parts.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace wakesurf::server {
 
-using core::Direction;
 using core::KeyedMesh;
 using core::SurfaceStatistics;
 
@@ -67,28 +65,17 @@ core::Result<PlayedSurface> PlayedSurface::start(const SurfaceJob& job,
                                                  std::size_t budget_bytes,
                                                  const core::Clock& clock,
                                                  const std::stop_token& stop) {
-    core::SurfaceParameters p = job.parameters;
-    const Direction asked = p.direction;
-    if (!(p.separation > 0.0))
-        p.separation = job.flow->finest_spacing();
-    if (asked == Direction::Both) {
-        p.max_quads = std::max<std::uint64_t>(p.max_quads / 2, 1);
-        budget_bytes /= 2;
-    }
+    const auto parts = core::moving_parts(*job.flow, job.parameters);
+    if (!parts)
+        return tl::unexpected(parts.error());
     PlayedSurface played;
-    for (const Direction direction : {Direction::Forward, Direction::Backward}) {
-        if (asked != Direction::Both && asked != direction)
-            continue;
-        const double sign = direction == Direction::Backward ? -1.0 : 1.0;
-        p.direction = direction;
-        if (auto in_time = core::check_times(*job.flow, p, sign * std::abs(p.to - p.from));
-            !in_time)
-            return tl::unexpected(in_time.error());
-        auto moving = core::MovingSurface::start(*job.flow, job.rake, p, stop, clock);
+    for (const core::MovingPart& part : *parts) {
+        auto moving = core::MovingSurface::start(*job.flow, job.rake, part.parameters, stop, clock);
         if (!moving)
             return tl::unexpected(moving.error());
         played.parts_.push_back(
-            {core::SurfaceHistory(std::move(*moving), budget_bytes), p.from, sign});
+            {core::SurfaceHistory(std::move(*moving), budget_bytes / parts->size()),
+             part.parameters.from, part.sign});
     }
     return played;
 }

@@ -1,11 +1,10 @@
 #include "core/surface/moving/moving_builder.hpp"
 
+#include "core/surface/moving/moving_parts.hpp"
 #include "core/surface/moving/moving_surface.hpp"
-#include "core/surface/surface_request.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 namespace wakesurf::core {
 
@@ -63,30 +62,21 @@ Result<Surface> build_moving_surface(const Flow& flow,
                                      const Clock& clock,
                                      const WorkPart& work) {
     const auto began = clock.now();
-    SurfaceParameters p = parameters;
-    p.separation = p.separation > 0.0 ? p.separation : flow.finest_spacing();
+    const auto parts = moving_parts(flow, parameters);
+    if (!parts)
+        return tl::unexpected(parts.error());
     Surface surface;
-    for (const Direction direction : {Direction::Forward, Direction::Backward}) {
-        if (parameters.direction != Direction::Both && parameters.direction != direction)
-            continue;
-        p.direction = direction;
-        if (parameters.direction == Direction::Both)
-            p.max_quads = std::max<std::uint64_t>(parameters.max_quads / 2, 1);
-        if (auto in_time = check_times(
-                flow, p, (direction == Direction::Backward ? -1.0 : 1.0) * std::abs(p.to - p.from));
-            !in_time)
-            return tl::unexpected(in_time.error());
-        auto moving = MovingSurface::start(flow, rake, p, stop, clock);
+    for (std::size_t i = 0; i < parts->size(); ++i) {
+        const MovingPart& part = (*parts)[i];
+        auto moving = MovingSurface::start(flow, rake, part.parameters, stop, clock);
         if (!moving)
             return tl::unexpected(moving.error());
-        const WorkPart part = parameters.direction == Direction::Both
-                                  ? work.part(direction == Direction::Backward ? 1 : 0, 2)
-                                  : work;
-        if (auto moved = moving->advance_to(moving->end_time(), stop, part); !moved)
+        if (auto moved = moving->advance_to(moving->end_time(), stop, work.part(i, parts->size()));
+            !moved)
             return tl::unexpected(moved.error());
-        if (direction == Direction::Backward)
+        if (part.backward())
             surface.first_backward = static_cast<VertexId>(surface.mesh.vertices());
-        append(surface.mesh, moving->mesh().mesh, direction == Direction::Backward);
+        append(surface.mesh, moving->mesh().mesh, part.backward());
         add(surface.statistics, moving->statistics());
     }
     if (!parameters.deformation)
