@@ -16,8 +16,17 @@ constexpr double fast_final = 0.005;
 constexpr double slow_final = 0.2;
 /// What may run on the threads that others wait for.
 constexpr double quick = 0.015;
+/// A pass that was slow by chance (others had the processor) must not make the next one large: quads grow by steps of this.
+constexpr double growth = 2.0;
+/// A surface changes while it is edited: so many times the quads aimed at are no reason to begin again with fewer.
+constexpr double room = 1.5;
 
 } // namespace
+
+PassBudgets::PassBudgets(bool at_once)
+    : coarse_{coarse_budget, 100.0, 4000.0, 1000.0}, refined_{refined_budget, 2000.0, 200'000.0,
+                                                              20'000.0},
+      coarse_seconds_(at_once ? 0.0 : 1.0) {}
 
 void PassBudgets::forget() {
     final_seconds_.reset();
@@ -37,7 +46,7 @@ void PassBudgets::took(Phase phase,
         const double most =
             static_cast<double>(max_quads) / std::max(1.0, static_cast<double>(statistics.quads));
         estimated_seconds_ = seconds * std::min(finer, most);
-        aim(phase, seconds);
+        early(phase).learn(seconds, &statistics);
     } else {
         final_seconds_ = seconds;
     }
@@ -45,20 +54,24 @@ void PassBudgets::took(Phase phase,
 
 void PassBudgets::cut_short(Phase phase, double seconds) {
     // While edits come faster than coarse passes end, nothing would ever be shown.
-    if (phase == Phase::Coarse && seconds > coarse_budget)
-        aim(phase, seconds);
-    else if (phase == Phase::Refined && seconds > refined_budget)
-        aim(phase, seconds);
-    else if (phase == Phase::Final)
+    if (phase == Phase::Final)
         final_seconds_ = std::max(final_seconds_.value_or(seconds), seconds);
+    else if (phase != Phase::Live && seconds > early(phase).budget)
+        early(phase).learn(seconds, nullptr);
 }
 
-void PassBudgets::aim(Phase phase, double seconds) {
-    const double taken = std::max(seconds, 1e-4);
-    if (phase == Phase::Coarse)
-        coarse_quads_ = std::clamp(coarse_quads_ * coarse_budget / taken, 100.0, 4000.0);
-    else
-        refined_quads_ = std::clamp(refined_quads_ * refined_budget / taken, 2000.0, 200'000.0);
+/// The work goes with the quads, and they with the inverse square of the separation.
+void PassBudgets::Aim::learn(double seconds, const core::SurfaceStatistics* had) {
+    const double factor = std::min(growth, budget / std::max(seconds, 1e-4));
+    if (had == nullptr) {
+        quads = std::max(quads * factor, least);
+        separation /= std::sqrt(std::min(factor, 1.0));
+        return;
+    }
+    // One that needed fewer than it may have tells little of what it could have had.
+    const double gave = std::max(static_cast<double>(had->quads), 1.0);
+    quads = std::clamp(gave * factor, least, most);
+    separation = had->separation * std::sqrt(gave / quads);
 }
 
 /// Pessimistic before the first pass.
@@ -75,7 +88,11 @@ bool PassBudgets::refined_too() const {
 }
 
 std::uint64_t PassBudgets::quads(Phase phase) const {
-    return static_cast<std::uint64_t>(phase == Phase::Coarse ? coarse_quads_ : refined_quads_);
+    return static_cast<std::uint64_t>(room * early(phase).quads);
+}
+
+double PassBudgets::separation(Phase phase) const {
+    return early(phase).separation;
 }
 
 Pace PassBudgets::pace(Phase phase) const {

@@ -16,7 +16,7 @@ class PassBudgets {
     using Phase = protocol::Phase;
 
     /// @param at_once  the first pass is expected to be quick: a stream surface's is
-    explicit PassBudgets(bool at_once) : coarse_seconds_(at_once ? 0.0 : 1.0) {}
+    explicit PassBudgets(bool at_once);
 
     /// Parameters have changed: what the final pass took tells nothing any more.
     void forget();
@@ -40,15 +40,32 @@ class PassBudgets {
     /// Most quads of a coarse or refined pass.
     std::uint64_t quads(Phase phase) const;
 
+    /// The separation at which the last coarse or refined pass would have had a little fewer: looking for it again costs more than
+    /// the surface. 0: there was none.
+    double separation(Phase phase) const;
+
     Pace pace(Phase phase) const;
     Pace pace_of_moving_on() const;
 
   private:
-    double expected_final() const;
-    void aim(Phase phase, double seconds);
+    /// What an early pass aims at.
+    struct Aim {
+        double budget; ///< s
+        double least, most;
+        double quads;
+        double separation = 0.0;
 
-    double coarse_quads_ = 1000;
-    double refined_quads_ = 20'000;
+        /// @param had  quads and the separation of a pass that took so long; nothing: it was cut short
+        void learn(double seconds, const core::SurfaceStatistics* had);
+    };
+
+    double expected_final() const;
+
+    const Aim& early(Phase phase) const { return phase == Phase::Coarse ? coarse_ : refined_; }
+
+    Aim& early(Phase phase) { return phase == Phase::Coarse ? coarse_ : refined_; }
+
+    Aim coarse_, refined_;
     double coarse_seconds_;
     std::optional<double>
         final_seconds_; ///< of the newest final pass, or how long it was at work at least

@@ -107,6 +107,8 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::build_early(const SurfacePass& p
     p.accuracy = core::Accuracy::Fast;
     if (pass.phase == Phase::Coarse)
         p.separation *= 2.0;
+    if (p.separation > 0.0 || pass.separation > job_.flow->finest_spacing())
+        p.separation = std::max(p.separation, pass.separation);
     const double age = age_at(p, pass.time);
     const bool moving = p.kind == core::SurfaceKind::Streak || p.kind == core::SurfaceKind::Time;
     if (moving && pass.time && age > 0.0) {
