@@ -1,6 +1,7 @@
 #include "server/session/compute_pool.hpp"
 
 #include "server/session/fair_queue.hpp"
+#include "server/session/quick_lanes.hpp"
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/task_arena.h>
@@ -10,8 +11,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <ctime>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -21,17 +26,26 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr int lower_priority = 10; ///< nice: a tenth of the time of a thread that answers somebody
+// nice: next to a thread that answers somebody, a third and a tenth of its time.
+constexpr int crowd_priority = 5;
+constexpr int long_priority = 10;
 
 unsigned thread_count(unsigned asked) {
     return asked > 0 ? asked : std::max(1u, std::thread::hardware_concurrency());
 }
 
 /// Of the calling thread, for good. Where the kernel refuses, all run alike.
-void step_back() {
+void step_back(int priority) {
     thread_local bool done = false;
     if (!std::exchange(done, true))
-        setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), lower_priority);
+        setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), priority);
+}
+
+/// s that the calling thread has had a processor.
+double processor_time() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 /// oneTBB's workers only ever help with long jobs.
@@ -43,65 +57,84 @@ class StepBack final : public oneapi::tbb::task_scheduler_observer {
 
     ~StepBack() override { observe(false); }
 
-    void on_scheduler_entry(bool) override { step_back(); }
+    void on_scheduler_entry(bool) override { step_back(long_priority); }
 };
 
 } // namespace
 
 struct ComputePool::State {
-    struct Lane {
-        explicit Lane(bool one_a_session) : queue(one_a_session) {}
-
-        FairQueue queue;
-        std::condition_variable ready;
-    };
+    using Lane = QuickLanes::Lane;
+    using Clock = std::chrono::steady_clock;
 
     explicit State(unsigned asked)
-        : threads(thread_count(asked)),
+        : threads(thread_count(asked)), quick(quick_threads()),
           allowed(std::in_place, oneapi::tbb::global_control::max_allowed_parallelism, threads) {
-        for (unsigned i = 0; i < std::max(2u, threads); ++i)
-            workers.emplace_back([this] {
-                oneapi::tbb::task_arena alone(1, 1);
-                serve(quick, alone);
-            });
+        for (unsigned i = 0; i < quick_threads(); ++i)
+            for (const Lane lane : {Lane::Upper, Lane::Lower})
+                workers.emplace_back([this, lane] {
+                    if (lane == Lane::Lower)
+                        step_back(crowd_priority);
+                    serve_quick(lane);
+                });
         for (unsigned i = 0; i < std::max(4u, 2 * threads); ++i)
-            workers.emplace_back([this] {
-                // An arena a thread: while it waits for its loop's other threads it cannot take on another job.
-                oneapi::tbb::task_arena arena(static_cast<int>(threads), 1);
-                arena.initialize();
-                const StepBack observer(arena);
-                serve(longer, arena);
-            });
+            workers.emplace_back([this] { serve_long(); });
     }
 
-    State() : threads(1) {}
+    State() : threads(1), quick(std::numeric_limits<std::size_t>::max()) {} // by hand: one lane
 
-    void serve(Lane& lane, oneapi::tbb::task_arena& arena) {
+    unsigned quick_threads() const { return std::max(2u, threads); }
+
+    void serve_quick(Lane lane) {
+        oneapi::tbb::task_arena alone(1, 1);
+        std::condition_variable& ready = quick_ready[static_cast<std::size_t>(lane)];
         std::unique_lock lock(mutex);
         for (;;) {
-            lane.ready.wait(
-                lock, [&] { return lane.queue.ready() || (ending && lane.queue.waiting() == 0); });
-            auto turn = lane.queue.pop();
+            ready.wait(lock, [&] { return quick.ready(lane) || ending; });
+            auto turn = quick.pop(lane);
             if (!turn)
                 return;
-            lock.unlock();
-            arena.execute(turn->job);
-            turn->job = nullptr; // what the job holds goes before the pool may
-            lock.lock();
-            lane.queue.done(turn->session);
-            if (lane.queue.ready() || ending)
-                lane.ready.notify_all();
+            const double before = processor_time();
+            run(*turn, alone, lock);
+            quick.done(lane, turn->session, processor_time() - before, Clock::now());
         }
     }
 
-    Lane& lane(Pace pace) { return pace == Pace::Quick ? quick : longer; }
+    void serve_long() {
+        // An arena a thread: while it waits for its loop's other threads it cannot take on another job.
+        oneapi::tbb::task_arena arena(static_cast<int>(threads), 1);
+        arena.initialize();
+        const StepBack observer(arena);
+        std::unique_lock lock(mutex);
+        for (;;) {
+            long_ready.wait(lock,
+                            [&] { return longer.ready() || (ending && longer.waiting() == 0); });
+            auto turn = longer.pop();
+            if (!turn)
+                return;
+            run(*turn, arena, lock);
+            longer.done(turn->session);
+            if (longer.ready() || ending)
+                long_ready.notify_all();
+        }
+    }
+
+    static void
+    run(FairQueue::Turn& turn, oneapi::tbb::task_arena& arena, std::unique_lock<std::mutex>& lock) {
+        lock.unlock();
+        arena.execute(turn.job);
+        turn.job = nullptr; // what the job holds goes before the pool may
+        lock.lock();
+    }
 
     unsigned threads;
-    std::optional<oneapi::tbb::global_control> allowed;
     std::mutex mutex;
     bool ending = false;
-    Lane quick{false}, longer{true};
+    QuickLanes quick;
+    FairQueue longer{true};
+    std::array<std::condition_variable, 2> quick_ready;
+    std::condition_variable long_ready;
     std::uint64_t next_lone = 0;
+    std::optional<oneapi::tbb::global_control> allowed;
     std::vector<std::jthread> workers;
 };
 
@@ -114,18 +147,22 @@ ComputePool::~ComputePool() {
         const std::lock_guard lock(state_->mutex);
         state_->ending = true;
     }
-    state_->quick.ready.notify_all();
-    state_->longer.ready.notify_all();
+    for (auto& each : state_->quick_ready)
+        each.notify_all();
+    state_->long_ready.notify_all();
     state_->workers.clear();
 }
 
 void ComputePool::run(const std::string& session, Pace pace, std::function<void()> job) {
-    State::Lane& lane = state_->lane(pace);
-    {
-        const std::lock_guard lock(state_->mutex);
-        lane.queue.push(session, std::move(job));
+    std::unique_lock lock(state_->mutex);
+    if (pace == Pace::Long) {
+        state_->longer.push(session, std::move(job));
+        lock.unlock();
+        return state_->long_ready.notify_one();
     }
-    lane.ready.notify_one();
+    const auto lane = state_->quick.push(session, std::move(job), State::Clock::now());
+    lock.unlock();
+    state_->quick_ready[static_cast<std::size_t>(lane)].notify_one();
 }
 
 void ComputePool::run(std::function<void()> job) {
@@ -138,19 +175,26 @@ void ComputePool::run(std::function<void()> job) {
 }
 
 bool ComputePool::turn() {
-    for (State::Lane* lane : {&state_->quick, &state_->longer}) {
-        std::unique_lock lock(state_->mutex);
-        auto turn = lane->queue.pop();
+    const auto run = [this](std::optional<FairQueue::Turn> turn, auto done) {
         if (!turn)
-            continue;
-        lock.unlock();
-        turn->job();
+            return false;
+        turn->job(); // without the lock: it may queue others
         turn->job = nullptr;
-        lock.lock();
-        lane->queue.done(turn->session);
+        const std::lock_guard lock(state_->mutex);
+        done(turn->session);
         return true;
-    }
-    return false;
+    };
+    const auto next = [this](auto& queue, auto... lane) {
+        const std::lock_guard lock(state_->mutex);
+        return queue.pop(lane...);
+    };
+    constexpr auto upper = QuickLanes::Lane::Upper;
+    return run(next(state_->quick, upper),
+               [this](const std::string& session) {
+                   state_->quick.done(upper, session, 0.0, {});
+               }) ||
+           run(next(state_->longer),
+               [this](const std::string& session) { state_->longer.done(session); });
 }
 
 unsigned ComputePool::threads() const {

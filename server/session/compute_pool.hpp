@@ -1,6 +1,6 @@
 // The threads surfaces are computed on, apart from the network thread, which never computes. Passes that are over at once
-// and passes that take long have threads of their own, sessions take turns in both, and the long ones run at a lower
-// priority: the kernel slices them, so that one huge surface never freezes another session.
+// and passes that take long have threads of their own, sessions take turns in both. The long ones, and the quick ones of sessions that
+// have many (quick_lanes), run at lower priorities: the kernel slices them, so that nobody's surfaces freeze another session.
 #pragma once
 
 #include <functional>
@@ -27,7 +27,7 @@ class ComputePool {
     ComputePool(const ComputePool&) = delete;
     ComputePool& operator=(const ComputePool&) = delete;
 
-    /// Queues a job of a session. Quick ones run on one thread each. Of the long ones of a session one runs at a time; its parallel
+    /// Queues a job of a session. Quick ones run on one thread each; one session never has all threads of full priority. Of the long ones of a session one runs at a time; its parallel
     /// loops use all cores. A job must not throw.
     void run(const std::string& session, Pace pace, std::function<void()> job);
 

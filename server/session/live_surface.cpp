@@ -162,7 +162,7 @@ std::optional<SurfacePass> LiveSurface::next_pass() const {
     const bool moving = moves(wanted_.parameters);
     const std::optional<double> time = moving ? time_ : std::nullopt;
     const auto early = [&](Phase phase) {
-        return SurfacePass{phase, budgets_.quads(phase), budgets_.separation(phase), time};
+        return SurfacePass{phase, budgets_.quads(phase), time, budgets_.separation(phase)};
     };
     const auto age = [&](std::optional<double> at) { return age_at(wanted_.parameters, at); };
     const bool begun = age(time) > 0.0; // at the release there is little to build
@@ -171,7 +171,7 @@ std::optional<SurfacePass> LiveSurface::next_pass() const {
     if (begun && !full_ && !refined_done_ && budgets_.refined_too())
         return early(Phase::Refined);
     const bool live = moving && time && playing_;
-    const SurfacePass full{live ? Phase::Live : Phase::Final, 0, 0.0, time};
+    const SurfacePass full{live ? Phase::Live : Phase::Final, 0, time, 0.0};
     if (!full_ || (full_->phase == Phase::Live && !live))
         return full;
     if (full_->time.has_value() != time.has_value() || age(full_->time) != age(time))

@@ -20,8 +20,8 @@ namespace wakesurf::server {
 struct SurfacePass {
     Phase phase = Phase::Final;
     std::uint64_t quads = 0;    ///< most of a coarse or refined pass
-    double separation = 0.0;    ///< of such a pass, at least
     std::optional<double> time; ///< of the session's clock; nothing: at the end
+    double separation = 0.0;    ///< of such a pass, at least
 };
 
 /// How long before `time` a surface was (first) released, within its integration time; nothing: at its end.

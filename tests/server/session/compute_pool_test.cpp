@@ -66,6 +66,35 @@ TEST(ComputePool, RunsQuickJobsWhileEveryLongThreadIsBusy) {
     release.set_value();
 }
 
+TEST(ComputePool, RunsAQuickJobOfOneSessionWhileAnotherHasMoreOfThemThanThreads) {
+    ComputePool pool(2);
+    std::promise<void> release;
+    const auto released = release.get_future().share();
+    for (int i = 0; i < 64; ++i)
+        pool.run("heavy", Pace::Quick, [released] { released.wait(); });
+    std::promise<int> quick;
+    pool.run("light", Pace::Quick, [&] { quick.set_value(own_priority()); });
+    EXPECT_EQ(quick.get_future().get(), own_priority());
+    release.set_value();
+}
+
+TEST(ComputePool, RunsTheManyQuickJobsOfASessionAtAPriorityBetweenAFewAndLongOnes) {
+    ComputePool pool(2);
+    std::promise<void> release;
+    const auto released = release.get_future().share();
+    std::promise<int> few, many, longer;
+    pool.run("a", Pace::Quick, [&, released] {
+        few.set_value(own_priority());
+        released.wait();
+    });
+    pool.run("a", Pace::Quick, [&] { many.set_value(own_priority()); });
+    pool.run("a", Pace::Long, [&] { longer.set_value(own_priority()); });
+    const int of_many = many.get_future().get();
+    EXPECT_GT(of_many, few.get_future().get());
+    EXPECT_LT(of_many, longer.get_future().get());
+    release.set_value();
+}
+
 TEST(ComputePool, RunsLongJobsOfSeveralSessionsAtATimeAndOneOfEach) {
     ComputePool pool(2);
     std::atomic<int> running{0}, most{0};
