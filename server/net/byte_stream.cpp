@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace wakesurf::server {
 
@@ -20,6 +21,15 @@ using boost::system::error_code;
 namespace {
 
 constexpr unsigned char tls_handshake_record = 0x16;
+
+/// A sequence of buffers as Asio wants it.
+struct Several {
+    const asio::const_buffer* begin() const { return buffers.data(); }
+
+    const asio::const_buffer* end() const { return buffers.data() + buffers.size(); }
+
+    std::span<const asio::const_buffer> buffers;
+};
 
 std::string wants_tls() {
     const std::string body = "this port speaks TLS: use https:// or wss://\n";
@@ -60,6 +70,8 @@ struct ByteStream::State : std::enable_shared_from_this<State> {
 
     void expires_never() { deadline.expires_at(asio::steady_timer::time_point::max()); }
 
+    template <class Buffers>
+    void write_whole(const Buffers& buffers, AnyHandler handler);
     void handshake(AnyHandler handler);
     void tell_plain(AnyHandler handler);
     void drain(AnyHandler handler);
@@ -69,7 +81,35 @@ struct ByteStream::State : std::enable_shared_from_this<State> {
     std::optional<ssl::stream<tcp::socket&>> tls;
     std::array<char, 512> rest{}; ///< what comes after the end, and is nobody's
     bool timed_out = false;
+    bool writing = false;               ///< something that must not be interrupted
+    std::vector<AnyHandler> next_write; ///< begin what waits for that
 };
+
+template <class Buffers>
+void ByteStream::State::write_whole(const Buffers& buffers, AnyHandler handler) {
+    auto begin = [self = shared_from_this(), buffers,
+                  handler = std::move(handler)](error_code, std::size_t) mutable {
+        self->writing = true;
+        auto done = [self, handler = std::move(handler)](error_code error,
+                                                         std::size_t sent) mutable {
+            self->writing = false;
+            if (!self->next_write.empty()) {
+                AnyHandler next = std::move(self->next_write.front());
+                self->next_write.erase(self->next_write.begin());
+                next({});
+            }
+            handler(error, sent);
+        };
+        if (self->tls)
+            asio::async_write(*self->tls, buffers, AnyHandler(std::move(done)));
+        else
+            asio::async_write(self->socket, buffers, AnyHandler(std::move(done)));
+    };
+    if (writing)
+        next_write.emplace_back(std::move(begin));
+    else
+        AnyHandler(std::move(begin))({});
+}
 
 /// By its first byte: a TLS record, or somebody who speaks plain HTTP.
 void ByteStream::State::handshake(AnyHandler handler) {
@@ -151,10 +191,26 @@ void ByteStream::read(asio::mutable_buffer buffer, AnyHandler handler) {
 }
 
 void ByteStream::write(const Gathered& buffers, AnyHandler handler) {
+    if (asio::buffer_size(buffers) <= whole)
+        return state_->write_whole(buffers, std::move(handler));
     if (state_->tls)
         state_->tls->async_write_some(buffers, kept_alive(state_, std::move(handler)));
     else
         state_->socket.async_write_some(buffers, std::move(handler));
+}
+
+void ByteStream::write_whole(std::span<const asio::const_buffer> buffers, AnyHandler handler) {
+    state_->write_whole(Several{buffers}, std::move(handler));
+}
+
+std::size_t ByteStream::write_at_once(std::span<const asio::const_buffer> buffers) {
+    if (state_->writing || state_->tls)
+        return 0;
+    error_code error;
+    if (!state_->socket.non_blocking())
+        state_->socket.non_blocking(true, error);
+    const std::size_t sent = error ? 0 : state_->socket.send(Several{buffers}, 0, error);
+    return error ? 0 : sent;
 }
 
 void ByteStream::end(AnyHandler handler) {

@@ -12,6 +12,7 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <span>
 
 namespace boost::beast {
 enum class role_type;
@@ -61,6 +62,19 @@ class ByteStream {
         write(gathered, AnyHandler(std::forward<Handler>(handler)));
     }
 
+    /// Sends what the socket takes at once and returns how much that was; 0 also where it must wait for another write, over TLS, and
+    /// when the connection is broken.
+    std::size_t write_at_once(std::span<const boost::asio::const_buffer> buffers);
+
+    /// Sends all of the buffers, which stay valid until then, with nothing else in between. REQUIRES: what is written meanwhile with
+    /// async_write_some has at most `whole` bytes, as control frames have.
+    template <class Handler>
+    void async_write_whole(std::span<const boost::asio::const_buffer> buffers, Handler&& handler) {
+        write_whole(buffers, AnyHandler(std::forward<Handler>(handler)));
+    }
+
+    static constexpr std::size_t whole = 256;
+
     /// Says that nothing more will come, waits at most `linger` for the other side to say the same, and closes.
     template <class Handler>
     void async_end(Handler&& handler) {
@@ -107,6 +121,7 @@ class ByteStream {
     void accept(AnyHandler handler);
     void read(boost::asio::mutable_buffer buffer, AnyHandler handler);
     void write(const Gathered& buffers, AnyHandler handler);
+    void write_whole(std::span<const boost::asio::const_buffer> buffers, AnyHandler handler);
     void end(AnyHandler handler);
 
     std::shared_ptr<State> state_;

@@ -7,6 +7,7 @@
 #include "server/net/connections.hpp"
 #include "server/net/routes.hpp"
 #include "server/net/tls_context.hpp"
+#include "server/net/write_turns.hpp"
 
 #include <boost/asio/ip/tcp.hpp>
 
@@ -19,6 +20,7 @@ struct NetServices {
     Grants& grants;
     Admission& admission;
     Metrics& metrics;
+    WriteTurns& turns;
     TlsContext* tls; ///< nothing: plain TCP
 };
 

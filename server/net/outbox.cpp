@@ -6,11 +6,11 @@
 
 namespace wakesurf::server {
 
-bool Outbox::push(std::string message) {
+bool Outbox::push(Message message) {
     if (messages_.size() >= limits::outbox_messages ||
-        message_bytes_ + message.size() > limits::outbox_message_bytes)
+        message_bytes_ + message->size() > limits::outbox_message_bytes)
         return false;
-    message_bytes_ += message.size();
+    message_bytes_ += message->size();
     messages_.push_back(std::move(message));
     return true;
 }
@@ -45,9 +45,9 @@ std::optional<Outbox::Item> Outbox::pop() {
 std::optional<Outbox::Item> Outbox::pop_message() {
     if (messages_.empty())
         return std::nullopt;
-    std::string message = std::move(messages_.front());
+    Message message = std::move(messages_.front());
     messages_.pop_front();
-    message_bytes_ -= message.size();
+    message_bytes_ -= message->size();
     return message;
 }
 

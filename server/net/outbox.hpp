@@ -8,8 +8,10 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace wakesurf::server {
@@ -18,10 +20,16 @@ namespace wakesurf::server {
 class Outbox {
   public:
     using Frame = FrameCursor::Frame;
-    using Item = std::variant<std::string, Frame>;
+    /// The same text may wait for many.
+    using Message = std::shared_ptr<const std::string>;
+    using Item = std::variant<Message, Frame>;
 
     /// False when the client is too slow for its messages: close it.
-    [[nodiscard]] bool push(std::string message);
+    [[nodiscard]] bool push(Message message);
+
+    [[nodiscard]] bool push(std::string message) {
+        return push(std::make_shared<const std::string>(std::move(message)));
+    }
 
     bool may_follow(std::uint32_t surface);
 
@@ -42,7 +50,7 @@ class Outbox {
     std::optional<Item> pop_message();
     Frame pop_frame();
 
-    std::deque<std::string> messages_;
+    std::deque<Message> messages_;
     std::size_t message_bytes_ = 0;
     std::map<std::uint32_t, FrameCursor> cursors_; ///< by surface
     std::uint32_t last_ = 0;                       ///< surface that had the last turn

@@ -142,6 +142,7 @@ struct Server::Parts {
     Admission admission{limits_for_descriptors(), metrics};
     std::unique_ptr<TlsContext> tls;
     Connections connections;
+    WriteTurns turns{[this](std::function<void()> task) { loop.post(std::move(task)); }};
     asio::io_context context{1};
     IoLoop loop{context};
     ComputePool pool;
@@ -184,8 +185,9 @@ core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options)
     }
     auto listener = Listener::open(
         all->context, options.host, options.port, [all](asio::ip::tcp::socket socket) {
-            serve_http(std::move(socket), {*all->routes, all->connections, all->grants,
-                                           all->admission, all->metrics, all->tls.get()});
+            serve_http(std::move(socket),
+                       {*all->routes, all->connections, all->grants, all->admission, all->metrics,
+                        all->turns, all->tls.get()});
         });
     if (!listener)
         return tl::unexpected(listener.error());

@@ -1,6 +1,7 @@
 #include "server/net/websocket_connection.hpp"
 
 #include "server/limits.hpp"
+#include "server/net/message_batch.hpp"
 #include "server/net/outbox.hpp"
 #include "server/net/security_headers.hpp"
 #include "server/net/token_bucket.hpp"
@@ -34,6 +35,7 @@ constexpr std::size_t large_part = std::size_t{16} << 10;
 
 class WebSocketConnection final : public Connection,
                                   public Wire,
+                                  public WriteTurns::Writer,
                                   public std::enable_shared_from_this<WebSocketConnection> {
   public:
     WebSocketConnection(ByteStream stream,
@@ -54,7 +56,13 @@ class WebSocketConnection final : public Connection,
 
     void announce(const std::string& message) override { send(message); }
 
-    void send(std::string message) override;
+    void send(std::string message) override {
+        send_shared(std::make_shared<const std::string>(std::move(message)));
+    }
+
+    void send_shared(const std::shared_ptr<const std::string>& message) override;
+
+    void write_turn() override;
 
     void close(Goodbye goodbye, const std::string& reason) override {
         close(static_cast<websocket::close_code>(goodbye), reason.c_str());
@@ -71,16 +79,20 @@ class WebSocketConnection final : public Connection,
                      std::uint32_t seq) override;
 
   private:
+    using Time = std::chrono::steady_clock::time_point;
+
     void read();
     void received(bool text, bool whole);
     void read_after(std::size_t bytes);
+    void write_soon();
     void write();
-    void count(std::size_t bytes, std::chrono::steady_clock::time_point begun);
+    void write_rest(std::shared_ptr<MessageBatch> batch, Time begun);
+    void count(const MessageBatch& batch, Time begun);
     void close(websocket::close_code code, const char* reason);
     void end();
 
     websocket::stream<ByteStream> stream_;
-    boost::asio::steady_timer stall_; ///< runs while a message is being written
+    boost::asio::steady_timer stall_; ///< runs while the socket takes no more
     NetServices services_;
     std::unique_ptr<Admission::Place> place_;
     boost::asio::steady_timer
@@ -89,9 +101,9 @@ class WebSocketConnection final : public Connection,
                           std::chrono::steady_clock::now()};
     beast::flat_buffer buffer_;
     Outbox outbox_;
-    Outbox::Item writing_;
-    bool busy_ = false; ///< a write is under way
-    bool open_ = false; ///< between the handshake and the first sign of the end
+    bool busy_ = false;   ///< a write is under way
+    bool queued_ = false; ///< for a turn to write
+    bool open_ = false;   ///< between the handshake and the first sign of the end
     std::optional<Client> client_;
 };
 
@@ -181,23 +193,23 @@ void WebSocketConnection::read_after(std::size_t bytes) {
     });
 }
 
-void WebSocketConnection::send(std::string message) {
+void WebSocketConnection::send_shared(const std::shared_ptr<const std::string>& message) {
     if (!open_)
         return;
-    if (!outbox_.push(std::move(message))) {
+    if (!outbox_.push(message)) {
         services_.metrics.reject(Rejection::Overflow);
         return close(websocket::close_code::try_again_later, "the client reads too slowly");
     }
-    write();
+    write_soon();
 }
 
 void WebSocketConnection::follow(FrameCursor cursor) {
     cursor.wake_by([weak = weak_from_this()] {
         if (const auto self = weak.lock())
-            self->write();
+            self->write_soon();
     });
     outbox_.follow(std::move(cursor));
-    write();
+    write_soon();
 }
 
 bool WebSocketConnection::acknowledge(std::uint32_t surface,
@@ -207,20 +219,43 @@ bool WebSocketConnection::acknowledge(std::uint32_t surface,
     if (cursor == nullptr)
         return false;
     cursor->acknowledge({epoch.value_or(cursor->ring().epoch()), seq});
-    write();
+    write_soon();
     return true;
 }
 
+void WebSocketConnection::write_soon() {
+    if (!busy_ && open_ && !std::exchange(queued_, true))
+        services_.turns.ask(weak_from_this());
+}
+
+void WebSocketConnection::write_turn() {
+    queued_ = false;
+    write();
+}
+
+/// One batch: whoever has more waits for another turn.
 void WebSocketConnection::write() {
     if (busy_ || !open_)
         return;
     busy_ = true; // a cursor may send a message while it is asked
-    auto item = outbox_.pop();
-    if (!item || !open_) {
+    auto batch = std::make_shared<MessageBatch>();
+    batch->fill(outbox_);
+    if (batch->empty() || !open_) {
         busy_ = false;
         return;
     }
-    writing_ = std::move(*item);
+    const auto begun = std::chrono::steady_clock::now();
+    batch->consume(stream_.next_layer().write_at_once(batch->buffers()));
+    if (!batch->buffers().empty())
+        return write_rest(std::move(batch), begun);
+    busy_ = false;
+    count(*batch, begun);
+    if (batch->full())
+        write_soon();
+}
+
+/// What the socket does not take at once.
+void WebSocketConnection::write_rest(std::shared_ptr<MessageBatch> batch, Time begun) {
     stall_.expires_after(limits::stalled);
     stall_.async_wait([weak = weak_from_this()](error_code error) {
         const auto self = weak.lock();
@@ -231,36 +266,37 @@ void WebSocketConnection::write() {
             self->end();
         }
     });
-    const auto* text = std::get_if<std::string>(&writing_);
-    stream_.text(text != nullptr);
-    const auto bytes = text != nullptr
-                           ? boost::asio::buffer(*text)
-                           : boost::asio::buffer(std::get<Outbox::Frame>(writing_)->data(),
-                                                 std::get<Outbox::Frame>(writing_)->size());
-    const auto begun = std::chrono::steady_clock::now();
-    stream_.async_write(bytes,
-                        [self = shared_from_this(), begun](error_code error, std::size_t sent) {
-                            self->busy_ = false;
-                            self->stall_.cancel();
-                            if (error)
-                                return self->end();
-                            self->count(sent, begun);
-                            self->write();
-                        });
+    const auto rest = batch->buffers();
+    stream_.next_layer().async_write_whole(rest,
+                                           [self = shared_from_this(), batch = std::move(batch),
+                                            begun](error_code error, std::size_t) {
+                                               self->busy_ = false;
+                                               self->stall_.cancel();
+                                               if (error)
+                                                   return self->end();
+                                               self->count(*batch, begun);
+                                               self->write_soon();
+                                           });
 }
 
-void WebSocketConnection::count(std::size_t bytes, std::chrono::steady_clock::time_point begun) {
-    if (std::holds_alternative<std::string>(writing_))
-        return services_.metrics.message_sent(bytes);
+void WebSocketConnection::count(const MessageBatch& batch, Time begun) {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-    services_.metrics.observe(Stage::Send, took.count());
-    services_.metrics.frame_sent(bytes);
+    for (const Outbox::Item& each : batch.items()) {
+        const std::size_t bytes = bytes_of(each).size();
+        if (is_text(each)) {
+            services_.metrics.message_sent(bytes);
+            continue;
+        }
+        services_.metrics.observe(Stage::Send, took.count());
+        services_.metrics.frame_sent(bytes);
+    }
 }
 
 /// Leaves the session at once; the close frame, and waiting for the client's, follow.
 void WebSocketConnection::close(websocket::close_code code, const char* reason) {
     if (!open_)
         return;
+    write(); // what was said before
     open_ = false;
     spdlog::debug("event=client_closed client={} code={}", place_->number(),
                   static_cast<unsigned>(code)); // the reason may be somebody's words

@@ -83,29 +83,47 @@ FrameCursor Client::cursor(const std::string& surface,
     return FrameCursor(live.ring(), from, std::move(notice), std::move(left_out));
 }
 
+/// @param words  gives the notification, once for all who are told
+template <class Words>
+void Client::tell(Telling& telling, Words words) {
+    if (!telling.text)
+        telling.text = std::make_shared<const std::string>(words());
+    wire_.send_shared(telling.text);
+}
+
 void Client::patched(const std::string& session,
                      std::uint64_t seq,
-                     std::span<const Patch> patches) {
-    wire_.send(protocol::rpc_notification(
-        "session.patched",
-        {{"session", session}, {"seq", seq}, {"patches", patches_json(patches)}}));
+                     std::span<const Patch> patches,
+                     Telling& telling) {
+    tell(telling, [&] {
+        return protocol::rpc_notification(
+            "session.patched",
+            {{"session", session}, {"seq", seq}, {"patches", patches_json(patches)}});
+    });
 }
 
-void Client::progress(const std::string& surface, std::uint32_t epoch, protocol::Phase phase) {
+void Client::progress(const std::string& surface,
+                      std::uint32_t epoch,
+                      protocol::Phase phase,
+                      Telling& telling) {
     constexpr std::array names{"coarse", "refined", "final", "live"};
-    wire_.send(protocol::rpc_notification("surface.progress",
+    tell(telling, [&] {
+        return protocol::rpc_notification("surface.progress",
                                           {{"surface", surface},
                                            {"epoch", epoch},
-                                           {"phase", names[static_cast<std::size_t>(phase)]}}));
+                                           {"phase", names[static_cast<std::size_t>(phase)]}});
+    });
 }
 
-void Client::done(const SurfaceOutcome& outcome) {
-    json parameters{{"surface", outcome.surface}, {"epoch", outcome.epoch}};
-    if (outcome.error)
-        parameters["error"] = error_json(*outcome.error);
-    else
-        parameters["stats"] = outcome_json(outcome);
-    wire_.send(protocol::rpc_notification("surface.done", parameters));
+void Client::done(const SurfaceOutcome& outcome, Telling& telling) {
+    tell(telling, [&] {
+        json parameters{{"surface", outcome.surface}, {"epoch", outcome.epoch}};
+        if (outcome.error)
+            parameters["error"] = error_json(*outcome.error);
+        else
+            parameters["stats"] = outcome_json(outcome);
+        return protocol::rpc_notification("surface.done", parameters);
+    });
 }
 
 void Client::presence(const std::string& message) {

@@ -71,15 +71,22 @@ class Client final : public Observer, public GrantHolder {
     /// A notification that belongs to no session.
     void notify(const std::string& message) { wire_.send(message); }
 
-    void
-    patched(const std::string& session, std::uint64_t seq, std::span<const Patch> patches) override;
-    void progress(const std::string& surface, std::uint32_t epoch, protocol::Phase phase) override;
-    void done(const SurfaceOutcome& outcome) override;
+    void patched(const std::string& session,
+                 std::uint64_t seq,
+                 std::span<const Patch> patches,
+                 Telling& telling) override;
+    void progress(const std::string& surface,
+                  std::uint32_t epoch,
+                  protocol::Phase phase,
+                  Telling& telling) override;
+    void done(const SurfaceOutcome& outcome, Telling& telling) override;
     void presence(const std::string& message) override;
     void sent_away(Farewell why) override;
     void grant_ended(const std::string& reason) override;
 
   private:
+    template <class Words>
+    void tell(Telling& telling, Words words);
     void part(void (Participants::*how)(const Observer&));
     void say_goodbye(Goodbye goodbye, const char* kind, const std::string& reason);
 

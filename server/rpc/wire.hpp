@@ -4,6 +4,7 @@
 #include "server/session/frame_cursor.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -21,6 +22,9 @@ class Wire {
   public:
     virtual ~Wire() = default;
     virtual void send(std::string message) = 0;
+
+    /// The same text for many.
+    virtual void send_shared(const std::shared_ptr<const std::string>& message) { send(*message); }
 
     /// Whether a further surface may be followed.
     virtual bool may_follow(std::uint32_t surface) = 0;

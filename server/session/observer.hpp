@@ -9,6 +9,7 @@
 #include "server/session/session_records.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,16 +46,25 @@ enum class Farewell : std::uint8_t {
     Removed    ///< by a host
 };
 
+/// One for all observers of one event: who puts it into words leaves them here for the others.
+struct Telling {
+    std::shared_ptr<const std::string> text{};
+};
+
 /// Who has joined a session. Calls come on the loop's thread and must not change the session.
 class Observer {
   public:
     virtual ~Observer() = default;
-    virtual void
-    patched(const std::string& session, std::uint64_t seq, std::span<const Patch> patches) = 0;
+    virtual void patched(const std::string& session,
+                         std::uint64_t seq,
+                         std::span<const Patch> patches,
+                         Telling& telling) = 0;
     /// A surface has a state of a further phase. Not told while it plays, nor of times it only passes.
-    virtual void
-    progress(const std::string& surface, std::uint32_t epoch, protocol::Phase phase) = 0;
-    virtual void done(const SurfaceOutcome& outcome) = 0;
+    virtual void progress(const std::string& surface,
+                          std::uint32_t epoch,
+                          protocol::Phase phase,
+                          Telling& telling) = 0;
+    virtual void done(const SurfaceOutcome& outcome, Telling& telling) = 0;
 
     /// Others came, went or moved: a notification, as text.
     virtual void presence(const std::string& /*message*/) {}

@@ -111,8 +111,9 @@ void Session::announce(const std::vector<Patch>& patches) {
             entries.push_back(entry_of_patch(each));
         services_.journal->write(id_, std::move(entries));
     }
+    Telling telling;
     for (const Participant& each : participants_.present())
-        each.observer->patched(id_, seq_, patches);
+        each.observer->patched(id_, seq_, patches, telling);
 }
 
 void Session::lease_ended(const std::string& rake) {
@@ -136,12 +137,14 @@ void Session::end_leases(const std::string& participant) {
 SurfaceBuilds::Events Session::build_events() {
     SurfaceBuilds::Events events;
     events.progress = [this](const std::string& surface, std::uint32_t epoch, Phase phase) {
+        Telling telling;
         for (const Participant& each : participants_.present())
-            each.observer->progress(surface, epoch, phase);
+            each.observer->progress(surface, epoch, phase, telling);
     };
     events.done = [this](const SurfaceOutcome& outcome) {
+        Telling telling;
         for (const Participant& each : participants_.present())
-            each.observer->done(outcome);
+            each.observer->done(outcome, telling);
     };
     events.rebuilt = [this](const std::string& surface, std::uint32_t epoch) {
         protocol::SurfaceRecord record = *records_.find<protocol::SurfaceRecord>(surface);

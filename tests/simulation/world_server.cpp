@@ -103,8 +103,8 @@ class WorldServer::Connection final : public server::Wire,
             return;
         }
         Message message;
-        if (auto* text = std::get_if<std::string>(&*item))
-            message = std::move(*text);
+        if (auto* text = std::get_if<server::Outbox::Message>(&*item))
+            message = **text;
         else
             message = *std::get<server::Outbox::Frame>(*item);
         link_->send(Link::Client, std::move(message), [weak = weak_from_this()] {

@@ -28,8 +28,8 @@ class OutboxTest : public testing::Test {
         const auto item = outbox.pop();
         if (!item)
             return "";
-        if (const auto* text = std::get_if<std::string>(&*item))
-            return *text;
+        if (const auto* text = std::get_if<Outbox::Message>(&*item))
+            return **text;
         const Seen frame = seen(std::get<Outbox::Frame>(*item));
         return std::to_string(frame.seq) + "." + std::to_string(frame.frame);
     }

@@ -29,11 +29,11 @@ class Watcher final : public Observer {
   public:
     explicit Watcher(HandClock& clock) : clock_(clock) {}
 
-    void patched(const std::string&, std::uint64_t, std::span<const Patch>) override {}
+    void patched(const std::string&, std::uint64_t, std::span<const Patch>, Telling&) override {}
 
-    void progress(const std::string&, std::uint32_t, protocol::Phase) override {}
+    void progress(const std::string&, std::uint32_t, protocol::Phase, Telling&) override {}
 
-    void done(const SurfaceOutcome&) override {}
+    void done(const SurfaceOutcome&, Telling&) override {}
 
     void presence(const std::string& message) override {
         const json told = json::parse(message);

@@ -68,16 +68,20 @@ class OneFlow final : public Datasets {
 };
 
 struct Recorder final : Observer {
-    void patched(const std::string&, std::uint64_t seq, std::span<const Patch> patches) override {
+    void patched(const std::string&,
+                 std::uint64_t seq,
+                 std::span<const Patch> patches,
+                 Telling&) override {
         seqs.push_back(seq);
         changed.insert(changed.end(), patches.begin(), patches.end());
     }
 
-    void progress(const std::string&, std::uint32_t epoch, protocol::Phase phase) override {
+    void
+    progress(const std::string&, std::uint32_t epoch, protocol::Phase phase, Telling&) override {
         phases.emplace_back(epoch, phase);
     }
 
-    void done(const SurfaceOutcome& outcome) override { outcomes.push_back(outcome); }
+    void done(const SurfaceOutcome& outcome, Telling&) override { outcomes.push_back(outcome); }
 
     std::vector<std::uint64_t> seqs;
     std::vector<Patch> changed;
