@@ -175,7 +175,8 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
     }
 
     void message(const std::string& text) {
-        if (text.find("\"id\":") == std::string::npos) // a notification
+        if (text.find("\"method\":") !=
+            std::string::npos) // a notification: viewers are many, none reads it
             return;
         const json answer = json::parse(text);
         if (answer.contains("error"))
