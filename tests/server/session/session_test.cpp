@@ -7,7 +7,9 @@
 
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
+#include <set>
 
 namespace wakesurf::server {
 
@@ -71,22 +73,36 @@ struct Recorder final : Observer {
     void patched(const std::string&,
                  std::uint64_t seq,
                  std::span<const Patch> patches,
-                 Telling&) override {
+                 Telling& telling) override {
+        put_into_words(telling);
         seqs.push_back(seq);
         changed.insert(changed.end(), patches.begin(), patches.end());
     }
 
-    void
-    progress(const std::string&, std::uint32_t epoch, protocol::Phase phase, Telling&) override {
+    void progress(const std::string&,
+                  std::uint32_t epoch,
+                  protocol::Phase phase,
+                  Telling& telling) override {
+        put_into_words(telling);
         phases.emplace_back(epoch, phase);
     }
 
-    void done(const SurfaceOutcome& outcome, Telling&) override { outcomes.push_back(outcome); }
+    void done(const SurfaceOutcome& outcome, Telling& telling) override {
+        put_into_words(telling);
+        outcomes.push_back(outcome);
+    }
+
+    void put_into_words(Telling& telling) {
+        if (!telling.text)
+            telling.text = std::make_shared<const std::string>("words");
+        texts.push_back(telling.text);
+    }
 
     std::vector<std::uint64_t> seqs;
     std::vector<Patch> changed;
     std::vector<SurfaceOutcome> outcomes;
     std::vector<std::pair<std::uint32_t, protocol::Phase>> phases;
+    std::vector<std::shared_ptr<const std::string>> texts; ///< of each event
 };
 
 protocol::RakeSetting rake_at(double x, std::optional<std::string> id = {}) {
@@ -247,6 +263,18 @@ TEST_F(SessionTest, RefusesWhatItHasNotAndWhatIsTooMuch) {
     for (std::size_t i = 1; i < limits::rakes; ++i)
         ASSERT_TRUE(session->set_rake(rake_at(0.0)));
     EXPECT_EQ(session->set_rake(rake_at(0.0)).error().code, Code::OverLimit);
+}
+
+TEST_F(SessionTest, PutsEachEventIntoWordsOnceForAllWhoAreTold) {
+    Recorder other;
+    ASSERT_TRUE(session->participants().join({"me", "", "", {}}, me));
+    ASSERT_TRUE(session->participants().join({"other", "", "", {}}, other));
+    const auto live = build(session->set_rake(rake_at(0.0))->record.rake);
+    loop.turn_until([&] { return !me.outcomes.empty(); });
+    EXPECT_GE(me.texts.size(), 4U) << "rake, surface, at least one phase, done";
+    EXPECT_EQ(me.texts, other.texts);
+    EXPECT_EQ(std::set(me.texts.begin(), me.texts.end()).size(), me.texts.size())
+        << "and other events with other words";
 }
 
 TEST_F(SessionTest, GivesAParticipantItsPlaceAgainForItsToken) {

@@ -78,16 +78,19 @@ class MemoryJournal final : public server::Journal {
 struct Onlooker final : server::Observer {
     void patched(const std::string&,
                  std::uint64_t new_seq,
-                 std::span<const server::Patch> patches) override {
+                 std::span<const server::Patch> patches,
+                 server::Telling&) override {
         in_order = in_order && (seq == 0 || new_seq == seq + 1);
         seq = new_seq;
         for (const server::Patch& each : patches)
             std::visit([this](const auto& patch) { fold(patch); }, each);
     }
 
-    void progress(const std::string&, std::uint32_t, protocol::Phase) override {}
+    void progress(const std::string&, std::uint32_t, protocol::Phase, server::Telling&) override {}
 
-    void done(const server::SurfaceOutcome& outcome) override { outcomes.push_back(outcome); }
+    void done(const server::SurfaceOutcome& outcome, server::Telling&) override {
+        outcomes.push_back(outcome);
+    }
 
     void fold(const server::DeletedRecord& gone) {
         for (const server::RecordType type : server::record_types)

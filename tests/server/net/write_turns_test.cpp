@@ -1,0 +1,93 @@
+// Turns to write, by hand.
+#include "server/net/write_turns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+namespace {
+
+class WriteTurnsTest : public testing::Test {
+  protected:
+    struct Named final : WriteTurns::Writer {
+        Named(WriteTurnsTest& in, std::string called) : test(in), name(std::move(called)) {}
+
+        void write_turn() override {
+            test.order.push_back(name);
+            if (more-- > 0)
+                test.turns.ask(me);
+        }
+
+        WriteTurnsTest& test;
+        std::string name;
+        std::weak_ptr<Writer> me;
+        int more = 0; ///< turns it asks for when it has one
+    };
+
+    std::shared_ptr<Named> writer(const std::string& name) {
+        auto made = std::make_shared<Named>(*this, name);
+        made->me = made;
+        return made;
+    }
+
+    /// Runs the task at the front of the loop.
+    bool step() {
+        if (tasks.empty())
+            return false;
+        const auto task = std::move(tasks.front());
+        tasks.pop_front();
+        task();
+        return true;
+    }
+
+    std::deque<std::function<void()>> tasks;
+    WriteTurns turns{[this](std::function<void()> task) { tasks.push_back(std::move(task)); }};
+    std::vector<std::string> order;
+};
+
+} // namespace
+
+TEST_F(WriteTurnsTest, LetOtherEventsInBetweenAFewWritersAndAFewMore) {
+    std::vector<std::shared_ptr<Named>> writers;
+    for (std::size_t i = 0; i < 3 * WriteTurns::at_once; ++i)
+        turns.ask(writers.emplace_back(writer("w")));
+    tasks.emplace_back([this] { order.emplace_back("event"); });
+    while (step()) {
+    }
+    ASSERT_EQ(order.size(), 3 * WriteTurns::at_once + 1);
+    EXPECT_EQ(order[WriteTurns::at_once], "event");
+}
+
+TEST_F(WriteTurnsTest, WriteOnlyWhenTheEventThatAskedIsOver) {
+    const auto one = writer("w");
+    turns.ask(one);
+    EXPECT_TRUE(order.empty());
+    step();
+    EXPECT_EQ(order, (std::vector<std::string>{"w"}));
+}
+
+TEST_F(WriteTurnsTest, PutWhoHasMoreToWriteBehindTheOthers) {
+    const auto first = writer("first"), second = writer("second");
+    first->more = 2;
+    turns.ask(first);
+    turns.ask(second);
+    while (step()) {
+    }
+    EXPECT_EQ(order, (std::vector<std::string>{"first", "second", "first", "first"}));
+}
+
+TEST_F(WriteTurnsTest, PassOverWhoHasGone) {
+    auto gone = writer("gone");
+    const auto stays = writer("stays");
+    turns.ask(gone);
+    turns.ask(stays);
+    gone.reset();
+    while (step()) {
+    }
+    EXPECT_EQ(order, (std::vector<std::string>{"stays"}));
+}
+
+} // namespace wakesurf::server
