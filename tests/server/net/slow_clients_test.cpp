@@ -1,5 +1,6 @@
 // Clients that take their time, in every phase a connection has: each is ended when the time of that phase is over, and
 // not before. They all wait at the same time, so that the test takes no longer than the longest.
+#include "server/limits.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -92,13 +93,19 @@ TEST(SlowClientsTest, AreEndedWhenTheTimeOfTheirPhaseIsOver) {
         return pinged;
     });
 
-    // Two that ask for more than the kernel keeps for them, and read none of it.
+    // Three that ask for more than the kernel keeps for them, and read none of it; the last one for more than the server keeps, too.
     RawSocket download(server.port());
     for (int i = 0; i < 20; ++i)
         download.send("GET /large.bin HTTP/1.1\r\n" + host + "\r\n");
+    const auto ask = [](WebSocketClient& client, std::size_t times) {
+        for (std::size_t i = 0; i < times; ++i)
+            client.send({{"jsonrpc", "2.0"}, {"id", i}, {"method", "rpc.discover"}});
+    };
     WebSocketClient questions(server, "");
-    for (int i = 0; i < 1000; ++i)
-        questions.send({{"jsonrpc", "2.0"}, {"id", i}, {"method", "rpc.discover"}});
+    ask(questions, server::limits::outbox_message_bytes * 3 / 2 /
+                       questions.result("rpc.discover").dump().size());
+    WebSocketClient more_questions(server, "");
+    ask(more_questions, 1000);
     const auto stalling = Clock::now();
     while (seconds_since(stalling) < 60.0 &&
            (rejected(server, "stalled") < 2 || rejected(server, "overflow") < 1))
