@@ -142,7 +142,7 @@ struct Server::Parts {
     Admission admission{limits_for_descriptors(), metrics};
     std::unique_ptr<TlsContext> tls;
     Connections connections;
-    WriteTurns turns{[this](std::function<void()> task) { loop.post(std::move(task)); }};
+    WriteTurns turns{[this](std::function<void()> task) { loop.post(std::move(task)); }, clock};
     asio::io_context context{1};
     IoLoop loop{context};
     ComputePool pool;

@@ -6,6 +6,8 @@
 namespace wakesurf::server {
 
 void WriteTurns::ask(std::weak_ptr<Writer> writer) {
+    if (waiting_.empty() && !posted_)
+        since_ = clock_.now();
     waiting_.push_back(std::move(writer));
     go_on();
 }
@@ -16,13 +18,19 @@ void WriteTurns::go_on() {
 }
 
 void WriteTurns::turn() {
+    const auto start = clock_.now();
+    const auto share = start - since_;
+    std::size_t left = waiting_.size(); // who asks again waits for the next turn
+    do {
+        for (std::size_t some = std::min(at_once, left); some > 0; --some, --left) {
+            const auto writer = waiting_.front().lock();
+            waiting_.pop_front();
+            if (writer)
+                writer->write_turn();
+        }
+        since_ = clock_.now();
+    } while (left > 0 && since_ - start < share);
     posted_ = false;
-    for (std::size_t left = std::min(at_once, waiting_.size()); left > 0; --left) {
-        const auto writer = waiting_.front().lock();
-        waiting_.pop_front();
-        if (writer)
-            writer->write_turn();
-    }
     go_on();
 }
 

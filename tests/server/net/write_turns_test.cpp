@@ -1,5 +1,6 @@
 // Turns to write, by hand.
 #include "server/net/write_turns.hpp"
+#include "tests/support/server/hand_clock.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +18,7 @@ class WriteTurnsTest : public testing::Test {
 
         void write_turn() override {
             test.order.push_back(name);
+            test.clock.time += test.cost;
             if (more-- > 0)
                 test.turns.ask(me);
         }
@@ -44,8 +46,11 @@ class WriteTurnsTest : public testing::Test {
     }
 
     std::deque<std::function<void()>> tasks;
-    WriteTurns turns{[this](std::function<void()> task) { tasks.push_back(std::move(task)); }};
+    HandClock clock;
+    WriteTurns turns{[this](std::function<void()> task) { tasks.push_back(std::move(task)); },
+                     clock};
     std::vector<std::string> order;
+    std::chrono::milliseconds cost{0}; ///< of a turn
 };
 
 } // namespace
@@ -59,6 +64,20 @@ TEST_F(WriteTurnsTest, LetOtherEventsInBetweenAFewWritersAndAFewMore) {
     }
     ASSERT_EQ(order.size(), 3 * WriteTurns::at_once + 1);
     EXPECT_EQ(order[WriteTurns::at_once], "event");
+}
+
+TEST_F(WriteTurnsTest, GetAsMuchTimeAsTheEventsBetweenThem) {
+    std::vector<std::shared_ptr<Named>> writers;
+    for (std::size_t i = 0; i < 10 * WriteTurns::at_once; ++i)
+        turns.ask(writers.emplace_back(writer("w")));
+    cost = std::chrono::milliseconds(1);
+    step();
+    EXPECT_EQ(order.size(), WriteTurns::at_once);
+    clock.time += std::chrono::milliseconds(40); // something large came in between
+    step();
+    EXPECT_EQ(order.size(), 4 * WriteTurns::at_once);
+    step();
+    EXPECT_EQ(order.size(), 5 * WriteTurns::at_once);
 }
 
 TEST_F(WriteTurnsTest, WriteOnlyWhenTheEventThatAskedIsOver) {
