@@ -40,7 +40,9 @@ class LatticeRounding {
     /// Whether the node nearest to `p` exists; false for points that are not finite.
     bool holds(const core::Vec3& p) const {
         const core::Vec3 n = above(p);
-        return n.x >= 0.0 && n.x < end_ && n.y >= 0.0 && n.y < end_ && n.z >= 0.0 && n.z < end_;
+        // Without branches: this is asked of every vertex of every update, and is nearly always true.
+        return (n.x >= 0.0) & (n.x < end_) & (n.y >= 0.0) & (n.y < end_) & (n.z >= 0.0) &
+               (n.z < end_);
     }
 
     /// The nearest node, halves rounded up; some node where holds() is false.

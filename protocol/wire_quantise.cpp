@@ -1,6 +1,7 @@
 #include "protocol/wire_quantise.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace wakesurf::protocol {
@@ -10,15 +11,31 @@ namespace {
 /// Narrowing may cut off the last bits of a value at the end.
 constexpr double slack = 1e-6;
 
+struct Ends {
+    double lo, hi;
+};
+
+/// In four lanes, because one comparison has to wait for the one before. REQUIRES: some values.
+Ends ends_of(std::span<const double> values) {
+    std::array<double, 4> lo{}, hi{};
+    lo.fill(values.front());
+    hi.fill(values.front());
+    for (std::size_t at = 0; at + 4 <= values.size(); at += 4)
+        for (std::size_t lane = 0; lane < 4; ++lane) {
+            lo[lane] = std::min(lo[lane], values[at + lane]);
+            hi[lane] = std::max(hi[lane], values[at + lane]);
+        }
+    for (const double value : values.last(values.size() % 4)) {
+        lo[0] = std::min(lo[0], value);
+        hi[0] = std::max(hi[0], value);
+    }
+    return {std::ranges::min(lo), std::ranges::max(hi)};
+}
+
 AttributeRange range_for(std::span<const double> values, const AttributeRange* held) {
     if (values.empty())
         return held != nullptr ? *held : AttributeRange{};
-    double lo = values.front();
-    double hi = lo;
-    for (const double value : values) {
-        lo = std::min(lo, value);
-        hi = std::max(hi, value);
-    }
+    const auto [lo, hi] = ends_of(values);
     if (held == nullptr)
         return {static_cast<float>(lo), static_cast<float>(hi)};
     const double allowed = slack * (double{held->hi} - double{held->lo});

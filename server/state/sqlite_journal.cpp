@@ -87,9 +87,12 @@ void SqliteJournal::work() {
 
 // With the lock held, so that nobody is told of a later state before an earlier one.
 void SqliteJournal::tell(PendingWrites tried, const core::Result<void>& outcome, Waiting waited) {
-    const bool turn = refusal_.has_value() == outcome.has_value();
+    // The disk takes writes again, but edits came meanwhile that were answered as not durable: they go first.
+    const bool behind = outcome && refusal_ && !changes_.empty();
+    const bool turn = !behind && refusal_.has_value() == outcome.has_value();
     if (outcome) {
-        refusal_.reset();
+        if (!behind)
+            refusal_.reset();
     } else {
         refusal_ = outcome.error();
         changes_.follow(std::move(tried));

@@ -19,12 +19,35 @@ export class Neighbours {
     /// After an update: finds the neighbours of the vertices that are marked, the others keep theirs in new numbers.
     /// Vertices keep their order, so that which neighbour is the highest or the lowest stays as well.
     follow({ now, touched }: KeptCells, cells: Int32Array, vertices: number): void {
-        this.highest = followed(this.highest, now, touched, vertices);
-        this.lowest = followed(this.lowest, now, touched, vertices);
-        this.beside = followed(this.beside, now, touched, vertices);
-        this.beside2 = followed(this.beside2, now, touched, vertices);
-        this.opposite = followed(this.opposite, now, touched, vertices);
+        this.highest = roomFor(this.highest, vertices);
+        this.lowest = roomFor(this.lowest, vertices);
+        this.beside = roomFor(this.beside, vertices);
+        this.beside2 = roomFor(this.beside2, vertices);
+        this.opposite = roomFor(this.opposite, vertices);
+        if (now !== undefined)
+            this.renumber(now);
+        for (let v = 0; v < vertices; v += 1)
+            if (touched[v] !== 0)
+                this.highest[v] = this.lowest[v] = this.beside[v] = this.beside2[v] = this.opposite[v] = none;
         this.add(cells, touched);
+    }
+
+    /// In place, from the first to the last: a vertex never gets a higher number.
+    private renumber(now: Int32Array): void {
+        const { highest, lowest, beside, beside2, opposite } = this;
+        for (let v = 0; v < now.length; v += 1) {
+            const to = now[v]!;
+            if (to < 0)
+                continue;
+            const a = highest[v]!;
+            highest[to] = a < 0 ? none : now[a]!;
+            lowest[to] = a < 0 ? none : now[lowest[v]!]!; // there is none where there is no highest
+            const p = beside[v]!;
+            beside[to] = p < 0 ? none : now[p]!;
+            beside2[to] = p < 0 ? none : now[beside2[v]!]!;
+            const o = opposite[v]!;
+            opposite[to] = o < 0 ? none : now[o]!;
+        }
     }
 
     /// Of those cells that have a marked vertex, for the marked ones.
@@ -74,27 +97,6 @@ export class Neighbours {
             this.opposite[mid] = none;
         }
     }
-}
-
-/// One kind of neighbour of each vertex after an update; none where it has to be found.
-function followed(
-    near: Int32Array<ArrayBuffer>,
-    now: Int32Array | undefined,
-    touched: Uint8Array,
-    vertices: number,
-): Int32Array<ArrayBuffer> {
-    const after = roomFor(near, vertices);
-    // From the first to the last: a vertex never gets a higher number.
-    if (now !== undefined)
-        for (let v = 0; v < now.length; v += 1) {
-            const to = now[v]!;
-            if (to >= 0)
-                after[to] = after[v]! < 0 ? none : now[after[v]!]!;
-        }
-    for (let v = 0; v < vertices; v += 1)
-        if (touched[v] !== 0)
-            after[v] = none;
-    return after;
 }
 
 /// One side of a cell, over its mid if there is one.
