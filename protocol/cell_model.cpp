@@ -18,25 +18,22 @@ unsigned mids_of(const CellSlots& cell) {
     return mids;
 }
 
-bool touched(const KeptCells& kept, const core::Cell& cell) {
-    for (const auto* ids : {&cell.corner, &cell.mid})
-        for (const std::uint32_t v : *ids)
-            if (v != no_vertex && kept.touched[v] != 0)
-                return true;
-    return false;
-}
-
 OpenSides sides_of(const CellContext& context) {
     OpenSides open(context.vertices);
     const auto& cells = context.kept.cells;
     const std::size_t newest = cells.size() > newest_kept ? cells.size() - newest_kept : 0;
+    const auto join = [&](std::uint32_t i) {
+        const core::CellPolygon outline = core::polygon(cells[i]);
+        open.join_outline(outline.vertex, outline.count);
+    };
+    for (const std::uint32_t i : context.kept.near)
+        if (i < newest)
+            join(i);
     for_each_gap(context.replaced, static_cast<std::uint32_t>(cells.size()),
                  [&](std::uint32_t begin, std::uint32_t end) {
-                     for (std::uint32_t i = begin; i < end; ++i)
-                         if (i >= newest || touched(context.kept, cells[i])) {
-                             const core::CellPolygon outline = core::polygon(cells[i]);
-                             open.join_outline(outline.vertex, outline.count);
-                         }
+                     for (auto i = std::max(begin, static_cast<std::uint32_t>(newest)); i < end;
+                          ++i)
+                         join(i);
                  });
     return open;
 }

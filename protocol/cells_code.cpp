@@ -2,7 +2,7 @@
 
 #include "protocol/cell_model.hpp"
 
-#include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace wakesurf::protocol {
@@ -43,7 +43,8 @@ Bytes encode_cells(std::span<const core::Cell> cells, const CellContext& context
     RangeEncoder coder;
     for (const core::Cell& cell : cells) {
         CellSlots slots = slots_of(cell);
-        model.code(coder, slots, replaced.next());
+        if (!model.code(coder, slots, replaced.next()))
+            throw std::logic_error("a cell to be encoded has a vertex that does not exist");
     }
     return coder.finish();
 }
@@ -58,8 +59,7 @@ decode_cells(std::span<const std::byte> code, std::uint32_t count, const CellCon
         RangeDecoder coder(code);
         CellSlots slots{};
         while (cells.size() < count && fine) {
-            // Not more cells than there is code for: each reads on.
-            fine = model.code(coder, slots, replaced.next()) && !coder.overrun();
+            fine = model.code(coder, slots, replaced.next()) && !coder.failed();
             cells.push_back(cell_of(slots));
         }
         fine = fine && coder.exhausted();

@@ -15,7 +15,7 @@ namespace wakesurf::protocol {
 /// What both ends know when they come to the cells of an update: replaced ones first, then those that are added.
 struct CellContext {
     std::uint32_t vertices = 0; ///< of the state after; at most 2^24
-    const KeptCells& kept; ///< those to be replaced as they were before, their vertices touched
+    const KeptCells& kept;      ///< those to be replaced as they were before, but left out
     const Runs& replaced;
 };
 

@@ -7,6 +7,18 @@ using core::no_vertex;
 
 namespace {
 
+/// A lost corner counts as touched.
+bool is_touched(const Cell& cell, std::span<const std::uint8_t> touched) {
+    const auto is = [touched](std::uint32_t v) { return v >= touched.size() || touched[v] != 0; };
+    const auto& [c, m] = cell;
+    if (is(c[0]) || is(c[1]) || is(c[2]) || is(c[3]))
+        return true;
+    if ((m[0] & m[1] & m[2] & m[3]) == no_vertex)
+        return false;
+    return (m[0] != no_vertex && is(m[0])) || (m[1] != no_vertex && is(m[1])) ||
+           (m[2] != no_vertex && is(m[2])) || (m[3] != no_vertex && is(m[3]));
+}
+
 /// In new numbers. Sets `lost` where a vertex has gone.
 Cell renumbered(const Cell& cell, std::span<const std::uint32_t> now, bool& lost) {
     Cell result;
@@ -24,14 +36,20 @@ Cell renumbered(const Cell& cell, std::span<const std::uint32_t> now, bool& lost
 void KeptCells::touch(const Cell& cell) {
     for (const auto* ids : {&cell.corner, &cell.mid})
         for (const std::uint32_t v : *ids)
-            if (v < touched.size()) // neither gone nor new
+            if (v < touched.size()) // not gone
                 touched[v] = 1;
 }
 
-void KeptCells::touch(const Runs& replaced) {
+void KeptCells::leave_out(const Runs& replaced) {
     for (const Run& run : replaced.all())
         for (std::uint32_t i = run.begin; i < run.end; ++i)
             touch(cells[i]);
+    for_each_gap(replaced, static_cast<std::uint32_t>(cells.size()),
+                 [&](std::uint32_t begin, std::uint32_t end) {
+                     for (std::uint32_t i = begin; i < end; ++i)
+                         if (is_touched(cells[i], touched))
+                             near.push_back(i);
+                 });
 }
 
 KeptCells keep_cells(const Runs& removed_vertices,

@@ -1,5 +1,5 @@
-// The cells that an update leaves, in the numbers vertices have after it: what both ends know before the new cells are there.
-// Twin: web-client/src/protocol/keptCells.ts.
+// The cells that stay, in the numbers vertices have after the update: what both ends know before the new cells are there.
+// protocol/README.md, Cells code. Twin: web-client/src/protocol/keptCells.ts.
 #pragma once
 
 #include "protocol/runs.hpp"
@@ -17,10 +17,13 @@ struct KeptCells {
     std::vector<std::uint8_t>
         touched; ///< of each vertex that stays: not all its cells stay as they are
 
+    /// Those that are not replaced and have a touched vertex, ascending; found by leave_out().
+    std::vector<std::uint32_t> near;
+
     void touch(const core::Cell& cell);
 
-    /// Those cells will be replaced.
-    void touch(const Runs& replaced);
+    /// Those cells will be replaced: touches their vertices, then finds `near`. Once, last.
+    void leave_out(const Runs& replaced);
 };
 
 /// Vertices of removed cells and of cells that lose a vertex are touched. Cost: O(before).

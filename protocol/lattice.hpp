@@ -35,14 +35,14 @@ bool valid(const Lattice& lattice);
 class LatticeRounding {
   public:
     explicit LatticeRounding(const Lattice& lattice)
-        : origin_(lattice.origin), per_step_(1.0 / lattice.step), end_(lattice.last() + 1.0) {}
+        : origin_(lattice.origin), per_step_(1.0 / lattice.step), last_(lattice.last()) {}
 
     /// Whether the node nearest to `p` exists; false for points that are not finite.
     bool holds(const core::Vec3& p) const {
         const core::Vec3 n = above(p);
+        const double end = last_ + 1.0;
         // Without branches: this is asked of every vertex of every update, and is nearly always true.
-        return (n.x >= 0.0) & (n.x < end_) & (n.y >= 0.0) & (n.y < end_) & (n.z >= 0.0) &
-               (n.z < end_);
+        return (n.x >= 0.0) & (n.x < end) & (n.y >= 0.0) & (n.y < end) & (n.z >= 0.0) & (n.z < end);
     }
 
     /// The nearest node, halves rounded up; some node where holds() is false.
@@ -59,12 +59,12 @@ class LatticeRounding {
 
     /// In this order NaN becomes 0.
     std::int32_t cut(double value) const {
-        return static_cast<std::int32_t>(std::min(std::max(0.0, value), end_));
+        return static_cast<std::int32_t>(std::min(std::max(0.0, value), last_));
     }
 
     core::Vec3 origin_;
     double per_step_;
-    double end_;
+    double last_;
 };
 
 /// Whether the node nearest to `p` exists; false for points that are not finite.

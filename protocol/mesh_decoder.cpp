@@ -140,10 +140,13 @@ core::Result<void> MeshDecoder::Update::begin() {
     if (!read)
         return tl::unexpected(read.error());
     const TopologyEdit& edit = read->edit;
+    if (edit.moved_vertices.count() + std::uint64_t{edit.added_vertices} >
+        std::uint64_t{max_frame_vertices} * header.frame_count)
+        return corrupt("a mesh update announces more vertices than its frames can hold");
     auto shared = before.topology;
     if (!edit.keeps_topology()) {
         auto cells = edited_cells(std::move(read->kept.cells), edit);
-        shared = std::make_shared<const WireTopology>(*before.topology, read->kept, edit.cells,
+        shared = std::make_shared<const WireTopology>(*before.topology, read->kept, edit,
                                                       std::move(cells), after.vertices);
     }
     draft = begin_draft(before, edit, std::move(shared));

@@ -234,11 +234,12 @@ core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
     if (held.attributes)
         ranges = ranges_for(values, held.started ? std::span(held.state->ranges) : held.ranges);
     bool key = !held.started || options.unrelated || ranges != held.state->ranges;
-    MeshMatch matched = key ? match({}, {}, mesh) : match(held.places, held.state->cells(), mesh);
+    MeshMatch matched = key ? match({}, {}, mesh, held.attributes)
+                            : match(held.places, held.state->cells(), mesh, false);
     const auto vertices = static_cast<double>(mesh.mesh.vertices());
     if (!key && matched.vertices_stay < least_staying * vertices) {
         key = true;
-        matched = match({}, {}, mesh);
+        matched = match({}, {}, mesh, held.attributes);
     }
 
     Step step;
@@ -249,7 +250,7 @@ core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
     step.topology = !key && matched.edit.keeps_topology()
                         ? held.state->topology
                         : std::make_shared<const WireTopology>(
-                              key ? none : *held.state->topology, matched.kept, matched.edit.cells,
+                              key ? none : *held.state->topology, matched.kept, matched.edit,
                               std::move(matched.cells), mesh.mesh.vertices());
     step.edit = std::move(matched.edit);
     step.kept = std::move(matched.kept);

@@ -56,6 +56,7 @@ void RangeEncoder::shift() {
 RangeDecoder::RangeDecoder(std::span<const std::byte> bytes) : bytes_(bytes) {
     for (int i = 0; i < 4; ++i)
         code_ = (code_ << 8) | next();
+    impossible_ = code_ == range_; // it is always below
 }
 
 bool RangeDecoder::bit(AdaptiveBit& likely, bool) {

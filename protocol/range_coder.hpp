@@ -1,5 +1,5 @@
 // Binary arithmetic coding with probabilities that both ends learn alike from what has been coded: what the cells code is
-// written with. Carry propagation as in LZMA's range coder (Pavlov; after Martin 1979). Twin:
+// written with. protocol/README.md, Range code. Carry propagation as in LZMA's range coder (Pavlov; after Martin 1979). Twin:
 // web-client/src/protocol/rangeDecoder.ts.
 #pragma once
 
@@ -13,10 +13,10 @@
 
 namespace wakesurf::protocol {
 
-/// How likely a decision is, from how it went before: a mean that forgets the older the more it has seen.
+/// How likely a decision is, from how it went before: the more it has seen, the less a new one weighs.
 class AdaptiveBit {
   public:
-    /// Of 2^16, at least `least`.
+    /// Of 2^16: 32 to 65504.
     std::uint32_t one() const { return one_; }
 
     void saw(bool bit) {
@@ -74,9 +74,13 @@ class RangeDecoder {
     bool even(bool value = false);
 
     /// Whether all has been read that finish() gave, and no more.
-    bool exhausted() const { return read_ == bytes_.size(); }
+    bool exhausted() const { return !impossible_ && read_ == bytes_.size(); }
 
-    bool overrun() const { return read_ > bytes_.size(); }
+    /// Whether this cannot be what finish() gave.
+    bool failed() const { return impossible_ || read_ > bytes_.size(); }
+
+    /// Something was read that no encoder writes.
+    void fail() { impossible_ = true; }
 
   private:
     bool narrow(std::uint32_t bound);
@@ -86,9 +90,10 @@ class RangeDecoder {
     std::size_t read_ = 0;
     std::uint32_t range_ = 0xffffffffu;
     std::uint32_t code_ = 0;
+    bool impossible_ = false;
 };
 
-/// Numbers that are mostly small: how many bits, then the bits, of which the two highest are learnt.
+/// Numbers that are mostly small: how many bits, then the bits, of which the two below the highest are learnt.
 class AdaptiveNumber {
   public:
     template <class Coder>
@@ -107,14 +112,17 @@ class AdaptiveNumber {
     }
 
   private:
-    /// 0 to 32 as a walk down a tree; a damaged code may give up to 63, which is cut.
+    /// 0 to 32 as a walk down a tree.
     template <class Coder>
     unsigned code_width(Coder& coder, unsigned width) {
         unsigned node = 1;
         for (unsigned level = 6; level > 0; --level)
             node = (node << 1) |
                    (coder.bit(width_[node], ((width >> (level - 1)) & 1u) != 0) ? 1u : 0u);
-        return node - 64u > 32u ? 32u : node - 64u;
+        if constexpr (!Coder::writes)
+            if (node > 96u)
+                coder.fail();
+        return node > 96u ? 0u : node - 64u;
     }
 
     std::array<AdaptiveBit, 64> width_;

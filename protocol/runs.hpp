@@ -1,4 +1,5 @@
-// Which things of a list are meant, as runs of consecutive ones; and what becomes of a list when some go.
+// Which things of a list are meant, as runs of consecutive ones; and what becomes of a list when some go. protocol/README.md,
+// Topology. Twin: web-client/src/protocol/runs.ts.
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
@@ -24,7 +25,7 @@ class Runs {
     /// REQUIRES: `index` is above everything taken so far.
     void take(std::uint32_t index) { take({index, index + 1}); }
 
-    /// A gap of less than `bridge` things to the run before is taken as well.
+    /// A gap of at most `bridge` things to the run before is taken as well.
     void take(Run run, std::uint32_t bridge = 0);
 
     std::span<const Run> all() const { return runs_; }

@@ -7,7 +7,7 @@
 
 namespace wakesurf::protocol {
 
-/// Any change of one word changes it, as does any exchange of two (but for one chance in 2^32).
+/// Finds accidents, not intent: any change of one word, and nearly all others.
 std::uint32_t word_sum(std::span<const std::uint32_t> words);
 
 /// The same of codes, each one word.

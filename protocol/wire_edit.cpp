@@ -115,7 +115,7 @@ read_edit(std::span<const std::byte> bytes, const EditedFrom& before, MeshSize a
     KeptCells kept;
     if (!edit.keeps_topology() || edit.replaced_cells.count() + edit.added_cells > 0) {
         kept = keep_cells(edit.removed_vertices, before.vertices, edit.removed_cells, before.cells);
-        kept.touch(edit.replaced_cells);
+        kept.leave_out(edit.replaced_cells);
         if (corner_lost(kept, edit.replaced_cells))
             return corrupt("a mesh update takes a corner from a cell that stays");
     }

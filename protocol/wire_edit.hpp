@@ -36,7 +36,7 @@ struct MeshSize {
     std::uint32_t cells = 0;
 };
 
-/// @param kept  the cells that stay: of keep_cells, the replaced ones touched
+/// @param kept  the cells that stay, the replaced ones left out
 Bytes write_edit(const TopologyEdit& edit, const KeptCells& kept);
 
 /// The state an edit starts from.

@@ -93,8 +93,6 @@ std::vector<std::uint32_t> places_in_order(std::size_t count, Less less) {
 /// Along the surface, column by column: what lies together is then coded together. Streak surfaces that have been refined for a
 /// while need 30 to 40 % less for a KEY than in the order of their ids, and a tenth less for what follows.
 void put_in_order(const core::QuadComplex& mesh, MeshPlaces& places) {
-    if (mesh.s.size() != mesh.vertices() || mesh.t.size() != mesh.vertices())
-        return;
     auto& vertex = places.vertices.place;
     vertex = places_in_order(mesh.vertices(), [&](std::uint32_t a, std::uint32_t b) {
         return mesh.s[a] < mesh.s[b] || (mesh.s[a] == mesh.s[b] && mesh.t[a] < mesh.t[b]);
@@ -118,13 +116,15 @@ void replace_changed(TopologyEdit& edit,
 
 } // namespace
 
-MeshMatch
-match(const MeshPlaces& held, std::span<const core::Cell> before, const core::KeyedMesh& mesh) {
+MeshMatch match(const MeshPlaces& held,
+                std::span<const core::Cell> before,
+                const core::KeyedMesh& mesh,
+                bool in_order) {
     MeshMatch result;
     Matched vertices = match_ids(held.vertices, mesh.vertex_id);
     Matched cells = match_ids(held.cells, mesh.cell_id);
     result.places = {std::move(vertices.places), std::move(cells.places)};
-    if (held.vertices.id.empty())
+    if (held.vertices.id.empty() && in_order)
         put_in_order(mesh.mesh, result.places);
     result.cells =
         placed_cells(mesh.mesh.cells, result.places.cells.place, result.places.vertices.place);
@@ -133,13 +133,15 @@ match(const MeshPlaces& held, std::span<const core::Cell> before, const core::Ke
     edit.removed_vertices = std::move(vertices.removed);
     edit.added_vertices = static_cast<std::uint32_t>(mesh.vertex_id.size()) - vertices.stay;
     edit.added_cells = static_cast<std::uint32_t>(result.cells.size()) - cells.stay;
-    const bool same_vertices = edit.removed_vertices.count() == 0 && edit.added_vertices == 0;
-    if (!same_vertices || !std::ranges::equal(before, result.cells)) {
+    const bool same_numbers = edit.removed_vertices.count() + edit.added_vertices +
+                                  edit.removed_cells.count() + edit.added_cells ==
+                              0;
+    if (!same_numbers || !std::ranges::equal(before, result.cells)) {
         result.kept =
             keep_cells(edit.removed_vertices, static_cast<std::uint32_t>(held.vertices.id.size()),
                        edit.removed_cells, before);
         replace_changed(edit, result.kept.cells, result.cells);
-        result.kept.touch(edit.replaced_cells);
+        result.kept.leave_out(edit.replaced_cells);
     }
     edit.cells.insert(edit.cells.end(), result.cells.begin() + cells.stay, result.cells.end());
     result.vertices_stay = vertices.stay;

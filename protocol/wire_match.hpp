@@ -26,19 +26,22 @@ struct MeshPlaces {
 
 struct MeshMatch {
     TopologyEdit edit; ///< but for the moved vertices
-    KeptCells kept; ///< the replaced ones as they were, touched; nothing where the topology stays
+    KeptCells kept;    ///< the replaced ones left out; nothing where the topology stays
     MeshPlaces places; ///< of the new mesh
     /// All cells of the new mesh, by place, with places for vertices.
     std::vector<core::Cell> cells;
     std::uint32_t vertices_stay = 0;
 };
 
-/// @param held    of the mesh before; empty for a KEY, whose vertices and cells are put in order along the surface
-/// @param before  its cells
-/// REQUIRES: ids ascend, as many as there are vertices and cells, and cells name vertices that exist; s and t are not NaN.
-/// Cost: O(both), of a KEY O(n log n).
-MeshMatch
-match(const MeshPlaces& held, std::span<const core::Cell> before, const core::KeyedMesh& mesh);
+/// @param held      of the mesh before; empty for a KEY
+/// @param before    its cells
+/// @param in_order  a KEY has its vertices and cells in order along the surface, by s and t, which are finite; else by their ids
+/// REQUIRES: ids ascend, as many as there are vertices and cells, and cells name vertices that exist.
+/// Cost: O(both), of a KEY in order O(n log n).
+MeshMatch match(const MeshPlaces& held,
+                std::span<const core::Cell> before,
+                const core::KeyedMesh& mesh,
+                bool in_order);
 
 /// Error: Corrupt for ids that do not ascend or are not one for each.
 core::Result<void> check_ids(const core::KeyedMesh& mesh);

@@ -194,10 +194,6 @@ auto change_of(const WireMesh& truth) {
         [changes = truth.change.data()](std::uint32_t v, std::size_t k) { return changes[v][k]; };
 }
 
-} // namespace
-
-namespace {
-
 /// Whether the vertices that stay keep all their codes: s and t of a moving surface do.
 bool keeps_codes(const WireDraft& draft, const WireMesh& truth, std::size_t attribute) {
     const auto& before = draft.codes_before[attribute];

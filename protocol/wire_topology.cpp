@@ -10,11 +10,10 @@ namespace {
 using core::Cell;
 using core::no_vertex;
 
-/// Finds the neighbours of all vertices, or only of those marked.
-template <class Wanted>
+/// Finds the neighbours of vertices, cell after cell. Adding a cell again makes no difference.
 class Finder {
   public:
-    Finder(std::vector<Neighbours>& of, Wanted wanted) : of_(of), wanted_(wanted) {}
+    explicit Finder(std::vector<Neighbours>& of) : of_(of) {}
 
     void add(const Cell& cell) {
         join_outline(cell);
@@ -25,7 +24,7 @@ class Finder {
   private:
     void join(std::uint32_t u, std::uint32_t w) {
         const std::uint32_t upper = std::max(u, w);
-        if (u == w || !wanted_(upper))
+        if (u == w)
             return;
         const std::uint32_t low = std::min(u, w);
         Neighbours& high = of_[upper];
@@ -59,7 +58,7 @@ class Finder {
         const std::uint32_t n = c[(i + 1) % 4];
         const std::uint32_t o = c[(i + 2) % 4];
         Neighbours& highest = of_[c[i]];
-        if (highest.beside == no_vertex && p < c[i] && n < c[i] && o < c[i] && wanted_(c[i])) {
+        if (highest.beside == no_vertex && p < c[i] && n < c[i] && o < c[i]) {
             highest.beside = p;
             highest.beside2 = n;
             highest.opposite = o;
@@ -71,7 +70,7 @@ class Finder {
             const std::uint32_t mid = cell.mid[i];
             const std::uint32_t from = cell.corner[i];
             const std::uint32_t to = cell.corner[(i + 1) % 4];
-            if (mid == no_vertex || from >= mid || to >= mid || !wanted_(mid))
+            if (mid == no_vertex || from >= mid || to >= mid)
                 continue;
             Neighbours& hanging = of_[mid];
             if (hanging.beside == no_vertex || hanging.opposite != no_vertex)
@@ -80,17 +79,7 @@ class Finder {
     }
 
     std::vector<Neighbours>& of_;
-    Wanted wanted_;
 };
-
-bool any(const Cell& cell, std::span<const std::uint8_t> marked) {
-    const auto& [c, m] = cell;
-    unsigned found = marked[c[0]] | marked[c[1]] | marked[c[2]] | marked[c[3]];
-    if ((m[0] & m[1] & m[2] & m[3]) != no_vertex)
-        for (const std::uint32_t mid : m)
-            found |= mid == no_vertex ? 0u : marked[mid];
-    return found != 0;
-}
 
 Neighbours renumbered(const Neighbours& near, std::span<const std::uint32_t> now) {
     const auto number = [now](std::uint32_t v) { return v == no_vertex ? no_vertex : now[v]; };
@@ -98,28 +87,37 @@ Neighbours renumbered(const Neighbours& near, std::span<const std::uint32_t> now
             number(near.opposite)};
 }
 
+/// Whether a cell that replaces another takes a vertex that has lost nothing: which cell is the first there may then be another
+/// one. Forgets the neighbours of those.
+bool forget_taken(const TopologyEdit& edit,
+                  const KeptCells& kept,
+                  std::vector<Neighbours>& neighbours) {
+    bool taken = false;
+    for (const Cell& cell : std::span(edit.cells).first(edit.replaced_cells.count()))
+        for (const auto* ids : {&cell.corner, &cell.mid})
+            for (const std::uint32_t v : *ids)
+                if (v < kept.stay && kept.touched[v] == 0) {
+                    neighbours[v] = {};
+                    taken = true;
+                }
+    return taken;
+}
+
 } // namespace
 
 WireTopology::WireTopology(std::vector<Cell> all, std::size_t vertices)
     : cells(std::move(all)), neighbours(vertices) {
-    Finder find(neighbours, [](std::uint32_t) { return true; });
+    Finder find(neighbours);
     for (const Cell& cell : cells)
         find.add(cell);
 }
 
 WireTopology::WireTopology(const WireTopology& before,
                            const KeptCells& kept,
-                           std::span<const Cell> changed,
+                           const TopologyEdit& edit,
                            std::vector<Cell> all,
                            std::size_t vertices)
     : cells(std::move(all)) {
-    std::vector<std::uint8_t> marked = kept.touched;
-    marked.resize(vertices, 1);
-    for (const Cell& cell : changed)
-        for (const auto* ids : {&cell.corner, &cell.mid})
-            for (const std::uint32_t v : *ids)
-                if (v != no_vertex)
-                    marked[v] = 1;
     // Vertices keep their order, so that which neighbour is the highest or the lowest stays as well.
     neighbours.reserve(vertices);
     if (kept.now.empty())
@@ -130,12 +128,25 @@ WireTopology::WireTopology(const WireTopology& before,
                 neighbours.push_back(renumbered(before.neighbours[v], kept.now));
     neighbours.resize(vertices);
     for (std::size_t v = 0; v < kept.stay; ++v)
-        if (marked[v] != 0)
+        if (kept.touched[v] != 0)
             neighbours[v] = {};
-    Finder find(neighbours, [&](std::uint32_t v) { return marked[v] != 0; });
-    for (const Cell& cell : cells)
-        if (any(cell, marked))
+    Finder find(neighbours);
+    if (forget_taken(edit, kept, neighbours)) {
+        for (const Cell& cell : cells)
             find.add(cell);
+        return;
+    }
+    auto near = kept.near.begin();
+    for (const Run& run : edit.replaced_cells.all()) {
+        for (; near != kept.near.end() && *near < run.begin; ++near)
+            find.add(cells[*near]);
+        for (std::uint32_t i = run.begin; i < run.end; ++i)
+            find.add(cells[i]);
+    }
+    for (; near != kept.near.end(); ++near)
+        find.add(cells[*near]);
+    for (std::size_t i = cells.size() - edit.added_cells; i < cells.size(); ++i)
+        find.add(cells[i]);
 }
 
 } // namespace wakesurf::protocol

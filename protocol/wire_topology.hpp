@@ -2,7 +2,7 @@
 // protocol/README.md, Neighbours. Twin: web-client/src/protocol/wireTopology.ts.
 #pragma once
 
-#include "protocol/kept_cells.hpp"
+#include "protocol/wire_edit.hpp"
 
 #include <cstdint>
 #include <span>
@@ -31,12 +31,12 @@ struct WireTopology {
     /// REQUIRES: every id of the cells is below `vertices`. Cost: O(vertices + cells).
     WireTopology(std::vector<core::Cell> cells, std::size_t vertices);
 
-    /// The same, where only the neighbours of vertices with other cells than before have to be found.
-    /// @param kept   what stayed of `before`, the replaced cells touched
-    /// @param changed  the cells that replace others or are new
+    /// The same, looking only at what an edit has changed.
+    /// @param kept   what stayed of `before`
+    /// @param cells  all after the edit
     WireTopology(const WireTopology& before,
                  const KeptCells& kept,
-                 std::span<const core::Cell> changed,
+                 const TopologyEdit& edit,
                  std::vector<core::Cell> cells,
                  std::size_t vertices);
 

@@ -676,18 +676,12 @@ class _Socket:
 
 
 def _header(frame: bytes) -> Optional[Json]:
-    """What a mesh frame says about its update, see Frame in protocol/README.md; None for a version not known here."""
-    if len(frame) < 52 or frame[:2] != b"WS":
+    """What a mesh frame says about its update, see Frame in protocol/README.md; None for what is none."""
+    if len(frame) < 64 or frame[:2] != b"WS":
         return None
-    version, flags = frame[2], frame[3]
-    if version == 1:
-        number, epoch, seq, vertex_base, vertices, cell_base, cells = struct.unpack_from("<7I", frame, 4)
-        (crc,) = struct.unpack_from("<I", frame, 44)
-        return {"subscription": number, "epoch": epoch, "seq": seq, "phase": "final" if flags & 4 else "coarse",
-                "vertices": vertex_base + vertices, "cells": cell_base + cells, "crc": crc, "time": float("nan"),
-                "last": bool(flags & 2)}
-    if version != 2 or len(frame) < 64:
-        return None
+    if frame[2] != 3:
+        raise WakesurfError(f"the server sends mesh frames of version {frame[2]}, this client reads version 3",
+                            hint="use the wakesurf.py that came with the server")
     number, epoch, seq, _, index, count, phase = struct.unpack_from("<4I2HB", frame, 4)
     vertices, cells, _, when = struct.unpack_from("<3Id", frame, 28)
     (crc,) = struct.unpack_from("<I", frame, 56)

@@ -55,7 +55,8 @@ struct Hole {
     Runs replaced;
     std::vector<Cell> cells; ///< the replaced, then the removed ones again
 
-    explicit Hole(std::uint32_t seed) : mesh(samples::hanging_sheet(20, 60, seed)) {
+    explicit Hole(std::uint32_t seed, std::uint32_t columns = 20)
+        : mesh(samples::hanging_sheet(columns, 60, seed)) {
         std::mt19937 random(seed);
         Runs removed;
         for (std::uint32_t i = 0; i < mesh.cells.size(); ++i)
@@ -65,7 +66,7 @@ struct Hole {
         for (std::uint32_t i = 0; i < kept.cells.size(); ++i)
             if (random() % 20 == 0)
                 replaced.take(i);
-        kept.touch(replaced);
+        kept.leave_out(replaced);
         for (const Run& run : replaced.all())
             for (std::uint32_t i = run.begin; i < run.end; ++i) {
                 cells.push_back(kept.cells[i]);
@@ -96,7 +97,28 @@ TEST(CellsCode, FillsHolesFromTheCellsAroundThem) {
     EXPECT_LE(2 * with, without);
 }
 
-TEST(CellsCode, RefusesEveryTruncationAndEveryOtherNumberOfVertices) {
+TEST(CellsCode, LooksOfManyCellsThatStayAtTheLastOnesAndAtThoseByAChange) {
+    const Hole hole(3, 150);
+    ASSERT_GT(hole.kept.cells.size(), 2u * 4096);
+    const Bytes code = encode_cells(hole.cells, hole.context());
+    const auto cells =
+        decode_cells(code, static_cast<std::uint32_t>(hole.cells.size()), hole.context());
+    ASSERT_TRUE(cells.has_value()) << cells.error().message;
+    EXPECT_EQ(*cells, hole.cells);
+    // A row more at the end of the sheet, where nothing was touched.
+    const auto sheet = samples::sheet(80, 60);
+    const KeptCells kept =
+        keep_cells({}, static_cast<std::uint32_t>(sheet.vertices()), {}, sheet.cells);
+    ASSERT_GT(kept.cells.size(), 4096u);
+    std::vector<Cell> column;
+    const auto first = static_cast<std::uint32_t>(sheet.vertices());
+    for (std::uint32_t i = 0; i + 1 < 60; ++i)
+        column.push_back({{first - 60 + i, first + i, first + i + 1, first - 60 + i + 1},
+                          {no_vertex, no_vertex, no_vertex, no_vertex}});
+    EXPECT_LE(encode_cells(column, {first + 60, kept, none}).size(), 20u);
+}
+
+TEST(CellsCode, RefusesEveryTruncationAndVerticesThatWereNotSent) {
     const auto mesh = samples::hanging_sheet(5, 20, 3);
     const Bytes code = encoded(mesh);
     for (std::size_t size = 0; size < code.size(); ++size)

@@ -121,6 +121,18 @@ std::size_t size_of(const EncodedUpdate& update) {
     return bytes;
 }
 
+TEST(MeshStream, GivesACellAnotherIdWithoutAnyChangeOfTheMesh) {
+    core::KeyedMesh mesh = with_ids(samples::sheet(10, 10), 1.0);
+    MeshStream stream(1, 1, lattice);
+    MeshDecoder follower;
+    ASSERT_TRUE(folds(follower, samples::next(stream, mesh)));
+    ++mesh.cell_id.back();
+    const EncodedUpdate update = samples::next(stream, mesh);
+    ASSERT_TRUE(folds(follower, update));
+    EXPECT_TRUE(holds(follower, update));
+    EXPECT_EQ(update.state->cells().size(), mesh.mesh.cells.size());
+}
+
 TEST(MeshStream, SpendsNothingOnWhatDoesNotChange) {
     core::KeyedMesh mesh = with_ids(samples::sheet(100, 100), 1.0);
     MeshStream stream(1, 1, lattice);

@@ -29,7 +29,7 @@ TEST(RangeCoder, GivesBackDecisionsOfEveryLikelihoodAndEndsWhereItEnded) {
             ASSERT_EQ(decoder.even(), bits[bits.size() - 1 - i]);
         }
         EXPECT_TRUE(decoder.exhausted());
-        EXPECT_FALSE(decoder.overrun());
+        EXPECT_FALSE(decoder.failed());
     }
 }
 
@@ -50,27 +50,38 @@ TEST(RangeCoder, NeedsAQuarterMoreThanTheEntropyAtMost) {
 }
 
 TEST(RangeCoder, CarriesThroughAnyNumberOfFullBytes) {
-    // Unlikely decisions at the very end of the range are what makes a long row of bytes 0xff that a carry then reaches.
-    for (std::uint32_t seed = 0; seed < 300; ++seed) {
-        std::mt19937 random(seed);
-        std::vector<bool> bits(400);
-        for (std::size_t i = 0; i < bits.size(); ++i)
-            bits[i] = i > 300 ? random() % 2 == 0 : false;
-        RangeEncoder encoder;
-        AdaptiveBit bit;
-        for (const bool value : bits) {
-            encoder.even(false);
-            encoder.bit(bit, value);
+    // The decisions that lead to the middle of the range from below: the encoder holds back a row of 0xff until it knows whether what
+    // comes then lies above, which it does every second time.
+    for (const std::size_t length : {3u, 4u, 9u, 40u})
+        for (std::uint32_t seed = 0; seed < 40; ++seed) {
+            Bytes path(length, std::byte{0xff});
+            path[0] = std::byte{0x7f};
+            RangeDecoder towards(path);
+            std::vector<bool> bits;
+            for (std::size_t i = 0; i + 2 < 8 * length; ++i)
+                bits.push_back(towards.even());
+            std::mt19937 random(seed);
+            for (int i = 0; i < 64; ++i)
+                bits.push_back(random() % 2 == 0);
+            RangeEncoder encoder;
+            for (const bool bit : bits)
+                encoder.even(bit);
+            const Bytes bytes = encoder.finish();
+            RangeDecoder decoder(bytes);
+            for (const bool bit : bits)
+                ASSERT_EQ(decoder.even(), bit) << length << " " << seed;
+            EXPECT_TRUE(decoder.exhausted());
         }
-        const Bytes bytes = encoder.finish();
-        RangeDecoder decoder(bytes);
-        bit = {};
-        for (const bool value : bits) {
-            ASSERT_FALSE(decoder.even());
-            ASSERT_EQ(decoder.bit(bit), value) << seed;
-        }
-        EXPECT_TRUE(decoder.exhausted());
-    }
+}
+
+TEST(RangeCoder, RefusesABeginningAndAWidthThatNoEncoderWrites) {
+    const Bytes full(8, std::byte{0xff});
+    EXPECT_TRUE(RangeDecoder(full).failed());
+    const Bytes zeros(8, std::byte{0}); // every decision is 1: a width of 63
+    RangeDecoder decoder(zeros);
+    EXPECT_FALSE(decoder.failed());
+    AdaptiveNumber().code(decoder, 0);
+    EXPECT_TRUE(decoder.failed());
 }
 
 TEST(AdaptiveNumber, GivesBackNumbersOfEverySize) {
@@ -95,7 +106,7 @@ TEST(RangeCoder, SeesZerosBehindTheEndAndSaysSo) {
     AdaptiveBit bit;
     for (int i = 0; i < 100; ++i)
         decoder.bit(bit);
-    EXPECT_TRUE(decoder.overrun());
+    EXPECT_TRUE(decoder.failed());
     EXPECT_FALSE(decoder.exhausted());
 }
 

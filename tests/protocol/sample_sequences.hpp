@@ -145,7 +145,8 @@ class RandomSurface {
     std::uint32_t next_cell_id_ = 0;
 };
 
-/// Where the wire's rule puts vertices and cells: those that stay keep their order, new ones follow by id. The simplest way to say it.
+/// Where the wire's rule puts vertices and cells: those that stay keep their order, new ones follow by id, those of a KEY by
+/// s and t. The simplest way to say it.
 class PlacesTwin {
   public:
     void follow(const core::KeyedMesh& mesh, bool key) {

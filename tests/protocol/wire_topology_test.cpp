@@ -107,18 +107,24 @@ TEST(WireTopology, FollowsAnEditToWhatItWouldFindAnew) {
         for (std::uint32_t i = 0; i < kept.cells.size(); ++i)
             if (random() % 15 == 0)
                 replaced.take(i);
-        kept.touch(replaced);
-        const std::uint32_t after = kept.stay + 10;
-        const auto changed = samples::chaos(after, replaced.count() + 12, seed + 100).cells;
-        auto cells = kept.cells;
-        auto source = changed.begin();
+        kept.leave_out(replaced);
+        std::vector<core::Cell> old_cells;
         for (const auto& run : replaced.all())
-            for (std::uint32_t i = run.begin; i < run.end; ++i)
-                cells[i] = *source++;
-        cells.insert(cells.end(), source, changed.end());
+            for (std::uint32_t i = run.begin; i < run.end; ++i) {
+                old_cells.push_back(kept.cells[i]);
+                std::ranges::fill(old_cells.back().mid, no_vertex);
+            }
+        const std::uint32_t after = kept.stay + 10;
+        TopologyEdit edit;
+        edit.replaced_cells = replaced;
+        edit.added_cells = 12;
+        edit.cells = samples::chaos(after, replaced.count() + edit.added_cells, seed + 100).cells;
+        if (seed % 3 == 0) // as refinement does: what was there is cut, and nothing else taken
+            for (std::uint32_t i = 0; i < replaced.count(); ++i)
+                edit.cells[i] = old_cells[i];
+        const auto cells = edited_cells(kept.cells, edit);
         const WireTopology anew(cells, after);
-        const WireTopology followed(WireTopology(mesh.cells, vertices), kept, changed, cells,
-                                    after);
+        const WireTopology followed(WireTopology(mesh.cells, vertices), kept, edit, cells, after);
         ASSERT_EQ(followed.neighbours, anew.neighbours) << seed;
     }
 }

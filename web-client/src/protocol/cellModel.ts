@@ -1,10 +1,9 @@
 // What is expected of a cell's vertices, and how likely. protocol/README.md, Cells code. Twin: protocol/cell_model.hpp.
 import { unzigzag } from './bytes.ts';
+import { cellStride, noVertex } from './cell.ts';
 import { FrameError } from './frameError.ts';
 import type { OpenSides } from './openSides.ts';
 import { AdaptiveBits, AdaptiveNumber, type RangeDecoder } from './rangeDecoder.ts';
-
-const none = -1;
 
 /// Where a vertex was expected from.
 const along = 0;
@@ -96,7 +95,7 @@ export class CellModel {
     private readMids(decoder: RangeDecoder, cells: Int32Array, at: number, replaces: boolean): number {
         let mids = 0;
         for (let side = 0; side < 4; side += 1) {
-            const had = replaces && cells[at + 4 + side]! !== none ? 4 : 0;
+            const had = replaces && cells[at + 4 + side]! !== noVertex ? 4 : 0;
             const last = side !== 2 && ((this.lastMids >> side) & 1) !== 0 ? 2 : 0;
             const sideBefore = side > 0 ? (mids >> (side - 1)) & 1 : 0;
             mids |= decoder.bit(this.midBits, (replaces ? 32 : 0) + 8 * side + had + last + sideBefore) << side;
@@ -167,7 +166,7 @@ export class CellModel {
             case gate:
                 return this.open.after(this.outline[k - 1]!);
             default:
-                return none;
+                return noVertex;
         }
     }
 
@@ -179,7 +178,7 @@ export class CellModel {
 
     private finish(cells: Int32Array, at: number): void {
         const { slots, outline, open, last } = this;
-        cells.fill(none, at, at + 8);
+        cells.fill(noVertex, at, at + cellStride);
         for (let k = 0; k < slots.length; k += 1) {
             const v = outline[k]!;
             const slot = slots[k]!;

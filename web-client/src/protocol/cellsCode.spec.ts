@@ -1,21 +1,20 @@
 import { expect, test } from 'vitest';
 import { cellStride, noVertex } from './cell.ts';
 import { decodeCells } from './cellsCode.ts';
+import { FrameError } from './frameError.ts';
 import { nothingKept, type PlainKept, writeCells } from './testing/cellsWriter.ts';
 import { seededRandom } from './testing/random.ts';
 
 const n = noVertex;
 
 function decode(code: number[], count: number, vertices: number, kept: PlainKept = nothingKept): number[][] {
-    const touched = new Uint8Array(vertices);
-    kept.touched.forEach((v) => (touched[v] = 1));
     const all = kept.replaced.flatMap((is, i) => (is ? [{ begin: i, end: i + 1 }] : []));
     const cells = decodeCells(Uint8Array.from(code), count, {
         vertices,
         stay: kept.stay,
         kept: Int32Array.from(kept.cells.flat()),
         replaced: { all, count: all.length },
-        touched,
+        near: kept.cells.flatMap((cell, i) => (!kept.replaced[i] && cell.some((v) => kept.touched.has(v)) ? [i] : [])),
     });
     return Array.from({ length: count }, (_, i) => [...cells.subarray(i * cellStride, (i + 1) * cellStride)]);
 }
@@ -60,11 +59,11 @@ test('refuses every truncation, more cells, fewer cells and fewer vertices', () 
     const code = writeCells(mixed, nothingKept, 30);
     expect(decode(code, 5, 30)).toEqual(mixed);
     for (let size = 0; size < code.length; size += 1)
-        expect(() => decode(code.slice(0, size), 5, 30)).toThrow();
-    expect(() => decode([...code, 0], 5, 30)).toThrow();
-    expect(() => decode(code, 0, 30)).toThrow();
-    expect(() => decode(code, 500, 30)).toThrow();
-    expect(() => decode(code, 5, 8)).toThrow();
+        expect(() => decode(code.slice(0, size), 5, 30)).toThrow(FrameError);
+    expect(() => decode([...code, 0], 5, 30)).toThrow(FrameError);
+    expect(() => decode(code, 0, 30)).toThrow(FrameError);
+    expect(() => decode(code, 500, 30)).toThrow(FrameError);
+    expect(() => decode(code, 5, 8)).toThrow(FrameError);
 });
 
 test('survives mutations with ids in range or an error', () => {
@@ -78,7 +77,8 @@ test('survives mutations with ids in range or an error', () => {
         let cells: number[][];
         try {
             cells = decode(bad, 5, 30);
-        } catch {
+        } catch (error) {
+            expect(error).toBeInstanceOf(FrameError);
             continue;
         }
         survived += 1;

@@ -1,6 +1,6 @@
 // The compact code of the cells: which vertices a cell has is expected from the cells around it and from those before it, and
 // only whether that is so is coded. protocol/README.md, Cells code. Twin: protocol/cells_code.hpp.
-import { cellStride, noVertex } from './cell.ts';
+import { cellStride } from './cell.ts';
 import { CellModel } from './cellModel.ts';
 import { FrameError } from './frameError.ts';
 import { OpenSides } from './openSides.ts';
@@ -13,20 +13,22 @@ export interface CellContext {
     stay: number; // of those, vertices that were there before
     kept: Int32Array; // cells, those to be replaced as they were before
     replaced: Runs;
-    touched: Uint8Array; // by vertex, those of the cells to be replaced are
+    near: readonly number[]; // cells by a vertex that has lost something; see KeptCells
 }
+
+const mostCellsAByte = 12_000;
 
 /// Of the cells that stay as they are these are looked at: the last ones, where rows grow, and those by a touched vertex.
 const newestKept = 4096;
 
 /// Gives `count` cells. Throws FrameError.
 export function decodeCells(code: Uint8Array, count: number, context: CellContext): Int32Array {
+    // A cell that repeats what the one before did costs 0.0007 bits at the least.
+    if (count > mostCellsAByte * code.length || (count === 0 && code.length > 0))
+        throw new FrameError('the cells of a mesh frame are other ones than it announces');
     const cells = new Int32Array(count * cellStride);
-    if (count === 0) {
-        if (code.length > 0)
-            throw new FrameError('the cells of a mesh frame go on after the last');
+    if (count === 0)
         return cells;
-    }
     const { vertices, stay, kept, replaced } = context;
     const decoder = new RangeDecoder(code);
     const model = new CellModel(vertices, stay, sidesOf(context));
@@ -42,28 +44,18 @@ export function decodeCells(code: Uint8Array, count: number, context: CellContex
     return cells;
 }
 
-function sidesOf({ vertices, kept, replaced, touched }: CellContext): OpenSides {
+function sidesOf({ vertices, kept, replaced, near }: CellContext): OpenSides {
     const open = new OpenSides(vertices);
     const count = kept.length / cellStride;
     const newest = Math.max(0, count - newestKept);
+    for (const i of near)
+        if (i < newest)
+            joinOutline(open, kept, i * cellStride);
     forEachGap(replaced, count, (begin, end) => {
-        for (let i = begin; i < end; i += 1)
-            if (i >= newest || hasMarked(kept, i * cellStride, touched))
-                joinOutline(open, kept, i * cellStride);
+        for (let i = Math.max(begin, newest); i < end; i += 1)
+            joinOutline(open, kept, i * cellStride);
     });
     return open;
-}
-
-/// Whether the cell at `at` has one of the vertices that are marked.
-export function hasMarked(cells: Int32Array, at: number, marked: Uint8Array): boolean {
-    if (marked[cells[at]!]! | marked[cells[at + 1]!]! | marked[cells[at + 2]!]! | marked[cells[at + 3]!]!)
-        return true;
-    if ((cells[at + 4]! & cells[at + 5]! & cells[at + 6]! & cells[at + 7]!) === noVertex)
-        return false;
-    for (let mid = at + 4; mid < at + cellStride; mid += 1)
-        if (cells[mid]! >= 0 && marked[cells[mid]!] !== 0)
-            return true;
-    return false;
 }
 
 function joinOutline(open: OpenSides, cells: Int32Array, at: number): void {

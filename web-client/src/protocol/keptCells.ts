@@ -7,22 +7,23 @@ import type { WireMesh } from './wireMesh.ts';
 
 export interface KeptCells {
     now: Int32Array | undefined; // the new number of each old vertex; none where all stay
-    touched: Uint8Array; // of each vertex after the update: not all its cells stay as they are
+    touched: Uint8Array; // of each vertex that stays: not all its cells stay as they are
+    near: number[]; // cells that are not replaced and have a touched vertex, ascending
 }
 
 /// Marks the vertices of cells first .. last - 1; ids that are gone are none.
-export function touch(touched: Uint8Array, cells: Int32Array, first: number, last: number): void {
+function touch(touched: Uint8Array, cells: Int32Array, first: number, last: number): void {
     for (let at = first * cellStride; at < last * cellStride; at += 1)
         if (cells[at]! >= 0)
             touched[cells[at]!] = 1;
 }
 
-/// Removes cells from the mesh and renumbers what stays. Vertices of removed and replaced cells, and of cells that lose a mid, are
+/// Removes cells from the mesh and renumbers what stays; vertices are as many as after the update already. Vertices of removed and replaced cells, and of cells that lose a mid, are
 /// touched. Throws FrameError when a cell that stays has lost a corner.
 export function keepCells(mesh: WireMesh, edit: EditedRuns, verticesBefore: number): KeptCells {
     const { removedVertices, removedCells, replacedCells } = edit;
     const now = removedVertices.count > 0 ? numbersAfter(removedVertices, verticesBefore) : undefined;
-    const touched = new Uint8Array(mesh.vertices);
+    const touched = new Uint8Array(verticesBefore - removedVertices.count);
     const before = mesh.cells;
     for (const { begin, end } of removedCells.all) {
         if (now !== undefined)
@@ -38,13 +39,34 @@ export function keepCells(mesh: WireMesh, edit: EditedRuns, verticesBefore: numb
         forEachGap(replacedCells, mesh.cellCount, (begin, end) => {
             checkCorners(kept, begin, end);
         });
-    return { now, touched };
+    return { now, touched, near: cellsNear(kept, replacedCells, touched) };
 }
 
 export interface EditedRuns {
     removedVertices: Runs; // of the old ones
     removedCells: Runs; // of the old ones
     replacedCells: Runs; // of those that stay
+}
+
+function cellsNear(cells: Int32Array, replaced: Runs, touched: Uint8Array): number[] {
+    const near: number[] = [];
+    forEachGap(replaced, cells.length / cellStride, (begin, end) => {
+        for (let i = begin; i < end; i += 1)
+            if (isTouched(cells, i * cellStride, touched))
+                near.push(i);
+    });
+    return near;
+}
+
+function isTouched(cells: Int32Array, at: number, touched: Uint8Array): boolean {
+    if (touched[cells[at]!]! | touched[cells[at + 1]!]! | touched[cells[at + 2]!]! | touched[cells[at + 3]!]!)
+        return true;
+    if ((cells[at + 4]! & cells[at + 5]! & cells[at + 6]! & cells[at + 7]!) === noVertex)
+        return false;
+    for (let mid = at + 4; mid < at + cellStride; mid += 1)
+        if (cells[mid]! >= 0 && touched[cells[mid]!] !== 0)
+            return true;
+    return false;
 }
 
 /// Whether cells first .. last - 1 keep all their corners. Of one that loses a vertex the others are touched.

@@ -1,7 +1,7 @@
 // The sides of cells that have no neighbour yet: a cell that comes later is most likely to lie along some of them.
 // protocol/README.md, Cells code. Twin: protocol/open_sides.hpp.
 
-const none = -1;
+import { noVertex } from './cell.ts';
 
 /// Of each vertex at most one side that leaves it and one that arrives; where corners meet in a point the older is forgotten.
 export class OpenSides {
@@ -10,8 +10,8 @@ export class OpenSides {
 
     /// All ids are below `vertices`.
     constructor(vertices: number) {
-        this.leavesTo = new Int32Array(vertices).fill(none);
-        this.arrivesFrom = new Int32Array(vertices).fill(none);
+        this.leavesTo = new Int32Array(vertices).fill(noVertex);
+        this.arrivesFrom = new Int32Array(vertices).fill(noVertex);
     }
 
     /// A side of a cell, counter-clockwise from `x` to `y`: closes the neighbour's, from `y` to `x`, or is open now.
@@ -20,16 +20,16 @@ export class OpenSides {
         const leaves = leavesTo[y] === x;
         const arrives = arrivesFrom[x] === y;
         if (leaves)
-            leavesTo[y] = none;
+            leavesTo[y] = noVertex;
         if (arrives)
-            arrivesFrom[x] = none;
+            arrivesFrom[x] = noVertex;
         if (leaves || arrives)
             return;
         leavesTo[x] = y;
         arrivesFrom[y] = x;
     }
 
-    /// The vertex after `v` round a cell that closes the open side at `v`; -1 where none is known.
+    /// The vertex after `v` round a cell that closes the open side at `v`; noVertex where none is known.
     after(v: number): number {
         return this.arrivesFrom[v]!;
     }

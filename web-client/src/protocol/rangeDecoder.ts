@@ -31,6 +31,8 @@ export class RangeDecoder {
         this.bytes = bytes;
         for (let i = 0; i < 4; i += 1)
             this.code = this.code * 256 + this.next();
+        if (this.code === this.range)
+            throw new FrameError('a range code of a mesh frame begins as none does'); // it is always below
     }
 
     /// 0 or 1. Throws FrameError behind the end of the bytes.
@@ -77,7 +79,7 @@ export class RangeDecoder {
     }
 }
 
-/// Numbers that are mostly small: how many bits, then the bits, of which the two highest are learnt.
+/// Numbers that are mostly small: how many bits, then the bits, of which the two below the highest are learnt.
 export class AdaptiveNumber {
     private readonly width = new AdaptiveBits(64);
     private readonly high = new AdaptiveBits(99);
@@ -87,7 +89,9 @@ export class AdaptiveNumber {
         let node = 1;
         for (let level = 0; level < 6; level += 1)
             node = node * 2 + decoder.bit(this.width, node);
-        const width = Math.min(32, node - 64);
+        const width = node - 64;
+        if (width > 32)
+            throw new FrameError('a range code of a mesh frame holds a number of more than 32 bits');
         if (width === 0)
             return 0;
         let value = 1;

@@ -27,12 +27,18 @@ export function forEachGap(taken: Runs, count: number, each: (begin: number, end
 
 /// The number each of `count` things has when the removed ones are gone, -1 for those.
 export function numbersAfter(removed: Runs, count: number): Int32Array {
-    const now = new Int32Array(count).fill(-1);
+    const now = new Int32Array(count);
     let next = 0;
-    forEachGap(removed, count, (begin, end) => {
-        for (let i = begin; i < end; i += 1)
-            now[i] = next++;
-    });
+    let at = 0;
+    // Without a callback: a variable that one changes lies in memory, and this is done for every vertex.
+    for (const { begin, end } of removed.all) {
+        while (at < begin)
+            now[at++] = next++;
+        now.fill(-1, begin, end);
+        at = end;
+    }
+    while (at < count)
+        now[at++] = next++;
     return now;
 }
 
@@ -40,16 +46,16 @@ export function numbersAfter(removed: Runs, count: number): Int32Array {
 const worthACall = 64;
 
 /// Closes up what stays of the first `count` things of `stride` numbers each.
-export function removeRuns(array: Int32Array, removed: Runs, count: number, stride: number): void {
-    let to = 0;
-    forEachGap(removed, count, (first, last) => {
-        const begin = first * stride;
-        const end = last * stride;
-        if (to !== begin && end - begin > worthACall)
+export function removeRuns(array: Int32Array, { all }: Runs, count: number, stride: number): void {
+    let to = (all[0]?.begin ?? count) * stride;
+    for (let run = 0; run < all.length; run += 1) {
+        const begin = all[run]!.end * stride;
+        const end = (all[run + 1]?.begin ?? count) * stride;
+        if (end - begin > worthACall)
             array.copyWithin(to, begin, end);
-        else if (to !== begin)
+        else
             for (let from = begin, into = to; from < end; from += 1, into += 1)
                 array[into] = array[from]!;
         to += end - begin;
-    });
+    }
 }

@@ -14,8 +14,14 @@ export class WordSum {
 
     add(words: Int32Array): void {
         const { sums, ofSums } = this;
-        let [a, b, c, d] = sums as unknown as [number, number, number, number];
-        let [e, f, g, h] = ofSums as unknown as [number, number, number, number];
+        let a = sums[0]!;
+        let b = sums[1]!;
+        let c = sums[2]!;
+        let d = sums[3]!;
+        let e = ofSums[0]!;
+        let f = ofSums[1]!;
+        let g = ofSums[2]!;
+        let h = ofSums[3]!;
         const whole = words.length & ~3;
         for (let at = 0; at < whole; at += 4) {
             a = (a + words[at]!) | 0;
@@ -27,8 +33,14 @@ export class WordSum {
             g = (g + c) | 0;
             h = (h + d) | 0;
         }
-        sums.set([a, b, c, d]);
-        ofSums.set([e, f, g, h]);
+        sums[0] = a;
+        sums[1] = b;
+        sums[2] = c;
+        sums[3] = d;
+        ofSums[0] = e;
+        ofSums[1] = f;
+        ofSums[2] = g;
+        ofSums[3] = h;
         for (let at = whole; at < words.length; at += 1) {
             sums[at & 3]! += words[at]!;
             ofSums[at & 3]! += sums[at & 3]!;

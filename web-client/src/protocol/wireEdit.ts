@@ -4,7 +4,7 @@ import { ByteReader } from './bytes.ts';
 import { cellStride } from './cell.ts';
 import { decodeCells } from './cellsCode.ts';
 import { FrameError } from './frameError.ts';
-import { type EditedRuns, keepCells, touch } from './keptCells.ts';
+import { type EditedRuns, keepCells } from './keptCells.ts';
 import type { Run, Runs } from './runs.ts';
 import type { WireMesh } from './wireMesh.ts';
 
@@ -66,11 +66,8 @@ export function applyEdit(mesh: WireMesh, edit: TopologyEdit): Int32Array {
         return new Int32Array(0);
     }
     const kept = keepCells(mesh, edit, verticesBefore);
-    const { touched } = kept;
-    const context = { vertices: mesh.vertices, stay, kept: mesh.cells, replaced: replacedCells, touched };
+    const context = { vertices: mesh.vertices, stay, kept: mesh.cells, replaced: replacedCells, near: kept.near };
     const cells = decodeCells(edit.cellsCode, replacedCells.count + addedCells, context);
-    touched.fill(1, stay);
-    touch(touched, cells, 0, cells.length / cellStride);
     const keptCells = mesh.cellCount;
     let next = 0;
     for (const { begin, end } of replacedCells.all) {
@@ -80,6 +77,6 @@ export function applyEdit(mesh: WireMesh, edit: TopologyEdit): Int32Array {
     }
     mesh.appendCells(cells.subarray(next));
     const onlyAdded = removedVertices.count + removedCells.count + replacedCells.count === 0;
-    mesh.cellsChanged(kept, onlyAdded ? keptCells : 0);
+    mesh.cellsChanged(kept, replacedCells, keptCells, onlyAdded);
     return cells;
 }

@@ -91,13 +91,13 @@ export class WireMesh {
         this.cellCount += cells.length / cellStride;
     }
 
-    /// After cells have changed. `kept` marks all vertices whose cells are others than before; the first `sameCells` cells and the
-    /// numbers of their vertices are as they were.
-    cellsChanged(kept: KeptCells, sameCells: number): void {
-        if (sameCells === 0)
+    /// After cells have changed: some of `kept` have been replaced, those from `keptCells` on were added. `onlyAdded`: the others are
+    /// as they were.
+    cellsChanged(kept: KeptCells, replaced: Runs, keptCells: number, onlyAdded: boolean): void {
+        if (!onlyAdded)
             this.cellSum = new WordSum();
-        this.cellSum.add(this.cells.subarray(sameCells * cellStride));
-        this.neighbours.follow(kept, this.cells, this.vertices);
+        this.cellSum.add(onlyAdded ? this.cells.subarray(keptCells * cellStride) : this.cells);
+        this.neighbours.follow(kept, replaced, keptCells, this.cells, this.vertices);
     }
 
     /// The checksum of everything but the changes. Cost: O(vertices), cells were summed when they came.

@@ -1,9 +1,9 @@
 // The cells of a state and what predictions need of them: for each vertex the neighbours of lower index.
 // protocol/README.md, Neighbours. Twin: protocol/wire_topology.hpp.
 import { cellStride } from './cell.ts';
-import { hasMarked } from './cellsCode.ts';
 import type { KeptCells } from './keptCells.ts';
 import { roomFor } from './room.ts';
+import type { Runs } from './runs.ts';
 
 /// Stands where there is no such neighbour.
 export const none = -1;
@@ -16,9 +16,11 @@ export class Neighbours {
     beside2 = new Int32Array(0); // n(v)
     opposite = new Int32Array(0); // o(v); none where p and n are the ends of the side the vertex hangs on
 
-    /// After an update: finds the neighbours of the vertices that are marked, the others keep theirs in new numbers.
-    /// Vertices keep their order, so that which neighbour is the highest or the lowest stays as well.
-    follow({ now, touched }: KeptCells, cells: Int32Array, vertices: number): void {
+    /// After an update of the cells, of which those from `keptCells` on were added: finds the neighbours of vertices that have other
+    /// cells than before, the others keep theirs in new numbers. Vertices keep their order, so that which neighbour is the highest or the
+    /// lowest stays as well.
+    follow(kept: KeptCells, replaced: Runs, keptCells: number, cells: Int32Array, vertices: number): void {
+        const { now, touched, near } = kept;
         this.highest = roomFor(this.highest, vertices);
         this.lowest = roomFor(this.lowest, vertices);
         this.beside = roomFor(this.beside, vertices);
@@ -26,10 +28,43 @@ export class Neighbours {
         this.opposite = roomFor(this.opposite, vertices);
         if (now !== undefined)
             this.renumber(now);
-        for (let v = 0; v < vertices; v += 1)
+        for (let v = 0; v < touched.length; v += 1)
             if (touched[v] !== 0)
-                this.highest[v] = this.lowest[v] = this.beside[v] = this.beside2[v] = this.opposite[v] = none;
-        this.add(cells, touched);
+                this.forget(v);
+        for (let v = touched.length; v < vertices; v += 1)
+            this.forget(v);
+        if (this.forgetTaken(touched, replaced, cells)) {
+            this.add(cells, 0, cells.length / cellStride);
+            return;
+        }
+        let next = 0;
+        for (const { begin, end } of replaced.all) {
+            for (; next < near.length && near[next]! < begin; next += 1)
+                this.add(cells, near[next]!, near[next]! + 1);
+            this.add(cells, begin, end);
+        }
+        for (; next < near.length; next += 1)
+            this.add(cells, near[next]!, near[next]! + 1);
+        this.add(cells, keptCells, cells.length / cellStride);
+    }
+
+    private forget(v: number): void {
+        this.highest[v] = this.lowest[v] = this.beside[v] = this.beside2[v] = this.opposite[v] = none;
+    }
+
+    /// Whether a cell that replaces another takes a vertex that has lost nothing: which cell is the first there may then be another
+    /// one. Forgets the neighbours of those.
+    private forgetTaken(touched: Uint8Array, replaced: Runs, cells: Int32Array): boolean {
+        let taken = false;
+        for (const { begin, end } of replaced.all)
+            for (let at = begin * cellStride; at < end * cellStride; at += 1) {
+                const v = cells[at]!;
+                if (v < 0 || v >= touched.length || touched[v] !== 0)
+                    continue;
+                this.forget(v);
+                taken = true;
+            }
+        return taken;
     }
 
     /// In place, from the first to the last: a vertex never gets a higher number.
@@ -50,23 +85,21 @@ export class Neighbours {
         }
     }
 
-    /// Of those cells that have a marked vertex, for the marked ones.
-    private add(cells: Int32Array, marked: Uint8Array): void {
+    /// Cells first .. last - 1. Adding one again makes no difference.
+    private add(cells: Int32Array, first: number, last: number): void {
         const { highest, lowest, beside, beside2, opposite } = this;
-        for (let at = 0; at < cells.length; at += cellStride) {
-            if (!hasMarked(cells, at, marked))
-                continue;
+        for (let at = first * cellStride; at < last * cellStride; at += cellStride) {
             const c0 = cells[at]!;
             const c1 = cells[at + 1]!;
             const c2 = cells[at + 2]!;
             const c3 = cells[at + 3]!;
-            side(highest, lowest, marked, c0, cells[at + 4]!, c1);
-            side(highest, lowest, marked, c1, cells[at + 5]!, c2);
-            side(highest, lowest, marked, c2, cells[at + 6]!, c3);
-            side(highest, lowest, marked, c3, cells[at + 7]!, c0);
+            side(highest, lowest, c0, cells[at + 4]!, c1);
+            side(highest, lowest, c1, cells[at + 5]!, c2);
+            side(highest, lowest, c2, cells[at + 6]!, c3);
+            side(highest, lowest, c3, cells[at + 7]!, c0);
             // Only a cell's highest corner can have the other three below it.
             const v = Math.max(c0, c1, c2, c3);
-            if (marked[v] !== 0 && beside[v]! < 0) {
+            if (beside[v]! < 0) {
                 const i = v === c0 ? 0 : v === c1 ? 1 : v === c2 ? 2 : 3;
                 const p = cells[at + ((i + 3) & 3)]!;
                 const n = cells[at + ((i + 1) & 3)]!;
@@ -78,17 +111,17 @@ export class Neighbours {
                 }
             }
             if ((cells[at + 4]! & cells[at + 5]! & cells[at + 6]! & cells[at + 7]!) >= 0)
-                this.addMids(cells, at, marked);
+                this.addMids(cells, at);
         }
     }
 
     /// That a vertex hangs says more of its place than a cell that it is a corner of.
-    private addMids(cells: Int32Array, at: number, marked: Uint8Array): void {
+    private addMids(cells: Int32Array, at: number): void {
         for (let i = 0; i < 4; i += 1) {
             const mid = cells[at + 4 + i]!;
             const from = cells[at + i]!;
             const to = cells[at + ((i + 1) & 3)]!;
-            if (from >= mid || to >= mid || marked[mid] === 0)
+            if (from >= mid || to >= mid)
                 continue;
             if (this.beside[mid]! >= 0 && this.opposite[mid]! < 0)
                 continue;
@@ -100,27 +133,20 @@ export class Neighbours {
 }
 
 /// One side of a cell, over its mid if there is one.
-function side(
-    highest: Int32Array,
-    lowest: Int32Array,
-    marked: Uint8Array,
-    from: number,
-    mid: number,
-    to: number,
-): void {
+function side(highest: Int32Array, lowest: Int32Array, from: number, mid: number, to: number): void {
     if (mid < 0)
-        join(highest, lowest, marked, from, to);
+        join(highest, lowest, from, to);
     else {
-        join(highest, lowest, marked, from, mid);
-        join(highest, lowest, marked, mid, to);
+        join(highest, lowest, from, mid);
+        join(highest, lowest, mid, to);
     }
 }
 
-function join(highest: Int32Array, lowest: Int32Array, marked: Uint8Array, u: number, w: number): void {
+function join(highest: Int32Array, lowest: Int32Array, u: number, w: number): void {
+    if (u === w)
+        return;
     const low = u < w ? u : w;
     const high = u < w ? w : u;
-    if (low === high || marked[high] === 0)
-        return;
     if (low > highest[high]!)
         highest[high] = low;
     const lowestSoFar = lowest[high]!;

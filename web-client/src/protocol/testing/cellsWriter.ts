@@ -122,7 +122,7 @@ export function writeCells(cells: number[][], kept: PlainKept, vertices: number)
             switch (choice) {
                 case 'along': return last[3]!;
                 case 'beside': return last[1]!;
-                case 'stride': return slot < 4 || k === 0 ? last[slot]! + stride[slot]! : none;
+                case 'stride': return slot < 4 ? last[slot]! + stride[slot]! : none;
                 case 'fresh': return fresh;
                 case 'old': return old?.[slot] ?? none;
                 case 'gate': return sides.arrives.get(cell[slots[k - 1]!]!) ?? none;
