@@ -98,7 +98,7 @@ TEST(CellsCode, FillsHolesFromTheCellsAroundThem) {
 }
 
 TEST(CellsCode, LooksOfManyCellsThatStayAtTheLastOnesAndAtThoseByAChange) {
-    const Hole hole(3, 150);
+    const Hole hole(3, 250);
     ASSERT_GT(hole.kept.cells.size(), 2u * 4096);
     const Bytes code = encode_cells(hole.cells, hole.context());
     const auto cells =

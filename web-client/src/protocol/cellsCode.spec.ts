@@ -55,6 +55,16 @@ test('reads what replaces a cell and what fills a hole from the cells around it'
     expect(decode(code, 2, 26, kept)).toEqual(wanted);
 });
 
+test('looks, of many cells that stay, at the last 4096 and at those by a change', () => {
+    const cells = Array.from({ length: 500 }, (_, column) => strip(column, 9)).flat();
+    const touched = new Set([33, 43, 44, 34]);
+    const kept: PlainKept = { cells, replaced: cells.map((_, i) => i === 30), touched, stay: 5010 };
+    const added = [...strip(500, 9), [25, 26, 5020, 24, n, n, n, n], [4000, 4010, 4011, 4001, n, n, n, n]];
+    const wanted = [[33, 43, 44, 34, n, n, n, n], ...added];
+    const code = writeCells(wanted, kept, 5021);
+    expect(decode(code, wanted.length, 5021, kept)).toEqual(wanted);
+});
+
 test('refuses every truncation, more cells, fewer cells and fewer vertices', () => {
     const code = writeCells(mixed, nothingKept, 30);
     expect(decode(code, 5, 30)).toEqual(mixed);
