@@ -143,8 +143,9 @@ TEST_F(RestoredSurfaces, ThatAreEditedOrDeletedBeforeTheirTurnHoldUpNobody) {
     while (after.run_queued() > 0)
         continue;
     for (std::size_t i = 0; i < many; ++i)
-        if (i < 6 || i % 2 == 1)
+        if (i < 6 || i % 2 == 1) {
             EXPECT_TRUE(complete(ids[i])) << ids[i];
+        }
 }
 
 } // namespace wakesurf::server
