@@ -3,6 +3,7 @@
 #include "core/surface/moving/moving_surface.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "protocol/mesh_decoder.hpp"
+#include "protocol/mesh_frame.hpp"
 #include "protocol/mesh_stream.hpp"
 #include "server/session/growing_mesh.hpp"
 #include "tests/bench/benchmarks.hpp"
@@ -117,13 +118,20 @@ core::MovingSurface grown_streak(const Scene& scene) {
     }
 }
 
+double bytes_a_vertex(const protocol::EncodedUpdate& update) {
+    return static_cast<double>(update.bytes) / static_cast<double>(update.state->vertices());
+}
+
 /// Follows the updates of one stream.
 struct Measured {
     protocol::MeshStream stream;
     protocol::Tolerance tolerance;
     protocol::MeshDecoder decoder{};
     double bytes = 0.0, vertices = 0.0, encode_seconds = 0.0, decode_seconds = 0.0;
+    double topology_bytes = 0.0, cells_gained = 0.0;
     bool counting = false;
+    std::optional<protocol::EncodedUpdate> newest{}; ///< of all, counted or not
+    double first_bytes_a_vertex = 0.0;
 
     void take(const core::KeyedMesh& mesh, double count) {
         std::optional<protocol::EncodedUpdate> update;
@@ -138,11 +146,18 @@ struct Measured {
                 if (const auto folded = decoder.fold(*frame); !folded)
                     throw std::runtime_error(folded.error().message);
         });
+        const auto cells = static_cast<double>(newest ? newest->state->cells().size() : 0);
+        newest = std::move(update);
+        if (first_bytes_a_vertex == 0.0)
+            first_bytes_a_vertex = bytes_a_vertex(*newest);
         if (!counting)
             return;
-        if (update->key)
+        if (newest->key)
             throw std::runtime_error("an update came as a KEY");
-        bytes += static_cast<double>(update->bytes);
+        bytes += static_cast<double>(newest->bytes);
+        const auto header = protocol::read_frame(*newest->frames.front()).value().header;
+        topology_bytes += header.topology_size;
+        cells_gained += static_cast<double>(header.cells) - cells;
         vertices += count;
         encode_seconds += encoding;
         decode_seconds += decoding;
@@ -204,6 +219,12 @@ void measure_moves(benchmark::State& state, const std::function<Scene()>& make) 
             state.counters["target_percent_of_draco_mesh"] = target_move_percent_of_draco;
             state.counters["percent_of_draco_mesh_speed_3"] =
                 100.0 * live.bytes / static_cast<double>(draco_fine);
+            state.counters["topology_percent_of_bytes"] = 100.0 * live.topology_bytes / live.bytes;
+            state.counters["key_bytes_per_vertex"] = live.first_bytes_a_vertex;
+            const auto late = protocol::encode_key(1, *live.newest);
+            if (!late)
+                throw std::runtime_error(late.error().message);
+            state.counters["late_key_bytes_per_vertex"] = bytes_a_vertex(*late);
             state.counters["lossless_percent_of_raw"] =
                 100.0 * exact.bytes / exact.vertices / raw_bytes;
             state.counters["lossless_percent_of_draco_mesh"] =
@@ -269,6 +290,7 @@ void measure_appends(benchmark::State& state,
             }
             state.SetIterationTime(grown.encode_seconds / sent);
             state.counters["vertices_an_update"] = grown.vertices / sent;
+            state.counters["topology_bytes_per_cell"] = grown.topology_bytes / grown.cells_gained;
             state.counters["bytes_per_vertex"] = grown.bytes / grown.vertices;
             state.counters["percent_of_raw"] = 100.0 * grown.bytes / grown.vertices / raw_bytes;
             state.counters["target_percent_of_raw"] = target_append_percent_of_raw;

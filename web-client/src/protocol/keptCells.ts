@@ -18,8 +18,8 @@ function touch(touched: Uint8Array, cells: Int32Array, first: number, last: numb
             touched[cells[at]!] = 1;
 }
 
-/// Removes cells from the mesh and renumbers what stays; vertices are as many as after the update already. Vertices of removed and replaced cells, and of cells that lose a mid, are
-/// touched. Throws FrameError when a cell that stays has lost a corner.
+/// Removes cells from the mesh and renumbers what stays. Vertices of removed and replaced cells, and of cells that lose a
+/// mid, are touched. Throws FrameError when a cell that stays and is not replaced has lost a corner.
 export function keepCells(mesh: WireMesh, edit: EditedRuns, verticesBefore: number): KeptCells {
     const { removedVertices, removedCells, replacedCells } = edit;
     const now = removedVertices.count > 0 ? numbersAfter(removedVertices, verticesBefore) : undefined;
