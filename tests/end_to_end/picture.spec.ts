@@ -2,7 +2,7 @@
 // merely some picture.
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { colorTable, fractionOf } from '../../web-client/src/scene/colorMap.ts';
+import { colorTable, fractionOf } from '../../web-client/src/scene/surface/colorMap.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';

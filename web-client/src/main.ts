@@ -9,6 +9,7 @@ import { SurfaceFeed } from './session/surfaceFeed.ts';
 import { baseUrl, readFragment, showFragment, writeFragment } from './session/urlState.ts';
 import { AppState } from './state/appState.ts';
 import { LatencyLog } from './state/latency.ts';
+import { ViewState } from './state/viewState.ts';
 import { installTestHook } from './testHook.ts';
 import { App } from './ui/app.ts';
 import { WorkerClient } from './worker/workerClient.ts';
@@ -27,6 +28,7 @@ function start(app: App): void {
         return;
     }
     const state = new AppState();
+    const view = new ViewState();
     const latency = new LatencyLog();
     const { canvas, labels } = app;
     const scene = new FlowScene({
@@ -54,7 +56,7 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => clock.flush());
     scene.loop.beforeFrame(() => feed.apply());
     installTestHook({ state, scene, latency, canvas });
-    app.begin({ state, edits, clock, scene, retryNow: () => worker.retryNow() });
+    app.begin({ state, view, edits, clock, scene, retryNow: () => worker.retryNow() });
     addEventListener('online', () => worker.retryNow());
     worker.start(baseUrl(), url.token);
 }

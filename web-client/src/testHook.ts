@@ -2,8 +2,8 @@
 // reads; the only things it sets are the camera's place.
 import type { Vec3 } from './protocol/messages.ts';
 import type { FlowScene } from './scene/scene.ts';
-import type { ScreenPoint } from './scene/rakeDrag.ts';
-import type { Handle } from './scene/rakeWidget.ts';
+import type { ScreenPoint } from './scene/view.ts';
+import type { Handle } from './scene/rake/rakeWidget.ts';
 import type { AppState, DisplayedSurface } from './state/appState.ts';
 import type { LatencyLog, LatencySample } from './state/latency.ts';
 
@@ -89,17 +89,17 @@ export function installTestHook({ state, scene, latency, canvas }: TestHookParts
             return [...latency.samples];
         },
         get camera() {
-            const position = scene.controls.camera.position.toArray() as Vec3;
+            const position = scene.controls.pose.position;
             return { position, target: scene.controls.target };
         },
-        setCamera: (position, target) => scene.controls.place(position, target),
+        setCamera: (position, target) => scene.controls.place({ position, target, orthographic: false }),
         project: (point) => inWindow(scene.project(point)),
         handleOnScreen: (handle) => inWindow(scene.project(scene.rake.positionOf(handle))),
         vertices: (every) => {
             const count = displayed()?.vertices ?? 0;
             const found: { point: Vec3; scalar: number }[] = [];
             for (let i = 0; i < count; i += every) {
-                const vertex = scene.vertexOf(active(), i);
+                const vertex = scene.surfaces.vertexOf(active(), i);
                 if (vertex !== null) found.push(vertex);
             }
             return found;

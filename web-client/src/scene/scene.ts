@@ -1,27 +1,21 @@
-// The picture: domain outline, obstacle, surfaces and rake, drawn on demand. Knows nothing of the
-// server; session/ feeds it and listens to it.
-import {
-    Color,
-    DirectionalLight,
-    HemisphereLight,
-    type Mesh,
-    Scene,
-    type Vector2,
-    WebGLRenderer,
-} from 'three';
+// The picture: surfaces, rake, domain and body, drawn on demand. Knows nothing of the server; session/ feeds it and listens
+// to it.
+import { Color, type Mesh, Scene, WebGLRenderer } from 'three';
 import type { Vec3 } from '../protocol/messages.ts';
-import { CameraControls } from './cameraControls.ts';
-import type { Bounds } from './domainAxes.ts';
-import { DomainOutline } from './domainOutline.ts';
+import { CameraControls } from './camera/cameraControls.ts';
+import type { Bounds } from './domain/domainAxes.ts';
+import { DomainOutline } from './domain/domainOutline.ts';
+import { createObstacleMesh } from './domain/obstacleMesh.ts';
 import { FrameLoop } from './frameLoop.ts';
-import type { Graphics } from './graphics.ts';
 import { whenDrawn } from './gpuFence.ts';
-import { createObstacleMesh } from './obstacleMesh.ts';
-import { projectToScreen, type ScreenPoint, type ScreenSize } from './rakeDrag.ts';
-import { RakeInteraction, type RakeMove } from './rakeInteraction.ts';
-import { RakeWidget } from './rakeWidget.ts';
-import { createSurfaceMaterial } from './surfaceMaterial.ts';
-import { type MeshChange, SurfaceMesh } from './surfaceMesh.ts';
+import type { Graphics } from './graphics.ts';
+import { Lights } from './lights.ts';
+import { PointerTools } from './pointerTools.ts';
+import { RakeInteraction, type RakeMove } from './rake/rakeInteraction.ts';
+import { RakeWidget } from './rake/rakeWidget.ts';
+import { SurfaceLayer } from './surface/surfaceLayer.ts';
+import type { MeshChange } from './surface/surfaceMesh.ts';
+import { type Layer, type ScreenPoint, type ScreenSize, View } from './view.ts';
 
 const background = 0x0b1018;
 const movingPixelRatio = 0.5;
@@ -37,16 +31,17 @@ export interface FlowSceneOptions {
 export class FlowScene {
     readonly loop = new FrameLoop((finished) => this.drawFrame(finished));
     readonly controls = new CameraControls(this.loop.request, (held) => this.hold(held));
+    readonly surfaces = new SurfaceLayer();
     readonly rake = new RakeWidget();
     readonly interaction: RakeInteraction;
+    readonly pointerTools: PointerTools;
     readonly renderer: WebGLRenderer;
     framesDrawn = 0;
     private readonly canvas: HTMLCanvasElement;
     private readonly labels: HTMLElement;
     private readonly software: boolean;
     private readonly scene = new Scene();
-    private readonly surfaceMaterial = createSurfaceMaterial();
-    private readonly surfaces = new Map<string, SurfaceMesh>();
+    private readonly layers: Layer[] = [];
     private readonly afterNextFrame: ((time: number) => void)[] = [];
     private outline: DomainOutline | null = null;
     private obstacle: Mesh | null = null;
@@ -56,19 +51,21 @@ export class FlowScene {
         this.labels = options.labels;
         this.software = options.graphics.software;
         this.renderer = createRenderer(options);
-        // Before the camera controls, which must not see a press on a handle.
         this.interaction = new RakeInteraction({
-            canvas: this.canvas,
             widget: this.rake,
-            camera: this.controls.camera,
+            view: () => this.view(),
             requestFrame: this.loop.request,
             onMove: options.onRakeMove,
             onHold: (held) => this.hold(held),
         });
+        // Before the camera controls, which must not see a press on a handle.
+        this.pointerTools = new PointerTools(this.canvas);
+        this.pointerTools.add(this.interaction);
         this.controls.connect(this.canvas);
         this.scene.background = new Color(background);
-        this.scene.add(this.rake.group, this.controls.camera);
-        this.addLights();
+        this.scene.add(this.surfaces.object);
+        this.add(new Lights());
+        this.add(this.rake);
         new ResizeObserver(() => this.resize()).observe(this.canvas);
         this.canvas.addEventListener('webglcontextrestored', this.loop.request);
     }
@@ -77,21 +74,32 @@ export class FlowScene {
         return { width: this.canvas.clientWidth, height: this.canvas.clientHeight };
     }
 
-    /** Canvas position of a point, in CSS pixels; null behind the camera. */
-    project(point: Vec3): ScreenPoint | null {
+    /** Camera and canvas as they are now. */
+    view(): View {
         this.controls.camera.updateMatrixWorld();
-        return projectToScreen(point, this.controls.camera, this.size);
+        return new View(this.controls.camera, this.size);
+    }
+
+    add(layer: Layer): void {
+        this.layers.push(layer);
+        this.scene.add(layer.object);
+        this.loop.request();
+    }
+
+    remove(layer: Layer): void {
+        this.layers.splice(this.layers.indexOf(layer), 1);
+        this.scene.remove(layer.object);
+        this.loop.request();
     }
 
     setDomain(bounds: Bounds): void {
         if (this.outline !== null) {
-            this.scene.remove(this.outline.lines);
+            this.remove(this.outline);
             this.outline.dispose();
         }
         this.outline = new DomainOutline(bounds, this.labels);
-        this.scene.add(this.outline.lines);
+        this.add(this.outline);
         this.controls.setBounds(bounds);
-        this.loop.request();
     }
 
     setObstacle(positions: Float32Array, indices: Uint32Array): void {
@@ -105,19 +113,18 @@ export class FlowScene {
     }
 
     setRange(range: readonly [number, number]): void {
-        (this.surfaceMaterial.uniforms['range']?.value as Vector2).set(...range);
+        this.surfaces.setRange(range);
         this.loop.request();
     }
 
     /** Shows what is new in a surface. */
     setSurface(id: string, change: MeshChange): void {
-        let surface = this.surfaces.get(id);
-        if (surface === undefined) {
-            surface = new SurfaceMesh(this.surfaceMaterial);
-            this.surfaces.set(id, surface);
-            this.scene.add(surface.mesh);
-        }
-        surface.update(change);
+        this.surfaces.set(id, change);
+        this.loop.request();
+    }
+
+    removeSurface(id: string): void {
+        this.surfaces.remove(id);
         this.loop.request();
     }
 
@@ -127,18 +134,9 @@ export class FlowScene {
         this.loop.request();
     }
 
-    /** A vertex of a surface and its scalar, as they are drawn. */
-    vertexOf(id: string, vertex: number): { point: Vec3; scalar: number } | null {
-        return this.surfaces.get(id)?.vertex(vertex) ?? null;
-    }
-
-    removeSurface(id: string): void {
-        const surface = this.surfaces.get(id);
-        if (surface === undefined) return;
-        this.surfaces.delete(id);
-        this.scene.remove(surface.mesh);
-        surface.dispose();
-        this.loop.request();
+    /** Canvas position of a point, in CSS pixels; null behind the camera. */
+    project(point: Vec3): ScreenPoint | null {
+        return this.view().project(point);
     }
 
     /** Draws at once and returns the picture's pixels, RGBA from the bottom left. */
@@ -152,15 +150,10 @@ export class FlowScene {
     }
 
     private draw(): void {
-        const { camera } = this.controls;
-        const { size } = this;
-        if (size.width === 0 || size.height === 0) return;
-        this.controls.camera.updateMatrixWorld();
-        this.rake.update(camera, size);
-        this.outline?.update(camera.position.toArray() as Vec3, (p) =>
-            projectToScreen(p, camera, size),
-        );
-        this.renderer.render(this.scene, camera);
+        const view = this.view();
+        if (view.size.width === 0 || view.size.height === 0) return;
+        for (const layer of this.layers) layer.update(view);
+        this.renderer.render(this.scene, view.camera);
         this.framesDrawn += 1;
     }
 
@@ -178,16 +171,6 @@ export class FlowScene {
         if (!this.software) return;
         this.renderer.setPixelRatio(held ? movingPixelRatio : 1);
         this.loop.request();
-    }
-
-    private addLights(): void {
-        const key = new DirectionalLight(0xffffff, 3);
-        // Fixed to the camera, like the light of the surfaces.
-        key.position.set(0.4, 0.6, 1);
-        this.controls.camera.add(key, key.target);
-        const sky = new HemisphereLight(0xdfe8ff, 0x5a6474, 1.1);
-        sky.position.set(0, 0, 1);
-        this.scene.add(sky);
     }
 
     private resize(): void {

@@ -2,7 +2,7 @@
 import { signal } from '@preact/signals-core';
 import { EditWindow } from '../connection/editWindow.ts';
 import type { SurfaceEpoch, SurfaceSetting, Vec3 } from '../protocol/messages.ts';
-import type { RakeMove } from '../scene/rakeInteraction.ts';
+import type { RakeMove } from '../scene/rake/rakeInteraction.ts';
 import { type AppState, withEntry } from '../state/appState.ts';
 import type { LatencyLog } from '../state/latency.ts';
 import { CallError, type WorkerClient } from '../worker/workerClient.ts';

@@ -18,6 +18,7 @@ import { CallError, type WorkerClient, type WorkerEvent } from '../worker/worker
 import { defaultLength, defaultRake, defaultSeeds } from './defaults.ts';
 import type { Edits } from './edits.ts';
 import { settingAnew } from './surfaceIntent.ts';
+import { adoptSnapshot, applyPatches } from './recordMirror.ts';
 import type { SurfaceFeed } from './surfaceFeed.ts';
 import { showFragment, type UrlState, writeFragment } from './urlState.ts';
 
@@ -267,12 +268,7 @@ export class SessionController {
     }
 
     private adopt(snapshot: SessionSnapshot): void {
-        const { state } = this.options;
-        state.rakes.value = new Map(snapshot.rakes.map((record) => [record.rake, record]));
-        state.surfaces.value = new Map(snapshot.surfaces.map((record) => [record.surface, record]));
-        state.requestedEpochs.value = new Map(snapshot.surfaces.map((s) => [s.surface, s.epoch]));
-        state.surfaceErrors.value = new Map();
-        state.clock.value = snapshot.clock ?? null;
+        adoptSnapshot(this.options.state, snapshot);
         this.chooseActive();
     }
 
@@ -305,7 +301,10 @@ export class SessionController {
                 }
                 this.noticed(notification.kind, notification.surface ?? '');
                 break;
+            case 'presence.patched':
+            case 'cache.patched':
             case 'surface.progress':
+            case '$/progress':
                 break;
         }
     }
@@ -321,27 +320,9 @@ export class SessionController {
 
     private patched(patches: readonly Patch[]): void {
         const { state, feed } = this.options;
-        const rakes = new Map(state.rakes.value);
-        const surfaces = new Map(state.surfaces.value);
-        const added: string[] = [];
-        for (const patch of patches) {
-            if (patch.type === 'clock') {
-                state.clock.value = patch.record;
-                continue;
-            }
-            const records = patch.type === 'rake' ? rakes : surfaces;
-            if (patch.op === 'delete') {
-                records.delete(patch.id);
-                if (patch.type === 'surface') feed.removed(patch.id);
-            } else if (patch.type === 'rake') rakes.set(patch.id, patch.record);
-            else {
-                if (!surfaces.has(patch.id)) added.push(patch.id);
-                surfaces.set(patch.id, patch.record);
-                feed.requested(patch.id, patch.record.epoch);
-            }
-        }
-        state.rakes.value = rakes;
-        state.surfaces.value = surfaces;
+        const { added, removed, asked } = applyPatches(state, patches);
+        for (const surface of removed) feed.removed(surface);
+        for (const { surface, epoch } of asked) feed.requested(surface, epoch);
         this.chooseActive();
         if (state.stage.value === 'running') for (const id of added) void feed.subscribe(id);
     }

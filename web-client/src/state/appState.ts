@@ -4,11 +4,15 @@ import { computed, signal } from '@preact/signals-core';
 import type { ConnectionState } from '../connection/liveSocket.ts';
 import type { Phase } from '../protocol/meshFrame.ts';
 import type {
+    AnnotationRecord,
+    BookmarkRecord,
     ClockRecord,
     DatasetDescription,
     DatasetEntry,
+    Participant,
     RakeRecord,
     Role,
+    StepState,
     SurfaceRecord,
     Vec3,
 } from '../protocol/messages.ts';
@@ -45,6 +49,14 @@ export class AppState {
     readonly dataset = signal<DatasetDescription | null>(null);
     readonly rakes = signal<ReadonlyMap<string, RakeRecord>>(new Map());
     readonly surfaces = signal<ReadonlyMap<string, SurfaceRecord>>(new Map());
+    readonly bookmarks = signal<ReadonlyMap<string, BookmarkRecord>>(new Map());
+    readonly annotations = signal<ReadonlyMap<string, AnnotationRecord>>(new Map());
+    /** Everybody in the session, this page too. */
+    readonly participants = signal<ReadonlyMap<string, Participant>>(new Map());
+    readonly you = signal<string | null>(null);
+    readonly session = signal<string | null>(null);
+    /** Of the dataset's time-steps, what is in the server's memory; empty where that is not told. */
+    readonly stepStates = signal<readonly StepState[]>([]);
     /** The surface that the panel and the time bar act on, and the rake it starts at. */
     readonly activeSurface = signal<string | null>(null);
     /** The rake as the user has it on the screen, ahead of the server's record while dragging. */

@@ -41,12 +41,6 @@ export class App extends SignalElement {
                 touch-action: none;
                 outline-offset: -2px;
             }
-            canvas.over-handle {
-                cursor: grab;
-            }
-            canvas.dragging {
-                cursor: grabbing;
-            }
             .labels {
                 position: absolute;
                 inset: 0;

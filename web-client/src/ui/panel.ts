@@ -1,26 +1,55 @@
-// The panel at the side: what is shown, how it may be changed, and how far the server has come.
+// The panel at the side: what is shown and how it may be changed, a tab for each subject; below, always in sight, how far the
+// server has come.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { shortNumber } from '../scene/ticks.ts';
+import { signal } from '@preact/signals-core';
 import type { AppModel } from './appModel.ts';
 import './rakePanel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
-import { countWords, latencyWords, phaseWords } from './statusWords.ts';
+import './statusPanel.ts';
+import { countWords } from './statusWords.ts';
 import './surfacePanel.ts';
+
+interface Tab {
+    id: string;
+    label: string;
+    body: (model: AppModel) => TemplateResult;
+}
+
+const tabs: readonly Tab[] = [
+    {
+        id: 'flow',
+        label: 'Flow',
+        body: (model) => html`
+            <section aria-labelledby="surface-head">
+                <h2 id="surface-head">Surface</h2>
+                <wakesurf-surface .model=${model}></wakesurf-surface>
+            </section>
+            <section aria-labelledby="rake-head">
+                <h2 id="rake-head">Rake</h2>
+                <wakesurf-rake .model=${model}></wakesurf-rake>
+            </section>
+        `,
+    },
+];
 
 export class Panel extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: AppModel;
+    private readonly chosen = signal(tabs[0]!.id);
 
     static override styles = [
         sharedStyles,
         css`
             :host {
-                display: block;
-                overflow-y: auto;
-                padding: 14px 16px;
+                display: grid;
+                grid-template-rows: auto auto minmax(0, 1fr) auto;
+                min-height: 0;
                 background: var(--ground);
                 border-left: 1px solid var(--line);
+            }
+            header {
+                padding: 14px 16px 8px;
             }
             h1 {
                 margin: 0;
@@ -28,11 +57,13 @@ export class Panel extends SignalElement {
                 letter-spacing: 0.01em;
             }
             h2 {
-                margin: 18px 0 8px;
-                padding-top: 12px;
-                border-top: 1px solid var(--line);
+                margin: 14px 0 8px;
                 font-size: 13px;
                 font-weight: 600;
+            }
+            section + section h2 {
+                padding-top: 12px;
+                border-top: 1px solid var(--line);
             }
             p {
                 margin: 2px 0 0;
@@ -40,33 +71,32 @@ export class Panel extends SignalElement {
             .quiet {
                 color: var(--quiet);
             }
-            .problem {
-                margin-top: 8px;
-                color: var(--warm);
+            [role='tablist'] {
+                display: flex;
+                padding: 0 8px;
+                border-bottom: 1px solid var(--line);
             }
-            dl {
-                display: grid;
-                grid-template-columns: auto 1fr;
-                gap: 3px 12px;
-                margin: 0;
-            }
-            dt {
+            [role='tab'] {
+                flex: 1;
+                padding: 5px 2px;
+                border: 0;
+                border-bottom: 2px solid transparent;
+                border-radius: 0;
+                background: none;
                 color: var(--quiet);
             }
-            dd {
-                margin: 0;
-                text-align: right;
-                font-variant-numeric: tabular-nums;
+            [role='tab'][aria-selected='true'] {
+                border-bottom-color: var(--accent);
+                color: var(--text);
+                font-weight: 600;
             }
-            .final {
-                color: var(--good);
+            [role='tabpanel'] {
+                overflow-y: auto;
+                padding: 0 16px 14px;
             }
-            .coarse,
-            .live,
-            .waiting,
-            .updating,
-            .error {
-                color: var(--warm);
+            wakesurf-status {
+                padding: 8px 16px 12px;
+                border-top: 1px solid var(--line);
             }
         `,
     ];
@@ -74,53 +104,53 @@ export class Panel extends SignalElement {
     override render(): TemplateResult {
         const { state } = this.model;
         const dataset = state.dataset.value;
-        const none = state.surface.value === undefined;
+        const chosen = tabs.find(({ id }) => id === this.chosen.value) ?? tabs[0]!;
         return html`
-            <h1>wakesurf</h1>
-            ${dataset === null
-                ? nothing
-                : html`<p>${dataset.name}</p>
-                      <p class="quiet">
-                          ${countWords(dataset.points)} points, ${dataset.times.length}
-                          ${dataset.times.length === 1 ? 'time-step' : 'time-steps'}
-                      </p>`}
-            ${state.role.value === 'viewer'
-                ? html`<p class="quiet" id="role">This link is for looking on: it cannot change anything.</p>`
-                : nothing}
-            <section aria-labelledby="surface-head" ?hidden=${none}>
-                <h2 id="surface-head">Surface</h2>
-                <wakesurf-surface .model=${this.model}></wakesurf-surface>
-            </section>
-            <section aria-labelledby="rake-head" ?hidden=${none}>
-                <h2 id="rake-head">Rake</h2>
-                <wakesurf-rake .model=${this.model}></wakesurf-rake>
-            </section>
-            <section aria-labelledby="status-head" ?hidden=${none}>
-                <h2 id="status-head">Status</h2>
-                ${this.status()}
-            </section>
+            <header>
+                <h1>wakesurf</h1>
+                ${dataset === null
+                    ? nothing
+                    : html`<p>${dataset.name}</p>
+                          <p class="quiet">
+                              ${countWords(dataset.points)} points, ${dataset.times.length}
+                              ${dataset.times.length === 1 ? 'time-step' : 'time-steps'}
+                          </p>`}
+                ${state.role.value === 'viewer'
+                    ? html`<p class="quiet" id="role">This link is for looking on: it cannot change anything.</p>`
+                    : nothing}
+            </header>
+            <div role="tablist" aria-label="Settings" @keydown=${this.turn}>
+                ${tabs.map(({ id, label }) => this.tab(id, label, id === chosen.id))}
+            </div>
+            <div role="tabpanel" id="tab-body" tabindex="0" aria-labelledby=${`tab-${chosen.id}`}>
+                ${dataset === null ? nothing : chosen.body(this.model)}
+            </div>
+            <wakesurf-status role="region" aria-label="Status" .model=${this.model}></wakesurf-status>
         `;
     }
 
-    private status(): TemplateResult {
-        const { state } = this.model;
-        const id = state.activeSurface.value ?? '';
-        const displayed = state.displayed.value.get(id);
-        const error = state.surfaceErrors.value.get(id);
-        const phase = state.phase.value;
-        return html`<dl>
-                <dt>Surface</dt>
-                <dd class=${phase}><span role="status">${phaseWords[phase]}</span></dd>
-                <dt>Quads</dt>
-                <dd>${displayed === undefined ? '–' : countWords(displayed.cells)}</dd>
-                <dt>Vertices</dt>
-                <dd>${displayed === undefined ? '–' : countWords(displayed.vertices)}</dd>
-                <dt>Separation</dt>
-                <dd>${shortNumber(state.surface.value?.separation ?? Number.NaN)}</dd>
-                <dt>Edit to picture</dt>
-                <dd>${latencyWords(state.latencyMs.value)}</dd>
-            </dl>
-            ${phase === 'error' ? html`<p class="problem">${error?.text ?? ''}</p>` : nothing}`;
+    private tab(id: string, label: string, selected: boolean): TemplateResult {
+        return html`<button
+            type="button"
+            role="tab"
+            id=${`tab-${id}`}
+            aria-controls="tab-body"
+            aria-selected=${selected ? 'true' : 'false'}
+            tabindex=${selected ? 0 : -1}
+            @click=${() => (this.chosen.value = id)}
+        >
+            ${label}
+        </button>`;
+    }
+
+    /** Arrow keys go from tab to tab, as the pattern of tabs has it (WAI-ARIA). */
+    private turn(event: KeyboardEvent): void {
+        const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+        if (step === undefined) return;
+        const at = tabs.findIndex(({ id }) => id === this.chosen.value);
+        const next = tabs[(at + step + tabs.length) % tabs.length]!;
+        this.chosen.value = next.id;
+        this.renderRoot.querySelector<HTMLElement>(`#tab-${next.id}`)?.focus();
     }
 }
 

@@ -1,8 +1,8 @@
 // The rake in numbers and by keyboard: everything a pointer can do to it, without one.
 import { css, html, type TemplateResult } from 'lit';
 import type { Vec3 } from '../protocol/messages.ts';
-import type { Handle } from '../scene/rakeWidget.ts';
-import { diagonal } from '../scene/cameraControls.ts';
+import type { Handle } from '../scene/rake/rakeWidget.ts';
+import { diagonal } from '../scene/camera/fitting.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';

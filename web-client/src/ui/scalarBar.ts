@@ -1,6 +1,6 @@
 // What the colours mean: the colour table with numbers, as text that can be read aloud.
 import { css, html, type TemplateResult } from 'lit';
-import { colorTable, fractionOf, tableSize } from '../scene/colorMap.ts';
+import { colorTable, fractionOf, tableSize } from '../scene/surface/colorMap.ts';
 import { niceTicks, shortNumber } from '../scene/ticks.ts';
 import type { AppModel } from './appModel.ts';
 import { SignalElement } from './signalElement.ts';

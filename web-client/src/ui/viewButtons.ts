@@ -1,6 +1,6 @@
 // Views of the whole domain, for when the camera has lost its way.
 import { css, html, LitElement, type TemplateResult } from 'lit';
-import type { ViewName } from '../scene/cameraControls.ts';
+import type { ViewName } from '../scene/camera/cameraControls.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 

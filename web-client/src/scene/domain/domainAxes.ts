@@ -1,8 +1,8 @@
 // Which edges of the domain box carry the numbers, chosen anew for every view: for each axis one of
 // the four parallel edges that lie on the outline of the box as seen, so that no number covers the
 // inside. Pure geometry; domainOutline.ts draws.
-import type { Vec3 } from '../protocol/messages.ts';
-import type { ScreenPoint } from './rakeDrag.ts';
+import type { Vec3 } from '../../protocol/messages.ts';
+import type { ScreenPoint } from '../view.ts';
 
 export type Bounds = readonly [number, number, number, number, number, number];
 

@@ -7,14 +7,14 @@ import {
     Group,
     Mesh,
     MeshBasicMaterial,
-    type PerspectiveCamera,
     Sprite,
     SpriteMaterial,
     SRGBColorSpace,
     Vector3,
 } from 'three';
-import type { Vec3 } from '../protocol/messages.ts';
-import { middleOf, projectToScreen, type ScreenPoint, type ScreenSize } from './rakeDrag.ts';
+import type { Vec3 } from '../../protocol/messages.ts';
+import type { Layer, ScreenPoint, View } from '../view.ts';
+import { middleOf } from './rakeDrag.ts';
 
 export const handleRadiusPx = 12;
 export const hitRadiusPx = 18;
@@ -23,8 +23,8 @@ const linePx = 3;
 /** Index of a point of the rake, or the handle that moves all of them. */
 export type Handle = number | 'middle';
 
-export class RakeWidget {
-    readonly group = new Group();
+export class RakeWidget implements Layer {
+    readonly object = new Group();
     private points: Vec3[] = [];
     private readonly textures = { end: handleTexture(false), middle: handleTexture(true) };
     private readonly segments: Mesh[] = [];
@@ -44,7 +44,7 @@ export class RakeWidget {
     setPoints(points: readonly Vec3[]): void {
         if (points.length !== this.points.length) this.rebuild(points.length);
         this.points = points.map((point) => [...point] as Vec3);
-        this.group.visible = points.length > 0;
+        this.object.visible = points.length > 0;
     }
 
     getPoints(): Vec3[] {
@@ -67,11 +67,11 @@ export class RakeWidget {
     }
 
     /** The handle under a canvas position; the nearest one where their areas overlap. */
-    handleAt(pointer: ScreenPoint, camera: PerspectiveCamera, size: ScreenSize): Handle | null {
+    handleAt(pointer: ScreenPoint, view: View): Handle | null {
         let nearest: Handle | null = null;
         let nearestPx = hitRadiusPx;
         for (const handle of this.handles.keys()) {
-            const at = projectToScreen(this.positionOf(handle), camera, size);
+            const at = view.project(this.positionOf(handle));
             if (at === null) continue;
             const px = Math.hypot(at.x - pointer.x, at.y - pointer.y);
             if (px > nearestPx) continue;
@@ -82,24 +82,24 @@ export class RakeWidget {
     }
 
     /** Brings the drawn objects in line with points and camera; called before every frame. */
-    update(camera: PerspectiveCamera, size: ScreenSize): void {
-        const worldPerPxAt1 = (2 * Math.tan((camera.fov * Math.PI) / 360)) / size.height;
+    update(view: View): void {
         for (const [handle, sprite] of this.handles) {
-            sprite.position.set(...this.positionOf(handle));
+            const at = this.positionOf(handle);
+            sprite.position.set(...at);
             const grown = handle === this.highlighted ? 1.25 : 1;
-            sprite.scale.setScalar(worldPerPxAt1 * 2 * (handleRadiusPx + 1) * grown);
+            sprite.scale.setScalar(view.worldPerPx(at) * 2 * (handleRadiusPx + 1) * grown);
         }
         const copies = this.segments.length / Math.max(1, this.points.length - 1);
         this.segments.forEach((segment, i) => {
             const k = Math.floor(i / copies);
             const [a, b] = [this.points[k], this.points[k + 1]];
             if (a === undefined || b === undefined) return;
-            placeSegment(segment, a, b, camera, worldPerPxAt1 * linePx * 0.5);
+            placeSegment(segment, a, b, view.worldPerPx(middleOf([a, b])) * linePx * 0.5);
         });
     }
 
     private rebuild(count: number): void {
-        this.group.clear();
+        this.object.clear();
         this.segments.length = 0;
         for (const sprite of this.handles.values()) sprite.material.dispose();
         this.handles.clear();
@@ -116,13 +116,12 @@ export class RakeWidget {
         segment.renderOrder = order;
         segment.frustumCulled = false;
         this.segments.push(segment);
-        this.group.add(segment);
+        this.object.add(segment);
     }
 
     private addHandle(handle: Handle): void {
         const material = new SpriteMaterial({
             map: handle === 'middle' ? this.textures.middle : this.textures.end,
-            sizeAttenuation: false,
             depthTest: false,
             depthWrite: false,
             toneMapped: false,
@@ -130,24 +129,17 @@ export class RakeWidget {
         const sprite = new Sprite(material);
         sprite.renderOrder = 20;
         this.handles.set(handle, sprite);
-        this.group.add(sprite);
+        this.object.add(sprite);
     }
 }
 
 const up = new Vector3(0, 1, 0);
 
-function placeSegment(
-    segment: Mesh,
-    a: Vec3,
-    b: Vec3,
-    camera: PerspectiveCamera,
-    radiusAt1: number,
-): void {
+function placeSegment(segment: Mesh, a: Vec3, b: Vec3, radius: number): void {
     const from = new Vector3(...a);
     const along = new Vector3(...b).sub(from);
     const length = along.length();
     segment.position.copy(from).addScaledVector(along, 0.5);
-    const radius = radiusAt1 * camera.position.distanceTo(segment.position);
     segment.scale.set(radius, Math.max(length, 1e-12), radius);
     if (length > 0) segment.quaternion.setFromUnitVectors(up, along.divideScalar(length));
 }

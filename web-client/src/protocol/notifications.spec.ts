@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { errorWords, readNotification } from './messages.ts';
+import { errorWords } from './records.ts';
+import { readNotification } from './notifications.ts';
 
 const rake = {
     rake: 'r1',
@@ -65,7 +66,7 @@ describe('readNotification', () => {
         expect(errorWords({ message: 'it is outside' })).toBe('it is outside');
     });
 
-    it('reads the clock, and leaves out records of kinds it does not know', () => {
+    it('reads the clock, and leaves out what is no record', () => {
         const clock = { time: 2.5, playing: true, speed: 1, loop: false, from: null, to: null };
         const patches = [
             { op: 'put', type: 'clock', record: clock },
@@ -77,7 +78,7 @@ describe('readNotification', () => {
             method: 'session.patched',
             session: 's',
             seq: 1,
-            patches: [patches[0]],
+            patches: [patches[0], patches[3]],
         });
         expect(readNotification('presence.patched', {})).toBeNull();
         expect(readNotification('cache.patched', {})).toBeNull();
@@ -126,5 +127,35 @@ describe('readNotification', () => {
     it('ignores what it does not know', () => {
         expect(readNotification('presence.patched', {})).toBeNull();
         expect(readNotification('surface.done', { surface: 's1' })).toBeNull();
+    });
+
+    it('reads what changed of people, and leaves out what is not as it should be', () => {
+        const camera = { position: [0, 0, 9], target: [0, 0, 0], up: [0, 1, 0], fov: 30 };
+        const participants = [
+            { participant: 'p1', name: 'Ada', colour: '#0072b2', role: 'host', connected: true, camera },
+            { participant: 'p2', pointer: null, colour: 'red', camera: { position: [0, 0] } },
+            { name: 'nobody' },
+        ];
+        expect(readNotification('presence.patched', { session: 's', participants, left: ['p3'] })).toEqual({
+            method: 'presence.patched',
+            participants: [participants[0], { participant: 'p2', pointer: null }],
+            left: ['p3'],
+        });
+    });
+
+    it('reads which time-steps are in memory, as pairs', () => {
+        const changes = [[3, 'resident'], [4, 'melting'], 'loading'];
+        expect(readNotification('cache.patched', { dataset: 'd', changes, bytes: 1, budget: 2 })).toEqual({
+            method: 'cache.patched',
+            dataset: 'd',
+            changes: [{ step: 3, state: 'resident' }],
+        });
+    });
+
+    it('reads the progress of a call as a fraction', () => {
+        const value = { kind: 'report', message: 'refining', percentage: 25 };
+        expect(readNotification('$/progress', { token: 'a', value })).toEqual({
+            ...{ method: '$/progress', token: 'a', fraction: 0.25, message: 'refining', ended: false },
+        });
     });
 });

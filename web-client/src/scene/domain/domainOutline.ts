@@ -1,10 +1,10 @@
 // The box of the domain with numbers and names along three of its edges. The numbers are DOM text
 // over the canvas: sharp at any size and readable by assistive tools.
 import { BoxGeometry, EdgesGeometry, LineBasicMaterial, LineSegments } from 'three';
-import type { Vec3 } from '../protocol/messages.ts';
+import type { Vec3 } from '../../protocol/messages.ts';
 import { type AxisEdge, type Bounds, centreOf, labelledEdges } from './domainAxes.ts';
-import type { ScreenPoint } from './rakeDrag.ts';
-import { niceTicks } from './ticks.ts';
+import type { Layer, ScreenPoint, View } from '../view.ts';
+import { niceTicks } from '../ticks.ts';
 
 const axisNames = ['x', 'y', 'z'];
 const pxPerTick = 52;
@@ -13,8 +13,8 @@ const nameGapPx = 40;
 /** Two numbers nearer than this would run into each other, as where two axes meet. */
 const clearancePx = { x: 26, y: 13 };
 
-export class DomainOutline {
-    readonly lines: LineSegments;
+export class DomainOutline implements Layer {
+    readonly object: LineSegments;
     private readonly bounds: Bounds;
     private readonly layer: HTMLElement;
     private readonly pool: HTMLElement[] = [];
@@ -30,18 +30,20 @@ export class DomainOutline {
             bounds[3] - bounds[2],
             bounds[5] - bounds[4],
         );
-        this.lines = new LineSegments(
+        this.object = new LineSegments(
             new EdgesGeometry(box),
             new LineBasicMaterial({ color: 0x6b7a90 }),
         );
-        this.lines.position.set(...centreOf(bounds));
+        this.object.position.set(...centreOf(bounds));
     }
 
     /** Places the labels for the present camera, unless they are there already: text is costly to lay out. */
-    update(eye: Vec3, project: (point: Vec3) => ScreenPoint | null): void {
-        const view = JSON.stringify([eye, project(this.corner(0)), project(this.corner(1))]);
-        if (view === this.placedFor) return;
-        this.placedFor = view;
+    update(view: View): void {
+        const { eye } = view;
+        const project = (point: Vec3): ScreenPoint | null => view.project(point);
+        const drawn = JSON.stringify([eye, project(this.corner(0)), project(this.corner(1))]);
+        if (drawn === this.placedFor) return;
+        this.placedFor = drawn;
         this.used = 0;
         this.placed = [];
         for (const edge of labelledEdges(this.bounds, eye, project)) this.labelEdge(edge, project);
@@ -54,7 +56,7 @@ export class DomainOutline {
     }
 
     dispose(): void {
-        this.lines.geometry.dispose();
+        this.object.geometry.dispose();
         for (const label of this.pool) label.remove();
     }
 

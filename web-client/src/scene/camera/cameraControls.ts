@@ -1,0 +1,146 @@
+// The camera: orbit, pan and zoom with the mouse, in perspective or without; views that show the whole domain.
+import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { Vec3 } from '../../protocol/messages.ts';
+import { type Bounds, centreOf } from '../domain/domainAxes.ts';
+import type { SceneCamera } from '../view.ts';
+import { diagonal, fittingDistance } from './fitting.ts';
+
+/** From the domain towards the camera. */
+export type ViewName = 'oblique' | 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
+
+const viewDirections: Record<ViewName, Vec3> = {
+    oblique: [-0.42, -0.8, 0.43],
+    x: [-1, 0, 0],
+    y: [0, -1, 0],
+    // Not quite straight down: an orbit whose pole is the line of sight would be undefined.
+    z: [0, -0.0005, 1],
+    '-x': [1, 0, 0],
+    '-y': [0, 1, 0],
+    '-z': [0, -0.0005, -1],
+};
+
+/** Where the camera is and what it looks at; without perspective, what is seen is what would be at the target's distance. */
+export interface CameraPose {
+    position: Vec3;
+    target: Vec3;
+    orthographic: boolean;
+}
+
+const upwards: Vec3 = [0, 0, 1];
+
+export class CameraControls {
+    private readonly perspective = new PerspectiveCamera(30, 1, 0.01, 1000);
+    private readonly parallel = new OrthographicCamera(-1, 1, 1, -1, 0.01, 1000);
+    private readonly orbit: OrbitControls;
+    private readonly moved: (() => void)[] = [];
+    private bounds: Bounds = [-1, 1, -1, 1, -1, 1];
+    private orthographic = false;
+    private placing = false;
+
+    /** @param onHold the view has been taken or let go */
+    constructor(requestFrame: () => void, onHold: (held: boolean) => void) {
+        for (const camera of [this.perspective, this.parallel]) camera.up.set(...upwards);
+        this.orbit = new OrbitControls(this.perspective);
+        this.orbit.zoomToCursor = true;
+        this.orbit.addEventListener('change', () => {
+            if (!this.placing) for (const listener of this.moved) listener();
+            requestFrame();
+        });
+        this.orbit.addEventListener('start', () => onHold(true));
+        this.orbit.addEventListener('end', () => onHold(false));
+    }
+
+    /** The one that sees the picture; another object once the projection is another. */
+    get camera(): SceneCamera {
+        return this.orthographic ? this.parallel : this.perspective;
+    }
+
+    /** Vertical opening of the perspective, in degrees. */
+    get fov(): number {
+        return this.perspective.fov;
+    }
+
+    get target(): Vec3 {
+        return this.orbit.target.toArray() as Vec3;
+    }
+
+    get pose(): CameraPose {
+        const target = this.target;
+        const position = this.camera.position.clone();
+        // Without perspective a nearer look is a larger scale.
+        if (this.orthographic) {
+            position.sub(this.orbit.target).divideScalar(this.parallel.zoom).add(this.orbit.target);
+        }
+        return { position: position.toArray() as Vec3, target, orthographic: this.orthographic };
+    }
+
+    /** Starts to listen; whoever must see a press first has to listen before. */
+    connect(canvas: HTMLCanvasElement): void {
+        this.orbit.connect(canvas);
+    }
+
+    /** Called when the user, not a program, has moved the camera. */
+    onMove(listener: () => void): void {
+        this.moved.push(listener);
+    }
+
+    setAspect(aspect: number): void {
+        this.perspective.aspect = aspect;
+        this.perspective.updateProjectionMatrix();
+        const half = this.parallel.top;
+        this.parallel.left = -half * aspect;
+        this.parallel.right = half * aspect;
+        this.parallel.updateProjectionMatrix();
+    }
+
+    setBounds(bounds: Bounds): void {
+        this.bounds = bounds;
+        this.show('oblique');
+    }
+
+    setOrthographic(orthographic: boolean): void {
+        this.place({ ...this.pose, orthographic });
+    }
+
+    /** Looks along a named direction from where the whole domain is visible. */
+    show(view: ViewName): void {
+        const centre = new Vector3(...centreOf(this.bounds));
+        const towards = new Vector3(...viewDirections[view]).normalize();
+        const distance = fittingDistance(this.bounds, towards, this.perspective);
+        const position = centre.clone().addScaledVector(towards, distance).toArray() as Vec3;
+        this.place({ position, target: centre.toArray() as Vec3, orthographic: this.orthographic });
+    }
+
+    place({ position, target, orthographic }: CameraPose): void {
+        this.orthographic = orthographic;
+        const { camera } = this;
+        camera.position.set(...position);
+        this.orbit.object = camera;
+        this.orbit.target.set(...target);
+        const size = diagonal(this.bounds);
+        camera.near = size * 0.002;
+        camera.far = size * 20;
+        this.orbit.maxDistance = size * 10;
+        this.orbit.minDistance = size * 0.005;
+        if (orthographic) this.scaleParallel(camera.position.distanceTo(this.orbit.target), size);
+        camera.updateProjectionMatrix();
+        this.placing = true;
+        this.orbit.update();
+        this.placing = false;
+        camera.updateMatrixWorld();
+    }
+
+    /** As large as the perspective shows what is at `distance`. */
+    private scaleParallel(distance: number, size: number): void {
+        const { parallel } = this;
+        const half = distance * Math.tan((this.perspective.fov * Math.PI) / 360);
+        parallel.zoom = 1;
+        parallel.top = half;
+        parallel.bottom = -half;
+        parallel.right = half * this.perspective.aspect;
+        parallel.left = -parallel.right;
+        // Nothing of the domain may be cut off because the camera is near it.
+        parallel.near = -10 * size;
+    }
+}

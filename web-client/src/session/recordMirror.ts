@@ -1,0 +1,51 @@
+// The server's records as this page holds them: a snapshot replaces all of them, a patch some. Nothing else writes them.
+import type { Patch, SessionSnapshot, SurfaceEpoch } from '../protocol/messages.ts';
+import type { AppState } from '../state/appState.ts';
+
+/** What has become of surfaces. */
+export interface SurfaceNews {
+    added: string[];
+    removed: string[];
+    /** Of those that were set, new or not, the epoch that was asked for. */
+    asked: SurfaceEpoch[];
+}
+
+export function adoptSnapshot(state: AppState, snapshot: SessionSnapshot): void {
+    const { rakes, surfaces, bookmarks = [], annotations = [], clock = null } = snapshot;
+    state.rakes.value = new Map(rakes.map((record) => [record.rake, record]));
+    state.surfaces.value = new Map(surfaces.map((record) => [record.surface, record]));
+    state.bookmarks.value = new Map(bookmarks.map((record) => [record.bookmark, record]));
+    state.annotations.value = new Map(annotations.map((record) => [record.annotation, record]));
+    state.requestedEpochs.value = new Map(surfaces.map((s) => [s.surface, s.epoch]));
+    state.surfaceErrors.value = new Map();
+    state.clock.value = clock;
+}
+
+export function applyPatches(state: AppState, patches: readonly Patch[]): SurfaceNews {
+    const news: SurfaceNews = { added: [], removed: [], asked: [] };
+    const records = {
+        rake: new Map(state.rakes.value),
+        surface: new Map(state.surfaces.value),
+        bookmark: new Map(state.bookmarks.value),
+        annotation: new Map(state.annotations.value),
+    };
+    for (const patch of patches) {
+        if (patch.op === 'delete') {
+            records[patch.type].delete(patch.id);
+            if (patch.type === 'surface') news.removed.push(patch.id);
+        } else if (patch.type === 'clock') state.clock.value = patch.record;
+        else if (patch.type === 'surface') {
+            if (!records.surface.has(patch.id)) news.added.push(patch.id);
+            records.surface.set(patch.id, patch.record);
+            news.asked.push({ surface: patch.id, epoch: patch.record.epoch });
+        } else if (patch.type === 'rake') records.rake.set(patch.id, patch.record);
+        else if (patch.type === 'bookmark') records.bookmark.set(patch.id, patch.record);
+        else records.annotation.set(patch.id, patch.record);
+    }
+    const touched = new Set(patches.map(({ type }) => type));
+    if (touched.has('rake')) state.rakes.value = records.rake;
+    if (touched.has('surface')) state.surfaces.value = records.surface;
+    if (touched.has('bookmark')) state.bookmarks.value = records.bookmark;
+    if (touched.has('annotation')) state.annotations.value = records.annotation;
+    return news;
+}

@@ -1,0 +1,75 @@
+// How far the server has come with the surface, in words and numbers.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { shortNumber } from '../scene/ticks.ts';
+import type { AppModel } from './appModel.ts';
+import { sharedStyles } from './sharedStyles.ts';
+import { SignalElement } from './signalElement.ts';
+import { countWords, latencyWords, phaseWords } from './statusWords.ts';
+
+export class StatusPanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            :host {
+                display: block;
+            }
+            .problem {
+                margin: 8px 0 0;
+                color: var(--warm);
+            }
+            dl {
+                display: grid;
+                grid-template-columns: auto 1fr;
+                gap: 3px 12px;
+                margin: 0;
+            }
+            dt {
+                color: var(--quiet);
+            }
+            dd {
+                margin: 0;
+                text-align: right;
+                font-variant-numeric: tabular-nums;
+            }
+            .final {
+                color: var(--good);
+            }
+            .coarse,
+            .live,
+            .waiting,
+            .updating,
+            .error {
+                color: var(--warm);
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { state } = this.model;
+        const id = state.activeSurface.value;
+        if (id === null) return html``;
+        const displayed = state.displayed.value.get(id);
+        const phase = state.phase.value;
+        const count = (value: number | undefined): string => (value === undefined ? '–' : countWords(value));
+        return html`<dl>
+                <dt>Surface</dt>
+                <dd class=${phase}><span role="status">${phaseWords[phase]}</span></dd>
+                <dt>Quads</dt>
+                <dd>${count(displayed?.cells)}</dd>
+                <dt>Vertices</dt>
+                <dd>${count(displayed?.vertices)}</dd>
+                <dt>Separation</dt>
+                <dd>${shortNumber(state.surface.value?.separation ?? Number.NaN)}</dd>
+                <dt>Edit to picture</dt>
+                <dd>${latencyWords(state.latencyMs.value)}</dd>
+            </dl>
+            ${phase === 'error'
+                ? html`<p class="problem">${state.surfaceErrors.value.get(id)?.text ?? ''}</p>`
+                : nothing}`;
+    }
+}
+
+customElements.define('wakesurf-status', StatusPanel);
