@@ -2,8 +2,11 @@
 // newest state) -> scene/ (pixels); the path of an edit: scene/ or ui/ -> session/edits -> worker/.
 import { probeGraphics } from './scene/graphics.ts';
 import { FlowScene } from './scene/scene.ts';
+import { Calls } from './session/calls.ts';
 import { ClockControl } from './session/clockControl.ts';
 import { Edits } from './session/edits.ts';
+import { People } from './session/people.ts';
+import { showPeople } from './session/peopleInPicture.ts';
 import { SessionController } from './session/sessionController.ts';
 import { SurfaceFeed } from './session/surfaceFeed.ts';
 import { baseUrl, readFragment, showFragment, writeFragment } from './session/urlState.ts';
@@ -49,14 +52,22 @@ function start(app: App): void {
         },
         dragging: () => scene.interaction.dragging,
     });
+    const people = new People({
+        ...{ state, view, worker },
+        controls: scene.controls,
+        requestFrame: scene.loop.request,
+    });
+    const calls = new Calls(state, worker);
+    showPeople(state, view, scene);
+    scene.controls.onMove(() => people.takeCamera());
     const feed = new SurfaceFeed({ state, scene, worker, latency });
-    const controller = new SessionController({ state, scene, worker, edits, feed, url });
+    const controller = new SessionController({ state, scene, worker, edits, feed, people, url });
     const clock = new ClockControl({ state, worker, requestFrame: scene.loop.request });
     scene.loop.beforeFrame(() => edits.flush());
     scene.loop.beforeFrame(() => clock.flush());
     scene.loop.beforeFrame(() => feed.apply());
     installTestHook({ state, scene, latency, canvas });
-    app.begin({ state, view, edits, clock, scene, retryNow: () => worker.retryNow() });
+    app.begin({ state, view, edits, clock, people, scene, worker, calls, retryNow: () => worker.retryNow() });
     addEventListener('online', () => worker.retryNow());
     worker.start(baseUrl(), url.token);
 }

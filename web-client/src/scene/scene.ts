@@ -36,9 +36,10 @@ export class FlowScene {
     readonly interaction: RakeInteraction;
     readonly pointerTools: PointerTools;
     readonly renderer: WebGLRenderer;
+    /** Lies over the canvas. */
+    readonly labels: HTMLElement;
     framesDrawn = 0;
     private readonly canvas: HTMLCanvasElement;
-    private readonly labels: HTMLElement;
     private readonly software: boolean;
     private readonly scene = new Scene();
     private readonly layers: Layer[] = [];

@@ -40,9 +40,10 @@ class Bench {
             },
         };
         const edits = { reconnected: () => undefined, recordsChanged: () => undefined };
+        const people = { joined: () => undefined, patched: () => undefined };
         const scene = { setRange: () => undefined, setDomain: () => undefined };
         const url = { token: null, session, dataset: null };
-        const parts = { state: this.state, worker, feed, edits, scene, url };
+        const parts = { state: this.state, worker, feed, edits, people, scene, url };
         this.controller = new SessionController(parts as unknown as SessionControllerOptions);
     }
 

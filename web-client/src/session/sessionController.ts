@@ -17,6 +17,7 @@ import type { AppState } from '../state/appState.ts';
 import { CallError, type WorkerClient, type WorkerEvent } from '../worker/workerClient.ts';
 import { defaultLength, defaultRake, defaultSeeds } from './defaults.ts';
 import type { Edits } from './edits.ts';
+import type { People } from './people.ts';
 import { settingAnew } from './surfaceIntent.ts';
 import { adoptSnapshot, applyPatches } from './recordMirror.ts';
 import type { SurfaceFeed } from './surfaceFeed.ts';
@@ -33,6 +34,7 @@ export interface SessionControllerOptions {
     worker: WorkerClient;
     edits: Edits;
     feed: SurfaceFeed;
+    people: People;
     url: UrlState;
 }
 
@@ -60,6 +62,7 @@ export class SessionController {
         const { state, feed } = this.options;
         if (event.type === 'surface') feed.receive(event);
         else if (event.type === 'notification') this.notified(event.notification);
+        else if (event.type === 'roundTrip') state.roundTripMs.value = event.ms;
         else if (event.type === 'frameTrouble') {
             void feed.troubled(event.surface, event.subscription, event.reason);
         } else {
@@ -135,6 +138,8 @@ export class SessionController {
         this.session = session;
         this.resumeToken = joined.resumeToken;
         this.options.state.role.value = joined.role ?? 'host';
+        this.options.state.session.value = session;
+        this.options.people.joined(joined);
         return joined.snapshot;
     }
 
@@ -302,6 +307,8 @@ export class SessionController {
                 this.noticed(notification.kind, notification.surface ?? '');
                 break;
             case 'presence.patched':
+                this.options.people.patched(notification.participants, notification.left);
+                break;
             case 'cache.patched':
             case 'surface.progress':
             case '$/progress':

@@ -73,6 +73,8 @@ export class AppState {
     readonly editsPending = signal(false);
     readonly editError = signal<string | null>(null);
     readonly notice = signal<string | null>(null);
+    /** Of a message to the server and back. */
+    readonly roundTripMs = signal<number | null>(null);
     readonly latencyMs = signal<number | null>(null);
 
     readonly surface = computed(() => this.surfaces.value.get(this.activeSurface.value ?? ''));

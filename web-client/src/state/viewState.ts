@@ -11,4 +11,6 @@ export class ViewState {
     readonly tool = signal<Tool>('none');
     readonly theme = signal<Theme>('system');
     readonly orthographic = signal(false);
+    /** The participant whose view this page takes. */
+    readonly following = signal<string | null>(null);
 }

@@ -60,6 +60,13 @@ export class App extends SignalElement {
                 font-size: 15px;
                 font-weight: 600;
             }
+            .labels .person {
+                padding: 0 6px;
+                border: 2px solid;
+                border-radius: 9px;
+                background: rgb(11 16 24 / 0.8);
+                color: #e8edf5;
+            }
             .axis-x {
                 color: #ff8a80;
             }

@@ -1,15 +1,21 @@
 // What the components share: the state they show and the actions they offer.
+import type { Calls } from '../session/calls.ts';
 import type { ClockControl } from '../session/clockControl.ts';
 import type { Edits } from '../session/edits.ts';
+import type { People } from '../session/people.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
 import type { ViewState } from '../state/viewState.ts';
+import type { WorkerClient } from '../worker/workerClient.ts';
 
 export interface AppModel {
     state: AppState;
     view: ViewState;
     edits: Edits;
     clock: ClockControl;
+    people: People;
     scene: FlowScene;
+    worker: Pick<WorkerClient, 'call'>;
+    calls: Calls;
     retryNow: () => void;
 }

@@ -3,6 +3,8 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import type { AppModel } from './appModel.ts';
+import './linksPanel.ts';
+import './peoplePanel.ts';
 import './rakePanel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
@@ -28,6 +30,20 @@ const tabs: readonly Tab[] = [
             <section aria-labelledby="rake-head">
                 <h2 id="rake-head">Rake</h2>
                 <wakesurf-rake .model=${model}></wakesurf-rake>
+            </section>
+        `,
+    },
+    {
+        id: 'share',
+        label: 'Share',
+        body: (model) => html`
+            <section aria-labelledby="people-head">
+                <h2 id="people-head">People</h2>
+                <wakesurf-people .model=${model}></wakesurf-people>
+            </section>
+            <section aria-labelledby="links-head">
+                <h2 id="links-head">Invite</h2>
+                <wakesurf-links .model=${model}></wakesurf-links>
             </section>
         `,
     },

@@ -51,7 +51,7 @@ class SessionWorker {
             },
             onState: (state) => this.connectionChanged(state),
             onMessage: (data) => this.receive(data),
-            ping: () => void this.rpc.call('server.ping', {}).catch(() => undefined),
+            ping: () => void this.ping(),
         });
         this.socket.start();
     }
@@ -62,9 +62,19 @@ class SessionWorker {
         } else if (message.type === 'obstacle') {
             const { dataset, lattice } = message;
             this.answer(message.id, fetchObstacle(this.baseUrl, dataset, this.draco, lattice));
+        } else if (message.type === 'notify') {
+            this.socket.send(encodeNotification(message.method, message.params));
         } else if (message.type === 'taken') this.folder.taken(message.surface);
         else if (message.type === 'forget') this.folder.forget(message.surface);
         else if (message.type === 'retryNow') this.socket.retryNow();
+    }
+
+    private async ping(): Promise<void> {
+        const start = performance.now();
+        await this.rpc.call('server.ping', {}).then(
+            () => this.port.postMessage({ type: 'roundTrip', ms: performance.now() - start }),
+            () => undefined,
+        );
     }
 
     private async call(method: MethodName, params: object): Promise<unknown> {

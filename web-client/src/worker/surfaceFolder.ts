@@ -30,6 +30,8 @@ interface Followed {
     untaken: number;
     keys: number;
     deltas: number;
+    /** Spent on what has not been offered yet. */
+    decodeMs: number;
     news: boolean;
     troubled: boolean;
 }
@@ -67,6 +69,7 @@ export class SurfaceFolder {
             untaken: known?.untaken ?? 0,
             keys: known?.keys ?? 0,
             deltas: known?.deltas ?? 0,
+            decodeMs: 0,
             news: false,
             troubled: false,
         };
@@ -105,8 +108,10 @@ export class SurfaceFolder {
         const subscription = surfaceOf(frame);
         const followed = subscription === undefined ? undefined : this.bySubscription.get(subscription);
         if (subscription === undefined || followed === undefined) return;
+        const start = performance.now();
         try {
             const applied = followed.decoder.fold(frame);
+            followed.decodeMs += performance.now() - start;
             if (applied === undefined) return;
             followed.troubled = false;
             followed.news = true;
@@ -133,9 +138,13 @@ export class SurfaceFolder {
         followed.untaken += 1;
         const { epoch, phase, time, stateSum } = header;
         const { surface, keys, deltas } = followed;
+        const start = performance.now();
+        const arrays = followed.display.take(mesh);
+        const decodeMs = followed.decodeMs + performance.now() - start;
+        followed.decodeMs = 0;
         this.options.onState({
-            ...{ surface, epoch, phase, time, stateCrc: stateSum, cells: mesh.cellCount, keys, deltas },
-            ...followed.display.take(mesh),
+            ...{ surface, epoch, phase, time, stateCrc: stateSum, cells: mesh.cellCount, keys, deltas, decodeMs },
+            ...arrays,
         });
     }
 }

@@ -102,6 +102,10 @@ export class WorkerClient {
         this.post({ type: 'retryNow' });
     }
 
+    notify<M extends 'presence.update'>(method: M, params: ParamsOf<M>): void {
+        this.post({ type: 'notify', method, params });
+    }
+
     call<M extends MethodName>(method: M, params: ParamsOf<M>): Promise<ResultOf<M>> {
         return this.ask<ResultOf<M>>((id) => ({ type: 'call', id, method, params }));
     }

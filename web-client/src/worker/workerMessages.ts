@@ -7,6 +7,8 @@ export interface ToWorker {
     /** The worker connects and stays connected. `baseUrl` ends in a slash. */
     start: { baseUrl: string; token: string | null };
     call: { id: number; method: string; params: object };
+    /** To the server; nothing is answered. */
+    notify: { method: 'presence.update' | '$/cancelRequest'; params: object };
     obstacle: { id: number; dataset: string; lattice: LatticeMessage };
     /** A state of this surface is on the screen: the next one may come. */
     taken: { surface: string };
@@ -27,6 +29,8 @@ export interface FromWorker {
     /** Frames of a surface did not fit together; it has to be subscribed again. */
     frameTrouble: { surface: string; subscription: number; reason: string };
     here: object;
+    /** How long a message to the server and back takes. */
+    roundTrip: { ms: number };
 }
 
 export interface LatticeMessage {
@@ -54,6 +58,8 @@ export interface SurfaceState extends MeshChange {
     /** Updates applied so far: whole states, and changes of the state before. */
     keys: number;
     deltas: number;
+    /** Time it took here to decode what is new and to make the arrays. */
+    decodeMs: number;
 }
 
 export interface MeshChange {

@@ -3,6 +3,7 @@
 import { BoxGeometry, EdgesGeometry, LineBasicMaterial, LineSegments } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { type AxisEdge, type Bounds, centreOf, labelledEdges } from './domainAxes.ts';
+import { Labels } from '../labels.ts';
 import type { Layer, ScreenPoint, View } from '../view.ts';
 import { niceTicks } from '../ticks.ts';
 
@@ -16,15 +17,13 @@ const clearancePx = { x: 26, y: 13 };
 export class DomainOutline implements Layer {
     readonly object: LineSegments;
     private readonly bounds: Bounds;
-    private readonly layer: HTMLElement;
-    private readonly pool: HTMLElement[] = [];
-    private used = 0;
+    private readonly labels: Labels;
     private placed: ScreenPoint[] = [];
     private placedFor = '';
 
     constructor(bounds: Bounds, layer: HTMLElement) {
         this.bounds = bounds;
-        this.layer = layer;
+        this.labels = new Labels(layer);
         const box = new BoxGeometry(
             bounds[1] - bounds[0],
             bounds[3] - bounds[2],
@@ -44,10 +43,10 @@ export class DomainOutline implements Layer {
         const drawn = JSON.stringify([eye, project(this.corner(0)), project(this.corner(1))]);
         if (drawn === this.placedFor) return;
         this.placedFor = drawn;
-        this.used = 0;
+        this.labels.begin();
         this.placed = [];
         for (const edge of labelledEdges(this.bounds, eye, project)) this.labelEdge(edge, project);
-        for (const label of this.pool.slice(this.used)) label.hidden = true;
+        this.labels.end();
     }
 
     private corner(end: 0 | 1): Vec3 {
@@ -57,7 +56,7 @@ export class DomainOutline implements Layer {
 
     dispose(): void {
         this.object.geometry.dispose();
-        for (const label of this.pool) label.remove();
+        this.labels.dispose();
     }
 
     private labelEdge(edge: AxisEdge, project: (point: Vec3) => ScreenPoint | null): void {
@@ -88,21 +87,7 @@ export class DomainOutline implements Layer {
         const to = { x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx };
         if (this.placed.some((other) => collide(other, to))) return;
         this.placed.push(to);
-        const label = this.nextLabel();
-        label.textContent = text;
-        label.className = className;
-        const [x, y] = [to.x.toFixed(1), to.y.toFixed(1)];
-        label.style.transform = `translate(-50%, -50%) translate(${x}px, ${y}px)`;
-        label.hidden = false;
-    }
-
-    private nextLabel(): HTMLElement {
-        const existing = this.pool[this.used++];
-        if (existing !== undefined) return existing;
-        const label = document.createElement('span');
-        this.pool.push(label);
-        this.layer.append(label);
-        return label;
+        this.labels.place(to, text, className);
     }
 }
 

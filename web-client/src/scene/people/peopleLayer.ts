@@ -1,0 +1,108 @@
+// The others in the picture: where they look from, as the lines of their camera, and what they point at, each in their colour
+// and with their name.
+import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
+import type { Participant, Vec3 } from '../../protocol/messages.ts';
+import { Labels } from '../labels.ts';
+import type { Layer, View } from '../view.ts';
+import { frustumSegments } from './frustum.ts';
+
+const pointerRadiusPx = 6;
+const nameGapPx = 14;
+const frustumFloats = 16 * 3;
+
+/** What is drawn of one person. */
+class Figure {
+    readonly object = new Group();
+    participant: Participant;
+    readonly pointer: Mesh<SphereGeometry, MeshBasicMaterial>;
+    readonly frustum: LineSegments<BufferGeometry, LineBasicMaterial>;
+
+    constructor(participant: Participant, sphere: SphereGeometry) {
+        this.participant = participant;
+        const overEverything = { depthTest: false, depthWrite: false, transparent: true };
+        this.pointer = new Mesh(sphere, new MeshBasicMaterial(overEverything));
+        this.pointer.renderOrder = 30;
+        const lines = new BufferGeometry();
+        lines.setAttribute('position', new BufferAttribute(new Float32Array(frustumFloats), 3));
+        this.frustum = new LineSegments(lines, new LineBasicMaterial());
+        this.frustum.frustumCulled = false;
+        this.object.add(this.pointer, this.frustum);
+        this.become(participant);
+    }
+
+    become(participant: Participant): void {
+        this.participant = participant;
+        const colour = new Color(participant.colour);
+        this.pointer.material.color = colour;
+        this.frustum.material.color = colour;
+        const { camera, pointer } = participant;
+        const segments = camera === undefined || camera === null ? [] : frustumSegments(camera);
+        this.frustum.visible = segments.length > 0;
+        this.pointer.visible = pointer !== undefined && pointer !== null;
+        if (segments.length === 0) return;
+        const position = this.frustum.geometry.getAttribute('position') as BufferAttribute;
+        position.set(segments.flat());
+        position.needsUpdate = true;
+    }
+
+    dispose(): void {
+        this.pointer.material.dispose();
+        this.frustum.material.dispose();
+        this.frustum.geometry.dispose();
+    }
+}
+
+export class PeopleLayer implements Layer {
+    readonly object = new Group();
+    private readonly labels: Labels;
+    private readonly sphere = new SphereGeometry(1, 16, 12);
+    private readonly figures = new Map<string, Figure>();
+
+    constructor(layer: HTMLElement) {
+        this.labels = new Labels(layer);
+    }
+
+    /** All but whoever looks at this page, and whose view it takes: their camera would fill the picture. */
+    set(people: readonly Participant[]): void {
+        const here = new Set(people.map(({ participant }) => participant));
+        for (const [id, figure] of this.figures) {
+            if (here.has(id)) continue;
+            this.figures.delete(id);
+            this.object.remove(figure.object);
+            figure.dispose();
+        }
+        for (const person of people) {
+            const known = this.figures.get(person.participant);
+            if (known !== undefined) {
+                known.become(person);
+                continue;
+            }
+            const figure = new Figure(person, this.sphere);
+            this.figures.set(person.participant, figure);
+            this.object.add(figure.object);
+        }
+    }
+
+    update(view: View): void {
+        this.labels.begin();
+        for (const { participant, pointer, frustum } of this.figures.values()) {
+            const { pointer: pointsAt, camera } = participant;
+            if (pointer.visible) {
+                pointer.position.set(...(pointsAt as Vec3));
+                pointer.scale.setScalar(view.worldPerPx(pointsAt as Vec3) * pointerRadiusPx);
+                this.name(view, pointsAt as Vec3, participant);
+            }
+            if (frustum.visible && camera !== undefined && camera !== null) {
+                this.name(view, camera.position, participant);
+            }
+        }
+        this.labels.end();
+    }
+
+    private name(view: View, at: Vec3, { name, colour }: Participant): void {
+        const seen = view.project(at);
+        if (seen === null) return;
+        const label = this.labels.place({ x: seen.x, y: seen.y - nameGapPx }, name, 'person');
+        label.style.borderColor = colour;
+    }
+}
