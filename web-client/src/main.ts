@@ -9,7 +9,9 @@ import { People } from './session/people.ts';
 import { showPeople } from './session/peopleInPicture.ts';
 import { SessionController } from './session/sessionController.ts';
 import { SurfaceFeed } from './session/surfaceFeed.ts';
+import { showTheme } from './session/themeInPicture.ts';
 import { baseUrl, readFragment, showFragment, writeFragment } from './session/urlState.ts';
+import { Views } from './session/views.ts';
 import { AppState } from './state/appState.ts';
 import { LatencyLog } from './state/latency.ts';
 import { ViewState } from './state/viewState.ts';
@@ -24,7 +26,7 @@ const noWebGl2 =
 function start(app: App): void {
     const url = readFragment(location.hash);
     // The token must not stay in the address bar, in the history or in a link that is passed on.
-    showFragment(writeFragment(url.session, url.dataset));
+    showFragment(writeFragment(url.session, url.dataset, new URLSearchParams(location.hash.slice(1)).get('state')));
     const graphics = probeGraphics();
     if (graphics === null) {
         app.fail(noWebGl2);
@@ -59,15 +61,17 @@ function start(app: App): void {
     });
     const calls = new Calls(state, worker);
     showPeople(state, view, scene);
+    showTheme(view, scene);
     scene.controls.onMove(() => people.takeCamera());
     const feed = new SurfaceFeed({ state, scene, worker, latency });
-    const controller = new SessionController({ state, scene, worker, edits, feed, people, url });
+    const views = new Views({ state, view, scene, url });
+    const controller = new SessionController({ state, scene, worker, edits, feed, people, url, views });
     const clock = new ClockControl({ state, worker, requestFrame: scene.loop.request });
     scene.loop.beforeFrame(() => edits.flush());
     scene.loop.beforeFrame(() => clock.flush());
     scene.loop.beforeFrame(() => feed.apply());
     installTestHook({ state, scene, latency, canvas });
-    app.begin({ state, view, edits, clock, people, scene, worker, calls, retryNow: () => worker.retryNow() });
+    app.begin({ state, view, edits, clock, people, scene, worker, calls, views, retryNow: () => worker.retryNow() });
     addEventListener('online', () => worker.retryNow());
     worker.start(baseUrl(), url.token);
 }

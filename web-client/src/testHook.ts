@@ -65,7 +65,7 @@ export function installTestHook({ state, scene, latency, canvas }: TestHookParts
             return state.stage.value;
         },
         get session() {
-            return new URLSearchParams(location.hash.slice(1)).get('session');
+            return state.session.value;
         },
         get phase() {
             return state.phase.value;

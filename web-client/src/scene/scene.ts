@@ -1,6 +1,6 @@
 // The picture: surfaces, rake, domain and body, drawn on demand. Knows nothing of the server; session/ feeds it and listens
 // to it.
-import { Color, type Mesh, Scene, WebGLRenderer } from 'three';
+import { type Mesh, Scene, WebGLRenderer } from 'three';
 import type { Vec3 } from '../protocol/messages.ts';
 import { CameraControls } from './camera/cameraControls.ts';
 import type { Bounds } from './domain/domainAxes.ts';
@@ -15,9 +15,9 @@ import { RakeInteraction, type RakeMove } from './rake/rakeInteraction.ts';
 import { RakeWidget } from './rake/rakeWidget.ts';
 import { SurfaceLayer } from './surface/surfaceLayer.ts';
 import type { MeshChange } from './surface/surfaceMesh.ts';
+import { pictureColours } from './theme.ts';
 import { type Layer, type ScreenPoint, type ScreenSize, View } from './view.ts';
 
-const background = 0x0b1018;
 const movingPixelRatio = 0.5;
 
 export interface FlowSceneOptions {
@@ -43,7 +43,9 @@ export class FlowScene {
     private readonly software: boolean;
     private readonly scene = new Scene();
     private readonly layers: Layer[] = [];
+    private readonly drawn: ((view: View) => void)[] = [];
     private readonly afterNextFrame: ((time: number) => void)[] = [];
+    private theme: 'dark' | 'light' = 'dark';
     private outline: DomainOutline | null = null;
     private obstacle: Mesh | null = null;
 
@@ -63,7 +65,7 @@ export class FlowScene {
         this.pointerTools = new PointerTools(this.canvas);
         this.pointerTools.add(this.interaction);
         this.controls.connect(this.canvas);
-        this.scene.background = new Color(background);
+        this.setTheme('dark');
         this.scene.add(this.surfaces.object);
         this.add(new Lights());
         this.add(this.rake);
@@ -93,12 +95,24 @@ export class FlowScene {
         this.loop.request();
     }
 
+    setTheme(theme: 'dark' | 'light'): void {
+        this.theme = theme;
+        this.scene.background = pictureColours[theme].background;
+        this.outline?.setColour(pictureColours[theme].outline);
+        this.loop.request();
+    }
+
+    /** Called after every frame. */
+    onDraw(listener: (view: View) => void): void {
+        this.drawn.push(listener);
+    }
+
     setDomain(bounds: Bounds): void {
         if (this.outline !== null) {
             this.remove(this.outline);
             this.outline.dispose();
         }
-        this.outline = new DomainOutline(bounds, this.labels);
+        this.outline = new DomainOutline(bounds, this.labels, pictureColours[this.theme].outline);
         this.add(this.outline);
         this.controls.setBounds(bounds);
     }
@@ -156,6 +170,7 @@ export class FlowScene {
         for (const layer of this.layers) layer.update(view);
         this.renderer.render(this.scene, view.camera);
         this.framesDrawn += 1;
+        for (const listener of this.drawn) listener(view);
     }
 
     private drawFrame(finished: () => void): void {

@@ -42,8 +42,9 @@ class Bench {
         const edits = { reconnected: () => undefined, recordsChanged: () => undefined };
         const people = { joined: () => undefined, patched: () => undefined };
         const scene = { setRange: () => undefined, setDomain: () => undefined };
-        const url = { token: null, session, dataset: null };
-        const parts = { state: this.state, worker, feed, edits, people, scene, url };
+        const url = { token: null, session, dataset: null, state: null };
+        const views = { restore: () => undefined };
+        const parts = { state: this.state, worker, feed, edits, people, scene, url, views };
         this.controller = new SessionController(parts as unknown as SessionControllerOptions);
     }
 

@@ -21,7 +21,8 @@ import type { People } from './people.ts';
 import { settingAnew } from './surfaceIntent.ts';
 import { adoptSnapshot, applyPatches } from './recordMirror.ts';
 import type { SurfaceFeed } from './surfaceFeed.ts';
-import { showFragment, type UrlState, writeFragment } from './urlState.ts';
+import type { UrlState } from './urlState.ts';
+import type { Views } from './views.ts';
 
 const notFound = -32004;
 const importPollMs = 1000;
@@ -36,6 +37,7 @@ export interface SessionControllerOptions {
     feed: SurfaceFeed;
     people: People;
     url: UrlState;
+    views: Pick<Views, 'restore'>;
 }
 
 /** What a session is rebuilt from when the server no longer knows it. */
@@ -87,7 +89,8 @@ export class SessionController {
         try {
             await this.checkServer();
             const snapshot = await this.join(this.session);
-            const id = snapshot?.surfaces[0]?.dataset ?? this.options.url.dataset;
+            const { url } = this.options;
+            const id = snapshot?.surfaces[0]?.dataset ?? url.dataset ?? url.state?.surfaces[0]?.dataset ?? null;
             const entry = await this.waitForDataset(id, gone);
             if (entry === null || gone()) return;
             await this.describe(entry.dataset);
@@ -98,6 +101,7 @@ export class SessionController {
             if (gone()) return;
             await this.subscribeAll();
             state.stage.value = 'running';
+            this.options.views.restore();
         } catch (error) {
             if (gone() || (error instanceof CallError && error.failure.kind === 'disconnected')) return;
             state.stage.value = 'failed';
@@ -120,13 +124,12 @@ export class SessionController {
         try {
             const snapshot = await this.enter(session);
             this.adopt(snapshot);
-            showFragment(writeFragment(session, this.options.url.dataset));
             return snapshot;
         } catch (error) {
             if (!isNotFound(error)) throw error;
             this.resumeToken = undefined;
             if (state.rakes.value.size === 0) {
-                state.notice.value = 'The session of this link no longer exists; this is a new one.';
+                state.notice.value = sessionGone(this.options.url);
             }
             return null;
         }
@@ -186,10 +189,7 @@ export class SessionController {
     /** A new session, with what the user had if the server has forgotten an earlier one. */
     private async createSession(dataset: string): Promise<SessionSnapshot> {
         const { worker, state } = this.options;
-        const remembered: Remembered = {
-            rakes: [...state.rakes.value.values()],
-            surfaces: [...state.surfaces.value.values()].filter((s) => s.dataset === dataset),
-        };
+        const remembered = this.remembered(dataset);
         const points = state.rakePoints.value;
         const active = state.rake.value?.rake;
         const forgotten = this.session;
@@ -212,6 +212,14 @@ export class SessionController {
         return snapshot;
     }
 
+    /** What this page has had, or else what its link says. */
+    private remembered(dataset: string): Remembered {
+        const { state, url } = this.options;
+        const [rakes, surfaces] = [[...state.rakes.value.values()], [...state.surfaces.value.values()]];
+        const known = rakes.length > 0 || url.state === null ? { rakes, surfaces } : url.state;
+        return { rakes: known.rakes, surfaces: known.surfaces.filter((each) => each.dataset === dataset) };
+    }
+
     /** `seen`: the points on the screen, which may be ahead of the record that was lost. */
     private async makeAnew(
         remembered: Remembered,
@@ -220,9 +228,10 @@ export class SessionController {
     ): Promise<void> {
         const { worker } = this.options;
         const ids = new Map<string, string>();
-        for (const { rake, kind, points: recorded, seeds, name } of remembered.rakes) {
+        for (const { rake, kind, points: recorded, seeds, name, colour } of remembered.rakes) {
             const points = seen(rake, recorded);
-            const made = await worker.call('rake.set', { kind, points, seeds, name });
+            const coloured = colour === undefined ? {} : { colour };
+            const made = await worker.call('rake.set', { kind, points, seeds, name, ...coloured });
             ids.set(rake, made.rake);
         }
         for (const record of remembered.surfaces) {
@@ -348,6 +357,11 @@ export class SessionController {
 
 function isNotFound(error: unknown): boolean {
     return error instanceof CallError && error.failure.code === notFound;
+}
+
+function sessionGone({ state }: UrlState): string {
+    const like = state !== null && state.rakes.length > 0;
+    return `The session of this link no longer exists; this is a new one${like ? ' with its rakes and surfaces' : ''}.`;
 }
 
 function noDataset(id: string | null): string {

@@ -1,27 +1,32 @@
 // What the link carries in its fragment, which browsers never send: the access token, removed at
-// once, and the session, kept so that the same link opens the same session.
+// once; the session and the state of the page, kept so that the same link opens the same picture.
+import { decodeLinkState, type LinkState } from './linkState.ts';
 
 export interface UrlState {
     token: string | null;
     session: string | null;
     dataset: string | null;
+    state: LinkState | null;
 }
 
 export function readFragment(fragment: string): UrlState {
     const values = new URLSearchParams(fragment.replace(/^#/, ''));
     const nonEmpty = (name: string): string | null => values.get(name) || null;
+    const state = nonEmpty('state');
     return {
         token: nonEmpty('token'),
         session: nonEmpty('session'),
         dataset: nonEmpty('dataset'),
+        state: state === null ? null : decodeLinkState(state),
     };
 }
 
-/** The fragment of a link to a session; never with a token. */
-export function writeFragment(session: string | null, dataset: string | null): string {
+/** The fragment of a link to a session; never with a token. `state`: as encodeLinkState makes it. */
+export function writeFragment(session: string | null, dataset: string | null, state: string | null = null): string {
     const values = new URLSearchParams();
     if (session !== null) values.set('session', session);
     if (dataset !== null) values.set('dataset', dataset);
+    if (state !== null) values.set('state', state);
     const text = values.toString();
     return text === '' ? '' : `#${text}`;
 }

@@ -32,7 +32,7 @@ export class App extends SignalElement {
             main {
                 position: relative;
                 overflow: hidden;
-                background: #0b1018;
+                background: light-dark(#f2f5f9, #0b1018);
             }
             canvas {
                 display: block;
@@ -46,7 +46,7 @@ export class App extends SignalElement {
                 inset: 0;
                 overflow: hidden;
                 pointer-events: none;
-                color: #c3cede;
+                color: light-dark(#3b485c, #c3cede);
                 font-size: 12px;
                 font-variant-numeric: tabular-nums;
             }
@@ -68,13 +68,13 @@ export class App extends SignalElement {
                 color: #e8edf5;
             }
             .axis-x {
-                color: #ff8a80;
+                color: light-dark(#b3261e, #ff8a80);
             }
             .axis-y {
-                color: #7ee2a8;
+                color: light-dark(#17713f, #7ee2a8);
             }
             .axis-z {
-                color: #8ab8ff;
+                color: light-dark(#1d4fa8, #8ab8ff);
             }
             wakesurf-scalar-bar {
                 position: absolute;
@@ -102,8 +102,8 @@ export class App extends SignalElement {
                 gap: 8px;
                 height: 100%;
                 padding: 24px;
-                background: #0b1018;
-                color: #e8edf5;
+                background: light-dark(#f2f5f9, #0b1018);
+                color: var(--text);
                 font-size: 16px;
             }
             .failure h1 {

@@ -3,6 +3,7 @@ import type { Calls } from '../session/calls.ts';
 import type { ClockControl } from '../session/clockControl.ts';
 import type { Edits } from '../session/edits.ts';
 import type { People } from '../session/people.ts';
+import type { Views } from '../session/views.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
 import type { ViewState } from '../state/viewState.ts';
@@ -17,5 +18,6 @@ export interface AppModel {
     scene: FlowScene;
     worker: Pick<WorkerClient, 'call'>;
     calls: Calls;
+    views: Views;
     retryNow: () => void;
 }

@@ -140,7 +140,9 @@ export class LinksPanel extends SignalElement {
         });
         if (made === null) return;
         this.copied.value = false;
-        this.made.value = { link: new URL(made.link, location.href).href, role };
+        const state = new URLSearchParams(new URL(this.model.views.link()).hash.slice(1)).get('state') ?? '';
+        // Whoever comes by it sees what is seen here.
+        this.made.value = { link: `${new URL(made.link, location.href).href}&state=${state}`, role };
         await this.list();
     }
 

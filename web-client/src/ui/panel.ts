@@ -3,6 +3,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import type { AppModel } from './appModel.ts';
+import './bookmarksPanel.ts';
 import './linksPanel.ts';
 import './peoplePanel.ts';
 import './rakePanel.ts';
@@ -11,6 +12,7 @@ import { SignalElement } from './signalElement.ts';
 import './statusPanel.ts';
 import { countWords } from './statusWords.ts';
 import './surfacePanel.ts';
+import './surroundingsPanel.ts';
 
 interface Tab {
     id: string;
@@ -30,6 +32,20 @@ const tabs: readonly Tab[] = [
             <section aria-labelledby="rake-head">
                 <h2 id="rake-head">Rake</h2>
                 <wakesurf-rake .model=${model}></wakesurf-rake>
+            </section>
+        `,
+    },
+    {
+        id: 'view',
+        label: 'View',
+        body: (model) => html`
+            <section aria-labelledby="bookmarks-head">
+                <h2 id="bookmarks-head">Views to come back to</h2>
+                <wakesurf-bookmarks .model=${model}></wakesurf-bookmarks>
+            </section>
+            <section aria-labelledby="surroundings-head">
+                <h2 id="surroundings-head">Surroundings</h2>
+                <wakesurf-surroundings .model=${model}></wakesurf-surroundings>
             </section>
         `,
     },

@@ -3,7 +3,6 @@ import { css } from 'lit';
 
 export const sharedStyles = css`
     :host {
-        color-scheme: light dark;
         --ground: light-dark(#f6f8fb, #141b27);
         --raised: light-dark(#ffffff, #1c2534);
         --line: light-dark(#cfd7e3, #2e3a4e);

@@ -1,6 +1,6 @@
 // The box of the domain with numbers and names along three of its edges. The numbers are DOM text
 // over the canvas: sharp at any size and readable by assistive tools.
-import { BoxGeometry, EdgesGeometry, LineBasicMaterial, LineSegments } from 'three';
+import { BoxGeometry, type Color, EdgesGeometry, LineBasicMaterial, LineSegments } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { type AxisEdge, type Bounds, centreOf, labelledEdges } from './domainAxes.ts';
 import { Labels } from '../labels.ts';
@@ -15,13 +15,13 @@ const nameGapPx = 40;
 const clearancePx = { x: 26, y: 13 };
 
 export class DomainOutline implements Layer {
-    readonly object: LineSegments;
+    readonly object: LineSegments<EdgesGeometry, LineBasicMaterial>;
     private readonly bounds: Bounds;
     private readonly labels: Labels;
     private placed: ScreenPoint[] = [];
     private placedFor = '';
 
-    constructor(bounds: Bounds, layer: HTMLElement) {
+    constructor(bounds: Bounds, layer: HTMLElement, colour: Color) {
         this.bounds = bounds;
         this.labels = new Labels(layer);
         const box = new BoxGeometry(
@@ -31,7 +31,7 @@ export class DomainOutline implements Layer {
         );
         this.object = new LineSegments(
             new EdgesGeometry(box),
-            new LineBasicMaterial({ color: 0x6b7a90 }),
+            new LineBasicMaterial({ color: colour }),
         );
         this.object.position.set(...centreOf(bounds));
     }
@@ -47,6 +47,10 @@ export class DomainOutline implements Layer {
         this.placed = [];
         for (const edge of labelledEdges(this.bounds, eye, project)) this.labelEdge(edge, project);
         this.labels.end();
+    }
+
+    setColour(colour: Color): void {
+        this.object.material.color = colour;
     }
 
     private corner(end: 0 | 1): Vec3 {
