@@ -318,8 +318,10 @@ export class SessionController {
             case 'presence.patched':
                 this.options.people.patched(notification.participants, notification.left);
                 break;
-            case 'cache.patched':
             case 'surface.progress':
+                feed.progressed(notification.surface, notification.epoch, notification.seconds);
+                break;
+            case 'cache.patched':
             case '$/progress':
                 break;
         }

@@ -1,5 +1,5 @@
 // The surfaces as they arrive: subscriptions, and what is new in each surface, put on the screen at the next frame.
-import { errorWords, type ReportedError } from '../protocol/messages.ts';
+import { errorWords, type PassSeconds, type ReportedError } from '../protocol/messages.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import { type AppState, withEntry, withoutEntry } from '../state/appState.ts';
 import type { LatencyLog } from '../state/latency.ts';
@@ -81,15 +81,18 @@ export class SurfaceFeed {
     /** Called at the start of every frame. */
     apply(): void {
         const { state, scene, latency, worker } = this.options;
+        const applied = performance.now();
         for (const [surface, arrived] of this.waiting) {
             for (const change of arrived) {
                 scene.setSurface(surface, change);
                 worker.taken(surface);
             }
             const { epoch, vertices, cells, triangles, stateCrc, phase, time, keys, deltas } = arrived.at(-1)!;
+            const decodeMs = arrived.reduce((sum, each) => sum + each.decodeMs, 0);
             scene.whenDrawn((at) => {
-                latency.shown(surface, epoch, at);
-                state.latencyMs.value = latency.samples.at(-1)?.milliseconds ?? null;
+                const drawn = { decodeMs, drawMs: at - applied, roundTripMs: state.roundTripMs.value };
+                latency.shown(surface, epoch, at, drawn);
+                state.latency.value = latency.samples.at(-1) ?? null;
             });
             const shown = {
                 ...{ surface, epoch, vertices, cells, triangles, stateCrc, phase, time, keys, deltas },
@@ -104,6 +107,11 @@ export class SurfaceFeed {
         const { requestedEpochs } = this.options.state;
         if (epoch <= (requestedEpochs.value.get(surface) ?? 0)) return;
         requestedEpochs.value = withEntry(requestedEpochs.value, surface, epoch);
+    }
+
+    /** What the pass behind a state took on the server. */
+    progressed(surface: string, epoch: number, seconds: PassSeconds | null): void {
+        if (seconds !== null) this.options.latency.passed(surface, epoch, seconds);
     }
 
     done(surface: string, epoch: number, error: ReportedError | null): void {

@@ -16,6 +16,7 @@ import type {
     SurfaceRecord,
     Vec3,
 } from '../protocol/messages.ts';
+import type { LatencySample } from './latency.ts';
 
 /** What is on the screen of one surface. */
 export interface DisplayedSurface {
@@ -75,7 +76,8 @@ export class AppState {
     readonly notice = signal<string | null>(null);
     /** Of a message to the server and back. */
     readonly roundTripMs = signal<number | null>(null);
-    readonly latencyMs = signal<number | null>(null);
+    /** Of the newest edit that is on the screen. */
+    readonly latency = signal<LatencySample | null>(null);
 
     readonly surface = computed(() => this.surfaces.value.get(this.activeSurface.value ?? ''));
     readonly rake = computed(() => this.rakes.value.get(this.surface.value?.rake ?? ''));

@@ -4,7 +4,9 @@ import { shortNumber } from '../scene/ticks.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
-import { countWords, latencyWords, phaseWords } from './statusWords.ts';
+import './latencyPanel.ts';
+import './qualityPanel.ts';
+import { countWords, phaseWords } from './statusWords.ts';
 
 export class StatusPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
@@ -63,9 +65,9 @@ export class StatusPanel extends SignalElement {
                 <dd>${count(displayed?.vertices)}</dd>
                 <dt>Separation</dt>
                 <dd>${shortNumber(state.surface.value?.separation ?? Number.NaN)}</dd>
-                <dt>Edit to picture</dt>
-                <dd>${latencyWords(state.latencyMs.value)}</dd>
             </dl>
+            <wakesurf-quality .model=${this.model}></wakesurf-quality>
+            <wakesurf-latency .model=${this.model}></wakesurf-latency>
             ${phase === 'error'
                 ? html`<p class="problem">${state.surfaceErrors.value.get(id)?.text ?? ''}</p>`
                 : nothing}`;

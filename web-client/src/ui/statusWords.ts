@@ -13,10 +13,6 @@ export const phaseWords: Record<SurfacePhase, string> = {
     error: 'Not computed',
 };
 
-export function latencyWords(milliseconds: number | null): string {
-    return milliseconds === null ? '–' : `${Math.round(milliseconds)} ms`;
-}
-
 export function countWords(count: number): string {
     return count.toLocaleString('en').replaceAll(',', '\u202f');
 }
