@@ -17,6 +17,8 @@ import { LatencyLog } from './state/latency.ts';
 import { ViewState } from './state/viewState.ts';
 import { installTestHook } from './testHook.ts';
 import { App } from './ui/app.ts';
+import type { AppModel } from './ui/appModel.ts';
+import { listenForViewKeys } from './ui/viewKeys.ts';
 import { WorkerClient } from './worker/workerClient.ts';
 
 const noWebGl2 =
@@ -71,7 +73,9 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => clock.flush());
     scene.loop.beforeFrame(() => feed.apply());
     installTestHook({ state, scene, latency, canvas });
-    app.begin({ state, view, edits, clock, people, scene, worker, calls, views, retryNow: () => worker.retryNow() });
+    const model: AppModel = { state, view, edits, clock, people, scene, worker, calls, views, retryNow: () => worker.retryNow() };
+    listenForViewKeys(model);
+    app.begin(model);
     addEventListener('online', () => worker.retryNow());
     worker.start(baseUrl(), url.token);
 }

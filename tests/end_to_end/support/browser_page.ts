@@ -33,16 +33,20 @@ export interface PageOptions {
     width?: number;
     height?: number;
     colorScheme?: 'dark' | 'light';
+    /** Somebody who has never been here is shown the tour. */
+    firstVisit?: boolean;
 }
 
 export async function newContext(browser: Browser, options: PageOptions = {}): Promise<BrowserContext> {
-    const { width = 1000, height = 600, colorScheme = 'dark' } = options;
-    return browser.newContext({
+    const { width = 1000, height = 600, colorScheme = 'dark', firstVisit = false } = options;
+    const context = await browser.newContext({
         viewport: { width, height },
         deviceScaleFactor: 1,
         reducedMotion: 'reduce',
         colorScheme,
     });
+    if (!firstVisit) await context.addInitScript(() => localStorage.setItem('wakesurf.tour', 'done'));
+    return context;
 }
 
 /** Opens a link and collects everything the page complains about. */

@@ -11,6 +11,8 @@ export class ViewState {
     readonly tool = signal<Tool>('none');
     readonly theme = signal<Theme>('system');
     readonly orthographic = signal(false);
+    /** Where the tour is; null: there is none. */
+    readonly tourStep = signal<number | null>(null);
     /** The participant whose view this page takes. */
     readonly following = signal<string | null>(null);
 }

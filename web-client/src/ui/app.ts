@@ -9,6 +9,7 @@ import './scalarBar.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
 import './timeBar.ts';
+import './tour.ts';
 import './viewButtons.ts';
 
 export class App extends SignalElement {
@@ -85,6 +86,11 @@ export class App extends SignalElement {
                 position: absolute;
                 right: 12px;
                 top: 12px;
+            }
+            wakesurf-tour {
+                position: absolute;
+                left: 12px;
+                bottom: 12px;
             }
             wakesurf-banner {
                 position: absolute;
@@ -165,6 +171,7 @@ export class App extends SignalElement {
                 ${this.canvas} ${this.labels}
                 <wakesurf-scalar-bar .model=${model}></wakesurf-scalar-bar>
                 <wakesurf-view-buttons .model=${model}></wakesurf-view-buttons>
+                <wakesurf-tour .model=${model}></wakesurf-tour>
                 <wakesurf-banner .model=${model}></wakesurf-banner>
             </main>
             <wakesurf-panel role="complementary" aria-label="Settings" .model=${model}></wakesurf-panel>

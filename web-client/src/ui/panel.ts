@@ -4,6 +4,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import type { AppModel } from './appModel.ts';
 import './bookmarksPanel.ts';
+import './helpDialog.ts';
 import './linksPanel.ts';
 import './peoplePanel.ts';
 import './rakePanel.ts';
@@ -83,6 +84,10 @@ export class Panel extends SignalElement {
             header {
                 padding: 14px 16px 8px;
             }
+            .title {
+                display: flex;
+                justify-content: space-between;
+            }
             h1 {
                 margin: 0;
                 font-size: 17px;
@@ -127,6 +132,8 @@ export class Panel extends SignalElement {
                 padding: 0 16px 14px;
             }
             wakesurf-status {
+                max-height: 40vh;
+                overflow-y: auto;
                 padding: 8px 16px 12px;
                 border-top: 1px solid var(--line);
             }
@@ -139,7 +146,10 @@ export class Panel extends SignalElement {
         const chosen = tabs.find(({ id }) => id === this.chosen.value) ?? tabs[0]!;
         return html`
             <header>
-                <h1>wakesurf</h1>
+                <div class="title">
+                    <h1>wakesurf</h1>
+                    <wakesurf-help .model=${this.model}></wakesurf-help>
+                </div>
                 ${dataset === null
                     ? nothing
                     : html`<p>${dataset.name}</p>
