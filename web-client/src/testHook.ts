@@ -3,6 +3,8 @@
 import type { Vec3 } from './protocol/messages.ts';
 import type { FlowScene } from './scene/scene.ts';
 import type { ScreenPoint } from './scene/view.ts';
+import type { PickHit } from './scene/surface/surfacePick.ts';
+import type { SurfaceVertex } from './scene/surface/surfaceMesh.ts';
 import type { Handle } from './scene/rake/rakeWidget.ts';
 import type { AppState, DisplayedSurface } from './state/appState.ts';
 import type { LatencyLog, LatencySample } from './state/latency.ts';
@@ -25,7 +27,9 @@ export interface TestHook {
     project(point: Vec3): ScreenPoint | null;
     handleOnScreen(handle: Handle): ScreenPoint | null;
     /** Every n-th vertex of the surface shown, with its scalar. */
-    vertices(every: number): { point: Vec3; scalar: number }[];
+    vertices(every: number): SurfaceVertex[];
+    /** What is seen at a position in the window. */
+    pick(at: ScreenPoint): PickHit | null;
     /** Draws and returns RGB at positions in the window. */
     pixelsAt(points: ScreenPoint[]): [number, number, number][];
     loseContext(): void;
@@ -97,12 +101,16 @@ export function installTestHook({ state, scene, latency, canvas }: TestHookParts
         handleOnScreen: (handle) => inWindow(scene.project(scene.rake.positionOf(handle))),
         vertices: (every) => {
             const count = displayed()?.vertices ?? 0;
-            const found: { point: Vec3; scalar: number }[] = [];
+            const found: SurfaceVertex[] = [];
             for (let i = 0; i < count; i += every) {
                 const vertex = scene.surfaces.vertexOf(active(), i);
                 if (vertex !== null) found.push(vertex);
             }
             return found;
+        },
+        pick: ({ x, y }) => {
+            const box = canvas.getBoundingClientRect();
+            return scene.pick({ x: x - box.left, y: y - box.top });
         },
         pixelsAt: (points) => {
             const { width, height, pixels } = scene.readPixels();

@@ -15,6 +15,7 @@ import { RakeInteraction, type RakeMove } from './rake/rakeInteraction.ts';
 import { RakeWidget } from './rake/rakeWidget.ts';
 import { SurfaceLayer } from './surface/surfaceLayer.ts';
 import type { MeshChange } from './surface/surfaceMesh.ts';
+import { type PickGrid, type PickHit, type PickOptions, SurfacePick } from './surface/surfacePick.ts';
 import { pictureColours } from './theme.ts';
 import { type Layer, type ScreenPoint, type ScreenSize, View } from './view.ts';
 
@@ -32,6 +33,7 @@ export class FlowScene {
     readonly loop = new FrameLoop((finished) => this.drawFrame(finished));
     readonly controls = new CameraControls(this.loop.request, (held) => this.hold(held));
     readonly surfaces = new SurfaceLayer();
+    private readonly picker: SurfacePick;
     readonly rake = new RakeWidget();
     readonly interaction: RakeInteraction;
     readonly pointerTools: PointerTools;
@@ -54,6 +56,7 @@ export class FlowScene {
         this.labels = options.labels;
         this.software = options.graphics.software;
         this.renderer = createRenderer(options);
+        this.picker = new SurfacePick(this.renderer, this.surfaces);
         this.interaction = new RakeInteraction({
             widget: this.rake,
             view: () => this.view(),
@@ -152,6 +155,20 @@ export class FlowScene {
     /** Canvas position of a point, in CSS pixels; null behind the camera. */
     project(point: Vec3): ScreenPoint | null {
         return this.view().project(point);
+    }
+
+    /** What of surfaces and body is seen at a canvas position. */
+    pick(at: ScreenPoint): PickHit | null {
+        return this.picker.at(this.view(), this.obstacle?.geometry ?? null, at);
+    }
+
+    /** All of it within some pixels, nearest to the position first. */
+    pickArea(at: ScreenPoint, radiusPx: number): PickHit[] {
+        return this.picker.area(this.view(), this.obstacle?.geometry ?? null, at, radiusPx);
+    }
+
+    pickGrid(at: ScreenPoint, radiusPx: number, options: PickOptions): PickGrid {
+        return this.picker.grid(this.view(), this.obstacle?.geometry ?? null, at, radiusPx, options);
     }
 
     /** Draws at once and returns the picture's pixels, RGBA from the bottom left. */

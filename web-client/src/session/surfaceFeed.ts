@@ -63,7 +63,7 @@ export class SurfaceFeed {
     }
 
     receive(arrived: SurfaceState): void {
-        const { surface, fromVertex, fromIndex } = arrived;
+        const { surface, fromVertex, fromSeed, fromIndex } = arrived;
         const { worker, scene } = this.options;
         if (!this.subscribed.has(surface)) {
             worker.taken(surface);
@@ -71,7 +71,7 @@ export class SurfaceFeed {
         }
         this.troubles.delete(surface);
         const before = this.waiting.get(surface) ?? [];
-        const whole = fromVertex === 0 && fromIndex === 0;
+        const whole = fromVertex + fromSeed + fromIndex === 0;
         // Drawn unseen it would cost as much as seen.
         if (whole) for (const _ of before) worker.taken(surface);
         this.waiting.set(surface, whole ? [arrived] : [...before, arrived]);

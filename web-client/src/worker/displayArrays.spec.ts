@@ -17,6 +17,7 @@ beforeAll(async () => {
 /** What a page has that puts every change in its place. */
 class Screen {
     private readonly room = { positions: new Float32Array(9000), normals: new Float32Array(9000) };
+    private readonly seeds = new Float32Array(6000);
     private readonly scalars = new Float32Array(3000);
     private readonly indices = new Uint32Array(60_000);
     private vertices = 0;
@@ -24,25 +25,37 @@ class Screen {
 
     put(change: MeshChange): void {
         this.room.positions.set(change.positions, 3 * change.fromVertex);
-        this.room.normals.set(change.normals, 3 * change.fromVertex);
-        this.scalars.set(change.scalars, change.fromVertex);
+        this.room.normals.set(change.normals, 3 * change.fromNormal);
+        this.seeds.set(change.seeds, 2 * change.fromSeed);
+        for (const { name, fromVertex, values } of change.scalars) {
+            if (name === 'speed') this.scalars.set(values, fromVertex);
+        }
         this.indices.set(change.indices, change.fromIndex);
         ({ vertices: this.vertices, triangles: this.triangles } = change);
     }
 
-    get picture(): Record<'positions' | 'normals' | 'scalars' | 'indices', number[]> {
+    get picture(): Record<'positions' | 'normals' | 'seeds' | 'scalars' | 'indices', number[]> {
         return {
             positions: [...this.room.positions.subarray(0, 3 * this.vertices)],
             normals: [...this.room.normals.subarray(0, 3 * this.vertices)],
+            seeds: [...this.seeds.subarray(0, 2 * this.vertices)],
             scalars: [...this.scalars.subarray(0, this.vertices)],
             indices: [...this.indices.subarray(0, 3 * this.triangles)],
         };
     }
 }
 
+const attributes = ['speed', 's', 't'].slice(0, ranges.length);
+
+function display(): DisplayArrays {
+    const made = new DisplayArrays(lattice, attributes);
+    made.show(['speed'], null);
+    return made;
+}
+
 function whole(update: AppliedUpdate): Screen {
     const screen = new Screen();
-    screen.put(new DisplayArrays(lattice, 0).take(update.mesh));
+    screen.put(display().take(update.mesh));
     return screen;
 }
 
@@ -50,15 +63,15 @@ function whole(update: AppliedUpdate): Screen {
 function play(still: boolean, seed: number, check: (screen: Screen, update: AppliedUpdate) => void): number {
     const random = seededRandom(seed);
     const decoder = new MeshDecoder(points, lattice, ranges.length);
-    const display = new DisplayArrays(lattice, 0);
+    const shown = display();
     const screen = new Screen();
     let partial = 0;
     for (const frame of randomUpdates(seed, 150, still).flatMap(({ frames }) => frames)) {
         const update = decoder.fold(frame);
         if (update === undefined) continue;
-        display.note(update);
+        shown.note(update);
         if (random() % 3 === 0) continue;
-        const change = display.take(update.mesh);
+        const change = shown.take(update.mesh);
         partial += change.fromVertex > 0 && change.fromIndex > 0 ? 1 : 0;
         screen.put(change);
         check(screen, update);
@@ -90,11 +103,11 @@ describe('DisplayArrays', () => {
         const [{ frames, state }] = randomUpdates(33, 1) as [ReturnType<typeof randomUpdates>[0]];
         const decoder = new MeshDecoder(points, lattice, ranges.length);
         const update = frames.map((frame) => decoder.fold(frame)).at(-1)!;
-        const { positions, scalars } = new DisplayArrays(lattice, 0).take(update.mesh);
+        const { positions, scalars } = display().take(update.mesh);
         state.positions.forEach(([x, y, z], v) => {
             const expected = [10 + x! / 4, -2 + y! / 4, 5 + z! / 4];
             expect([...positions.subarray(3 * v, 3 * v + 3)]).toEqual(expected);
-            expect(scalars[v]).toBeCloseTo(-1 + (4 * state.codes[v]![0]!) / 65535, 6);
+            expect(scalars[0]!.values[v]).toBeCloseTo(-1 + (4 * state.codes[v]![0]!) / 65535, 6);
         });
     });
 });

@@ -1,64 +1,95 @@
-// The state of a surface as the GPU takes it: float32 positions, normals, one scalar, triangles. Keeps what
-// it has made, so that a surface that only grows costs what has grown.
+// The state of a surface as the GPU takes it: float32 positions, normals, s and t, the attributes that are shown, triangles.
+// Keeps what it has made, so that a surface that only grows costs what has grown.
 import { cellStride } from '../protocol/cell.ts';
 import { dequantise, type Lattice } from '../protocol/lattice.ts';
 import type { AppliedUpdate } from '../protocol/meshDecoder.ts';
 import { triangleCount, triangulate } from '../protocol/triangulate.ts';
-import { type Channel, lastCode, type WireMesh } from '../protocol/wireMesh.ts';
+import { lastCode, type WireMesh } from '../protocol/wireMesh.ts';
 import { addNormals } from './normals.ts';
-import type { MeshChange } from './workerMessages.ts';
+import { findParts } from './parts.ts';
+import type { MeshChange, PartsFound, PartsWish, ScalarChange } from './workerMessages.ts';
 
 export class DisplayArrays {
     private readonly lattice: Lattice;
-    /** Which attribute is shown; -1: none. */
-    private readonly scalar: number;
+    private readonly attributes: readonly string[];
+    /** By the name of an attribute that is shown: from which vertex on it has changed. */
+    private shown = new Map<string, number>();
+    private partsWish: PartsWish | null = null;
+    private partsAsked = false;
     private positions = new Float32Array(0);
     private indices = new Uint32Array(0);
     private triangles = 0;
     private cellsCut = 0;
     /** What has changed since take(). */
     private fromVertex = 0;
+    private fromNormal = 0;
+    private fromSeed = 0;
     private fromCell = 0;
 
-    constructor(lattice: Lattice, scalar: number) {
+    /** @param attributes what the frames carry, in their order */
+    constructor(lattice: Lattice, attributes: readonly string[]) {
         this.lattice = lattice;
-        this.scalar = scalar;
+        this.attributes = attributes;
+    }
+
+    /** Whether take() has anything new to give because of it. */
+    show(attributes: readonly string[], parts: PartsWish | null): boolean {
+        const known = attributes.filter((name) => this.attributes.includes(name));
+        const added = known.some((name) => !this.shown.has(name));
+        this.shown = new Map(known.map((name) => [name, this.shown.get(name) ?? 0]));
+        const asked = parts !== null && JSON.stringify(parts) !== JSON.stringify(this.partsWish);
+        this.partsWish = parts;
+        this.partsAsked ||= asked;
+        return added || asked;
     }
 
     /** Notes what an update has changed; cheap, because states that are never shown need no arrays. */
     note({ header, edit, cells, mesh }: AppliedUpdate): void {
         const { removedVertices, movedVertices, removedCells, replacedCells } = edit;
-        if (header.key || removedVertices.count + removedCells.count > 0) this.fromVertex = this.fromCell = 0;
+        const stayed = mesh.vertices - edit.addedVertices;
+        // Those behind a vertex that goes close up.
+        const born = header.key ? 0 : Math.min(stayed, removedVertices.all[0]?.begin ?? stayed);
+        const changed = Math.min(born, movedVertices.all[0]?.begin ?? born);
+        this.fromSeed = Math.min(this.fromSeed, born);
+        this.fromVertex = Math.min(this.fromVertex, changed);
+        for (const [name, from] of this.shown) this.shown.set(name, Math.min(from, changed));
         // A vertex that has moved turns the normals all around it, in front of it and behind it in the order.
-        else if (movedVertices.count > 0) this.fromVertex = 0;
-        const stayed = mesh.cellCount - cells.length / cellStride + replacedCells.count;
-        this.fromCell = Math.min(this.fromCell, replacedCells.all[0]?.begin ?? stayed);
-        this.fromVertex = Math.min(this.fromVertex, mesh.vertices - edit.addedVertices);
-        if (this.fromVertex > 0) this.fromVertex = lowest(cells, this.fromVertex);
+        const turned = header.key || removedVertices.count + removedCells.count + movedVertices.count > 0;
+        this.fromNormal = Math.min(this.fromNormal, turned ? 0 : stayed);
+        if (this.fromNormal > 0) this.fromNormal = lowest(cells, this.fromNormal);
+        const keptCells = mesh.cellCount - cells.length / cellStride + replacedCells.count;
+        if (header.key || removedVertices.count + removedCells.count > 0) this.fromCell = 0;
+        this.fromCell = Math.min(this.fromCell, replacedCells.all[0]?.begin ?? keptCells);
+        this.partsAsked ||= this.partsWish !== null && (turned || cells.length > 0);
     }
 
     /** All that has been noted, in arrays to give away. */
     take(mesh: WireMesh): MeshChange {
-        const { fromVertex } = this;
+        const { fromVertex, fromNormal, fromSeed } = this;
         const { vertices } = mesh;
         this.positions = grown(this.positions, 3 * vertices);
         const nodes = mesh.position.values.subarray(3 * fromVertex, 3 * vertices);
         dequantise(this.lattice, nodes, this.positions.subarray(3 * fromVertex));
         const fromIndex = this.cutNewCells(mesh.cells);
-        const normals = new Float32Array(3 * (vertices - fromVertex));
-        addNormals(this.positions, this.indices.subarray(0, 3 * this.triangles), fromVertex, normals);
-        this.fromVertex = vertices;
-        this.fromCell = mesh.cellCount;
-        return {
+        const normals = new Float32Array(3 * (vertices - fromNormal));
+        addNormals(this.positions, this.indices.subarray(0, 3 * this.triangles), fromNormal, normals);
+        const change = {
             vertices,
             triangles: this.triangles,
             fromVertex,
             positions: this.positions.slice(3 * fromVertex, 3 * vertices),
+            fromNormal,
             normals,
-            scalars: this.scalarsOf(mesh, fromVertex),
+            fromSeed,
+            seeds: this.seedsOf(mesh, fromSeed),
+            scalars: this.scalarsOf(mesh),
             fromIndex,
             indices: this.indices.slice(fromIndex, 3 * this.triangles),
+            parts: this.partsOf(mesh),
         };
+        this.fromVertex = this.fromNormal = this.fromSeed = vertices;
+        this.fromCell = mesh.cellCount;
+        return change;
     }
 
     /** Triangles of the cells that have changed; where they begin among the indices. */
@@ -76,17 +107,49 @@ export class DisplayArrays {
         return 3 * before;
     }
 
-    private scalarsOf(mesh: WireMesh, from: number): Float32Array {
-        const scalars = new Float32Array(mesh.vertices - from);
-        const codes: Channel | undefined = mesh.codes[this.scalar];
-        const range = mesh.ranges[this.scalar];
-        if (codes === undefined || range === undefined) return scalars;
-        const width = range.hi - range.lo;
-        const { values } = codes;
-        for (let i = 0; i < scalars.length; i += 1) {
-            scalars[i] = range.lo + (width * values[from + i]!) / lastCode;
+    private seedsOf(mesh: WireMesh, from: number): Float32Array {
+        const seeds = new Float32Array(2 * (mesh.vertices - from));
+        this.fill(mesh, 's', from, seeds, 2, 0);
+        this.fill(mesh, 't', from, seeds, 2, 1);
+        return seeds;
+    }
+
+    private scalarsOf(mesh: WireMesh): ScalarChange[] {
+        const changes: ScalarChange[] = [];
+        for (const [name, fromVertex] of this.shown) {
+            if (fromVertex >= mesh.vertices) continue;
+            const values = new Float32Array(mesh.vertices - fromVertex);
+            this.fill(mesh, name, fromVertex, values, 1, 0);
+            changes.push({ name, fromVertex, values });
+            this.shown.set(name, mesh.vertices);
         }
-        return scalars;
+        return changes;
+    }
+
+    private partsOf(mesh: WireMesh): PartsFound | null {
+        if (!this.partsAsked || this.partsWish === null) return null;
+        this.partsAsked = false;
+        const seeds = this.seedsOf(mesh, 0);
+        return findParts(mesh.cells, mesh.vertices, seeds, this.partsWish);
+    }
+
+    /** The values of an attribute from some vertex on; those of one that does not come stay 0. */
+    private fill(
+        mesh: WireMesh,
+        name: string,
+        from: number,
+        into: Float32Array,
+        stride: number,
+        offset: number,
+    ): void {
+        const channel = this.attributes.indexOf(name);
+        const values = mesh.codes[channel]?.values;
+        const range = mesh.ranges[channel];
+        if (values === undefined || range === undefined) return;
+        const scale = (range.hi - range.lo) / lastCode;
+        for (let i = from, at = offset; i < mesh.vertices; i += 1, at += stride) {
+            into[at] = range.lo + scale * values[i]!;
+        }
     }
 }
 

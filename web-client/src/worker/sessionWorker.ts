@@ -65,6 +65,7 @@ class SessionWorker {
         } else if (message.type === 'notify') {
             this.socket.send(encodeNotification(message.method, message.params));
         } else if (message.type === 'taken') this.folder.taken(message.surface);
+        else if (message.type === 'show') this.folder.show(message.surface, message.attributes, message.parts);
         else if (message.type === 'forget') this.folder.forget(message.surface);
         else if (message.type === 'retryNow') this.socket.retryNow();
     }
@@ -148,8 +149,10 @@ class SessionWorker {
     }
 
     private sendState(state: SurfaceState): void {
-        const { positions, normals, scalars, indices } = state;
-        const transfer = [positions.buffer, normals.buffer, scalars.buffer, indices.buffer];
+        const { positions, normals, seeds, scalars, indices, parts } = state;
+        const arrays: ArrayBufferView[] = [positions, normals, seeds, indices, ...scalars.map(({ values }) => values)];
+        if (parts !== null) arrays.push(parts.hidden);
+        const transfer = arrays.map(({ buffer }) => buffer as ArrayBuffer);
         this.port.postMessage({ type: 'surface', ...state }, transfer);
     }
 }

@@ -5,11 +5,18 @@ import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { MeshDecoder } from '../protocol/meshDecoder.ts';
 import { surfaceOf } from '../protocol/meshFrame.ts';
 import { DisplayArrays } from './displayArrays.ts';
-import type { SurfaceState } from './workerMessages.ts';
+import type { PartsWish, SurfaceState } from './workerMessages.ts';
 
 /** One on its way to the screen, and one to be there at once afterwards. */
 const statesUntaken = 2;
-const shownAttribute = 'speed';
+
+/** What the page wants of a surface. */
+interface Wish {
+    attributes: readonly string[];
+    parts: PartsWish | null;
+}
+
+const firstWish: Wish = { attributes: ['speed'], parts: null };
 
 export interface UpdatePlace {
     epoch: number;
@@ -39,6 +46,7 @@ interface Followed {
 export class SurfaceFolder {
     private readonly options: SurfaceFolderOptions;
     private readonly followed = new Map<string, Followed>();
+    private readonly wishes = new Map<string, Wish>();
     /** Only of this connection; the states outlive it. */
     private readonly bySubscription = new Map<number, Followed>();
 
@@ -62,10 +70,13 @@ export class SurfaceFolder {
             this.bySubscription.set(subscription, known);
             return;
         }
+        const display = new DisplayArrays(lattice, attributes);
+        const wish = this.wishes.get(surface) ?? firstWish;
+        display.show(wish.attributes, wish.parts);
         const followed = {
             surface,
             decoder: new MeshDecoder(this.options.draco, lattice, attributes.length),
-            display: new DisplayArrays(lattice, attributes.indexOf(shownAttribute)),
+            display,
             untaken: known?.untaken ?? 0,
             keys: known?.keys ?? 0,
             deltas: known?.deltas ?? 0,
@@ -77,7 +88,17 @@ export class SurfaceFolder {
         this.bySubscription.set(subscription, followed);
     }
 
+    /** Sends at once what is asked for and is here. */
+    show(surface: string, attributes: readonly string[], parts: PartsWish | null): void {
+        this.wishes.set(surface, { attributes, parts });
+        const followed = this.followed.get(surface);
+        if (followed === undefined || !followed.display.show(attributes, parts)) return;
+        followed.news = true;
+        this.offer(followed);
+    }
+
     forget(surface: string): void {
+        this.wishes.delete(surface);
         const followed = this.followed.get(surface);
         this.followed.delete(surface);
         for (const [subscription, each] of this.bySubscription) {

@@ -7,6 +7,7 @@ import type {
     GeometryArrays,
     LatticeMessage,
     MessageOf,
+    PartsWish,
     ToWorker,
 } from './workerMessages.ts';
 import { Watchdog } from './watchdog.ts';
@@ -92,6 +93,11 @@ export class WorkerClient {
     /** A state of the surface is on the screen, or will never be. */
     taken(surface: string): void {
         this.post({ type: 'taken', surface });
+    }
+
+    /** What of a surface is drawn; until told, the speed. */
+    show(surface: string, attributes: readonly string[], parts: PartsWish | null): void {
+        this.post({ type: 'show', surface, attributes, parts });
     }
 
     forget(surface: string): void {

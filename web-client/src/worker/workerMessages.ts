@@ -12,6 +12,8 @@ export interface ToWorker {
     obstacle: { id: number; dataset: string; lattice: LatticeMessage };
     /** A state of this surface is on the screen: the next one may come. */
     taken: { surface: string };
+    /** Of the surface's attributes, the page wants these; of its parts, what is asked here. */
+    show: { surface: string; attributes: readonly string[]; parts: PartsWish | null };
     /** The surface is no more. */
     forget: { surface: string };
     /** The browser believes that it is online again. */
@@ -62,17 +64,47 @@ export interface SurfaceState extends MeshChange {
     decodeMs: number;
 }
 
+/** Every array holds what is new: from some vertex, or some index, to the last; what is before is as it was. */
 export interface MeshChange {
     vertices: number;
     triangles: number;
-    /** The arrays hold the vertices from here to the last; those before are as they were. */
     fromVertex: number;
     positions: Float32Array;
+    fromNormal: number;
     normals: Float32Array;
-    scalars: Float32Array;
-    /** The indices from here to the last; those before are as they were. */
+    /** s and t, which do not change once a vertex is there. */
+    fromSeed: number;
+    seeds: Float32Array;
+    scalars: ScalarChange[];
     fromIndex: number;
     indices: Uint32Array;
+    /** Null: as before, or not asked for. */
+    parts: PartsFound | null;
+}
+
+export interface ScalarChange {
+    name: string;
+    fromVertex: number;
+    values: Float32Array;
+}
+
+/** Those parts are hidden that hold the vertex nearest to one of these places, [s, t]. */
+export interface PartsWish {
+    hidden: readonly (readonly [number, number])[];
+}
+
+/** Connected parts of a surface, in the order of their first vertices. */
+export interface PartsFound {
+    /** 1 for each vertex of a hidden part. */
+    hidden: Uint8Array;
+    parts: Part[];
+}
+
+export interface Part {
+    cells: number;
+    /** Of its first vertex, which names the part. */
+    seed: [number, number];
+    hidden: boolean;
 }
 
 export interface GeometryArrays {

@@ -1,70 +1,159 @@
-// How a surface looks: coloured by a scalar through the colour table, lit on both sides. The side
-// turned away from the release direction is darker and less saturated, so that folds stay readable.
+// The materials of one surface: the programs are shared by all, the uniforms are the surface's own.
 import {
-    DataTexture,
+    Color,
+    CustomBlending,
+    type DataTexture,
     DoubleSide,
-    LinearFilter,
-    RGBAFormat,
+    GLSL3,
+    NoBlending,
+    OneFactor,
+    OneMinusSrcAlphaFactor,
     ShaderMaterial,
-    SRGBColorSpace,
-    UnsignedByteType,
     Vector2,
+    Vector4,
+    ZeroFactor,
 } from 'three';
-import { colorTable, tableSize } from './colorMap.ts';
+import { drawnRange } from './colorMap.ts';
+import { fragmentShader, pickFragmentShader, vertexShader } from './surfaceShader.ts';
+import type { SurfaceStyle } from './surfaceStyle.ts';
+import type { SurfaceTextures } from './surfaceTextures.ts';
 
-const vertexShader = `
-attribute float scalar;
-uniform vec2 range;
-varying vec3 viewNormal;
-varying vec3 viewPosition;
-varying float fraction;
+/** A number that nothing on a surface reaches. */
+const far = 1e30;
+const sources = ['constant', 'scalar', 's', 't', 'age'] as const;
+const backSides = ['same', 'shaded', 'tinted'] as const;
+const patterns = ['none', 'timelines', 'streamlines', 'grid', 'checker'] as const;
 
-void main() {
-    vec4 inView = modelViewMatrix * vec4(position, 1.0);
-    viewPosition = inView.xyz;
-    viewNormal = normalMatrix * normal;
-    fraction = (scalar - range.x) / max(range.y - range.x, 1e-30);
-    gl_Position = projectionMatrix * inView;
-}`;
-
-const fragmentShader = `
-uniform sampler2D colors;
-varying vec3 viewNormal;
-varying vec3 viewPosition;
-varying float fraction;
-
-void main() {
-    vec3 toViewer = normalize(-viewPosition);
-    vec3 n = normalize(viewNormal);
-    n = dot(n, toViewer) < 0.0 ? -n : n;
-    float at = (clamp(fraction, 0.0, 1.0) * ${tableSize - 1}.0 + 0.5) / ${tableSize}.0;
-    // The texture is declared sRGB: the sampler hands out linear values, ready for lighting.
-    vec3 base = texture2D(colors, vec2(at, 0.5)).rgb;
-    if (!gl_FrontFacing) {
-        float grey = dot(base, vec3(0.2126, 0.7152, 0.0722));
-        base = mix(base, vec3(grey), 0.15) * 0.8;
-    }
-    const vec3 key = vec3(0.286, 0.477, 0.831);
-    float diffuse = 0.38 + 0.5 * max(dot(n, key), 0.0) + 0.24 * max(dot(n, toViewer), 0.0);
-    vec3 halfway = normalize(key + toViewer);
-    float shine = 0.07 * pow(max(dot(n, halfway), 0.0), 40.0);
-    gl_FragColor = vec4(base * diffuse + vec3(shine), 1.0);
-    #include <colorspace_fragment>
-}`;
-
-export function createSurfaceMaterial(): ShaderMaterial {
-    return new ShaderMaterial({
-        vertexShader,
-        fragmentShader,
-        uniforms: { range: { value: new Vector2(0, 1) }, colors: { value: colorTexture() } },
-        side: DoubleSide,
-    });
+/** Planes that cut nothing. */
+export function noPlanes(): Vector4[] {
+    return [0, 1, 2].map(() => new Vector4(0, 0, 0, 1));
 }
 
-function colorTexture(): DataTexture {
-    const texture = new DataTexture(colorTable(), tableSize, 1, RGBAFormat, UnsignedByteType);
-    texture.colorSpace = SRGBColorSpace;
-    texture.minFilter = texture.magFilter = LinearFilter;
-    texture.needsUpdate = true;
-    return texture;
+/** Of all surfaces together; the same objects in every material. */
+export function sharedUniforms(textures: SurfaceTextures) {
+    return {
+        clip: { value: noPlanes() },
+        depthRange: { value: new Vector2(0, 1) },
+        respectPaint: { value: true },
+        flowShift: { value: 0 },
+        noise: { value: textures.noise },
+    };
+}
+export type SharedUniforms = ReturnType<typeof sharedUniforms>;
+
+function ownUniforms(textures: SurfaceTextures) {
+    return {
+        pickId: { value: 0 },
+        source: { value: 1 },
+        ageOf: { value: new Vector2(0, 1) },
+        window: { value: new Vector4(-far, far, -far, far) },
+        painting: { value: false },
+        faded: { value: 0 },
+        maskT: { value: new Vector2(0, 1) },
+        mask: { value: textures.blank },
+        opacity: { value: 1 },
+        colors: { value: textures.colors('viridis') },
+        constant: { value: new Color(1, 1, 1) },
+        range: { value: new Vector2(0, 1) },
+        inverted: { value: false },
+        logarithmic: { value: false },
+        backSide: { value: 1 },
+        silhouettes: { value: false },
+        angleOpacity: { value: false },
+        smoke: { value: 0 },
+        stretchKnown: { value: false },
+        areaPerSeed: { value: 1 },
+        ageSpan: { value: 1 },
+        lines: { value: 0 },
+        lineDensity: { value: 1 },
+        textured: { value: false },
+        patternT: { value: new Vector2(0, 1) },
+    };
+}
+
+/** What a style needs to know of the mesh. */
+export interface MeshFacts {
+    time: number;
+    scalarRange: readonly [number, number];
+    tRange: readonly [number, number];
+    hasStretch: boolean;
+}
+
+export class SurfaceMaterials {
+    readonly opaque: ShaderMaterial;
+    readonly blended: ShaderMaterial;
+    readonly pick: ShaderMaterial;
+    /** What is drawn as the two ends of the colours. */
+    range: [number, number] = [0, 1];
+    private readonly own: ReturnType<typeof ownUniforms>;
+    private readonly textures: SurfaceTextures;
+
+    constructor(textures: SurfaceTextures, shared: SharedUniforms) {
+        this.textures = textures;
+        this.own = ownUniforms(textures);
+        const uniforms = { ...this.own, ...shared };
+        const common = { glslVersion: GLSL3, vertexShader, uniforms, side: DoubleSide };
+        this.opaque = new ShaderMaterial({ ...common, fragmentShader });
+        this.blended = new ShaderMaterial({
+            ...common,
+            fragmentShader,
+            defines: { BLENDED: 1 },
+            transparent: true,
+            depthWrite: false,
+            // Colours add up; alpha becomes the product of what passes through (blending.ts).
+            blending: CustomBlending,
+            blendSrc: OneFactor,
+            blendDst: OneFactor,
+            blendSrcAlpha: ZeroFactor,
+            blendDstAlpha: OneMinusSrcAlphaFactor,
+        });
+        this.pick = new ShaderMaterial({ ...common, fragmentShader: pickFragmentShader, blending: NoBlending });
+    }
+
+    set pickId(id: number) {
+        this.own.pickId.value = id;
+    }
+
+    setMask(mask: DataTexture | null, from: number, scale: number): void {
+        this.own.mask.value = mask ?? this.textures.blank;
+        this.own.maskT.value.set(from, scale);
+    }
+
+    apply(style: SurfaceStyle, facts: MeshFacts): void {
+        const { own } = this;
+        const { sWindow, ageWindow } = style;
+        const ageSign = style.tIsRelease ? -1 : 1;
+        const ageStart = style.tIsRelease ? facts.time : 0;
+        const ages = facts.tRange.map((t) => ageStart + ageSign * t).sort((a, b) => a - b);
+        own.source.value = sources.indexOf(style.source);
+        own.ageOf.value.set(ageStart, ageSign);
+        own.window.value.set(...(sWindow ?? [-far, far]), ...(ageWindow ?? [-far, far]));
+        own.painting.value = style.painting;
+        own.faded.value = style.faded;
+        own.opacity.value = style.opacity;
+        own.colors.value = this.textures.colors(style.map);
+        own.constant.value.set(style.color);
+        own.inverted.value = style.inverted;
+        own.logarithmic.value = style.logarithmic;
+        const seen = { constant: [0, 1], scalar: facts.scalarRange, s: [0, 1], t: facts.tRange, age: ages }[style.source];
+        const wanted = style.range ?? [seen[0] ?? 0, seen[1] ?? 1];
+        this.range = drawnRange(wanted, style.logarithmic, style.centre);
+        const [low, high] = style.logarithmic ? this.range.map(Math.log) : this.range;
+        own.range.value.set(low!, high!);
+        own.backSide.value = backSides.indexOf(style.backSide);
+        own.silhouettes.value = style.silhouettes;
+        own.angleOpacity.value = style.angleOpacity;
+        own.smoke.value = style.smoke;
+        own.stretchKnown.value = facts.hasStretch;
+        own.areaPerSeed.value = style.areaPerSeed;
+        own.ageSpan.value = Math.max(1e-30, ages[1] ?? 1);
+        own.lines.value = patterns.indexOf(style.lines);
+        own.lineDensity.value = style.density;
+        own.textured.value = style.texture;
+        own.patternT.value.set(style.tOrigin, ageSign);
+    }
+
+    dispose(): void {
+        for (const material of [this.opaque, this.blended, this.pick]) material.dispose();
+    }
 }

@@ -7,31 +7,66 @@ import {
     Mesh,
     type ShaderMaterial,
     Sphere,
+    type TypedArray,
 } from 'three';
+import type { Vec3 } from '../../protocol/messages.ts';
 
-/** What is new in a mesh: everything from some vertex and some index on. */
+/** What is new in a mesh: of each array, everything from some vertex or some index on. */
 export interface MeshChange {
+    /** Simulation time of the state. */
+    time: number;
     vertices: number;
     triangles: number;
     fromVertex: number;
     positions: Float32Array;
+    fromNormal: number;
     normals: Float32Array;
-    scalars: Float32Array;
+    /** s and t. */
+    fromSeed: number;
+    seeds: Float32Array;
+    scalars: readonly { name: string; fromVertex: number; values: Float32Array }[];
     fromIndex: number;
     indices: Uint32Array;
+    parts: { hidden: Uint8Array } | null;
 }
 
+/** A vertex as it is drawn; `scalar` is what the surface is coloured by, if that comes from the server. */
+export interface SurfaceVertex {
+    point: Vec3;
+    scalar: number;
+    s: number;
+    t: number;
+}
+
+type Range = [number, number];
+
 const smallestCapacity = 1 << 14;
-const attributes = [
-    ['position', 3],
-    ['normal', 3],
-    ['scalar', 1],
-] as const;
+export const stretchName = 'deformation';
+
+/** What a buffer holds; those that are not always there are made when first filled. */
+const kinds = {
+    position: { size: 3, array: Float32Array },
+    normal: { size: 3, array: Float32Array },
+    seed: { size: 2, array: Float32Array },
+    scalar: { size: 1, array: Float32Array },
+    stretch: { size: 1, array: Float32Array },
+    hiddenPart: { size: 1, array: Uint8Array },
+} as const;
+type Kind = keyof typeof kinds;
 
 export class SurfaceMesh {
     readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
+    /** Which attribute the surface is to be coloured by, and which one its buffer holds. */
+    wantedScalar = 'speed';
+    shownScalar = '';
+    time = 0;
+    vertices = 0;
+    /** Of all values so far, since the buffers were last filled from the start. */
+    scalarRange: Range = emptyRange();
+    tRange: Range = emptyRange();
     private vertexCapacity = 0;
     private indexCapacity = 0;
+    private readonly used = new Set<Kind>(['position', 'normal', 'seed', 'scalar']);
 
     constructor(material: ShaderMaterial) {
         this.mesh = new Mesh(new BufferGeometry(), material);
@@ -39,47 +74,86 @@ export class SurfaceMesh {
         this.mesh.frustumCulled = false;
     }
 
+    get hasStretch(): boolean {
+        return this.used.has('stretch');
+    }
+
     update(change: MeshChange): void {
-        const { vertices, triangles, fromVertex, positions, normals, scalars } = change;
+        const { vertices, triangles, fromVertex, fromSeed, positions, normals, seeds, parts } = change;
         this.reserve(vertices, 3 * triangles);
+        this.time = change.time;
+        this.vertices = vertices;
+        this.refill('position', positions, 3 * fromVertex);
+        this.refill('normal', normals, 3 * change.fromNormal);
+        this.refill('seed', seeds, 2 * fromSeed);
+        this.tRange = widened(fromSeed === 0 && seeds.length > 0 ? emptyRange() : this.tRange, seeds, 2, 1);
+        for (const each of change.scalars) this.takeScalar(each.name, each.values, each.fromVertex);
+        if (parts !== null) this.refill('hiddenPart', parts.hidden, 0);
         const { geometry } = this.mesh;
-        refill(this.attribute('position'), positions, 3 * fromVertex);
-        refill(this.attribute('normal'), normals, 3 * fromVertex);
-        refill(this.attribute('scalar'), scalars, fromVertex);
         if (geometry.index !== null) refill(geometry.index, change.indices, change.fromIndex);
         geometry.setDrawRange(0, 3 * triangles);
         this.mesh.visible = triangles > 0;
     }
 
-    vertex(i: number): { point: [number, number, number]; scalar: number } {
-        const position = this.attribute('position');
-        const point: [number, number, number] = [position.getX(i), position.getY(i), position.getZ(i)];
-        return { point, scalar: this.attribute('scalar').getX(i) };
+    vertex(i: number): SurfaceVertex {
+        const [position, seed] = [this.attribute('position'), this.attribute('seed')];
+        return {
+            point: [position.getX(i), position.getY(i), position.getZ(i)],
+            scalar: this.attribute('scalar').getX(i),
+            s: seed.getX(i),
+            t: seed.getY(i),
+        };
     }
 
     dispose(): void {
         this.mesh.geometry.dispose();
     }
 
-    private attribute(name: string): BufferAttribute {
+    private takeScalar(name: string, values: Float32Array, from: number): void {
+        if (name === stretchName) this.refill('stretch', values, from);
+        const changesOver = name === this.wantedScalar && name !== this.shownScalar && from === 0;
+        if (changesOver) this.shownScalar = name;
+        // What was shown before goes on until what is wanted is here.
+        if (name !== this.shownScalar) return;
+        this.refill('scalar', values, from);
+        this.scalarRange = widened(from === 0 ? emptyRange() : this.scalarRange, values, 1, 0);
+    }
+
+    private attribute(name: Kind): BufferAttribute {
         return this.mesh.geometry.getAttribute(name) as BufferAttribute;
+    }
+
+    private refill(name: Kind, values: TypedArray, from: number): void {
+        if (values.length === 0) return;
+        if (!this.used.has(name)) {
+            this.used.add(name);
+            // Made with the others: the vertex array on the GPU is bound to the geometry as a whole.
+            this.rebuild();
+        }
+        refill(this.attribute(name), values, from);
     }
 
     private reserve(vertices: number, indices: number): void {
         if (vertices <= this.vertexCapacity && indices <= this.indexCapacity) return;
         this.vertexCapacity = grown(this.vertexCapacity, vertices);
         this.indexCapacity = grown(this.indexCapacity, indices);
-        // A buffer on the GPU cannot grow: a larger geometry takes the place of the old one.
+        this.rebuild();
+    }
+
+    /** A buffer on the GPU cannot grow: a larger geometry takes the place of the old one. */
+    private rebuild(): void {
         const old = this.mesh.geometry;
         old.dispose();
         const geometry = new BufferGeometry();
-        for (const [name, itemSize] of attributes) {
-            const attribute = new BufferAttribute(new Float32Array(this.vertexCapacity * itemSize), itemSize);
+        for (const name of this.used) {
+            const { size, array } = kinds[name];
+            const attribute = new BufferAttribute(new array(this.vertexCapacity * size), size);
             geometry.setAttribute(name, dynamic(attribute, old.attributes[name]));
         }
         const index = new BufferAttribute(new Uint32Array(this.indexCapacity), 1);
         geometry.setIndex(dynamic(index, old.index));
         geometry.boundingSphere = new Sphere(undefined, Number.POSITIVE_INFINITY);
+        geometry.setDrawRange(old.drawRange.start, old.drawRange.count);
         this.mesh.geometry = geometry;
     }
 }
@@ -90,6 +164,20 @@ function grown(capacity: number, needed: number): number {
     return size;
 }
 
+function emptyRange(): Range {
+    return [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+}
+
+function widened([low, high]: Range, values: Float32Array, stride: number, offset: number): Range {
+    let [least, most] = [low, high];
+    for (let i = offset; i < values.length; i += stride) {
+        const value = values[i]!;
+        if (value < least) least = value;
+        if (value > most) most = value;
+    }
+    return [least, most];
+}
+
 /** Refilled often, and beginning like the attribute whose place it takes. */
 function dynamic(attribute: BufferAttribute, old: { array: ArrayLike<number> } | null | undefined): BufferAttribute {
     attribute.setUsage(DynamicDrawUsage);
@@ -98,7 +186,7 @@ function dynamic(attribute: BufferAttribute, old: { array: ArrayLike<number> } |
 }
 
 /** Marks one range for the upload, around all that has changed since the last. */
-function refill(attribute: BufferAttribute, values: Float32Array | Uint32Array, from: number): void {
+function refill(attribute: BufferAttribute, values: TypedArray, from: number): void {
     if (values.length === 0) return;
     attribute.array.set(values, from);
     let [start, end] = [from, from + values.length];

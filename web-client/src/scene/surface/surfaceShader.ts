@@ -1,0 +1,173 @@
+// The shader of the surfaces, one text for three programs: OPAQUE draws, BLENDED adds to the targets of transparency
+// (blending.ts), PICK writes what is where (surfacePick.ts). Looks differ in uniforms alone.
+import { patternGlsl } from './patternShader.ts';
+import { tableSize } from './colorMap.ts';
+
+export const vertexShader = `
+attribute vec2 seed;
+attribute float scalar;
+attribute float stretch;
+attribute float hiddenPart;
+uniform int source;
+uniform vec2 ageOf;
+out vec3 viewNormal;
+out vec3 viewPosition;
+out vec3 worldPosition;
+out vec2 place;
+// What colours, age, stretching, whether hidden.
+out vec4 values;
+
+void main() {
+    vec4 inWorld = modelMatrix * vec4(position, 1.0);
+    vec4 inView = viewMatrix * inWorld;
+    worldPosition = inWorld.xyz;
+    viewPosition = inView.xyz;
+    viewNormal = normalMatrix * normal;
+    place = seed;
+    float age = ageOf.x + ageOf.y * seed.y;
+    float value = source == 1 ? scalar : source == 2 ? seed.x : source == 3 ? seed.y : age;
+    values = vec4(value, age, stretch, hiddenPart);
+    gl_Position = projectionMatrix * inView;
+}`;
+
+const declarations = `
+in vec3 viewNormal;
+in vec3 viewPosition;
+in vec3 worldPosition;
+in vec2 place;
+in vec4 values;
+uniform int source;
+uniform vec4 window;
+uniform vec4 clip[3];
+uniform bool painting;
+uniform float faded;
+uniform vec2 maskT;
+uniform sampler2D mask;
+uniform float opacity;
+
+bool isCut() {
+    bvec2 early = lessThan(vec2(place.x, values.y), window.xz);
+    bvec2 late = greaterThan(vec2(place.x, values.y), window.yw);
+    bool cut = values.w > 0.5 || any(early) || any(late);
+    for (int i = 0; i < 3; ++i) cut = cut || dot(clip[i].xyz, worldPosition) > clip[i].w;
+    return cut;
+}
+
+/** What the painter has left of the opacity. */
+float revealed() {
+    if (!painting) return 1.0;
+    float at = (place.y - maskT.x) * maskT.y;
+    return mix(faded, 1.0, step(0.5, texture(mask, vec2(place.x, at)).r));
+}`;
+
+const shading = `
+uniform sampler2D colors;
+uniform vec3 constant;
+uniform vec2 range;
+uniform bool inverted;
+uniform bool logarithmic;
+uniform int backSide;
+uniform bool silhouettes;
+uniform bool angleOpacity;
+uniform float smoke;
+uniform bool stretchKnown;
+uniform float areaPerSeed;
+uniform float ageSpan;
+
+vec3 baseColor() {
+    if (source == 0) return constant;
+    float value = logarithmic ? log(values.x) : values.x;
+    // No number, or none that has a logarithm.
+    if (isnan(value) || isinf(value)) return vec3(0.2);
+    float fraction = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
+    if (inverted) fraction = 1.0 - fraction;
+    float at = (fraction * ${tableSize - 1}.0 + 0.5) / ${tableSize}.0;
+    // The texture is declared sRGB: the sampler hands out linear values, ready for lighting.
+    return texture(colors, vec2(at, 0.5)).rgb;
+}
+
+vec3 backColor(vec3 base) {
+    float grey = dot(base, vec3(0.2126, 0.7152, 0.0722));
+    if (backSide == 1) return mix(base, vec3(grey), 0.15) * 0.8;
+    if (backSide == 2) return mix(vec3(grey), vec3(0.93, 0.36, 0.12), 0.72) * (0.45 + 0.75 * grey);
+    return base;
+}
+
+/** Light from over the viewer's shoulder, on both sides. */
+vec3 lit(vec3 base, vec3 n, vec3 toViewer) {
+    const vec3 key = vec3(0.286, 0.477, 0.831);
+    float diffuse = 0.38 + 0.5 * max(dot(n, key), 0.0) + 0.24 * max(dot(n, toViewer), 0.0);
+    float shine = 0.07 * pow(max(dot(n, normalize(key + toViewer)), 0.0), 40.0);
+    return base * diffuse + vec3(shine);
+}
+
+/** What is left of the smoke where the surface has been stretched, and with time. */
+float density(float seedsPerPixel, float areaPerPixel) {
+    float known = exp2(-values.z);
+    float guessed = seedsPerPixel * areaPerSeed / max(areaPerPixel, 1e-30);
+    float thinned = clamp(stretchKnown ? known : guessed, 0.02, 1.5);
+    return thinned * clamp(1.0 - values.y / ageSpan, 0.0, 1.0);
+}
+
+float opacityAt(float facing, float seedsPerPixel, float areaPerPixel) {
+    // As of a thin layer: what passes falls with the way through it.
+    float thickness = -log(1.0 - min(opacity, 0.995));
+    if (angleOpacity) thickness /= max(facing, 0.06);
+    if (smoke > 0.0) thickness *= mix(1.0, density(seedsPerPixel, areaPerPixel), smoke);
+    return (1.0 - exp(-thickness)) * revealed();
+}`;
+
+const main = `
+void main() {
+    vec3 toViewer = isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(-viewPosition);
+    vec3 n = normalize(viewNormal);
+    n = dot(n, toViewer) < 0.0 ? -n : n;
+    float facing = dot(n, toViewer);
+    // Differences between pixels come before anything is thrown away.
+    mat2 slope = mat2(dFdx(place), dFdy(place));
+    float areaPerPixel = length(cross(dFdx(worldPosition), dFdy(worldPosition)));
+    float facingSlope = fwidth(facing);
+    if (isCut()) discard;
+    vec3 base = baseColor();
+    if (!gl_FrontFacing) base = backColor(base);
+    base *= pattern(place, slope);
+    vec3 color = lit(base, n, toViewer);
+    float outlined = 0.0;
+    if (silhouettes) outlined = 1.0 - smoothstep(1.0, 2.4, facing / max(facingSlope, 0.004));
+    color *= 1.0 - 0.9 * outlined;
+#ifdef BLENDED
+    float alpha = max(opacityAt(facing, abs(determinant(slope)), areaPerPixel), outlined * revealed());
+    if (alpha < 0.002) discard;
+    float depth = clamp((-viewPosition.z - depthRange.x) / (depthRange.y - depthRange.x), 0.0, 1.0);
+    float weight = 0.02 + 60.0 * pow(1.0 - depth, 5.0);
+    sum = vec4(color * alpha * weight, alpha);
+    weights = vec4(alpha * weight, 0.0, 0.0, 1.0);
+#else
+    if (revealed() < 0.5) discard;
+    drawn = linearToOutputTexel(vec4(color, 1.0));
+#endif
+}`;
+
+const pickMain = `
+uniform float pickId;
+layout(location = 0) out vec4 point;
+layout(location = 1) out vec4 numbers;
+
+void main() {
+    if (isCut() || (respectPaint && revealed() < 0.02)) discard;
+    point = vec4(worldPosition, pickId);
+    numbers = vec4(place, values.x, -viewPosition.z);
+}`;
+
+const outputs = `
+#ifdef BLENDED
+uniform vec2 depthRange;
+layout(location = 0) out vec4 sum;
+layout(location = 1) out vec4 weights;
+#else
+layout(location = 0) out vec4 drawn;
+#endif
+`;
+
+export const fragmentShader = declarations + shading + patternGlsl + outputs + main;
+export const pickFragmentShader = `${declarations}\nuniform bool respectPaint;\n${pickMain}`;

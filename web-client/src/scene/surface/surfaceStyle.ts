@@ -1,0 +1,74 @@
+// How one surface is to be drawn, with everything resolved that the shader cannot know.
+import type { ColorMapName } from './colorMap.ts';
+
+/** Where the number behind the colour comes from; 'scalar': from the server, the others are made from s and t. */
+export type ColorSource = 'constant' | 'scalar' | 's' | 't' | 'age';
+export type LinePattern = 'none' | 'timelines' | 'streamlines' | 'grid' | 'checker';
+export type BackSide = 'shaded' | 'same' | 'tinted';
+
+export interface SurfaceStyle {
+    source: ColorSource;
+    /** Name of the attribute where `source` is 'scalar'. */
+    scalar: string;
+    /** #rrggbb */
+    color: string;
+    map: ColorMapName;
+    inverted: boolean;
+    logarithmic: boolean;
+    /** Null: from the least to the greatest that there is. */
+    range: readonly [number, number] | null;
+    /** The range is made symmetric round this value. */
+    centre: number | null;
+    backSide: BackSide;
+    /** Age is what has passed since t (streak surfaces), or t itself. */
+    tIsRelease: boolean;
+    /** Where stripes begin. */
+    tOrigin: number;
+    opacity: number;
+    angleOpacity: boolean;
+    /** 0 .. 1: how much stretching and age thin the surface out. */
+    smoke: number;
+    /** Area that the rake sweeps per unit of s and t as it releases; the measure of stretching where that is not sent. */
+    areaPerSeed: number;
+    silhouettes: boolean;
+    lines: LinePattern;
+    /** Stripes and texture: 1 as usual, 2 twice as many. */
+    density: number;
+    texture: boolean;
+    sWindow: readonly [number, number] | null;
+    ageWindow: readonly [number, number] | null;
+    painting: boolean;
+    /** Opacity of what is not revealed by painting. */
+    faded: number;
+}
+
+export const plainStyle: SurfaceStyle = {
+    source: 'scalar',
+    scalar: 'speed',
+    color: '#7fb2d9',
+    map: 'viridis',
+    inverted: false,
+    logarithmic: false,
+    range: null,
+    centre: null,
+    backSide: 'shaded',
+    tIsRelease: false,
+    tOrigin: 0,
+    opacity: 1,
+    angleOpacity: false,
+    smoke: 0,
+    areaPerSeed: 1,
+    silhouettes: false,
+    lines: 'none',
+    density: 1,
+    texture: false,
+    sWindow: null,
+    ageWindow: null,
+    painting: false,
+    faded: 0,
+};
+
+/** Whether something behind the surface may be seen through it. */
+export function isTransparent({ opacity, angleOpacity, smoke, painting, faded }: SurfaceStyle): boolean {
+    return opacity < 1 || angleOpacity || smoke > 0 || (painting && faded > 0);
+}

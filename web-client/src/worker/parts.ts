@@ -1,0 +1,70 @@
+// Connected parts of a surface: a tear leaves several. Found by joining the vertices of each cell (disjoint sets with path
+// halving, Tarjan and van Leeuwen 1984).
+import { cellStride, noVertex } from '../protocol/cell.ts';
+import type { Part, PartsFound, PartsWish } from './workerMessages.ts';
+
+/** Of each vertex, the first vertex of its part. */
+export function rootsOf(cells: Int32Array, vertices: number): Int32Array {
+    const parent = Int32Array.from({ length: vertices }, (_, i) => i);
+    const find = (vertex: number): number => {
+        let at = vertex;
+        while (parent[at] !== at) {
+            parent[at] = parent[parent[at]!]!;
+            at = parent[at]!;
+        }
+        return at;
+    };
+    for (let base = 0; base < cells.length; base += cellStride) {
+        const first = cells[base]!;
+        for (let i = 1; i < cellStride; i += 1) {
+            const other = cells[base + i]!;
+            if (other === noVertex) continue;
+            const [a, b] = [find(first), find(other)];
+            // The lower one leads, so that a part keeps its root while it grows.
+            if (a < b) parent[b] = a;
+            else parent[a] = b;
+        }
+    }
+    for (let i = 0; i < vertices; i += 1) parent[i] = find(i);
+    return parent;
+}
+
+/** @param seeds s and t of each vertex */
+export function findParts(cells: Int32Array, vertices: number, seeds: Float32Array, wish: PartsWish): PartsFound {
+    const roots = rootsOf(cells, vertices);
+    const cellsOf = new Map<number, number>();
+    for (let base = 0; base < cells.length; base += cellStride) {
+        const root = roots[cells[base]!]!;
+        cellsOf.set(root, (cellsOf.get(root) ?? 0) + 1);
+    }
+    const hiddenRoots = new Set(wish.hidden.map((place) => roots[nearest(seeds, place)] ?? -1));
+    const parts: Part[] = [...cellsOf]
+        .sort(([a], [b]) => a - b)
+        .map(([root, count]) => ({
+            cells: count,
+            seed: [seeds[2 * root] ?? 0, seeds[2 * root + 1] ?? 0],
+            hidden: hiddenRoots.has(root),
+        }));
+    const hidden = new Uint8Array(vertices);
+    if (hiddenRoots.size > 0) roots.forEach((root, i) => (hidden[i] = hiddenRoots.has(root) ? 1 : 0));
+    return { hidden, parts };
+}
+
+/** The vertex nearest to a place on the surface; s and t count alike, as they span it. */
+function nearest(seeds: Float32Array, [s, t]: readonly [number, number]): number {
+    let low = Number.POSITIVE_INFINITY;
+    let high = Number.NEGATIVE_INFINITY;
+    for (let i = 1; i < seeds.length; i += 2) {
+        low = Math.min(low, seeds[i]!);
+        high = Math.max(high, seeds[i]!);
+    }
+    const scale = high > low ? 1 / (high - low) : 1;
+    let best = -1;
+    let least = Number.POSITIVE_INFINITY;
+    for (let i = 0; 2 * i < seeds.length; i += 1) {
+        const [ds, dt] = [seeds[2 * i]! - s, (seeds[2 * i + 1]! - t) * scale];
+        const apart = ds * ds + dt * dt;
+        if (apart < least) [least, best] = [apart, i];
+    }
+    return best;
+}
