@@ -2,11 +2,17 @@
 // newest state) -> scene/ (pixels); the path of an edit: scene/ or ui/ -> session/edits -> worker/.
 import { probeGraphics } from './scene/graphics.ts';
 import { FlowScene } from './scene/scene.ts';
+import type { ScreenPoint } from './scene/view.ts';
 import { Calls } from './session/calls.ts';
 import { ClockControl } from './session/clockControl.ts';
 import { Edits } from './session/edits.ts';
+import { showMarks } from './session/marksInPicture.ts';
+import { Measuring } from './session/measuring.ts';
+import { Noting } from './session/noting.ts';
 import { People } from './session/people.ts';
 import { showPeople } from './session/peopleInPicture.ts';
+import { Pointing } from './session/pointing.ts';
+import { Probing } from './session/probing.ts';
 import { SessionController } from './session/sessionController.ts';
 import { SurfaceFeed } from './session/surfaceFeed.ts';
 import { showTheme } from './session/themeInPicture.ts';
@@ -64,6 +70,13 @@ function start(app: App): void {
     const calls = new Calls(state, worker);
     showPeople(state, view, scene);
     showTheme(view, scene);
+    showMarks(state, view, scene);
+    const sight = { view: () => scene.view(), pick: (at: ScreenPoint) => scene.pick(at) };
+    const probing = new Probing({ state, pageView: view, worker, requestFrame: scene.loop.request, ...sight });
+    const pointing = new Pointing({ state, people, requestFrame: scene.loop.request, ...sight });
+    for (const tool of [probing, new Measuring({ state, pageView: view, ...sight }), new Noting({ state, pageView: view, ...sight }), pointing]) {
+        scene.pointerTools.add(tool);
+    }
     scene.controls.onMove(() => people.takeCamera());
     const feed = new SurfaceFeed({ state, scene, worker, latency });
     const views = new Views({ state, view, scene, url });
@@ -71,9 +84,11 @@ function start(app: App): void {
     const clock = new ClockControl({ state, worker, requestFrame: scene.loop.request });
     scene.loop.beforeFrame(() => edits.flush());
     scene.loop.beforeFrame(() => clock.flush());
+    scene.loop.beforeFrame(() => probing.flush());
+    scene.loop.beforeFrame(() => pointing.flush());
     scene.loop.beforeFrame(() => feed.apply());
     installTestHook({ state, scene, latency, canvas });
-    const model: AppModel = { state, view, edits, clock, people, scene, worker, calls, views, retryNow: () => worker.retryNow() };
+    const model: AppModel = { state, view, edits, clock, people, scene, worker, calls, views, probing, retryNow: () => worker.retryNow() };
     listenForViewKeys(model);
     app.begin(model);
     addEventListener('online', () => worker.retryNow());

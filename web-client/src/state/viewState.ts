@@ -1,16 +1,40 @@
 // How this page looks at the session: not shared with others but by a link, a bookmark or following. Written by ui/ and
 // session/, read by both.
 import { signal } from '@preact/signals-core';
+import type { Vec3 } from '../protocol/messages.ts';
 
 /** What a click on the picture does. */
 export type Tool = 'none' | 'place' | 'probe' | 'measure' | 'annotate' | 'paint';
 
 export type Theme = 'system' | 'dark' | 'light';
 
+/** What the probe has found. */
+export interface ProbeReading {
+    point: Vec3;
+    /** Simulation time. */
+    time: number;
+    /** Not in the domain, or in the body: there is nothing. */
+    inside: boolean;
+    values: { name: string; value: number | Vec3 | null }[];
+}
+
+/** A note that is being written. */
+export interface NoteDraft {
+    /** Null: a new one. */
+    annotation: string | null;
+    text: string;
+    position: Vec3;
+    surface: string | null;
+}
+
 export class ViewState {
     readonly tool = signal<Tool>('none');
     readonly theme = signal<Theme>('system');
     readonly orthographic = signal(false);
+    readonly probe = signal<ProbeReading | null>(null);
+    /** Up to two points. */
+    readonly measured = signal<readonly Vec3[]>([]);
+    readonly note = signal<NoteDraft | null>(null);
     /** Where the tour is; null: there is none. */
     readonly tourStep = signal<number | null>(null);
     /** The participant whose view this page takes. */

@@ -8,7 +8,9 @@ import './panel.ts';
 import './scalarBar.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
+import './noteDialog.ts';
 import './timeBar.ts';
+import './toolButtons.ts';
 import './tour.ts';
 import './viewButtons.ts';
 
@@ -61,7 +63,8 @@ export class App extends SignalElement {
                 font-size: 15px;
                 font-weight: 600;
             }
-            .labels .person {
+            .labels .person,
+            .labels .marker {
                 padding: 0 6px;
                 border: 2px solid;
                 border-radius: 9px;
@@ -86,6 +89,14 @@ export class App extends SignalElement {
                 position: absolute;
                 right: 12px;
                 top: 12px;
+            }
+            wakesurf-note-dialog {
+                position: absolute;
+            }
+            wakesurf-tool-buttons {
+                position: absolute;
+                right: 12px;
+                top: 150px;
             }
             wakesurf-tour {
                 position: absolute;
@@ -171,10 +182,12 @@ export class App extends SignalElement {
                 ${this.canvas} ${this.labels}
                 <wakesurf-scalar-bar .model=${model}></wakesurf-scalar-bar>
                 <wakesurf-view-buttons .model=${model}></wakesurf-view-buttons>
+                <wakesurf-tool-buttons .model=${model}></wakesurf-tool-buttons>
                 <wakesurf-tour .model=${model}></wakesurf-tour>
                 <wakesurf-banner .model=${model}></wakesurf-banner>
             </main>
             <wakesurf-panel role="complementary" aria-label="Settings" .model=${model}></wakesurf-panel>
+            <wakesurf-note-dialog .model=${model}></wakesurf-note-dialog>
             <wakesurf-time-bar role="region" aria-label="Time of the data" .model=${model}></wakesurf-time-bar>
         </div>`;
     }

@@ -3,6 +3,7 @@ import type { Calls } from '../session/calls.ts';
 import type { ClockControl } from '../session/clockControl.ts';
 import type { Edits } from '../session/edits.ts';
 import type { People } from '../session/people.ts';
+import type { Probing } from '../session/probing.ts';
 import type { Views } from '../session/views.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
@@ -19,5 +20,6 @@ export interface AppModel {
     worker: Pick<WorkerClient, 'call'>;
     calls: Calls;
     views: Views;
+    probing: Probing;
     retryNow: () => void;
 }

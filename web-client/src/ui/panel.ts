@@ -6,7 +6,9 @@ import type { AppModel } from './appModel.ts';
 import './bookmarksPanel.ts';
 import './helpDialog.ts';
 import './linksPanel.ts';
+import './notesPanel.ts';
 import './peoplePanel.ts';
+import './probePanel.ts';
 import './rakePanel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
@@ -44,6 +46,10 @@ const tabs: readonly Tab[] = [
                 <h2 id="bookmarks-head">Views to come back to</h2>
                 <wakesurf-bookmarks .model=${model}></wakesurf-bookmarks>
             </section>
+            <section aria-labelledby="probe-head">
+                <h2 id="probe-head">Probe and measure</h2>
+                <wakesurf-probe .model=${model}></wakesurf-probe>
+            </section>
             <section aria-labelledby="surroundings-head">
                 <h2 id="surroundings-head">Surroundings</h2>
                 <wakesurf-surroundings .model=${model}></wakesurf-surroundings>
@@ -61,6 +67,10 @@ const tabs: readonly Tab[] = [
             <section aria-labelledby="links-head">
                 <h2 id="links-head">Invite</h2>
                 <wakesurf-links .model=${model}></wakesurf-links>
+            </section>
+            <section aria-labelledby="notes-head">
+                <h2 id="notes-head">Notes</h2>
+                <wakesurf-notes .model=${model}></wakesurf-notes>
             </section>
         `,
     },
