@@ -3,19 +3,19 @@
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
-import { CuttingProxy } from './support/cutting_proxy.ts';
+import { NetworkProxy } from './support/network_proxy.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
 
 const store = temporaryFolder();
-let network: CuttingProxy;
+let network: NetworkProxy;
 let server: ServerProcess;
 let browser: Browser;
 let context: BrowserContext;
 let page: Page;
 
 beforeAll(async () => {
-    network = await CuttingProxy.start();
+    network = await NetworkProxy.start();
     server = await ServerProcess.start({ store: store.path, origin: network.origin });
     network.lead(server.port);
     browser = await launchBrowser();

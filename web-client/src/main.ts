@@ -14,6 +14,7 @@ import { showPeople } from './session/peopleInPicture.ts';
 import { Pointing } from './session/pointing.ts';
 import { Probing } from './session/probing.ts';
 import { SessionController } from './session/sessionController.ts';
+import { SurfaceProgress } from './session/surfaceProgress.ts';
 import { SurfaceFeed } from './session/surfaceFeed.ts';
 import { showTheme } from './session/themeInPicture.ts';
 import { baseUrl, readFragment, showFragment, writeFragment } from './session/urlState.ts';
@@ -68,6 +69,7 @@ function start(app: App): void {
         requestFrame: scene.loop.request,
     });
     const calls = new Calls(state, worker);
+    const progress = new SurfaceProgress({ state, worker, calls });
     showPeople(state, view, scene);
     showTheme(view, scene);
     showMarks(state, view, scene);
@@ -80,7 +82,7 @@ function start(app: App): void {
     scene.controls.onMove(() => people.takeCamera());
     const feed = new SurfaceFeed({ state, scene, worker, latency });
     const views = new Views({ state, view, scene, url });
-    const controller = new SessionController({ state, scene, worker, edits, feed, people, url, views });
+    const controller = new SessionController({ state, scene, worker, edits, feed, people, progress, url, views });
     const clock = new ClockControl({ state, worker, requestFrame: scene.loop.request });
     scene.loop.beforeFrame(() => edits.flush());
     scene.loop.beforeFrame(() => clock.flush());
@@ -88,7 +90,7 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => pointing.flush());
     scene.loop.beforeFrame(() => feed.apply());
     installTestHook({ state, scene, latency, canvas });
-    const model: AppModel = { state, view, edits, clock, people, scene, worker, calls, views, probing, retryNow: () => worker.retryNow() };
+    const model: AppModel = { state, view, edits, clock, people, scene, worker, calls, views, probing, progress, retryNow: () => worker.retryNow() };
     listenForViewKeys(model);
     app.begin(model);
     addEventListener('online', () => worker.retryNow());

@@ -21,6 +21,9 @@ export interface TestHook {
     readonly bounds: readonly number[] | null;
     readonly speedRange: [number, number];
     readonly latencySamples: LatencySample[];
+    readonly roundTripMs: number | null;
+    /** From the start of the page to the first frame that shows the domain. */
+    readonly firstPictureMs: number | null;
     readonly camera: { position: Vec3; target: Vec3 };
     setCamera(position: Vec3, target: Vec3): void;
     /** Position in the window, in CSS pixels; null behind the camera. */
@@ -91,6 +94,12 @@ export function installTestHook({ state, scene, latency, canvas }: TestHookParts
         },
         get latencySamples() {
             return [...latency.samples];
+        },
+        get roundTripMs() {
+            return state.roundTripMs.value;
+        },
+        get firstPictureMs() {
+            return scene.firstPictureMs;
         },
         get camera() {
             const position = scene.controls.pose.position;

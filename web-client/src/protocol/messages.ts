@@ -150,6 +150,7 @@ export interface Methods {
     'rake.delete': { params: { rake: string }; result: object };
     'surface.set': { params: SurfaceSetting; result: SurfaceEpoch & { rev: number } };
     'surface.delete': { params: { surface: string }; result: object };
+    'surface.stop': { params: { surface: string }; result: object };
     'surface.stats': { params: InSession<{ surface: string }>; result: SurfaceStats };
     'surface.wait': {
         params: InSession<{ surface: string; epoch?: number; timeoutMs: number; workDoneToken?: string }>;

@@ -41,6 +41,8 @@ export class FlowScene {
     /** Lies over the canvas. */
     readonly labels: HTMLElement;
     framesDrawn = 0;
+    /** When the domain was on the screen first, on performance.now()'s clock. */
+    firstPictureMs: number | null = null;
     private readonly canvas: HTMLCanvasElement;
     private readonly software: boolean;
     private readonly scene = new Scene();
@@ -195,6 +197,7 @@ export class FlowScene {
         const listeners = this.afterNextFrame.splice(0);
         whenDrawn(this.renderer.getContext() as WebGL2RenderingContext, (time) => {
             finished();
+            if (this.outline !== null) this.firstPictureMs ??= time;
             if (time !== null) for (const listener of listeners) listener(time);
         });
     }

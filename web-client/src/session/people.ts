@@ -52,6 +52,8 @@ export class People {
         for (const change of changes) {
             const before = people.get(change.participant) ?? newcomer(change.participant);
             people.set(change.participant, { ...before, ...change });
+            // What a host has allowed this page.
+            if (change.participant === state.you.value && change.role !== undefined) state.role.value = change.role;
         }
         for (const id of left) people.delete(id);
         state.participants.value = people;

@@ -43,8 +43,9 @@ class Bench {
         const people = { joined: () => undefined, patched: () => undefined };
         const scene = { setRange: () => undefined, setDomain: () => undefined };
         const url = { token: null, session, dataset: null, state: null };
+        const progress = { progressed: () => undefined };
         const views = { restore: () => undefined };
-        const parts = { state: this.state, worker, feed, edits, people, scene, url, views };
+        const parts = { state: this.state, worker, feed, edits, people, progress, scene, url, views };
         this.controller = new SessionController(parts as unknown as SessionControllerOptions);
     }
 

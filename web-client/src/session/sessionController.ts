@@ -20,6 +20,7 @@ import type { Edits } from './edits.ts';
 import type { People } from './people.ts';
 import { settingAnew } from './surfaceIntent.ts';
 import { adoptSnapshot, applyPatches } from './recordMirror.ts';
+import type { SurfaceProgress } from './surfaceProgress.ts';
 import type { SurfaceFeed } from './surfaceFeed.ts';
 import type { UrlState } from './urlState.ts';
 import type { Views } from './views.ts';
@@ -36,6 +37,7 @@ export interface SessionControllerOptions {
     edits: Edits;
     feed: SurfaceFeed;
     people: People;
+    progress: Pick<SurfaceProgress, 'progressed'>;
     url: UrlState;
     views: Pick<Views, 'restore'>;
 }
@@ -321,8 +323,10 @@ export class SessionController {
             case 'surface.progress':
                 feed.progressed(notification.surface, notification.epoch, notification.seconds);
                 break;
-            case 'cache.patched':
             case '$/progress':
+                this.options.progress.progressed(notification.token, notification.fraction, notification.message);
+                break;
+            case 'cache.patched':
                 break;
         }
     }

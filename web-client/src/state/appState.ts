@@ -74,6 +74,8 @@ export class AppState {
     readonly editsPending = signal(false);
     readonly editError = signal<string | null>(null);
     readonly notice = signal<string | null>(null);
+    /** Of the selected surface, while it takes long. */
+    readonly progress = signal<{ surface: string; fraction: number | null; message: string } | null>(null);
     /** Of a message to the server and back. */
     readonly roundTripMs = signal<number | null>(null);
     /** Of the newest edit that is on the screen. */

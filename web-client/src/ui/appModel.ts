@@ -4,6 +4,7 @@ import type { ClockControl } from '../session/clockControl.ts';
 import type { Edits } from '../session/edits.ts';
 import type { People } from '../session/people.ts';
 import type { Probing } from '../session/probing.ts';
+import type { SurfaceProgress } from '../session/surfaceProgress.ts';
 import type { Views } from '../session/views.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
@@ -21,5 +22,6 @@ export interface AppModel {
     calls: Calls;
     views: Views;
     probing: Probing;
+    progress: SurfaceProgress;
     retryNow: () => void;
 }

@@ -36,6 +36,17 @@ export class StatusPanel extends SignalElement {
                 text-align: right;
                 font-variant-numeric: tabular-nums;
             }
+            .progress {
+                display: flex;
+                gap: 8px;
+                align-items: center;
+                margin: 6px 0;
+            }
+            progress {
+                flex: 1;
+                min-width: 0;
+                accent-color: var(--accent);
+            }
             .final {
                 color: var(--good);
             }
@@ -66,11 +77,23 @@ export class StatusPanel extends SignalElement {
                 <dt>Separation</dt>
                 <dd>${shortNumber(state.surface.value?.separation ?? Number.NaN)}</dd>
             </dl>
+            ${this.progress()}
             <wakesurf-quality .model=${this.model}></wakesurf-quality>
             <wakesurf-latency .model=${this.model}></wakesurf-latency>
             ${phase === 'error'
                 ? html`<p class="problem">${state.surfaceErrors.value.get(id)?.text ?? ''}</p>`
                 : nothing}`;
+    }
+
+    private progress(): TemplateResult | typeof nothing {
+        const { state, progress } = this.model;
+        const now = state.progress.value;
+        if (now === null) return nothing;
+        const may = state.role.value !== 'viewer' && state.capabilities.value.includes('stop');
+        return html`<div class="progress">
+            <progress max="1" value=${now.fraction ?? nothing} aria-label="Surface"></progress>
+            ${may ? html`<button type="button" @click=${() => progress.stop()}>Stop</button>` : nothing}
+        </div>`;
     }
 }
 

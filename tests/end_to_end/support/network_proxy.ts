@@ -1,12 +1,14 @@
-// A network between page and server that can be cut and mended: connections end at once, and new ones are refused.
+// A network between page and server that can be cut and mended (connections end at once, and new ones are refused) and be slow:
+// what Chromium's own throttling cannot do to WebSockets.
 import { connect, createServer, type AddressInfo, type Server, type Socket } from 'node:net';
 
-export class CuttingProxy {
+export class NetworkProxy {
     readonly port: number;
     private readonly server: Server;
     private readonly sockets = new Set<Socket>();
     private target = 0;
     private whole = true;
+    private delayMs = 0;
 
     private constructor(server: Server) {
         this.server = server;
@@ -14,10 +16,10 @@ export class CuttingProxy {
         server.on('connection', (socket) => this.pass(socket));
     }
 
-    static async start(): Promise<CuttingProxy> {
+    static async start(): Promise<NetworkProxy> {
         const server = createServer();
         await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
-        return new CuttingProxy(server);
+        return new NetworkProxy(server);
     }
 
     get origin(): string {
@@ -38,6 +40,11 @@ export class CuttingProxy {
         this.whole = true;
     }
 
+    /** Everything takes so much longer in each direction from now on. */
+    delay(milliseconds: number): void {
+        this.delayMs = milliseconds;
+    }
+
     stop(): void {
         this.cut();
         this.server.close();
@@ -55,7 +62,9 @@ export class CuttingProxy {
         ] as const) {
             this.sockets.add(socket);
             socket.setNoDelay(true);
-            socket.pipe(other);
+            // In order: timers of one length end in the order they were begun in.
+            socket.on('data', (bytes) => setTimeout(() => other.write(bytes), this.delayMs));
+            socket.on('end', () => setTimeout(() => other.end(), this.delayMs));
             socket.on('error', () => other.destroy());
             socket.on('close', () => {
                 this.sockets.delete(socket);

@@ -1,0 +1,61 @@
+// One server and one browser for the tests of a file, and people who visit.
+import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { afterAll, beforeAll } from 'vitest';
+import { finalSurface, launchBrowser, newContext, openPage, type PageOptions } from './browser_page.ts';
+import { NetworkProxy } from './network_proxy.ts';
+import { ServerProcess, temporaryFolder } from './server_process.ts';
+
+export class Stand {
+    server!: ServerProcess;
+    browser!: Browser;
+    /** Between the server and whoever comes by `networkLink`. */
+    network!: NetworkProxy;
+    /** What pages complained about, of all that were visited. */
+    readonly complaints: string[] = [];
+    private readonly contexts: BrowserContext[] = [];
+
+    /** Somebody with a browser of their own: neither cookies nor choices are shared. */
+    async visit(options: PageOptions & { link?: string } = {}): Promise<Page> {
+        const context = await newContext(this.browser, options);
+        this.contexts.push(context);
+        const { page, complaints } = await openPage(context, options.link ?? this.server.link);
+        page.on('close', () => this.complaints.push(...complaints));
+        await finalSurface(page);
+        return page;
+    }
+
+    get networkLink(): string {
+        return `${this.network.origin}/${new URL(this.server.link).hash}`;
+    }
+
+    /** Another window of the same browser. */
+    async open(beside: Page, link: string): Promise<Page> {
+        const { page } = await openPage(beside.context(), link);
+        await finalSurface(page);
+        return page;
+    }
+
+    async close(): Promise<void> {
+        for (const context of this.contexts.splice(0)) await context.close();
+        await this.browser?.close();
+        await this.server?.stop();
+        this.network?.stop();
+    }
+}
+
+/** To be called at the top of a file of tests. */
+export function useStand(): Stand {
+    const stand = new Stand();
+    const store = temporaryFolder();
+    beforeAll(async () => {
+        stand.network = await NetworkProxy.start();
+        stand.server = await ServerProcess.start({ store: store.path, origin: stand.network.origin });
+        stand.network.lead(stand.server.port);
+        stand.browser = await launchBrowser();
+    });
+    afterAll(async () => {
+        await stand.close();
+        store.remove();
+    });
+    return stand;
+}

@@ -1,0 +1,91 @@
+// What the page says about itself: where time goes, how good a surface is, how far it has come; a first visit; a slow network.
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { dragHandle } from './support/rake_drag.ts';
+import { expectServersMesh, serverStats } from './support/server_mesh.ts';
+import { useStand } from './support/stand.ts';
+
+const stand = useStand();
+const size = { width: 900, height: 600 };
+
+/** The number in front of a unit. */
+async function numberIn(page: Page, selector: string): Promise<number> {
+    return Number.parseFloat(((await page.locator(selector).textContent()) ?? '').replaceAll(/[\s\u202f]/g, ''));
+}
+
+describe('a first visit', () => {
+    it('is led from the rake to sharing, by doing what the tour says', async () => {
+        const page = await stand.visit({ ...size, firstVisit: true });
+        const step = (): Promise<string | null> => page.getByRole('region', { name: 'Tour' }).getAttribute('data-step');
+        expect(await step()).toBe('drag');
+        await screenshot(page, 'tour');
+        await dragHandle(page, 0, 14, 6, 4);
+        await expect.poll(step).toBe('turn');
+        await page.mouse.move(500, 300);
+        await page.mouse.down();
+        await page.mouse.move(520, 310, { steps: 3 });
+        await page.mouse.up();
+        await expect.poll(step).toBe('streak');
+        await page.getByRole('radio', { name: 'Streak' }).click();
+        await expect.poll(step).toBe('play');
+        await finalSurface(page);
+        await page.getByRole('button', { name: 'Play' }).click();
+        await expect.poll(step).toBe('look');
+        await page.getByRole('button', { name: 'Pause' }).click();
+        await page.getByRole('button', { name: 'Next', exact: true }).click();
+        expect(await step()).toBe('share');
+        await page.getByRole('button', { name: 'Done' }).click();
+        expect(await page.getByRole('region', { name: 'Tour' }).count()).toBe(0);
+
+        const again = await stand.open(page, page.url());
+        expect(await again.getByRole('region', { name: 'Tour' }).count()).toBe(0);
+        await again.keyboard.press('?');
+        await again.getByRole('button', { name: 'Show the tour' }).click();
+        expect(await again.getByRole('region', { name: 'Tour' }).getAttribute('data-step')).toBe('drag');
+        await again.close();
+    });
+
+    it('sees the domain within two seconds of opening', async () => {
+        const page = await stand.visit(size);
+        expect(await ask(page, (hook) => hook.firstPictureMs)).toBeLessThan(2000);
+    });
+});
+
+describe('numbers about the surface', () => {
+    it('are the server’s, on demand', async () => {
+        const page = await stand.visit(size);
+        await page.getByText('Quality', { exact: true }).click();
+        const stats = await serverStats(stand.server, page);
+        const share = (100 * stats.approximated) / stats.vertices;
+        await expect.poll(() => numberIn(page, '[data-name=approximated]')).toBeCloseTo(share, 0);
+        for (const reason of ['time', 'domain', 'obstacle'] as const) {
+            if (stats.terminated[reason] === 0) continue;
+            expect(await numberIn(page, `[data-name=${reason}]`)).toBe(stats.terminated[reason]);
+        }
+        expect(await numberIn(page, '[data-name=vertexSteps]')).toBe(stats.vertexSteps);
+        await screenshot(page, 'quality');
+    });
+});
+
+describe('on a slow network', () => {
+    it('says where the time goes, follows the pointer all the same, and ends with the server’s mesh', async () => {
+        const page = await stand.visit({ ...size, link: stand.networkLink });
+        stand.network.delay(60);
+        await page.locator('#latency summary').click();
+        // dragHandle checks that the handle is under the pointer after every step.
+        await dragHandle(page, 1, 25, -10, 5);
+        await expectServersMesh(stand.server, page);
+        const sample = await ask(page, (hook) => hook.latencySamples.at(-1)!);
+        expect(sample.milliseconds).toBeGreaterThan(120);
+        const sum = Object.values(sample.parts).reduce((a, b) => a + b);
+        expect(sum).toBeGreaterThanOrEqual(sample.milliseconds * 0.999);
+        // The next ping knows how far away the server is.
+        await page.waitForFunction(() => (window.wakesurf?.roundTripMs ?? 0) > 115, null, { timeout: 10_000 });
+        await dragHandle(page, 1, -25, 10, 5);
+        await expectServersMesh(stand.server, page);
+        expect(await numberIn(page, '[data-part=network]')).toBeGreaterThan(115);
+        expect(await numberIn(page, '#latency-total')).toBeGreaterThan(120);
+        await screenshot(page, 'latency');
+    });
+});
