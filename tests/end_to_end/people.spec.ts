@@ -51,10 +51,24 @@ describe('a link made on the page', () => {
         expect(await guest.getByRole('list', { name: 'People in this session' }).getByRole('listitem').count()).toBe(2);
     });
 
+    it('shows everybody under the name they give themselves', async () => {
+        await host.getByLabel('Your name').fill('Ada');
+        await host.keyboard.press('Enter');
+        await guest.getByRole('button', { name: 'Follow Ada' }).waitFor();
+        expect((await participantsOf(host)).map(({ name }) => name)).toEqual(expect.arrayContaining(['Ada', 'guest 2']));
+        // The page is still in the session: it sees what others edit.
+        await guest.getByRole('tab', { name: 'Flow' }).click();
+        await guest.getByRole('spinbutton', { name: 'Start x' }).fill('-1.8');
+        await guest.keyboard.press('Enter');
+        await host.waitForFunction(() => window.wakesurf!.rakePoints[0]![0] === -1.8);
+        await finalSurface(host);
+        await guest.getByRole('tab', { name: 'Share' }).click();
+    });
+
     it('allows less once the host says so, at once', async () => {
         const may = host.getByRole('combobox', { name: /What guest 2 may do/ });
         await may.selectOption('looks on');
-        await expect.poll(async () => (await participantsOf(host))[1]!.role).toBe('viewer');
+        await expect.poll(async () => (await participantsOf(host)).find(({ name }) => name === 'guest 2')!.role).toBe('viewer');
         await guest.getByText('for looking on').waitFor();
         await may.selectOption('edits');
         await guest.getByText('for looking on').waitFor({ state: 'detached' });
@@ -71,15 +85,15 @@ describe('the others in the picture', () => {
         });
         await host.mouse.move(at.x - 3, at.y);
         await host.mouse.move(at.x, at.y);
-        const you = (await participantsOf(host))[0]!;
+        const you = (await participantsOf(host)).find(({ name }) => name === 'Ada')!;
         const apart = async (): Promise<number> => {
-            const pointer = (await participantsOf(host))[0]!.pointer ?? null;
+            const pointer = (await participantsOf(host)).find(({ name }) => name === 'Ada')!.pointer ?? null;
             if (pointer === null) return 99;
             const pointed = (await host.evaluate((point) => window.wakesurf!.project(point), pointer))!;
             return Math.hypot(pointed.x - at.x, pointed.y - at.y);
         };
         await expect.poll(apart).toBeLessThan(2);
-        const pointer = (await participantsOf(host))[0]!.pointer as Vec3;
+        const pointer = (await participantsOf(host)).find(({ name }) => name === 'Ada')!.pointer as Vec3;
         const colour = rgbOf(you.colour);
         const seen = async (): Promise<number[]> =>
             guest.evaluate((point) => window.wakesurf!.pixelsAt([window.wakesurf!.project(point)!])[0]!, pointer);

@@ -90,7 +90,7 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => pointing.flush());
     scene.loop.beforeFrame(() => feed.apply());
     installTestHook({ state, scene, latency, canvas });
-    const model: AppModel = { state, view, edits, clock, people, scene, worker, calls, views, probing, progress, retryNow: () => worker.retryNow() };
+    const model: AppModel = { state, view, edits, clock, people, scene, worker, calls, views, probing, progress, rename: (name) => controller.rename(name), retryNow: () => worker.retryNow() };
     listenForViewKeys(model);
     app.begin(model);
     addEventListener('online', () => worker.retryNow());

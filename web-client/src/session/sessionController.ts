@@ -14,6 +14,7 @@ import {
 } from '../protocol/messages.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
+import { keep, recall } from '../state/browserMemory.ts';
 import { CallError, type WorkerClient, type WorkerEvent } from '../worker/workerClient.ts';
 import { defaultLength, defaultRake, defaultSeeds } from './defaults.ts';
 import type { Edits } from './edits.ts';
@@ -27,6 +28,7 @@ import type { Views } from './views.ts';
 
 const notFound = -32004;
 const importPollMs = 1000;
+const nameKept = 'name';
 /** Notices before the server closes the connection, which the page tells in its own words. */
 const farewells: ReadonlySet<string> = new Set(['displaced', 'removed', 'linkEnded']);
 
@@ -139,13 +141,26 @@ export class SessionController {
 
     private async enter(session: string): Promise<SessionSnapshot> {
         const resume = this.resumeToken === undefined ? {} : { resumeToken: this.resumeToken };
-        const joined = await this.options.worker.call('session.join', { session, ...resume });
+        const name = recall(nameKept);
+        const asked = { session, ...resume, ...(name === null ? {} : { name }) };
+        const joined = await this.options.worker.call('session.join', asked);
         this.session = session;
         this.resumeToken = joined.resumeToken;
         this.options.state.role.value = joined.role ?? 'host';
         this.options.state.session.value = session;
         this.options.people.joined(joined);
         return joined.snapshot;
+    }
+
+    /** How others see this page's user, here and from now on; the server may add a number to tell two apart. */
+    async rename(name: string): Promise<void> {
+        keep(nameKept, name);
+        if (this.session === null || this.resumeToken === undefined) return;
+        try {
+            await this.enter(this.session);
+        } catch (error) {
+            this.options.state.editError.value = error instanceof Error ? error.message : String(error);
+        }
     }
 
     private async waitForDataset(

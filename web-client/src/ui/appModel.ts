@@ -23,5 +23,6 @@ export interface AppModel {
     views: Views;
     probing: Probing;
     progress: SurfaceProgress;
+    rename: (name: string) => Promise<void>;
     retryNow: () => void;
 }

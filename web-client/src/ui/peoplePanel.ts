@@ -37,6 +37,13 @@ export class PeoplePanel extends SignalElement {
                 text-overflow: ellipsis;
                 white-space: nowrap;
             }
+            input {
+                min-width: 0;
+                padding: 3px 8px;
+                border: 1px solid var(--line);
+                border-radius: 6px;
+                background: var(--raised);
+            }
             .away {
                 opacity: 0.6;
             }
@@ -65,7 +72,14 @@ export class PeoplePanel extends SignalElement {
         const you = participant === this.model.state.you.value;
         return html`<li data-participant=${participant} class=${connected ? '' : 'away'}>
             <span class="dot" data-colour=${colour}></span>
-            <span class="name" title=${name}>${name}${you ? ' (you)' : connected ? '' : ' (away)'}</span>
+            ${you
+                ? html`<input
+                      aria-label="Your name"
+                      maxlength="40"
+                      .value=${name}
+                      @change=${(event: Event) => this.model.rename((event.target as HTMLInputElement).value.trim())}
+                  />`
+                : html`<span class="name" title=${name}>${name}${connected ? '' : ' (away)'}</span>`}
             ${this.mayDo(person, you)} ${you ? nothing : this.follow(person)}
         </li>`;
     }
