@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace wakesurf::protocol {
@@ -32,13 +33,33 @@ core::Result<void> check_size(const core::QuadComplex& mesh) {
                             "ask for fewer quads or a larger separation");
 }
 
+/// @param before  how many there were in the last update, if there was one
+core::Result<void> check_fields(const MeshFields& fields,
+                                const core::QuadComplex& mesh,
+                                std::optional<std::size_t> before) {
+    if (fields.size() > max_fields)
+        return core::over_limit(
+            max_fields, fmt::format("a mesh with {} fields is too much to send", fields.size()),
+            fmt::format("ask for {} at most", max_fields));
+    if (before && *before != fields.size())
+        return core::fail(
+            core::Error::Code::Corrupt,
+            fmt::format("a mesh has {} fields, and had {} before", fields.size(), *before));
+    for (const auto& field : fields)
+        if (field.size() != mesh.vertices())
+            return core::fail(core::Error::Code::Corrupt,
+                              fmt::format("a field of a mesh of {} vertices has {} values",
+                                          mesh.vertices(), field.size()));
+    return {};
+}
+
 PointCoding coding_of(PointKind kind, std::size_t attributes, const Tolerance& tolerance) {
     PointCoding coding;
     coding.kind = kind;
     coding.attributes = static_cast<std::uint8_t>(attributes);
     coding.tolerance[0] = tolerance.position;
     for (std::size_t a = 0; a < attributes; ++a)
-        coding.tolerance[a + 1] = a == 0 ? tolerance.speed : tolerance.parameter;
+        coding.tolerance[a + 1] = a == 1 || a == 2 ? tolerance.parameter : tolerance.speed;
     return coding;
 }
 
@@ -172,8 +193,10 @@ struct MeshStream::Held {
     MeshPlaces places;
     std::shared_ptr<const WireMesh> state;
 
-    bool still_in_range(std::span<const AttributeRange> needed) const {
-        return std::ranges::equal(needed, state->ranges);
+    std::optional<std::size_t> fields() const {
+        if (!started || !attributes)
+            return std::nullopt;
+        return state->ranges.size() - surface_attributes.size();
     }
 
     FrameHeader header(const core::KeyedMesh& mesh, Phase phase, bool key) const {
@@ -217,19 +240,25 @@ void MeshStream::expect(std::vector<AttributeRange> ranges) {
 }
 
 core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
-                                             const UpdateOptions& options) {
+                                             const UpdateOptions& options,
+                                             const MeshFields& fields) {
     Held& held = *held_;
-    if (auto fine = check_size(given.mesh).and_then([&] { return check_ids(given); }).and_then([&] {
-            return guard_mesh(given.mesh, held.lattice, held.attributes);
-        });
+    if (auto fine =
+            check_size(given.mesh)
+                .and_then([&] { return check_ids(given); })
+                .and_then([&] { return guard_mesh(given.mesh, held.lattice, held.attributes); })
+                .and_then([&] { return check_fields(fields, given.mesh, held.fields()); });
         !fine)
         return tl::unexpected(fine.error());
     core::KeyedMesh without_cells;
     without_cells.time = given.time;
-    const core::KeyedMesh& mesh = given.mesh.cells.empty() ? without_cells : given;
+    const bool empty = given.mesh.cells.empty();
+    const core::KeyedMesh& mesh = empty ? without_cells : given;
 
-    const AttributeValues values =
-        held.attributes ? attribute_values(mesh.mesh) : AttributeValues{};
+    const MeshFields without_values(fields.size());
+    const AttributeValues values = held.attributes
+                                       ? AttributeValues(mesh.mesh, empty ? without_values : fields)
+                                       : AttributeValues();
     std::vector<AttributeRange> ranges;
     if (held.attributes)
         ranges = ranges_for(values, held.started ? std::span(held.state->ranges) : held.ranges);

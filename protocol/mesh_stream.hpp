@@ -19,16 +19,18 @@ namespace wakesurf::protocol {
 /// What errors a state may keep, in lattice units and in codes. At most 32767.
 struct Tolerance {
     std::uint16_t position = 0;
-    std::uint16_t speed = 0;
+    std::uint16_t speed = 0;     ///< and fields
     std::uint16_t parameter = 0; ///< s and t
 
     bool exact() const { return position == 0 && speed == 0 && parameter == 0; }
 };
 
 inline constexpr Tolerance exact_tolerance{};
-/// On a 16 bit lattice no more than what rounding to 14 bits makes; of the speed what rounding to 8 bits makes, of s and t
-/// what rounding to 11 bits makes.
+/// On a 16 bit lattice no more than what rounding to 14 bits makes; of the speed and of fields what rounding to 8 bits makes,
+/// of s and t what rounding to 11 bits makes.
 inline constexpr Tolerance live_tolerance{2, 128, 16};
+
+inline constexpr std::size_t max_fields = max_attributes - surface_attributes.size();
 
 struct UpdateOptions {
     Phase phase = Phase::Final;
@@ -56,7 +58,7 @@ struct EncodedUpdate {
 class MeshStream {
   public:
     /// @param surface     number in the header of each frame: the subscription
-    /// @param attributes  send speed, s and t; without, only positions and cells
+    /// @param attributes  send speed, s and t, and fields; without, only positions and cells
     MeshStream(std::uint32_t surface,
                std::uint32_t epoch,
                Lattice lattice,
@@ -73,9 +75,11 @@ class MeshStream {
     /// The update from the mesh of the last call to this one. It is a KEY the first time, when little of the mesh stays and
     /// when an attribute leaves its range. Ids may come in any order: also going back in time is a delta.
     ///
-    /// Error: what guard_mesh refuses; OverLimit for more than max_mesh_vertices vertices or max_mesh_cells cells;
-    /// Corrupt for ids that do not ascend. The stream is then as before.
-    core::Result<EncodedUpdate> next(const core::KeyedMesh& mesh, const UpdateOptions& options);
+    /// @param fields  as many in each call
+    /// Error: what guard_mesh refuses; OverLimit for more than max_mesh_vertices vertices, max_mesh_cells cells or max_fields fields;
+    /// Corrupt for ids that do not ascend, and for other fields than before. The stream is then as before.
+    core::Result<EncodedUpdate>
+    next(const core::KeyedMesh& mesh, const UpdateOptions& options, const MeshFields& fields = {});
 
     /// What everybody holds after the last update; never null.
     std::shared_ptr<const WireMesh> state() const;

@@ -1,5 +1,7 @@
 #include "protocol/messages_rake.hpp"
 
+#include "protocol/colour_text.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -45,12 +47,25 @@ core::Rake read_shape(CheckedJson& in, const RakeLimits& limits) {
 
 } // namespace
 
+namespace {
+
+void check_colour(CheckedJson& in, std::string_view colour) {
+    if (!is_colour(colour))
+        in.fault("colour", "must be written #rrggbb");
+}
+
+} // namespace
+
 RakeSetting read_rake_setting(CheckedJson& in, const RakeLimits& limits) {
     RakeSetting setting;
     if (in.has("rake"))
         setting.rake = in.text("rake");
     setting.shape = read_shape(in, limits);
     setting.name = in.text_or("name", {}, limits.name_bytes);
+    if (in.has("colour")) {
+        setting.colour = in.text("colour");
+        check_colour(in, *setting.colour);
+    }
     if (in.has("dragging"))
         setting.dragging = in.flag_or("dragging", false);
     setting.force = in.flag_or("force", false);
@@ -64,6 +79,10 @@ RakeRecord read_rake_record(CheckedJson& in, const RakeLimits& limits) {
     record.rev = in.count("rev", 0, most_rev);
     record.shape = read_shape(in, limits);
     record.name = in.text_or("name", {}, limits.name_bytes);
+    record.colour = in.text_or("colour", {});
+    if (!record.colour.empty())
+        check_colour(in, record.colour);
+    record.author = in.text_or("author", {}, limits.name_bytes);
     record.clipped = in.flag_or("clipped", false);
     return record;
 }
@@ -82,6 +101,8 @@ nlohmann::json rake_json(const RakeRecord& record) {
                        {"points", points_json(record.shape.points)},
                        {"seeds", record.shape.seeds},
                        {"name", record.name},
+                       {"colour", record.colour},
+                       {"author", record.author},
                        {"clipped", record.clipped},
                        {"dragging", record.dragging}};
     if (!record.leased_by.empty())

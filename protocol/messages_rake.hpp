@@ -28,6 +28,7 @@ struct RakeSetting {
     std::optional<std::string> rake; ///< nothing: create one
     core::Rake shape;
     std::string name;
+    std::optional<std::string> colour; ///< nothing: as it is; of a new one the session's choice
     std::optional<bool>
         dragging;       ///< true takes or renews the lease, false ends it, nothing leaves it
     bool force = false; ///< although somebody else has the lease
@@ -42,6 +43,8 @@ struct RakeRecord {
     std::uint64_t rev = 0;
     core::Rake shape; ///< as clipped
     std::string name;
+    std::string colour; ///< #rrggbb; empty in records from before rakes had one
+    std::string author; ///< name of who made it
     bool clipped = false;
     bool dragging = false; ///< somebody holds it just now
     std::string leased_by; ///< who; empty where nobody does

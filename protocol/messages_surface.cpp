@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace wakesurf::protocol {
@@ -13,6 +14,7 @@ namespace {
 constexpr double any = std::numeric_limits<double>::max();
 /// Times must stay finite as float, in which attributes travel.
 constexpr double any_time = std::numeric_limits<float>::max();
+constexpr std::size_t fields_once_allowed = 16;
 
 core::SurfaceParameters read_parameters(CheckedJson& in, const SurfaceLimits& limits) {
     core::SurfaceParameters out;
@@ -50,13 +52,15 @@ SurfaceSetting read_surface_setting(CheckedJson& in, const SurfaceLimits& limits
         setting.rake2 = in.text("rake2");
     setting.dataset = in.text("dataset");
     setting.parameters = read_parameters(in, limits);
-    setting.fields = in.texts_or_none("fields", 16);
+    setting.fields = in.texts_or_none("fields", limits.fields);
     setting.if_rev = in.count_if("ifRev", 0, most_rev);
     return setting;
 }
 
 SurfaceRecord read_surface_record(CheckedJson& in, const SurfaceLimits& limits) {
-    const SurfaceSetting setting = read_surface_setting(in, limits);
+    SurfaceLimits once = limits;
+    once.fields = std::max(limits.fields, fields_once_allowed);
+    const SurfaceSetting setting = read_surface_setting(in, once);
     SurfaceRecord record;
     record.surface = in.text("surface");
     record.rev = in.count("rev", 0, most_rev);

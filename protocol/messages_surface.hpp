@@ -17,6 +17,7 @@ namespace wakesurf::protocol {
 struct SurfaceLimits {
     std::uint64_t quads_default = 1'000'000;
     std::uint64_t quads_most = 4'000'000;
+    std::size_t fields = 4;
 };
 
 struct SurfaceSetting {
@@ -49,7 +50,7 @@ struct SurfaceRecord {
 
 nlohmann::json surface_json(const SurfaceRecord& record);
 
-/// What surface_json gave; faults stay in `in`.
+/// What surface_json gave, also with more fields than may be asked for now; faults stay in `in`.
 SurfaceRecord read_surface_record(CheckedJson& in, const SurfaceLimits& limits);
 
 } // namespace wakesurf::protocol

@@ -14,8 +14,11 @@
 
 namespace wakesurf::protocol {
 
-/// The attributes of a surface's vertices, in the order of the wire.
+/// The attributes that every surface's vertices have, in the order of the wire; the surface's fields follow.
 inline constexpr std::array<std::string_view, 3> surface_attributes{"speed", "s", "t"};
+
+/// Further attributes of a mesh: one array each, one value a vertex.
+using MeshFields = std::vector<std::vector<float>>;
 
 /// What the codes 0 and 65535 of an attribute stand for.
 struct AttributeRange {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 namespace wakesurf::protocol {
 
@@ -32,6 +34,19 @@ Ends ends_of(std::span<const double> values) {
     return {std::ranges::min(lo), std::ranges::max(hi)};
 }
 
+std::vector<double> all_finite(std::span<const float> values) {
+    std::vector<double> out(values.begin(), values.end());
+    const auto finite = [](double value) { return std::isfinite(value); };
+    if (std::ranges::all_of(out, finite))
+        return out;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double value : out)
+        if (finite(value))
+            least = std::min(least, value);
+    std::ranges::replace_if(out, std::not_fn(finite), finite(least) ? least : 0.0);
+    return out;
+}
+
 AttributeRange range_for(std::span<const double> values, const AttributeRange* held) {
     if (values.empty())
         return held != nullptr ? *held : AttributeRange{};
@@ -52,11 +67,15 @@ AttributeRange range_for(std::span<const double> values, const AttributeRange* h
 
 } // namespace
 
-AttributeValues attribute_values(const core::QuadComplex& mesh) {
-    std::vector<double> speed(mesh.vertices());
+AttributeValues::AttributeValues(const core::QuadComplex& mesh, const MeshFields& fields) {
+    own_.reserve(1 + fields.size());
+    auto& speed = own_.emplace_back(mesh.vertices());
     for (std::size_t i = 0; i < speed.size(); ++i)
         speed[i] = glm::length(core::Vec3(mesh.velocity[i]));
-    return {std::move(speed), mesh.s, mesh.t};
+    for (const auto& field : fields)
+        own_.push_back(all_finite(field));
+    all_ = {own_.front(), mesh.s, mesh.t};
+    all_.insert(all_.end(), own_.begin() + 1, own_.end());
 }
 
 std::vector<AttributeRange> ranges_for(const AttributeValues& values,

@@ -5,7 +5,6 @@
 #include "protocol/lattice.hpp"
 #include "protocol/wire_mesh.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,17 +12,22 @@
 
 namespace wakesurf::protocol {
 
-/// Speed, s and t of each vertex; s and t as the mesh holds them, which must outlive this.
-struct AttributeValues {
-    std::vector<double> speed;
-    std::span<const double> s, t;
+/// The attributes of each vertex, all finite; those the mesh holds are not copied, so it must outlive this.
+class AttributeValues {
+  public:
+    /// None.
+    AttributeValues() = default;
 
-    std::array<std::span<const double>, surface_attributes.size()> all() const {
-        return {speed, s, t};
-    }
+    /// Speed, s and t, then the fields, whose values that are not finite become the least finite one of their field (0 where
+    /// there is none).
+    AttributeValues(const core::QuadComplex& mesh, const MeshFields& fields);
+
+    std::span<const std::span<const double>> all() const { return all_; }
+
+  private:
+    std::vector<std::vector<double>> own_;
+    std::vector<std::span<const double>> all_;
 };
-
-AttributeValues attribute_values(const core::QuadComplex& mesh);
 
 /// Ranges that hold all values: `held` as long as they do, else those widened by half, so that a growing surface does not
 /// need new ones with each update.

@@ -83,6 +83,7 @@ inline constexpr std::uint64_t seeds_most = 4096;
 inline constexpr std::size_t rake_points = 1024;
 inline constexpr std::uint64_t quads_default = 1'000'000;
 inline constexpr std::uint64_t quads_most = 4'000'000;
+inline constexpr std::size_t fields = 4; ///< of a surface: further attributes of its vertices
 inline constexpr std::uint64_t wait_ms = 600'000;
 inline constexpr std::size_t history_bytes = std::size_t{128}
                                              << 20; ///< of a moving surface, to step back to

@@ -1,5 +1,8 @@
 #include "core/field/sample_scalar.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -57,6 +60,26 @@ class TwoSteps {
     std::array<Held, 2> held_;
 };
 
+constexpr std::size_t most_at_once = std::size_t{1} << 16;
+
+/// Calls `each` with the numbers below `size`, until `stop` fires.
+template <class Each>
+void parallel(std::size_t size, const std::stop_token& stop, Each each) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, 1024), [&](const auto& range) {
+        if (!stop.stop_requested())
+            for (std::size_t k = range.begin(); k != range.end(); ++k)
+                each(k);
+    });
+}
+
+template <class Is>
+bool any(std::size_t size, Is is) {
+    for (std::size_t k = 0; k < size; ++k)
+        if (is(k))
+            return true;
+    return false;
+}
+
 double weighed(const NodeShares& shares, const float* values) {
     double sum = 0.0;
     for (std::size_t i = 0; i < shares.count; ++i)
@@ -95,25 +118,44 @@ Result<std::vector<float>> sample_scalar(const Flow& flow,
     std::stable_sort(order.begin(), order.end(),
                      [&](auto a, auto b) { return times[a] < times[b]; });
     TwoSteps steps(store, scalar, stop);
-    for (const std::uint32_t i : order) {
-        if (stop.stop_requested())
-            return fail(Error::Code::Cancelled, "sampling was cancelled");
-        const NodeShares shares = flow.shares(positions[i]);
-        if (shares.count == 0)
+    std::vector<NodeShares> shares;
+    std::vector<double> part;
+    for (std::size_t begin = 0; begin < order.size();) {
+        // The points of one interval of time, but not too many: their shares are kept from one end of it to the other.
+        const std::size_t step = moment_of(store.times(), times[order[begin]]).step;
+        part.clear();
+        while (part.size() < most_at_once && begin + part.size() < order.size()) {
+            const Moment moment = moment_of(store.times(), times[order[begin + part.size()]]);
+            if (moment.step != step)
+                break;
+            part.push_back(moment.part);
+        }
+        const std::span<const std::uint32_t> points(order.data() + begin, part.size());
+        begin += part.size();
+        shares.resize(part.size());
+        parallel(points.size(), stop,
+                 [&](std::size_t k) { shares[k] = flow.shares(positions[points[k]]); });
+        const auto wanted = [&](std::size_t k) { return shares[k].count > 0; };
+        const auto between = [&](std::size_t k) { return wanted(k) && part[k] > 0.0; };
+        if (!any(points.size(), wanted))
             continue;
-        const Moment moment = moment_of(store.times(), times[i]);
-        const auto first = steps.values(moment.step);
+        const auto first = steps.values(step);
         if (!first)
             return tl::unexpected(first.error());
-        double value = weighed(shares, *first);
-        if (moment.part > 0.0) {
-            const auto second = steps.values(moment.step + 1);
-            if (!second)
-                return tl::unexpected(second.error());
-            value += moment.part * (weighed(shares, *second) - value);
-        }
-        if (std::isfinite(value))
-            out[i] = static_cast<float>(value);
+        const auto second = any(points.size(), between) ? steps.values(step + 1) : first;
+        if (!second)
+            return tl::unexpected(second.error());
+        parallel(points.size(), stop, [&](std::size_t k) {
+            if (!wanted(k))
+                return;
+            double value = weighed(shares[k], *first);
+            if (part[k] > 0.0)
+                value += part[k] * (weighed(shares[k], *second) - value);
+            if (std::isfinite(value))
+                out[points[k]] = static_cast<float>(value);
+        });
+        if (stop.stop_requested())
+            return fail(Error::Code::Cancelled, "sampling was cancelled");
     }
     return out;
 }

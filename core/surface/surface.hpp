@@ -4,6 +4,8 @@
 #include "core/surface/quad_complex.hpp"
 #include "core/surface/surface_statistics.hpp"
 
+#include <optional>
+
 namespace wakesurf::core {
 
 struct Surface {
@@ -11,6 +13,8 @@ struct Surface {
     SurfaceStatistics statistics;
     /// Streak and time surfaces: vertices from here on belong to the part that goes back in time.
     VertexId first_backward = no_vertex;
+    /// The time it is followed to, where that is before the one asked for.
+    std::optional<double> ended{};
 };
 
 } // namespace wakesurf::core

@@ -201,15 +201,18 @@ Result<Surface> build_surface(const Flow& flow,
         return tl::unexpected(sound.error());
     auto surface = build_whole(flow, rake, parameters, stop, clock, work);
     std::string stopped;
+    std::optional<double> ended;
     for (auto p = parameters; !surface;) {
         const auto part = readable_part(p, surface.error());
         if (!part)
             return surface;
         p = *part;
+        ended = p.to;
         stopped = surface.error().message;
         surface = build_whole(flow, rake, p, stop, clock, work);
     }
     surface->statistics.stopped = std::move(stopped);
+    surface->ended = ended;
     WorkPart(work).reached(1.0);
     return surface;
 }

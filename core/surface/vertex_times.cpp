@@ -6,7 +6,7 @@ namespace wakesurf::core {
 
 std::vector<double> vertex_times(const Surface& surface, const SurfaceParameters& parameters) {
     const auto& p = parameters;
-    const double duration = std::abs(p.to - p.from);
+    const double duration = std::abs(surface.ended.value_or(p.to) - p.from);
     std::vector<double> times(surface.mesh.vertices(), p.from);
     for (std::size_t i = 0; i < times.size(); ++i) {
         if (p.kind == SurfaceKind::Path)

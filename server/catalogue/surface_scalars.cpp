@@ -1,14 +1,29 @@
 #include "server/catalogue/surface_scalars.hpp"
 
 #include "core/field/sample_scalar.hpp"
+#include "core/surface/vertex_attributes.hpp"
 #include "core/surface/vertex_times.hpp"
 
 namespace wakesurf::server {
 
+namespace {
+
+bool stored(const LoadedDataset& dataset, const std::string& name) {
+    return dataset.store != nullptr && core::find_scalar(dataset.store->layout(), name);
+}
+
+/// Every export has it anyhow, unless the dataset has a field of that name.
+bool written_anyhow(const LoadedDataset& dataset, const std::string& name) {
+    const bool derived = name == core::deformation_name || name == core::approximated_name;
+    return name == dataset.info.velocity || (derived && !stored(dataset, name));
+}
+
+} // namespace
+
 core::Result<void> check_fields(const LoadedDataset& dataset,
                                 const std::vector<std::string>& fields) {
     for (const std::string& name : fields) {
-        if (name == dataset.info.velocity)
+        if (written_anyhow(dataset, name))
             continue;
         if (dataset.store == nullptr)
             return core::fail(core::Error::Code::Unsupported,
@@ -30,7 +45,7 @@ core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset
     protocol::MeshScalars scalars;
     const auto times = core::vertex_times(surface, parameters);
     for (const std::string& name : fields) {
-        if (name == dataset.info.velocity)
+        if (written_anyhow(dataset, name))
             continue;
         const auto scalar = core::find_scalar(dataset.store->layout(), name);
         auto values = core::sample_scalar(*dataset.flow, *dataset.store, *scalar,

@@ -102,16 +102,14 @@ void Client::patched(const std::string& session,
     });
 }
 
-void Client::progress(const std::string& surface,
-                      std::uint32_t epoch,
-                      protocol::Phase phase,
-                      Telling& telling) {
+void Client::progress(const SurfaceProgress& progress, Telling& telling) {
     constexpr std::array names{"coarse", "refined", "final", "live"};
     tell(telling, [&] {
-        return protocol::rpc_notification("surface.progress",
-                                          {{"surface", surface},
-                                           {"epoch", epoch},
-                                           {"phase", names[static_cast<std::size_t>(phase)]}});
+        return protocol::rpc_notification(
+            "surface.progress", {{"surface", progress.surface},
+                                 {"epoch", progress.epoch},
+                                 {"phase", names[static_cast<std::size_t>(progress.phase)]},
+                                 {"seconds", pass_json(progress.took)}});
     });
 }
 

@@ -75,10 +75,7 @@ class Client final : public Observer, public GrantHolder {
                  std::uint64_t seq,
                  std::span<const Patch> patches,
                  Telling& telling) override;
-    void progress(const std::string& surface,
-                  std::uint32_t epoch,
-                  protocol::Phase phase,
-                  Telling& telling) override;
+    void progress(const SurfaceProgress& progress, Telling& telling) override;
     void done(const SurfaceOutcome& outcome, Telling& telling) override;
     void presence(const std::string& message) override;
     void sent_away(Farewell why) override;

@@ -19,12 +19,21 @@ nlohmann::json error_json(const core::Error& error) {
     return out;
 }
 
+nlohmann::json pass_json(const PassSeconds& took) {
+    return {{"queue", took.queue},
+            {"load", took.load},
+            {"compute", took.compute},
+            {"encode", took.encode}};
+}
+
 nlohmann::json outcome_json(const SurfaceOutcome& outcome) {
     nlohmann::json out = protocol::statistics_json(outcome.statistics);
     out["surface"] = outcome.surface;
     out["epoch"] = outcome.epoch;
     out["complete"] = outcome.complete;
     out["crc"] = outcome.crc;
+    if (outcome.took)
+        out["pass"] = pass_json(*outcome.took);
     if (outcome.error)
         out["error"] = error_json(*outcome.error);
     return out;

@@ -7,6 +7,9 @@
 
 namespace wakesurf::server {
 
+/// {queue, load, compute, encode}
+nlohmann::json pass_json(const PassSeconds& took);
+
 nlohmann::json outcome_json(const SurfaceOutcome& outcome);
 
 /// {code, message, kind, hint, limit?}

@@ -94,7 +94,7 @@ std::vector<Method> rake_methods() {
     return {
         {"rake.set",
          "Creates a rake, or replaces one as a whole; the surfaces that hang on it are rebuilt at "
-         "once.",
+         "once, unless only its name or colour changes.",
          {session_parameter(),
           {"rake", text, false, "left out: create one"},
           {"kind", R"({"enum":["line","polyline","circle","points"]})", true, "shape of the rake"},
@@ -109,6 +109,8 @@ std::vector<Method> rake_methods() {
                        limits::seeds_most),
            true, "how many seeds lie on it"},
           {"name", text, false, "for people"},
+          {"colour", R"({"type":"string","pattern":"^#[0-9a-fA-F]{6}$"})", false,
+           "#rrggbb; left out: as it was, of a new rake one that few others have"},
           {"dragging", flag, false,
            fmt::format("true: nobody else may edit the rake for {} s from now; false: they may "
                        "again; left out: as it was",

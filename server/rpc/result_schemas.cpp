@@ -70,7 +70,8 @@ constexpr std::string_view shapes = R"json({
   "properties": {
     "rake": "#Id", "rev": "#Count", "kind": {"enum": ["line", "polyline", "circle", "points"]},
     "points": {"type": "array", "items": "#Vector", "description": "as clipped to the domain"},
-    "seeds": "#Count", "name": {"type": "string"},
+    "seeds": "#Count", "name": {"type": "string"}, "colour": {"type": "string", "pattern": "^#[0-9a-fA-F]{6}$"},
+    "author": {"type": "string", "description": "name of who made it"},
     "clipped": {"type": "boolean", "description": "a part was outside the domain"},
     "dragging": {"type": "boolean"},
     "leasedBy?": {"type": "string", "description": "the participant who drags it"}}},
@@ -84,6 +85,11 @@ constexpr std::string_view shapes = R"json({
     "merge": {"type": "number"}, "angle": {"type": "number"}, "maxQuads": "#Count",
     "fields": {"type": "array", "items": {"type": "string"}}, "releaseUntil?": {"type": "number"},
     "sweep?": "#Vector", "rake2?": "#Id"}},
+"PassSeconds": {
+  "type": "object", "description": "what the pass that made the newest state took; queue: until it began",
+  "properties": {
+    "queue": {"type": "number", "minimum": 0}, "load": {"type": "number", "minimum": 0},
+    "compute": {"type": "number", "minimum": 0}, "encode": {"type": "number", "minimum": 0}}},
 "Statistics": {
   "type": "object",
   "properties": {
@@ -98,7 +104,7 @@ constexpr std::string_view shapes = R"json({
       "properties": {
         "load": {"type": "number"}, "advect": {"type": "number"}, "refine": {"type": "number"},
         "other": {"type": "number"}, "total": {"type": "number"}}},
-    "peakBytes": "#Count", "stopped?": {"type": "string", "description": "why the surface ends early"},
+    "pass?": "#PassSeconds", "peakBytes": "#Count", "stopped?": {"type": "string", "description": "why the surface ends early"},
     "surface": "#Id", "epoch": "#Count",
     "complete": {"type": "boolean", "description": "the final surface of this epoch"},
     "crc": {"type": "integer", "minimum": 0, "description": "CRC-32C of the newest state, see State checksum"},

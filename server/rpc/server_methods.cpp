@@ -48,6 +48,7 @@ json info() {
               {"probes", limits::probes},
               {"downloads", limits::downloads},
               {"quads", limits::quads_most},
+              {"fields", limits::fields},
               {"waitMs", limits::wait_ms}}}};
 }
 

@@ -74,6 +74,8 @@ void subscribe(const Call& call, Reply reply) {
     json attributes = json::array();
     for (const std::string_view each : protocol::surface_attributes)
         attributes.push_back(each);
+    for (const SurfaceField& each : (*live)->wanted().fields)
+        attributes.push_back(each.name);
     FrameCursor cursor = call.client->cursor(surface, **live, *from, call.context.metrics);
     if (!call.client->may_subscribe((*live)->number()))
         return reply.fault(core::Error{core::Error::Code::OverLimit,

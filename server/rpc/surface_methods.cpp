@@ -19,8 +19,8 @@ constexpr RecordHandlers<protocol::SurfaceRecord> handlers{
 
 void set(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
-    const auto setting =
-        protocol::read_surface_setting(in, {limits::quads_default, limits::quads_most});
+    const auto setting = protocol::read_surface_setting(
+        in, {limits::quads_default, limits::quads_most, limits::fields});
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
@@ -69,8 +69,13 @@ std::vector<Parameter> set_parameters() {
         {"maxQuads",
          fmt::format(R"({{"type":"integer","minimum":1,"maximum":{}}})", limits::quads_most), false,
          fmt::format("{}", limits::quads_default)},
-        {"fields", R"({"type":"array","items":{"type":"string"}})", false,
-         "scalar fields for exports"},
+        {"fields",
+         fmt::format(R"({{"type":"array","items":{{"type":"string"}},"maxItems":{}}})",
+                     limits::fields),
+         false,
+         "further attributes of the vertices, in frames and exports: scalar fields of the dataset, "
+         "its velocity (the "
+         "magnitude), `deformation`, `approximated`"},
         {"ifRev", R"({"type":"integer"})", false, "refuse if the surface is at another revision"}};
 }
 

@@ -24,30 +24,32 @@ std::size_t step_of(const QuadComplex& mesh, const Cell& cell, double span) {
     return std::min(steps, static_cast<std::size_t>(std::ceil(oldest / span * steps)));
 }
 
+template <class T, class Order>
+void take(const std::vector<T>& from, const Order& order, std::vector<T>& to) {
+    if (from.empty())
+        return;
+    to.reserve(order.size());
+    for (const auto v : order)
+        to.push_back(from[v]);
+}
+
 /// The vertices `order` of `mesh`, without cells.
 template <class Order>
 QuadComplex vertices(const QuadComplex& mesh, const Order& order) {
     QuadComplex out;
-    const auto take = [&](const auto& from, auto& to) {
-        if (from.empty())
-            return;
-        to.reserve(order.size());
-        for (const auto v : order)
-            to.push_back(from[v]);
-    };
-    take(mesh.position, out.position);
-    take(mesh.s, out.s);
-    take(mesh.t, out.t);
-    take(mesh.velocity, out.velocity);
-    take(mesh.deformation, out.deformation);
-    take(mesh.component, out.component);
-    take(mesh.approximated, out.approximated);
+    take(mesh.position, order, out.position);
+    take(mesh.s, order, out.s);
+    take(mesh.t, order, out.t);
+    take(mesh.velocity, order, out.velocity);
+    take(mesh.deformation, order, out.deformation);
+    take(mesh.component, order, out.component);
+    take(mesh.approximated, order, out.approximated);
     return out;
 }
 
 } // namespace
 
-GrowingMesh::GrowingMesh(const QuadComplex& whole, double span)
+GrowingMesh::GrowingMesh(const QuadComplex& whole, double span, const protocol::MeshFields& fields)
     : span_(span), cells_(steps + 1, 0), vertices_(steps + 1, 0) {
     std::vector<std::size_t> step(whole.cells.size());
     for (std::size_t c = 0; c < step.size(); ++c)
@@ -82,12 +84,26 @@ GrowingMesh::GrowingMesh(const QuadComplex& whole, double span)
         vertices_[k] = std::max(vertices_[k], vertices_[k - 1]);
     }
     mesh_ = vertices(whole, order);
+    for (const auto& field : fields)
+        take(field, order, fields_.emplace_back());
     mesh_.cells = std::move(in_order);
 }
 
-core::KeyedMesh GrowingMesh::at(double age) const {
-    const auto k = static_cast<std::size_t>(
+std::size_t GrowingMesh::step_at(double age) const {
+    return static_cast<std::size_t>(
         std::clamp(std::floor(age / span_ * steps), 0.0, static_cast<double>(steps)));
+}
+
+protocol::MeshFields GrowingMesh::fields_at(double age) const {
+    const auto count = static_cast<std::ptrdiff_t>(vertices_[step_at(age)]);
+    protocol::MeshFields out;
+    for (const auto& field : fields_)
+        out.emplace_back(field.begin(), field.begin() + count);
+    return out;
+}
+
+core::KeyedMesh GrowingMesh::at(double age) const {
+    const std::size_t k = step_at(age);
     core::KeyedMesh out;
     out.vertex_id.resize(vertices_[k]);
     std::iota(out.vertex_id.begin(), out.vertex_id.end(), 0U);

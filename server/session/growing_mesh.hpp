@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/surface/keyed_mesh.hpp"
+#include "protocol/wire_mesh.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -12,15 +13,24 @@ namespace wakesurf::server {
 /// Immutable.
 class GrowingMesh {
   public:
-    /// @param span  integration time: the age of the oldest. Cost: O(cells log cells).
-    GrowingMesh(const core::QuadComplex& whole, double span);
+    /// @param span    integration time: the age of the oldest. Cost: O(cells log cells).
+    /// @param fields  of the vertices
+    GrowingMesh(const core::QuadComplex& whole,
+                double span,
+                const protocol::MeshFields& fields = {});
 
     /// The cells that have been swept until `age`; ids are indices. Ages are rounded down to 1/1024 of the span, so that rows stay
     /// together. Cost: O(what is shown).
     core::KeyedMesh at(double age) const;
 
+    /// Of the vertices that at() gives.
+    protocol::MeshFields fields_at(double age) const;
+
   private:
-    core::QuadComplex mesh_; ///< in order
+    std::size_t step_at(double age) const;
+
+    core::QuadComplex mesh_;      ///< in order
+    protocol::MeshFields fields_; ///< likewise
     double span_;
     std::vector<std::size_t> cells_;    ///< how many there are up to each step of age
     std::vector<std::size_t> vertices_; ///< likewise

@@ -4,6 +4,7 @@
 #include "server/metrics/metrics.hpp"
 #include "server/session/build_turns.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <new>
 #include <utility>
@@ -24,7 +25,7 @@ void count(Metrics& metrics,
     metrics.observe(Stage::Queue, queued.count());
     if (!result)
         return;
-    metrics.observe(Stage::Encode, result->encode_seconds);
+    metrics.observe(Stage::Encode, result->took.encode);
     if (!whole)
         return;
     metrics.observe(Stage::Load, result->statistics.seconds.load);
@@ -66,7 +67,7 @@ void LiveSurface::begin_epoch() {
     full_.reset();
     coarse_done_ = refined_done_ = false;
     overtake_.reset();
-    began_ = services_.clock.now();
+    began_ = pass_wanted_ = services_.clock.now();
     ring_->begin(epoch_);
 }
 
@@ -118,6 +119,8 @@ void LiveSurface::show(std::optional<double> time, bool playing, bool jumped) {
     playing_ = playing;
     if (!building_ || !moves(wanted_.parameters))
         return;
+    if (!running())
+        pass_wanted_ = services_.clock.now();
     if (jumped) {
         jumped_ = services_.clock.now();
         give_up_stale();
@@ -149,10 +152,12 @@ void LiveSurface::give_up_stale() {
 }
 
 bool LiveSurface::busy() const {
-    for (const auto& lane : lanes_)
-        if (lane && lane->epoch == epoch_)
-            return true;
-    return next_pass().has_value();
+    return running() || next_pass().has_value();
+}
+
+bool LiveSurface::running() const {
+    return std::ranges::any_of(lanes_,
+                               [this](const auto& lane) { return lane && lane->epoch == epoch_; });
 }
 
 /// Nothing once all is there that can be.
@@ -186,9 +191,8 @@ Pace LiveSurface::pace(const SurfacePass& pass) const {
 void LiveSurface::advance() {
     if (held_)
         return;
-    for (const auto& lane : lanes_)
-        if (lane && lane->epoch == epoch_)
-            return; // its end comes here
+    if (running())
+        return; // its end comes here
     const auto pass = next_pass();
     if (!pass)
         return;
@@ -199,30 +203,35 @@ void LiveSurface::advance() {
 
 void LiveSurface::start(Pace pace, const SurfacePass& pass) {
     if (build_->job().flow != wanted_.flow)
-        build_->renew_flow(wanted_.flow);
+        build_->renew_data(wanted_.flow, wanted_.store);
     const bool early = pass.phase == Phase::Coarse || pass.phase == Phase::Refined;
-    Running& running =
-        lanes_[index(pace)].emplace(Running{epoch_, pass, std::stop_source(), services_.clock.now(),
-                                            early ? nullptr : std::make_shared<core::WorkDone>()});
-    services_.pool.run(
-        session_, pace,
-        [build = build_, pass, pace, stop = running.stop.get_token(), weak = weak_from_this(),
-         services = services_, first = !full_, queued = running.since, work = running.work] {
-            const auto start = services.clock.now();
-            auto result =
-                std::make_shared<core::Result<Update>>(build->run(pass, stop, work.get()));
-            const std::chrono::duration<double> taken = services.clock.now() - start;
-            if (services.metrics != nullptr)
-                count(*services.metrics, start - queued, *result, first);
-            services.loop.post([weak, pace, result, seconds = taken.count()] {
-                if (const auto self = weak.lock())
-                    self->finished(pace, std::move(*result), seconds);
-            });
-        });
+    Running& running = lanes_[index(pace)].emplace(
+        Running{epoch_, pass, std::stop_source(), services_.clock.now(), pass_wanted_,
+                early ? nullptr : std::make_shared<core::WorkDone>()});
+    services_.pool.run(session_, pace,
+                       [build = build_, pass, pace, stop = running.stop.get_token(),
+                        weak = weak_from_this(), services = services_, first = !full_,
+                        queued = running.since, wanted = running.wanted, work = running.work] {
+                           const auto start = services.clock.now();
+                           auto result = std::make_shared<core::Result<Update>>(
+                               build->run(pass, stop, work.get()));
+                           const std::chrono::duration<double> taken = services.clock.now() - start;
+                           if (*result)
+                               (*result)->took.queue =
+                                   std::chrono::duration<double>(start - wanted).count();
+                           if (services.metrics != nullptr)
+                               count(*services.metrics, start - queued, *result, first);
+                           services.loop.post([weak, pace, result, seconds = taken.count()] {
+                               if (const auto self = weak.lock())
+                                   self->finished(pace, std::move(*result), seconds);
+                           });
+                       });
 }
 
 void LiveSurface::finished(Pace pace, core::Result<Update> result, double seconds) {
     const Running job = *std::exchange(lanes_[index(pace)], std::nullopt);
+    if (job.epoch == epoch_)
+        pass_wanted_ = services_.clock.now();
     if (job.epoch != epoch_ || !building_)
         budgets_.cut_short(job.pass.phase, seconds);
     else if (result)
@@ -267,7 +276,7 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
     }
     const bool more = next_pass().has_value();
     if (pass.phase != Phase::Final || !more)
-        events_.progress(epoch_, pass.phase);
+        events_.progress({id_, epoch_, pass.phase, ring_->newest()->took});
     if (!more)
         conclude();
 }
@@ -306,6 +315,7 @@ SurfaceOutcome LiveSurface::outcome() const {
         out.complete = full_ && !error_ && (playing || !next_pass());
         out.crc = state->wire.crc;
         out.statistics = state->statistics;
+        out.took = state->took;
     }
     return out;
 }

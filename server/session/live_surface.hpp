@@ -30,7 +30,7 @@ class Metrics;
 class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
   public:
     struct Events {
-        std::function<void(std::uint32_t epoch, Phase phase)> progress;
+        std::function<void(const SurfaceProgress&)> progress;
         std::function<void(const SurfaceOutcome&)> done;
     };
 
@@ -76,7 +76,11 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     bool busy() const;
 
     /// The same data, opened again: lets go of the old one's time-steps.
-    void renew_flow(std::shared_ptr<const core::Flow> flow) { wanted_.flow = std::move(flow); }
+    void renew_data(std::shared_ptr<const core::Flow> flow,
+                    std::shared_ptr<const core::StoreReader> store) {
+        wanted_.flow = std::move(flow);
+        wanted_.store = std::move(store);
+    }
 
     /// Stops computing and answers everybody who waits with NotFound.
     void retire();
@@ -111,12 +115,14 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
         SurfacePass pass;
         std::stop_source stop;
         std::chrono::steady_clock::time_point since;
-        std::shared_ptr<core::WorkDone> work; ///< of a pass of full quality, else null
+        std::chrono::steady_clock::time_point wanted; ///< before it could be given to the pool
+        std::shared_ptr<core::WorkDone> work;         ///< of a pass of full quality, else null
     };
 
     /// One a pace: the coarse pass of an edit does not wait for the long one that it ends.
     std::array<std::optional<Running>, 2> lanes_;
 
+    bool running() const; ///< a job of the current epoch
     void advance();
     std::optional<SurfacePass> next_pass() const;
     Pace pace(const SurfacePass& pass) const;
@@ -152,6 +158,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
 
     // Of the current epoch.
     std::chrono::steady_clock::time_point began_{};
+    std::chrono::steady_clock::time_point pass_wanted_{}; ///< the one that is next or runs
     std::shared_ptr<SurfaceBuild> build_;
     bool coarse_done_ = false, refined_done_ = false;
     std::optional<SurfacePass> full_; ///< the newest one of full quality

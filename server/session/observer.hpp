@@ -6,6 +6,7 @@
 #include "core/surface/surface_statistics.hpp"
 #include "protocol/mesh_stream.hpp"
 #include "protocol/messages_time.hpp"
+#include "server/session/pass_seconds.hpp"
 #include "server/session/session_records.hpp"
 
 #include <cstdint>
@@ -30,6 +31,14 @@ using Patch = std::variant<protocol::RakeRecord,
                            protocol::ClockRecord,
                            DeletedRecord>;
 
+/// A surface has a state of a further phase.
+struct SurfaceProgress {
+    std::string surface;
+    std::uint32_t epoch = 0;
+    protocol::Phase phase = protocol::Phase::Final;
+    PassSeconds took; ///< making that state
+};
+
 /// How an epoch of a surface ended.
 struct SurfaceOutcome {
     std::string surface;
@@ -37,6 +46,7 @@ struct SurfaceOutcome {
     bool complete = false;
     std::uint32_t crc = 0;
     core::SurfaceStatistics statistics; ///< of the newest state; all zero before the first
+    std::optional<PassSeconds> took;    ///< making the newest state
     std::optional<core::Error> error;
 };
 
@@ -59,11 +69,8 @@ class Observer {
                          std::uint64_t seq,
                          std::span<const Patch> patches,
                          Telling& telling) = 0;
-    /// A surface has a state of a further phase. Not told while it plays, nor of times it only passes.
-    virtual void progress(const std::string& surface,
-                          std::uint32_t epoch,
-                          protocol::Phase phase,
-                          Telling& telling) = 0;
+    /// Not told while a surface plays, nor of times it only passes.
+    virtual void progress(const SurfaceProgress& progress, Telling& telling) = 0;
     virtual void done(const SurfaceOutcome& outcome, Telling& telling) = 0;
 
     /// Others came, went or moved: a notification, as text.

@@ -144,18 +144,13 @@ bool Participants::taken(const std::string& name) const {
 
 /// The one of the palette that the fewest have.
 std::string Participants::free_colour() const {
-    std::array<std::size_t, participant_colours.size()> users{};
-    const auto count = [&](const Participant& each) {
-        for (std::size_t i = 0; i < users.size(); ++i)
-            users[i] += each.colour == participant_colours[i] ? 1 : 0;
-    };
+    ColourCount count;
     for (const Participant& each : present_)
-        count(each);
+        count.add(each.colour);
     for (const Absent& each : absent_)
         if (each.shown)
-            count(each.place);
-    const auto least = std::min_element(users.begin(), users.end()) - users.begin();
-    return std::string(participant_colours[static_cast<std::size_t>(least)]);
+            count.add(each.place.colour);
+    return count.rarest();
 }
 
 /// Nothing for who is not connected here.

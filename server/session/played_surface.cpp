@@ -111,6 +111,13 @@ core::Result<KeyedMesh> PlayedSurface::part_at(Part& part,
     }
 }
 
+std::vector<double> PlayedSurface::Shown::times() const {
+    std::vector<double> out(mesh.mesh.vertices(), time);
+    for (std::size_t i = first_backward; i < out.size(); ++i)
+        out[i] = time_backward;
+    return out;
+}
+
 core::Result<PlayedSurface::Shown>
 PlayedSurface::at(double age, const std::stop_token& stop, const core::WorkPart& work) {
     Shown shown;
@@ -121,10 +128,14 @@ PlayedSurface::at(double age, const std::stop_token& stop, const core::WorkPart&
         if (!mesh)
             return tl::unexpected(mesh.error());
         short_of = short_of || age > part.most;
-        if (part.sign > 0.0)
+        if (part.sign > 0.0) {
+            shown.time = mesh->time;
             shown.mesh = std::move(*mesh);
-        else
+        } else {
+            shown.time_backward = mesh->time;
+            shown.first_backward = static_cast<core::VertexId>(shown.mesh.mesh.vertices());
             append_backward(shown.mesh, *mesh, parts_.size() > 1 ? of_second_part : 0);
+        }
         add(shown.statistics, part.history.surface().statistics());
     }
     SurfaceStatistics& s = shown.statistics;

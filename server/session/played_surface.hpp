@@ -26,6 +26,12 @@ class PlayedSurface {
     struct Shown {
         core::KeyedMesh mesh; ///< ids last as long as this surface
         core::SurfaceStatistics statistics;
+        core::VertexId first_backward =
+            core::no_vertex;        ///< from here on of the part that goes back
+        double time = 0.0;          ///< at which the vertices are there
+        double time_backward = 0.0; ///< likewise of that part
+
+        std::vector<double> times() const;
     };
 
     /// @param age  since the (first) release, up to the integration time

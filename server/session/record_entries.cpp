@@ -4,6 +4,7 @@
 #include "server/session/surface_rules.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace wakesurf::server {
@@ -87,6 +88,18 @@ void take_clock(const std::string& text, KeptRecords& into) {
             {clock.error().code, "clock: " + clock.error().message, clock.error().hint});
 }
 
+/// Rakes kept before they had colours get one each, in the order in which they were made.
+void colour_rakes(SessionRecords& records) {
+    std::map<std::uint64_t, protocol::RakeRecord> plain;
+    for (const auto& [id, rake] : records.all<protocol::RakeRecord>())
+        if (rake.colour.empty())
+            plain.emplace(SessionRecords::number_of({RecordType::Rake, id}), rake);
+    for (auto& [number, rake] : plain) {
+        rake.colour = records.free_colour();
+        records.put(rake);
+    }
+}
+
 } // namespace
 
 JournalEntry entry_of(const Record& record) {
@@ -127,6 +140,7 @@ KeptRecords read_entries(std::span<const JournalEntry> entries) {
             error.message = entry.type + " " + entry.id.substr(0, 64) + ": " + error.message;
             out.report.refused.push_back(std::move(error));
         }
+    colour_rakes(out.records);
     return out;
 }
 

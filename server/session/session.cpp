@@ -150,10 +150,14 @@ core::Result<RakeChange> Session::set_rake(const protocol::RakeSetting& setting,
     if (!clipped)
         return tl::unexpected(clipped.error());
     protocol::RakeRecord record;
-    if (setting.rake)
+    if (setting.rake) {
         record = *records_.find<protocol::RakeRecord>(*setting.rake);
-    else
+    } else {
         record.rake = records_.new_id(RecordType::Rake);
+        record.author = author.name;
+        record.colour = records_.free_colour();
+    }
+    record.colour = setting.colour.value_or(record.colour);
     record.shape = std::move(clipped->rake);
     record.clipped = clipped->clipped;
     if (!setting.name.empty() || record.name.empty())

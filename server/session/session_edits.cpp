@@ -28,6 +28,16 @@ std::vector<Patch> patches_of(const std::vector<RecordChange>& changes,
     return patches;
 }
 
+/// Nothing but its name or colour is another: what hangs on it stays as it is.
+bool looks_only(const RecordChange& change) {
+    if (!change.before)
+        return false;
+    const auto& before = std::get<protocol::RakeRecord>(*change.before);
+    const auto& after = std::get<protocol::RakeRecord>(*change.after);
+    return before.shape == after.shape &&
+           (before.name != after.name || before.colour != after.colour);
+}
+
 JournalEntry entry_of_patch(const Patch& patch) {
     return std::visit(
         [](const auto& each) -> JournalEntry {
@@ -84,7 +94,7 @@ Session::Epochs Session::build(const std::vector<RecordChange>& changes, BuildTu
     for (const RecordChange& each : changes) {
         if (each.after && each.key.type == RecordType::Surface)
             set.insert(each.key.id);
-        if (each.after && each.key.type == RecordType::Rake)
+        if (each.after && each.key.type == RecordType::Rake && !looks_only(each))
             for (std::string& id : records_.hanging_on(each.key.id))
                 hanging.insert(std::move(id));
     }
@@ -136,10 +146,10 @@ void Session::end_leases(const std::string& participant) {
 
 SurfaceBuilds::Events Session::build_events() {
     SurfaceBuilds::Events events;
-    events.progress = [this](const std::string& surface, std::uint32_t epoch, Phase phase) {
+    events.progress = [this](const SurfaceProgress& progress) {
         Telling telling;
         for (const Participant& each : participants_.present())
-            each.observer->progress(surface, epoch, phase, telling);
+            each.observer->progress(progress, telling);
     };
     events.done = [this](const SurfaceOutcome& outcome) {
         Telling telling;

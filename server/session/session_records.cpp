@@ -1,6 +1,7 @@
 #include "server/session/session_records.hpp"
 
 #include "server/limits.hpp"
+#include "server/session/colours.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -32,7 +33,8 @@ const std::string& id_of(const protocol::AnnotationRecord& record) {
 }
 
 std::size_t extra_bytes(const protocol::RakeRecord& record) {
-    return record.shape.points.size() * sizeof(core::Vec3) + record.name.size();
+    return record.shape.points.size() * sizeof(core::Vec3) + record.name.size() +
+           record.author.size();
 }
 
 std::size_t extra_bytes(const protocol::SurfaceRecord& record) {
@@ -140,6 +142,13 @@ std::vector<std::string> SessionRecords::hanging_on(const std::string& rake) con
 bool SessionRecords::holds_rakes_of(const protocol::SurfaceRecord& surface) const {
     const auto& rakes = all<protocol::RakeRecord>();
     return rakes.contains(surface.rake) && (!surface.rake2 || rakes.contains(*surface.rake2));
+}
+
+std::string SessionRecords::free_colour() const {
+    ColourCount count;
+    for (const auto& [id, rake] : all<protocol::RakeRecord>())
+        count.add(rake.colour);
+    return count.rarest();
 }
 
 void SessionRecords::put(const Record& record) {

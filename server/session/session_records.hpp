@@ -91,6 +91,9 @@ class SessionRecords {
     /// The rakes a surface names are there.
     bool holds_rakes_of(const protocol::SurfaceRecord& surface) const;
 
+    /// The colour for a new rake: one that no other has, or few.
+    std::string free_colour() const;
+
     void put(const Record& record);
     void erase(const RecordKey& key);
 

@@ -1,6 +1,7 @@
 #include "server/session/surface_build.hpp"
 
 #include "core/surface/surface_builder.hpp"
+#include "core/surface/vertex_times.hpp"
 #include "server/limits.hpp"
 #include "server/session/log_text.hpp"
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -44,13 +46,15 @@ std::size_t SurfaceBuild::shrink_history(std::size_t bytes) {
     return played_->bytes();
 }
 
-void SurfaceBuild::renew_flow(std::shared_ptr<const core::Flow> flow) {
+void SurfaceBuild::renew_data(std::shared_ptr<const core::Flow> flow,
+                              std::shared_ptr<const core::StoreReader> store) {
     if (place_) // it follows the old one
         place_->clear();
     played_.reset();
     grown_.reset();
     last_ = Source::Nothing;
     job_.flow = std::move(flow);
+    job_.store = std::move(store);
 }
 
 core::Result<Update> SurfaceBuild::run(const SurfacePass& pass,
@@ -66,11 +70,14 @@ core::Result<Update> SurfaceBuild::run(const SurfacePass& pass,
         if (stop.stop_requested())
             return cancelled();
         const auto built = clock_.now();
+        const double load = shown->load;
         auto update = encode(std::move(*shown), pass);
         if (update) {
             const auto end = clock_.now();
             update->seconds = std::chrono::duration<double>(end - start).count();
-            update->encode_seconds = std::chrono::duration<double>(end - built).count();
+            update->took.load = load;
+            update->took.encode = std::chrono::duration<double>(end - built).count();
+            update->took.compute = std::max(0.0, update->seconds - update->took.encode - load);
         }
         return update;
     } catch (const std::bad_alloc&) {
@@ -119,11 +126,17 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::build_early(const SurfacePass& p
     auto surface = core::build_surface(*job_.flow, rake, p, stop, clock_);
     if (!surface)
         return tl::unexpected(surface.error());
-    if (pass.time && p.kind == core::SurfaceKind::Path)
-        return Shown{GrowingMesh(surface->mesh, span(p)).at(age), surface->statistics,
-                     Source::Nothing};
-    return Shown{protocol::with_ids(std::move(surface->mesh)), surface->statistics,
-                 Source::Nothing};
+    auto fields = fields_of(*surface, p, stop);
+    if (!fields)
+        return tl::unexpected(fields.error());
+    const double load = surface->statistics.seconds.load;
+    if (pass.time && p.kind == core::SurfaceKind::Path) {
+        const GrowingMesh growing(surface->mesh, span(p), *fields);
+        return Shown{growing.at(age), surface->statistics, Source::Nothing, growing.fields_at(age),
+                     load};
+    }
+    return Shown{protocol::with_ids(std::move(surface->mesh)), surface->statistics, Source::Nothing,
+                 std::move(*fields), load};
 }
 
 core::Result<SurfaceBuild::Shown> SurfaceBuild::build_whole(const std::stop_token& stop,
@@ -131,20 +144,37 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::build_whole(const std::stop_toke
     auto surface = core::build_surface(*job_.flow, job_.rake, job_.parameters, stop, clock_, work);
     if (!surface)
         return tl::unexpected(surface.error());
-    return Shown{protocol::with_ids(std::move(surface->mesh)), surface->statistics, Source::Whole};
+    auto fields = fields_of(*surface, job_.parameters, stop);
+    if (!fields)
+        return tl::unexpected(fields.error());
+    return Shown{protocol::with_ids(std::move(surface->mesh)), surface->statistics, Source::Whole,
+                 std::move(*fields), surface->statistics.seconds.load};
+}
+
+core::Result<protocol::MeshFields> SurfaceBuild::fields_of(const core::Surface& surface,
+                                                           const core::SurfaceParameters& p,
+                                                           const std::stop_token& stop) const {
+    return sample_fields(
+        job_.fields, *job_.flow, job_.store.get(), surface.mesh,
+        [&] { return core::vertex_times(surface, p); }, stop);
 }
 
 core::Result<SurfaceBuild::Shown>
 SurfaceBuild::grow(double age, const std::stop_token& stop, core::WorkDone* work) {
+    double load = 0.0;
     if (!grown_) {
         const auto surface =
             core::build_surface(*job_.flow, job_.rake, job_.parameters, stop, clock_, work);
         if (!surface)
             return tl::unexpected(surface.error());
-        grown_.emplace(surface->mesh, span(job_.parameters));
+        const auto fields = fields_of(*surface, job_.parameters, stop);
+        if (!fields)
+            return tl::unexpected(fields.error());
+        grown_.emplace(surface->mesh, span(job_.parameters), *fields);
         grown_statistics_ = surface->statistics;
+        load = surface->statistics.seconds.load;
     }
-    Shown shown{grown_->at(age), grown_statistics_, Source::Grown};
+    Shown shown{grown_->at(age), grown_statistics_, Source::Grown, grown_->fields_at(age), load};
     shown.statistics.quads = shown.mesh.mesh.cells.size();
     shown.statistics.vertices = shown.mesh.mesh.vertices();
     return shown;
@@ -180,10 +210,20 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
             return tl::unexpected(started.error());
         played_ = std::move(*started);
         last_ = Source::Nothing; // ids begin anew
+        played_load_ = 0.0;
     }
-    return played_->at(age, stop, work).map([](PlayedSurface::Shown&& shown) {
-        return Shown{std::move(shown.mesh), shown.statistics, Source::Played};
-    });
+    auto shown = played_->at(age, stop, work);
+    if (!shown)
+        return tl::unexpected(shown.error());
+    auto fields = sample_fields(
+        job_.fields, *job_.flow, job_.store.get(), shown->mesh.mesh, [&] { return shown->times(); },
+        stop);
+    if (!fields)
+        return tl::unexpected(fields.error());
+    const double loaded = shown->statistics.seconds.load;
+    const double load = loaded - std::exchange(played_load_, loaded);
+    return Shown{std::move(shown->mesh), shown->statistics, Source::Played, std::move(*fields),
+                 load};
 }
 
 core::Result<Update> SurfaceBuild::encode(Shown shown, const SurfacePass& pass) {
@@ -195,7 +235,7 @@ core::Result<Update> SurfaceBuild::encode(Shown shown, const SurfacePass& pass) 
     options.tolerance =
         pass.phase == Phase::Live ? protocol::live_tolerance : protocol::exact_tolerance;
     options.unrelated = shown.source == Source::Nothing || shown.source != last_;
-    auto encoded = stream_.next(shown.mesh, options);
+    auto encoded = stream_.next(shown.mesh, options, shown.fields);
     if (!encoded)
         return tl::unexpected(encoded.error());
     last_ = shown.source;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/clock.hpp"
+#include "core/surface/surface.hpp"
 #include "protocol/mesh_stream.hpp"
 #include "server/session/growing_mesh.hpp"
 #include "server/session/history_budget.hpp"
@@ -46,7 +47,8 @@ class SurfaceBuild {
     const SurfaceJob& job() const { return job_; }
 
     /// The same data, opened again.
-    void renew_flow(std::shared_ptr<const core::Flow> flow);
+    void renew_data(std::shared_ptr<const core::Flow> flow,
+                    std::shared_ptr<const core::StoreReader> store);
 
   private:
     /// Where a mesh comes from: ids last within one source.
@@ -56,12 +58,17 @@ class SurfaceBuild {
         core::KeyedMesh mesh;
         core::SurfaceStatistics statistics;
         Source source;
+        protocol::MeshFields fields;
+        double load; ///< s that this pass waited for time-steps
     };
 
     core::Result<Shown>
     build(const SurfacePass& pass, const std::stop_token& stop, core::WorkDone* work);
     core::Result<Shown> build_early(const SurfacePass& pass, const std::stop_token& stop) const;
     core::Result<Shown> build_whole(const std::stop_token& stop, core::WorkDone* work) const;
+    core::Result<protocol::MeshFields> fields_of(const core::Surface& surface,
+                                                 const core::SurfaceParameters& parameters,
+                                                 const std::stop_token& stop) const;
     core::Result<Shown> grow(double age, const std::stop_token& stop, core::WorkDone* work);
     core::Result<Shown> play(double age, const std::stop_token& stop, core::WorkDone* work);
     core::Result<Shown>
@@ -76,6 +83,7 @@ class SurfaceBuild {
     std::optional<GrowingMesh> grown_;
     core::SurfaceStatistics grown_statistics_;
     std::optional<PlayedSurface> played_;         ///< while not in use, others may shrink or end it
+    double played_load_ = 0.0;                    ///< s it has waited for time-steps so far
     std::unique_ptr<HistoryBudget::Place> place_; ///< of `played_`
 };
 

@@ -47,6 +47,9 @@ core::Result<SurfaceJob> SurfaceBuilds::job_for(const protocol::SurfaceRecord& r
     job.rake = std::move(rake->rake);
     job.parameters = std::move(p);
     job.flow = open->flow;
+    job.store = open->store;
+    job.fields = fields_there(*open, record.fields);
+    job.parameters.deformation = asks_for(job.fields, SurfaceField::Source::Deformation);
     job.lattice = open->lattice;
     return job;
 }
@@ -71,9 +74,7 @@ LiveSurface& SurfaceBuilds::live_for(const protocol::SurfaceRecord& record) {
     if (entry.live)
         return *entry.live;
     LiveSurface::Events events;
-    events.progress = [this, id](std::uint32_t epoch, Phase phase) {
-        events_.progress(id, epoch, phase);
-    };
+    events.progress = [this](const SurfaceProgress& progress) { events_.progress(progress); };
     events.done = [this](const SurfaceOutcome& outcome) {
         events_.done(outcome);
         built(outcome);
@@ -154,7 +155,7 @@ void SurfaceBuilds::try_again(const std::string& surface, LiveSurface& live) {
     if (!open)
         return;
     if (outcome.statistics.stopped.empty() && !outcome.error)
-        return live.renew_flow(open->flow);
+        return live.renew_data(open->flow, open->store);
     auto job = job_for(*record);
     if (job)
         events_.rebuilt(surface, live.rebuild(std::move(*job)));

@@ -21,7 +21,7 @@ namespace wakesurf::server {
 class SurfaceBuilds {
   public:
     struct Events {
-        std::function<void(const std::string& surface, std::uint32_t epoch, Phase phase)> progress;
+        std::function<void(const SurfaceProgress&)> progress;
         std::function<void(const SurfaceOutcome&)> done;
         /// Begun without an edit, because data came.
         std::function<void(const std::string& surface, std::uint32_t epoch)> rebuilt;

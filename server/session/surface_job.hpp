@@ -5,10 +5,12 @@
 #include "core/surface/rake.hpp"
 #include "core/surface/surface_parameters.hpp"
 #include "protocol/lattice.hpp"
+#include "server/session/surface_fields.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace wakesurf::server {
 
@@ -18,6 +20,8 @@ struct SurfaceJob {
     core::Rake rake;
     core::SurfaceParameters parameters;
     std::shared_ptr<const core::Flow> flow;
+    std::shared_ptr<const core::StoreReader> store; ///< of the flow; null for a built-in one
+    std::vector<SurfaceField> fields;
     protocol::Lattice lattice;
 };
 

@@ -1,5 +1,7 @@
 #include "server/session/surface_rules.hpp"
 
+#include "server/session/surface_fields.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,13 +51,14 @@ core::Result<void> complete_surface(protocol::SurfaceSetting& setting, const Ope
     core::SurfaceParameters& p = setting.parameters;
     if (auto sound = check_kind(setting); !sound)
         return sound;
-    for (const std::string& field : setting.fields) {
-        const auto named = [&](const core::FieldInfo& each) { return each.name == field; };
-        if (std::none_of(dataset.info.fields.begin(), dataset.info.fields.end(), named))
-            return fail(Error::Code::InvalidArgument,
-                        "`fields` names a field the dataset does not have",
-                        "dataset.describe lists the fields");
+    std::vector<std::string> fields;
+    for (const std::string& name : setting.fields) {
+        if (auto known = find_field(dataset, name); !known)
+            return tl::unexpected(known.error());
+        if (std::ranges::find(fields, name) == fields.end())
+            fields.push_back(name);
     }
+    setting.fields = std::move(fields);
     if (p.separation == 0.0)
         p.separation = dataset.flow->finest_spacing();
     return {};

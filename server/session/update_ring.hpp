@@ -5,6 +5,7 @@
 #include "core/base/clock.hpp"
 #include "core/surface/surface_statistics.hpp"
 #include "protocol/mesh_stream.hpp"
+#include "server/session/pass_seconds.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -25,7 +26,7 @@ struct Update {
     core::SurfaceStatistics statistics;
     double time = 0.0;    ///< simulation time shown
     double seconds = 0.0; ///< to build and encode
-    double encode_seconds = 0.0;
+    PassSeconds took;
 };
 
 using SharedUpdate = std::shared_ptr<const Update>;

@@ -77,15 +77,18 @@ class LiveSurfaceTest : public testing::Test {
     HandLoop loop{hand};
     ComputePool pool{ComputePool::ByHand{}};
     std::vector<std::pair<std::uint32_t, Phase>> progress;
+    std::vector<PassSeconds> took;
     std::vector<SurfaceOutcome> done;
     std::shared_ptr<LiveSurface> surface = std::make_shared<LiveSurface>(
         "s1",
         3,
         "main",
         LiveSurface::Services{loop, pool, wall, nullptr},
-        LiveSurface::Events{
-            [this](std::uint32_t epoch, Phase phase) { progress.emplace_back(epoch, phase); },
-            [this](const SurfaceOutcome& outcome) { done.push_back(outcome); }});
+        LiveSurface::Events{[this](const SurfaceProgress& now) {
+                                progress.emplace_back(now.epoch, now.phase);
+                                took.push_back(now.took);
+                            },
+                            [this](const SurfaceOutcome& outcome) { done.push_back(outcome); }});
     FrameCursor viewer{surface->ring(), {}, [](bool) {}};
     protocol::MeshDecoder decoder;
     std::vector<Seen> seen;

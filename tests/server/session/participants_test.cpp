@@ -31,7 +31,7 @@ class Watcher final : public Observer {
 
     void patched(const std::string&, std::uint64_t, std::span<const Patch>, Telling&) override {}
 
-    void progress(const std::string&, std::uint32_t, protocol::Phase, Telling&) override {}
+    void progress(const SurfaceProgress&, Telling&) override {}
 
     void done(const SurfaceOutcome&, Telling&) override {}
 
@@ -107,14 +107,14 @@ TEST_F(ParticipantsTest, GivesEverybodyANameAndAColourOfTheirOwn) {
     std::deque<Watcher> watchers;
     std::set<std::string> names;
     std::set<std::string> colours;
-    for (std::size_t i = 0; i < participant_colours.size(); ++i) {
+    for (std::size_t i = 0; i < palette.size(); ++i) {
         const Joined joined = join(watchers.emplace_back(clock), i % 2 == 0 ? "Ada" : "");
         names.insert(joined.you.name);
         colours.insert(joined.you.colour);
         EXPECT_TRUE(is_colour(joined.you.colour));
     }
-    EXPECT_EQ(names.size(), participant_colours.size());
-    EXPECT_EQ(colours.size(), participant_colours.size());
+    EXPECT_EQ(names.size(), palette.size());
+    EXPECT_EQ(colours.size(), palette.size());
     EXPECT_TRUE(names.contains("Ada"));
     EXPECT_TRUE(names.contains("Ada 2"));
     people.leave(watchers.front());

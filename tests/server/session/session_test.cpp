@@ -79,12 +79,9 @@ struct Recorder final : Observer {
         changed.insert(changed.end(), patches.begin(), patches.end());
     }
 
-    void progress(const std::string&,
-                  std::uint32_t epoch,
-                  protocol::Phase phase,
-                  Telling& telling) override {
+    void progress(const SurfaceProgress& progress, Telling& telling) override {
         put_into_words(telling);
-        phases.emplace_back(epoch, phase);
+        phases.emplace_back(progress.epoch, progress.phase);
     }
 
     void done(const SurfaceOutcome& outcome, Telling& telling) override {

@@ -86,7 +86,7 @@ struct Onlooker final : server::Observer {
             std::visit([this](const auto& patch) { fold(patch); }, each);
     }
 
-    void progress(const std::string&, std::uint32_t, protocol::Phase, server::Telling&) override {}
+    void progress(const server::SurfaceProgress&, server::Telling&) override {}
 
     void done(const server::SurfaceOutcome& outcome, server::Telling&) override {
         outcomes.push_back(outcome);
