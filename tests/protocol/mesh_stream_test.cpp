@@ -186,6 +186,72 @@ TEST(MeshStream, SendsAKeyWhenAnAttributeLeavesItsRangeAndNotAgainSoonAfter) {
     EXPECT_LE(keys, 8);
 }
 
+/// Values of two fields at each vertex, the second with gaps.
+MeshFields some_fields(const core::KeyedMesh& mesh) {
+    MeshFields fields(2);
+    for (std::size_t v = 0; v < mesh.mesh.vertices(); ++v) {
+        const core::Vec3& x = mesh.mesh.position[v];
+        fields[0].push_back(static_cast<float>(3.0 * x.x - x.y + mesh.time));
+        fields[1].push_back(mesh.vertex_id[v] % 5 == 0   ? std::numeric_limits<float>::quiet_NaN()
+                            : mesh.vertex_id[v] % 5 == 1 ? -std::numeric_limits<float>::infinity()
+                                                         : static_cast<float>(7.0 + x.z));
+    }
+    return fields;
+}
+
+TEST(MeshStream, CarriesFieldsBehindSpeedSAndTThroughRandomUpdates) {
+    for (std::uint32_t seed = 1; seed <= 6; ++seed) {
+        std::mt19937 random(seed);
+        samples::RandomSurface surface(seed);
+        samples::PlacesTwin places;
+        MeshStream stream(5, 2, lattice);
+        MeshDecoder follower;
+        for (int i = 0; i < 150; ++i) {
+            const core::KeyedMesh mesh = surface.next();
+            const MeshFields fields = some_fields(mesh);
+            const UpdateOptions options = any_options(random);
+            const auto update = stream.next(mesh, options, fields);
+            ASSERT_TRUE(update.has_value()) << update.error().message;
+            ASSERT_TRUE(folds(follower, *update) && holds(follower, *update)) << seed << " " << i;
+            MeshDecoder joiner;
+            const auto key = encode_key(5, *update);
+            ASSERT_TRUE(folds(joiner, *key) && holds(joiner, *update)) << seed << " " << i;
+            places.follow(mesh, update->key);
+            const WireMesh& state = *update->state;
+            ASSERT_EQ(state.codes.size(), 5u);
+            ASSERT_EQ(follower.newest()->header.attribute_count, 5);
+            double least = std::numeric_limits<double>::infinity();
+            for (const float value : fields[1])
+                least = std::isfinite(value) ? std::min(least, double{value}) : least;
+            for (std::uint32_t place = 0; place < state.vertices(); ++place) {
+                const auto v = static_cast<std::size_t>(
+                    std::ranges::lower_bound(mesh.vertex_id, places.vertices()[place]) -
+                    mesh.vertex_id.begin());
+                for (std::size_t f = 0; f < 2; ++f) {
+                    const double truth = std::isfinite(fields[f][v]) ? fields[f][v]
+                                         : std::isfinite(least)      ? least
+                                                                     : 0.0;
+                    ASSERT_LE(std::abs(state.ranges[3 + f].code(truth) - state.codes[3 + f][place]),
+                              options.tolerance.speed)
+                        << seed << " " << i << " field " << f;
+                }
+            }
+        }
+    }
+}
+
+TEST(MeshStream, RefusesFieldsThatDoNotFit) {
+    const core::KeyedMesh mesh = with_ids(samples::sheet(5, 6));
+    MeshStream stream(1, 1, lattice);
+    const std::vector<float> whole(30, 1.0f), torn(29, 1.0f);
+    EXPECT_EQ(stream.next(mesh, {}, {whole, torn}).error().code, core::Error::Code::Corrupt);
+    EXPECT_EQ(stream.next(mesh, {}, MeshFields(5, whole)).error().code,
+              core::Error::Code::OverLimit);
+    ASSERT_TRUE(stream.next(mesh, {}, MeshFields(4, whole)));
+    EXPECT_EQ(stream.next(mesh, {}, {whole}).error().code, core::Error::Code::Corrupt);
+    EXPECT_TRUE(stream.next(mesh, {}, MeshFields(4, whole)));
+}
+
 TEST(MeshStream, StartsFromNothingAndEndsWithNothing) {
     MeshStream stream(1, 1, lattice);
     MeshDecoder decoder;

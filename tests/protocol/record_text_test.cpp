@@ -20,6 +20,8 @@ RakeRecord some_rake(std::mt19937_64& random) {
                                          coordinate(random));
     record.shape.seeds = 77;
     record.name = "<script>alert('\\u00e9')</script> \"é\" ' -- ; DROP";
+    record.colour = "#0Fa973";
+    record.author = "Ada Lovelace, \"countess\"";
     record.clipped = random() % 2 == 0;
     return record;
 }
@@ -72,6 +74,29 @@ TEST(RecordText, EveryRecordComesBackWithTheSameBits) {
     EXPECT_EQ(*parse_annotation(record_text(annotation), {}), annotation);
     const SessionHead head{"a name", 1234, 5, 6, 7, 8};
     EXPECT_EQ(*parse_session_head(record_text(head)), head);
+}
+
+TEST(RecordText, ARakeFromBeforeRakesHadColoursIsReadAndAWrongColourIsNot) {
+    const auto rake = [](const std::string& more) {
+        return parse_rake(
+            R"({"rake":"r1","rev":3,"kind":"line","points":[[0,0,0],[1,0,0]],"seeds":8,)"
+            R"("name":"r1","clipped":false)" +
+                more + "}",
+            {});
+    };
+    ASSERT_TRUE(rake(""));
+    EXPECT_EQ(rake("")->colour, "");
+    EXPECT_EQ(rake("")->author, "");
+    EXPECT_EQ(rake(R"(,"colour":"#123aBc","author":"Ada")")->colour, "#123aBc");
+    for (const char* wrong : {"red", "#12345", "#12345g", "#1234567", "url(x)"})
+        EXPECT_FALSE(rake(R"(,"colour":")" + std::string(wrong) + "\"")) << wrong;
+}
+
+TEST(RecordText, ASurfaceFromBeforeMayHaveMoreFieldsThanOneIsAskedForWithNow) {
+    std::mt19937_64 random(1);
+    SurfaceRecord record = some_surface(random);
+    record.fields = {"a", "b", "c", "d", "e", "f"};
+    EXPECT_EQ(parse_surface(record_text(record), {}).value(), record);
 }
 
 TEST(RecordText, ALeaseIsNotKept) {

@@ -1,6 +1,7 @@
 // The records of a session under edits of several people: what onlookers fold and what the journal keeps is what the
 // session has.
 #include "server/limits.hpp"
+#include "server/session/colours.hpp"
 #include "tests/support/server/random_edits.hpp"
 
 #include <gtest/gtest.h>
@@ -75,6 +76,53 @@ TEST(Document, RestoredFromTheJournalAfterAnyEditItIsTheSameSession) {
                 EXPECT_GT(surface.epoch, now.find<protocol::SurfaceRecord>(id)->epoch);
         }
     }
+}
+
+TEST(Document, RakesKeepColourAndAuthorWhenTheyAreUndoneForkedAndRestored) {
+    SessionBench bench;
+    auto setting = rake_at(1.0);
+    setting.colour = "#123456";
+    const std::string id = bench.session->set_rake(setting, bench.ada)->record.rake;
+    const auto is_adas = [&](const server::Session& session) {
+        const auto rake = session.rake(id);
+        return rake && rake->colour == "#123456" && rake->author == "Ada";
+    };
+    setting = rake_at(1.0, id);
+    setting.colour = "#654321";
+    ASSERT_TRUE(bench.session->set_rake(setting, bench.bob));
+    ASSERT_FALSE(is_adas(*bench.session));
+    (void)bench.session->turn(server::Turn::Undo, bench.bob);
+    EXPECT_TRUE(is_adas(*bench.session)) << "an edit undone";
+    ASSERT_TRUE(bench.session->delete_rake(id, bench.bob));
+    (void)bench.session->turn(server::Turn::Undo, bench.bob);
+    EXPECT_TRUE(is_adas(*bench.session)) << "a deletion undone";
+    SessionBench after;
+    after.sessions.restore("main", "main", bench.journal.entries("main"));
+    EXPECT_TRUE(is_adas(*after.session)) << "restored";
+    SessionBench copy;
+    copy.session->copy(*bench.session);
+    EXPECT_TRUE(is_adas(*copy.session)) << "forked";
+}
+
+TEST(Document, RakesKeptBeforeTheyHadColoursGetThemInTheOrderOfTheirMaking) {
+    SessionBench old;
+    std::vector<server::JournalEntry> entries;
+    for (const int number : {10, 2, 1, 11})
+        entries.push_back({"rake", "r" + std::to_string(number),
+                           R"({"rake":"r)" + std::to_string(number) +
+                               R"(","rev":1,"kind":"line","points":[[0,0,0],[0,2,0]],"seeds":5,)"
+                               R"("name":"a","clipped":false)" +
+                               (number == 2 ? R"(,"colour":"#0072b2","author":"Ada"})" : "}")});
+    const auto report = old.sessions.restore("main", "main", entries);
+    EXPECT_TRUE(report.refused.empty());
+    const auto colour = [&](const char* id) { return old.session->rake(id)->colour; };
+    EXPECT_EQ(colour("r2"), server::palette[0]);
+    EXPECT_EQ(colour("r1"), server::palette[1]);
+    EXPECT_EQ(colour("r10"), server::palette[2]);
+    EXPECT_EQ(colour("r11"), server::palette[3]);
+    SessionBench again; // and they are kept
+    again.sessions.restore("main", "main", old.journal.entries("main"));
+    EXPECT_EQ(content(again.session->records()), content(old.session->records()));
 }
 
 TEST(Document, TheClockComesBackStoppedWhereItWas) {

@@ -113,6 +113,25 @@ TEST_F(LiveSurfaceTest, ShowsACoarseARefinedAndAFinalStateWhereTheFinalOneIsLong
     EXPECT_EQ(done[0].statistics.vertices, seen[2].vertices);
 }
 
+TEST_F(LiveSurfaceTest, SaysWhatEachPassTookFromTheEditOn) {
+    wall.each = std::chrono::milliseconds(10);
+    surface->rebuild(job_of(core::SurfaceKind::Stream, 0.05));
+    wall.time += std::chrono::milliseconds(250); // nobody takes the job so long
+    settle();
+    ASSERT_EQ(took.size(), 3U);
+    EXPECT_GE(took[0].queue, 0.25);
+    for (const PassSeconds& each : took) {
+        EXPECT_GE(each.queue, 0.01) << "at least one look at the clock";
+        EXPECT_GE(each.load, 0.0);
+        EXPECT_GT(each.compute, 0.0);
+        EXPECT_GE(each.encode, 0.01);
+    }
+    EXPECT_LT(took[1].queue, 0.25) << "from when it was wanted: after the one before";
+    ASSERT_TRUE(done[0].took);
+    EXPECT_EQ(done[0].took->queue, took[2].queue);
+    EXPECT_EQ(done[0].took->compute, took[2].compute);
+}
+
 TEST_F(LiveSurfaceTest, LeavesEarlyStatesOutWhereTheFinalOneIsFast) {
     surface->rebuild(job_of(core::SurfaceKind::Stream));
     settle();

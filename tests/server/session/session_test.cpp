@@ -1,6 +1,7 @@
 // A session without sockets: a loop turned by hand, timers fired by hand, a flow with a closed form.
 #include "core/field/analytic_flow.hpp"
 #include "server/limits.hpp"
+#include "server/session/colours.hpp"
 #include "server/session/session_directory.hpp"
 
 #include <gtest/gtest.h>
@@ -172,6 +173,46 @@ TEST_F(SessionTest, BuildsTheSurfaceOfTheNewestEditAndDropsTheOthers) {
     ASSERT_TRUE(live->newest());
     EXPECT_EQ(live->newest()->wire.epoch, 21u);
     EXPECT_EQ(me.outcomes[0].crc, live->newest()->wire.crc);
+}
+
+TEST_F(SessionTest, GivesRakesTheColoursOfThePaletteInTurnUntilTheyHaveTheirOwn) {
+    const Author ada{"p1", "Ada"};
+    std::vector<std::string> ids;
+    for (std::size_t i = 0; i < palette.size() + 2; ++i) {
+        const auto rake = session->set_rake(rake_at(0.1 * static_cast<double>(i)), ada)->record;
+        EXPECT_EQ(rake.colour, palette[i % palette.size()]);
+        EXPECT_EQ(rake.author, "Ada");
+        ids.push_back(rake.rake);
+    }
+    auto setting = rake_at(0.5, ids[2]);
+    setting.colour = "#123456";
+    EXPECT_EQ(session->set_rake(setting, {"p2", "Bob"})->record.colour, "#123456");
+    const auto moved = session->set_rake(rake_at(0.6, ids[2]), {"p2", "Bob"})->record;
+    EXPECT_EQ(moved.colour, "#123456") << "left out, it stays";
+    EXPECT_EQ(moved.author, "Ada") << "who made it";
+    EXPECT_EQ(session->set_rake(rake_at(0.7))->record.colour, palette[2]) << "nobody has it now";
+    setting = rake_at(0.8);
+    setting.colour = "#E69F00";
+    EXPECT_EQ(session->set_rake(setting)->record.colour, "#E69F00");
+    EXPECT_EQ(session->set_rake(rake_at(0.9))->record.colour, palette[2])
+        << "counts as the palette's";
+}
+
+TEST_F(SessionTest, ColouringOrNamingARakeBuildsNothingAnew) {
+    const std::string rake = session->set_rake(rake_at(0.0))->record.rake;
+    const auto live = build(rake);
+    auto setting = rake_at(0.0, rake);
+    setting.colour = "#123456";
+    const auto coloured = session->set_rake(setting);
+    EXPECT_TRUE(coloured->surfaces.empty());
+    EXPECT_EQ(coloured->record.rev, 2u);
+    EXPECT_EQ(live->epoch(), 1u);
+    setting.name = "inlet";
+    EXPECT_TRUE(session->set_rake(setting)->surfaces.empty());
+    setting.shape.points[0].x = 0.5;
+    setting.colour = "#654321";
+    EXPECT_EQ(session->set_rake(setting)->surfaces.size(), 1u);
+    EXPECT_EQ(live->epoch(), 2u);
 }
 
 TEST_F(SessionTest, HangsATimeSurfaceOnBothItsRakes) {

@@ -24,7 +24,8 @@ class RandomEdits {
         case 3:
         case 4:
             (void)session.set_rake(
-                dragged(coordinate(), some(server::RecordType::Rake), some_flag()), author);
+                coloured(dragged(coordinate(), some(server::RecordType::Rake), some_flag())),
+                author);
             break;
         case 5:
             (void)session.delete_rake(some(server::RecordType::Rake), author);
@@ -72,6 +73,12 @@ class RandomEdits {
     }
 
   private:
+    protocol::RakeSetting coloured(protocol::RakeSetting setting) {
+        if (random_() % 3 == 0)
+            setting.colour = random_() % 2 == 0 ? "#abcdef" : "#012345";
+        return setting;
+    }
+
     double coordinate() { return std::uniform_real_distribution<double>(-9, 9)(random_); }
 
     std::optional<bool> some_flag() {
