@@ -268,6 +268,7 @@ constexpr std::string_view results = R"json({
   "properties": {"redone": "#Changes", "skipped": "#Skipped", "undo": "#Count", "redo": "#Count", "seq": "#Count"}},
 "surface.set": {
   "type": "object", "properties": {"surface": "#Id", "rev": "#Count", "epoch": "#Count", "seq": "#Count"}},
+"surface.stop": {"type": "object", "properties": {"epoch": "#Count", "stopped": {"type": "boolean"}}},
 "surface.delete": {"type": "object", "properties": {"seq": "#Count"}},
 "surface.list": {"type": "object", "properties": {"surfaces": {"type": "array", "items": "#Surface"}}},
 "surface.stats": "#Statistics",

@@ -1,4 +1,4 @@
-// surface.set, .delete, .list.
+// surface.set, .delete, .stop, .list.
 #include "protocol/messages_surface.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
@@ -37,6 +37,23 @@ void set(const Call& call, Reply reply) {
 
 void remove(const Call& call, Reply reply) {
     handlers.remove(call, std::move(reply));
+}
+
+/// Any editor may: the surface is everybody's, and so is the time it takes.
+void stop(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const std::string surface = in.text("surface");
+    const auto session = read_session(in, call);
+    if (!session)
+        return reply.fault(session.error());
+    const auto live = (*session)->live(surface);
+    if (!live)
+        return reply.fault(live.error());
+    const bool stopped =
+        (*live)->stop({core::Error::Code::Cancelled,
+                       "stopped by " + author_of(call, **session).name + " before it was complete",
+                       "change the surface or its rake, or set it again, to have it computed"});
+    reply.result({{"epoch", (*live)->epoch()}, {"stopped", stopped}});
 }
 
 void list(const Call& call, Reply reply) {
@@ -97,6 +114,16 @@ std::vector<Method> surface_methods() {
          "{seq}",
          any_editor,
          remove},
+        {"surface.stop",
+         "Stops computing a surface, for everybody. What is there of it stays, and its statistics "
+         "and "
+         "surface.done say who stopped it; the next edit computes it again. `stopped` is false "
+         "when "
+         "nothing was under way.",
+         {session, surface},
+         "{epoch, stopped}",
+         {Role::Editor, false, false}, // no record changes
+         stop},
         {"surface.list", "The surfaces of a session.", {session}, "{surfaces}", any_viewer, list},
     };
 }

@@ -114,6 +114,16 @@ std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error) {
     return epoch_;
 }
 
+bool LiveSurface::stop(core::Error reason) {
+    if (error_ || !busy())
+        return false;
+    stop_jobs();
+    building_ = held_ = false; // what the running jobs still give is nobody's
+    error_ = std::move(reason);
+    conclude();
+    return true;
+}
+
 void LiveSurface::show(std::optional<double> time, bool playing, bool jumped) {
     time_ = time;
     playing_ = playing;

@@ -65,6 +65,10 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     /// There is nothing to build just now: an epoch whose outcome is `error`, told from the loop. Returns the epoch.
     std::uint32_t refuse(core::SurfaceKind kind, core::Error error);
 
+    /// Computes no further; what is there by now stays, and `reason` (Cancelled) is the outcome until it is rebuilt. False when
+    /// nothing was under way.
+    bool stop(core::Error reason);
+
     /// Epochs will be above `epoch`, for a surface that has been before. Call it before the first is built.
     void continue_after(std::uint32_t epoch) { epoch_ = epoch; }
 
@@ -147,7 +151,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::shared_ptr<SurfaceWaiters> waiters_;
 
     std::uint32_t epoch_ = 0;
-    bool building_ = false;      ///< there is a wanted surface, and it has not failed
+    bool building_ = false;      ///< there is a wanted surface, and it has neither failed nor been stopped
     bool held_ = false;          ///< its turn has not come
     std::shared_ptr<void> turn_; ///< while it is built in its turn
     SurfaceJob wanted_;

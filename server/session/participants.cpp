@@ -293,6 +293,10 @@ void Participants::set_role(const std::string& id, Role role) {
     keep(*place, away == absent_.end() ? std::nullopt : std::optional(away->left));
     if (visible(id) != nullptr)
         news_.changed(id, member::role);
+    // The one thing about oneself that others decide.
+    if (place->observer != nullptr)
+        place->observer->presence(protocol::presence_patched(
+            session_, std::array{protocol::participant_text(record_of(*place), member::role)}, {}));
 }
 
 void Participants::remove(const std::string& id) {
@@ -313,7 +317,7 @@ std::vector<protocol::ParticipantRecord> Participants::shown() const {
     return out;
 }
 
-/// Nobody is told of themselves.
+/// Nobody is told of themselves here.
 std::size_t Participants::tell(const PresenceNews::Batch& batch) const {
     std::vector<std::string> ids;
     std::vector<std::string> entries;

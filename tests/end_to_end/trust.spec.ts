@@ -68,6 +68,35 @@ describe('numbers about the surface', () => {
     });
 });
 
+describe('a surface that takes long', () => {
+    it('shows how far it is, and can be stopped and computed again', async () => {
+        const page = await stand.visit(size);
+        const session = await ask(page, (hook) => hook.session);
+        const { surfaces } = await stand.server.call('surface.list', { session });
+        const { rev: _rev, epoch: _epoch, ...record } = (surfaces as Record<string, unknown>[])[0]!;
+        const fine = { ...record, separation: 0.004, maxQuads: 4_000_000, session };
+        const { epoch } = await stand.server.call('surface.set', fine);
+        const bar = page.getByRole('progressbar', { name: 'Surface' });
+        await bar.waitFor();
+        await expect.poll(async () => Number(await bar.getAttribute('value'))).toBeGreaterThan(0);
+        await screenshot(page, 'progress');
+        await page.getByRole('button', { name: 'Stop', exact: true }).click();
+        await page.getByText('Stopped before it was final').waitFor();
+        await page.getByText(/stopped by guest 1/).waitFor();
+        const stats = await stand.server.call('surface.stats', { session, surface: record['surface'] });
+        expect(stats).toMatchObject({ epoch, complete: false, error: { kind: 'cancelled' } });
+        // What was there by then stays on the screen.
+        expect((await ask(page, (hook) => hook.displayed!.cells)) > 100).toBe(true);
+        await screenshot(page, 'stopped');
+
+        await page.getByRole('button', { name: 'Compute it again' }).click();
+        await bar.waitFor();
+        await stand.server.call('surface.set', { ...record, session });
+        await expectServersMesh(stand.server, page);
+        expect(await bar.count()).toBe(0);
+    });
+});
+
 describe('on a slow network', () => {
     it('says where the time goes, follows the pointer all the same, and ends with the server’s mesh', async () => {
         const page = await stand.visit({ ...size, link: stand.networkLink });

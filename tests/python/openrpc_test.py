@@ -131,6 +131,7 @@ class OpenRpcTest(unittest.TestCase):
             ask("surface.stats", surface=surface)
             ask("surface.wait", surface=surface, timeoutMs=60000, workDoneToken="t")
             ask("surface.wait", surface=moving, timeoutMs=60000)
+            ask("surface.stop", surface=moving)
             ask("surface.stats", surface=moving)
             subscription = ask("surface.subscribe", surface=surface)["subscription"]
             if "frame.ack" in self.methods:

@@ -132,6 +132,33 @@ TEST_F(LiveSurfaceTest, SaysWhatEachPassTookFromTheEditOn) {
     EXPECT_EQ(done[0].took->compute, took[2].compute);
 }
 
+TEST_F(LiveSurfaceTest, StopsWhatIsUnderWayKeepsWhatIsThereAndBuildsAgainWhenItIsSet) {
+    wall.each = std::chrono::milliseconds(10);
+    surface->rebuild(job_of(core::SurfaceKind::Stream, 0.05));
+    turn(); // the coarse one
+    look();
+    ASSERT_EQ(seen.size(), 1U);
+    core::Result<SurfaceOutcome> answer;
+    surface->wait(1, milliseconds(1000),
+                  [&](const core::Result<SurfaceOutcome>& given) { answer = given; });
+    EXPECT_TRUE(surface->stop({core::Error::Code::Cancelled, "stopped by Ada", ""}));
+    EXPECT_FALSE(surface->stop({core::Error::Code::Cancelled, "stopped by Bob", ""})) << "it is";
+    ASSERT_FALSE(answer);
+    EXPECT_EQ(answer.error().message, "stopped by Ada");
+    settle();
+    EXPECT_EQ(seen.size(), 1U) << "what the stopped job still gave is nobody's";
+    ASSERT_EQ(done.size(), 1U);
+    EXPECT_FALSE(done[0].complete);
+    EXPECT_EQ(done[0].error->code, core::Error::Code::Cancelled);
+    EXPECT_EQ(done[0].crc, seen[0].header.state_sum) << "the coarse state stays";
+    surface->rebuild(job_of(core::SurfaceKind::Stream, 0.05));
+    settle();
+    EXPECT_EQ(seen.back().header.phase, Phase::Final);
+    EXPECT_FALSE(surface->stop({core::Error::Code::Cancelled, "late", ""}))
+        << "nothing is under way";
+    EXPECT_TRUE(surface->outcome().complete);
+}
+
 TEST_F(LiveSurfaceTest, LeavesEarlyStatesOutWhereTheFinalOneIsFast) {
     surface->rebuild(job_of(core::SurfaceKind::Stream));
     settle();

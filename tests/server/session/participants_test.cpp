@@ -136,6 +136,19 @@ TEST_F(ParticipantsTest, TellsTheOthersOfComingAndGoingAndNobodyOfThemselves) {
     EXPECT_FALSE(ada.others.contains(first.you.id));
 }
 
+TEST_F(ParticipantsTest, TellsWhoeverIsGivenAnotherRole) {
+    join(ada, "Ada");
+    const Joined second = join(bob, "Bob", {}, {Role::Editor, "main", "g1"});
+    loop.advance(seconds(1));
+    bob.messages.clear();
+    people.set_role(second.you.id, Role::Viewer);
+    loop.advance(limits::presence_rest);
+    ASSERT_EQ(bob.messages.size(), 1u);
+    EXPECT_EQ(bob.messages[0]["participants"],
+              json::array({{{"participant", second.you.id}, {"role", "viewer"}}}));
+    EXPECT_EQ(ada.others[second.you.id]["role"], "viewer");
+}
+
 TEST_F(ParticipantsTest, TellsTheNewestPresenceAtMostEveryFiftyMilliseconds) {
     join(ada);
     const std::string bob_id = join(bob).you.id;

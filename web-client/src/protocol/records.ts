@@ -21,6 +21,8 @@ export interface DatasetEntry {
 export interface ReportedError {
     message: string;
     hint?: string;
+    /** A word for programs. */
+    kind?: string;
 }
 
 export interface FieldDescription {
@@ -232,8 +234,12 @@ export function isAnnotationRecord(value: unknown): value is AnnotationRecord & 
 /** Why something failed, as an object of that shape; null if it is none. */
 export function readError(error: unknown): ReportedError | null {
     if (!isObject(error) || typeof error['message'] !== 'string') return null;
-    const { message, hint } = error;
-    return typeof hint === 'string' && hint !== '' ? { message, hint } : { message };
+    const { message, hint, kind } = error;
+    return {
+        message,
+        ...(typeof hint === 'string' && hint !== '' ? { hint } : {}),
+        ...(typeof kind === 'string' ? { kind } : {}),
+    };
 }
 
 /** What went wrong and what to do, as one text. */

@@ -117,7 +117,9 @@ export class SurfaceFeed {
     done(surface: string, epoch: number, error: ReportedError | null): void {
         const { surfaceErrors } = this.options.state;
         if (error !== null) {
-            surfaceErrors.value = withEntry(surfaceErrors.value, surface, { epoch, text: errorWords(error) });
+            surfaceErrors.value = withEntry(surfaceErrors.value, surface, {
+                ...{ epoch, text: errorWords(error), stopped: error.kind === 'cancelled' },
+            });
         } else if (surfaceErrors.value.has(surface)) {
             surfaceErrors.value = withoutEntry(surfaceErrors.value, surface);
         }

@@ -26,9 +26,10 @@ describe('surfacePhase', () => {
     });
 
     it('forgets an error once something newer has been asked for', () => {
-        const failed = { ...settled, error: { epoch: 4, text: 'x' } };
+        const failed = { ...settled, error: { epoch: 4, text: 'x', stopped: false } };
         expect(surfacePhase(failed)).toBe('error');
         expect(surfacePhase({ ...failed, requestedEpoch: 5 })).toBe('updating');
+        expect(surfacePhase({ ...settled, error: { ...failed.error, stopped: true } })).toBe('stopped');
     });
 });
 

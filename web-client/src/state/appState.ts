@@ -65,7 +65,7 @@ export class AppState {
     readonly displayed = signal<ReadonlyMap<string, DisplayedSurface>>(new Map());
     /** The newest epoch that an answer or a record of the server has named, by surface. */
     readonly requestedEpochs = signal<ReadonlyMap<string, number>>(new Map());
-    readonly surfaceErrors = signal<ReadonlyMap<string, { epoch: number; text: string }>>(new Map());
+    readonly surfaceErrors = signal<ReadonlyMap<string, SurfaceFailure>>(new Map());
     /** Surfaces of which older states were left out, because this client is slower than the server. */
     readonly catchingUp = signal<ReadonlySet<string>>(new Set());
     /** Null where the server has none. */
@@ -109,6 +109,14 @@ export class AppState {
     });
 }
 
+/** Why a surface is not all that was asked for. */
+export interface SurfaceFailure {
+    epoch: number;
+    text: string;
+    /** Somebody did not want to wait for it. */
+    stopped: boolean;
+}
+
 export type SurfacePhase =
     | 'waiting'
     | 'ended'
@@ -118,6 +126,7 @@ export type SurfacePhase =
     | 'live'
     | 'final'
     | 'empty'
+    | 'stopped'
     | 'error';
 
 export interface SurfaceProgress {
@@ -125,13 +134,15 @@ export interface SurfaceProgress {
     requestedEpoch: number;
     /** An edit has not been answered yet, so that `requestedEpoch` may be old. */
     editsPending: boolean;
-    error: { epoch: number; text: string } | undefined;
+    error: SurfaceFailure | undefined;
 }
 
 /** In which state the picture of a surface is, compared with what has been asked for. */
 export function surfacePhase(progress: SurfaceProgress): SurfacePhase {
     const { displayed, requestedEpoch, editsPending, error } = progress;
-    if (error !== undefined && error.epoch >= requestedEpoch && !editsPending) return 'error';
+    if (error !== undefined && error.epoch >= requestedEpoch && !editsPending) {
+        return error.stopped ? 'stopped' : 'error';
+    }
     if (displayed === undefined) return 'none';
     if (displayed.epoch < requestedEpoch || editsPending) return 'updating';
     if (displayed.phase === 'live') return 'live';

@@ -54,6 +54,7 @@ export class StatusPanel extends SignalElement {
             .live,
             .waiting,
             .updating,
+            .stopped,
             .error {
                 color: var(--warm);
             }
@@ -80,8 +81,11 @@ export class StatusPanel extends SignalElement {
             ${this.progress()}
             <wakesurf-quality .model=${this.model}></wakesurf-quality>
             <wakesurf-latency .model=${this.model}></wakesurf-latency>
-            ${phase === 'error'
+            ${phase === 'error' || phase === 'stopped'
                 ? html`<p class="problem">${state.surfaceErrors.value.get(id)?.text ?? ''}</p>`
+                : nothing}
+            ${phase === 'stopped' && state.role.value !== 'viewer'
+                ? html`<button type="button" @click=${() => this.model.edits.changeSurface({})}>Compute it again</button>`
                 : nothing}`;
     }
 

@@ -10,6 +10,7 @@ export const phaseWords: Record<SurfacePhase, string> = {
     live: 'Playing',
     final: 'Final',
     empty: 'Final: no surface grows from this rake',
+    stopped: 'Stopped before it was final',
     error: 'Not computed',
 };
 
