@@ -56,6 +56,8 @@ StoreReader::StoreReader(StoreLayout layout, std::shared_ptr<const Disk> disk)
     : layout_(std::move(layout)), disk_(std::move(disk)),
       nodes_(static_cast<std::size_t>(layout_.grid.nodes())),
       slabs_(std::make_shared<SlabPool>(step_file_size(nodes_, 3, Precision::Single))),
+      scalars_(std::make_unique<ScalarSteps>(std::min<std::size_t>(4, layout_.scalars.size()) *
+                                             std::min<std::size_t>(2, layout_.times.size()))),
       seen_(layout_.times.size() * (1 + layout_.scalars.size())) {}
 
 Result<void> StoreReader::load_mask() {
@@ -206,6 +208,16 @@ Result<Slab>
 StoreReader::load_scalar(std::size_t scalar, std::size_t index, const std::stop_token& stop) const {
     Slab slab(step_file_size(nodes_, 1, Precision::Single));
     return read(1 + scalar, index, slab.bytes(), stop).map([&](bool) { return std::move(slab); });
+}
+
+Result<std::shared_ptr<const Slab>> StoreReader::scalar_values(std::size_t scalar,
+                                                               std::size_t index,
+                                                               const std::stop_token& stop) const {
+    return scalars_->get(scalar, index, [&] { return load_scalar(scalar, index, stop); });
+}
+
+std::size_t StoreReader::scalar_memory() const {
+    return scalars_->most() * Slab::reservation(step_file_size(nodes_, 1, Precision::Single));
 }
 
 Result<WallGeometry> StoreReader::load_walls() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/disk.hpp"
+#include "core/dataset/scalar_steps.hpp"
 #include "core/dataset/slab_pool.hpp"
 #include "core/dataset/store_layout.hpp"
 #include "core/dataset/time_step_source.hpp"
@@ -54,6 +55,13 @@ class StoreReader final : public TimeStepSource {
     Result<Slab>
     load_scalar(std::size_t scalar, std::size_t index, const std::stop_token& stop) const;
 
+    /// The same, from memory if it was asked for lately. Of at most 4 scalars two time-steps each are kept.
+    Result<std::shared_ptr<const Slab>>
+    scalar_values(std::size_t scalar, std::size_t index, const std::stop_token& stop) const;
+
+    /// What scalar_values keeps at most.
+    std::size_t scalar_memory() const;
+
     /// Empty where the store has none. Error: NotFound, Io, Corrupt.
     Result<WallGeometry> load_walls() const;
 
@@ -86,7 +94,8 @@ class StoreReader final : public TimeStepSource {
     std::size_t nodes_;
     Grid grid_;
     SolidMask mask_;
-    std::shared_ptr<SlabPool> slabs_;               ///< for velocities; time-steps give theirs back
+    std::shared_ptr<SlabPool> slabs_; ///< for velocities; time-steps give theirs back
+    std::unique_ptr<ScalarSteps> scalars_;
     mutable std::mutex mutex_;                      ///< guards seen_
     mutable std::vector<std::optional<Seen>> seen_; ///< by time-step, then column
 };

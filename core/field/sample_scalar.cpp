@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
-#include <optional>
 
 namespace wakesurf::core {
 
@@ -39,7 +39,7 @@ class TwoSteps {
         Held& held = held_[step % 2];
         if (!held.slab || held.step != step) {
             held.slab.reset(); // before the next is read: never three in memory
-            auto loaded = store_.load_scalar(scalar_, step, stop_);
+            auto loaded = store_.scalar_values(scalar_, step, stop_);
             if (!loaded)
                 return tl::unexpected(loaded.error());
             held.slab = std::move(*loaded);
@@ -51,7 +51,7 @@ class TwoSteps {
   private:
     struct Held {
         std::size_t step = 0;
-        std::optional<Slab> slab;
+        std::shared_ptr<const Slab> slab;
     };
 
     const StoreReader& store_;
@@ -88,12 +88,6 @@ double weighed(const NodeShares& shares, const float* values) {
 }
 
 } // namespace
-
-std::size_t scalar_memory(const StoreReader& store) {
-    if (store.layout().scalars.empty())
-        return 0;
-    return 2 * Slab::reservation(step_file_size(store.layout().grid.nodes(), 1, Precision::Single));
-}
 
 Result<std::size_t> find_scalar(const StoreLayout& layout, std::string_view name) {
     std::string all;

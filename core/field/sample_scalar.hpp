@@ -13,14 +13,12 @@
 
 namespace wakesurf::core {
 
-/// Memory sample_scalar takes at most, besides its results: the time-steps at both ends of an interval.
-std::size_t scalar_memory(const StoreReader& store);
-
 /// Index into the layout's scalars. Error: NotFound, listing what there is.
 Result<std::size_t> find_scalar(const StoreLayout& layout, std::string_view name);
 
 /// One value a point, each at its own time: interpolated as the velocity is, linear in time; NaN outside the domain, in
-/// obstacles and where the field has no finite value. Times are clamped to the series. Every time-step needed is read once.
+/// obstacles and where the field has no finite value. Times are clamped to the series. Every time-step needed is read once, if it is not
+/// among the store's last ones.
 /// @param flow  over the grid of `store`
 /// Error: Cancelled, or what reading reports. Thread safety: concurrent calls are fine.
 Result<std::vector<float>> sample_scalar(const Flow& flow,

@@ -306,11 +306,12 @@ class Session:
 
     def rake(self, line: Optional[Sequence[Point]] = None, polyline: Optional[Sequence[Point]] = None,
              circle: Optional[Sequence[Point]] = None, points: Optional[Sequence[Point]] = None, seeds: int = 32,
-             name: str = "") -> "Rake":
+             name: str = "", colour: Optional[str] = None) -> "Rake":
         """Makes a rake; give one of `line` (2 points), `polyline` (2 or more), `circle` (centre and two points of the
-        rim) and `points`. What is outside of the domain is cut away, see `Rake.clipped`."""
+        rim) and `points`. What is outside of the domain is cut away, see `Rake.clipped`. `colour` is "#rrggbb"; without,
+        it gets one that few others have."""
         kind, where = _one_of(line=line, polyline=polyline, circle=circle, points=points)
-        answer = self.call("rake.set", kind=kind, points=where, seeds=seeds, name=name)
+        answer = self.call("rake.set", kind=kind, points=where, seeds=seeds, name=name, colour=colour)
         return Rake(self, answer["rake"])
 
     def rakes(self) -> List["Rake"]:
@@ -319,7 +320,8 @@ class Session:
     def surface(self, rake: Union["Rake", str], kind: str, dataset: str, to: float, from_: float = 0.0,
                 **more: Any) -> "Surface":
         """Makes a surface and starts computing it: `kind` is stream, path, streak or time. `more` as in `surface.set`:
-        direction, separation, accuracy, maxQuads, releaseUntil, sweep, rake2, fields, ..."""
+        direction, separation, accuracy, maxQuads, releaseUntil, sweep, rake2, fields, ... What `fields` names (at most
+        4) is also in `Surface.mesh`, by name."""
         answer = self.call("surface.set", rake=_id(rake), kind=kind, dataset=dataset, to=to, **{"from": from_}, **more)
         return Surface(self, answer["surface"])
 
@@ -381,12 +383,20 @@ class Rake(_Record):
 
     def set(self, line: Optional[Sequence[Point]] = None, polyline: Optional[Sequence[Point]] = None,
             circle: Optional[Sequence[Point]] = None, points: Optional[Sequence[Point]] = None,
-            seeds: Optional[int] = None, name: Optional[str] = None, if_rev: Optional[int] = None) -> Json:
-        """Changes what is given; the surfaces on it are computed again. {rev, clipped, points, surfaces, ...}"""
-        changes: Json = {key: value for key, value in (("seeds", seeds), ("name", name)) if value is not None}
+            seeds: Optional[int] = None, name: Optional[str] = None, colour: Optional[str] = None,
+            if_rev: Optional[int] = None) -> Json:
+        """Changes what is given; the surfaces on it are computed again, unless only name or colour change.
+        {rev, clipped, points, surfaces, ...}"""
+        given = (("seeds", seeds), ("name", name), ("colour", colour))
+        changes: Json = {key: value for key, value in given if value is not None}
         if any(each is not None for each in (line, polyline, circle, points)):
             changes["kind"], changes["points"] = _one_of(line=line, polyline=polyline, circle=circle, points=points)
-        return self._change(("kind", "points", "seeds", "name"), changes, if_rev)
+        return self._change(("kind", "points", "seeds", "name", "colour"), changes, if_rev)
+
+    @property
+    def colour(self) -> str:
+        """#rrggbb"""
+        return str(self.record()["colour"])
 
     @property
     def points(self) -> np.ndarray:

@@ -1,7 +1,6 @@
 #include "server/catalogue/open_dataset.hpp"
 
 #include "core/field/analytic_flow.hpp"
-#include "core/field/sample_scalar.hpp"
 #include "core/field/stored_flow.hpp"
 #include "protocol/store_manifest.hpp"
 #include "server/catalogue/import_process.hpp"
@@ -32,7 +31,7 @@ std::size_t fixed_bytes(const core::StoreReader& reader) {
     constexpr std::size_t locator_bytes =
         37; // a cell: core/field/cells/cell_locator.hpp, cell_walls.hpp
     return core::memory_of(reader.grid()) + (mesh ? locator_bytes * mesh->cells.size() : 0) +
-           2 * reader.mask().fluid.size() + core::scalar_memory(reader);
+           2 * reader.mask().fluid.size() + reader.scalar_memory();
 }
 
 /// What of the budget is left for time-steps. Error: OverLimit where that is too little to follow a particle.

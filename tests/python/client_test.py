@@ -129,6 +129,30 @@ class ClientTest(unittest.TestCase):
         rake.set(polyline=[(9, 0, 0), (14, 0, 0)])
         self.assertTrue(rake.clipped)
 
+    def test_rakes_have_a_colour_which_changes_nothing_that_hangs_on_them(self):
+        surface = self.surface()
+        rake = self.session.rakes()[0]
+        self.assertRegex(rake.colour, "^#[0-9a-f]{6}$")
+        before = surface.record()["epoch"]
+        self.assertEqual(rake.set(colour="#123456")["surfaces"], [])
+        self.assertEqual((rake.colour, surface.record()["epoch"]), ("#123456", before))
+        rake.set(seeds=12)
+        self.assertEqual(rake.colour, "#123456")
+        self.assertEqual(self.session.rake(line=LINE, colour="#abcdef").colour, "#abcdef")
+        with self.assertRaises(wakesurf.InvalidParameters):
+            rake.set(colour="red")
+
+    def test_fields_are_in_the_mesh_by_name(self):
+        surface = self.surface(fields=["deformation", "approximated"])
+        mesh = surface.mesh()
+        self.assertEqual(mesh["deformation"].shape, (len(mesh.points),))
+        self.assertGreater(np.abs(mesh["deformation"]).max(), 0)
+        self.assertEqual(surface.stats()["pass"].keys(), {"queue", "load", "compute", "encode"})
+        with self.assertRaises(wakesurf.InvalidParameters):
+            surface.set(fields=["nothing"])
+        with self.assertRaisesRegex(wakesurf.InvalidParameters, "at most 4"):
+            surface.set(fields=["a", "b", "c", "d", "e"])
+
     def test_refusals_are_exceptions_of_their_own(self):
         rake = self.session.rake(line=LINE)
         with self.assertRaises(wakesurf.OutsideDomain):

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace wakesurf::core {
 namespace {
 
@@ -55,6 +57,8 @@ TEST(ReadablePart, SurfacesEndAtTheLastTimeStepThatCanBeReadAndSayWhy) {
         ASSERT_TRUE(surface.has_value()) << surface.error().message;
         EXPECT_NE(surface->statistics.stopped.find("time-step 4"), std::string::npos);
         EXPECT_NEAR(farthest(*surface), 0.5 + 3.0, 1e-9) << static_cast<int>(kind);
+        const auto times = vertex_times(*surface, asked(kind, 0, 6));
+        EXPECT_LE(*std::ranges::max_element(times), 3.0) << "fields are sampled no later";
         EXPECT_EQ(surface->mesh.validate(), "");
     }
 }

@@ -1,5 +1,6 @@
 // The methods of the server that this client calls, one entry each: parameters -> result. Names and shapes are those of the
 // method table in server/rpc; records.ts and notifications.ts hold the rest of what is said.
+import type { PassSeconds } from './notifications.ts';
 import type {
     BookmarkRecord,
     CameraPlace,
@@ -43,6 +44,8 @@ export interface SurfaceStats {
     maxEdge: number;
     separation: number;
     seconds: Record<string, number>;
+    /** What the pass that made the newest state took. */
+    pass?: PassSeconds;
     peakBytes: number;
 }
 
