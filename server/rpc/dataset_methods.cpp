@@ -5,6 +5,7 @@
 #include "server/rpc/cache_json.hpp"
 #include "server/rpc/lattice_json.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/session/surface_rules.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -27,6 +28,7 @@ void describe(const Call& call, Reply reply) {
         return reply.fault(open.error());
     json out = protocol::dataset_json(open->info);
     out["lattice"] = lattice_json(open->lattice);
+    out["surfaceFields"] = field_names(*open);
     reply.result(out);
 }
 
@@ -95,7 +97,9 @@ std::vector<Method> dataset_methods() {
         {"dataset.describe",
          "Grid, times, fields and lattice of one dataset.",
          {dataset},
-         "the shape of `wakesurf info --json`, and lattice: {origin, step, bits}",
+         "the shape of `wakesurf info --json`, and lattice: {origin, step, bits}, and "
+         "surfaceFields: "
+         "what `fields` of surface.set may name",
          any_viewer,
          describe},
         {"cache.status",

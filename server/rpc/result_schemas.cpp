@@ -62,7 +62,9 @@ constexpr std::string_view shapes = R"json({
     "velocity": {"type": "string"},
     "why": {"type": "string", "description": "this field is the velocity because"},
     "obstacle": {"type": "boolean"}, "bytesPerStep": "#Count", "finestSpacing": {"type": "number", "minimum": 0},
-    "lattice": "#Lattice", "note?": {"type": "string"}, "precision?": {"enum": ["half"]},
+    "lattice": "#Lattice",
+    "surfaceFields": {
+      "type": "array", "items": {"type": "string"}, "description": "what `fields` of surface.set may name"}, "note?": {"type": "string"}, "precision?": {"enum": ["half"]},
     "dimensions?": {"type": "array", "items": {"type": "integer"}, "minItems": 3, "maxItems": 3},
     "spacing?": "#Vector"}},
 "Rake": {

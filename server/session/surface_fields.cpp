@@ -5,6 +5,7 @@
 #include "protocol/mesh_frame.hpp"
 #include "server/limits.hpp"
 #include "server/session/datasets.hpp"
+#include "server/session/surface_rules.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,18 +18,6 @@ namespace wakesurf::server {
 namespace {
 
 static_assert(protocol::surface_attributes.size() + limits::fields <= protocol::max_attributes);
-
-std::vector<std::string> names_of(const OpenDataset& dataset) {
-    std::vector<std::string> names;
-    if (dataset.store != nullptr)
-        for (const core::StoredScalar& each : dataset.store->layout().scalars)
-            names.push_back(each.name);
-    names.push_back(dataset.info.velocity);
-    for (const auto derived : {core::deformation_name, core::approximated_name})
-        if (std::ranges::find(names, derived) == names.end())
-            names.emplace_back(derived);
-    return names;
-}
 
 /// Nothing where the name is none of the dataset's and of ours.
 std::optional<SurfaceField> lookup(const OpenDataset& dataset, const std::string& name) {
@@ -66,15 +55,17 @@ core::Result<SurfaceField> find_field(const OpenDataset& dataset, const std::str
     if (auto found = lookup(dataset, name))
         return *found;
     const auto& all = dataset.info.fields;
-    const bool left_out = std::ranges::any_of(
-        all, [&](const core::FieldInfo& each) { return each.name == name && each.components > 1; });
-    return core::fail(core::Error::Code::InvalidArgument,
-                      left_out
-                          ? "`fields` names a vector field that was left out when the dataset was "
-                            "imported, since a store holds one vector: " +
-                                name
-                          : "`fields` names a field the dataset does not have",
-                      fmt::format("there is {}", fmt::join(names_of(dataset), ", ")));
+    const auto found =
+        std::ranges::find_if(all, [&](const core::FieldInfo& each) { return each.name == name; });
+    const std::string problem =
+        found == all.end() ? "a field the dataset does not have"
+        : found->components > 1
+            ? "a vector field that was left out when the dataset was imported, since a "
+              "store holds one vector: " +
+                  name
+            : "a field that was not stored when the dataset was imported: " + name;
+    return core::fail(core::Error::Code::InvalidArgument, "`fields` names " + problem,
+                      fmt::format("there is {}", fmt::join(field_names(dataset), ", ")));
 }
 
 std::vector<SurfaceField> fields_there(const OpenDataset& dataset,

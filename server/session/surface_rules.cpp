@@ -1,5 +1,6 @@
 #include "server/session/surface_rules.hpp"
 
+#include "core/surface/vertex_attributes.hpp"
 #include "server/session/surface_fields.hpp"
 
 #include <fmt/format.h>
@@ -45,6 +46,18 @@ core::Result<void> check_kind(const protocol::SurfaceSetting& setting) {
                          "leave it out to release until `to`");
     }
     return {};
+}
+
+std::vector<std::string> field_names(const OpenDataset& dataset) {
+    std::vector<std::string> names;
+    if (dataset.store != nullptr)
+        for (const core::StoredScalar& each : dataset.store->layout().scalars)
+            names.push_back(each.name);
+    names.push_back(dataset.info.velocity);
+    for (const auto derived : {core::deformation_name, core::approximated_name})
+        if (std::ranges::find(names, derived) == names.end())
+            names.emplace_back(derived);
+    return names;
 }
 
 core::Result<void> complete_surface(protocol::SurfaceSetting& setting, const OpenDataset& dataset) {

@@ -9,6 +9,9 @@ namespace wakesurf::server {
 /// What only some kinds of surface have, and what they must have. Error: InvalidArgument, naming the parameter.
 core::Result<void> check_kind(const protocol::SurfaceSetting& setting);
 
+/// What a surface's `fields` may name: the stored scalars, the velocity, what the engine derives.
+std::vector<std::string> field_names(const OpenDataset& dataset);
+
 /// Fills in what was left to the dataset (the separation), and leaves out fields named twice. Error: InvalidArgument (an unknown field; what the kind of
 /// surface does not have, or lacks), naming the parameter.
 core::Result<void> complete_surface(protocol::SurfaceSetting& setting, const OpenDataset& dataset);

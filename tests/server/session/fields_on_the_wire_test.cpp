@@ -163,6 +163,8 @@ TEST_F(FieldsOnTheWire, WhatCannotBeSentIsRefusedInWords) {
         << vector;
     EXPECT_EQ(error({"q"})["data"]["hint"], "there is p, U, deformation, approximated");
     EXPECT_EQ(client.result("server.info")["limits"]["fields"], 4);
+    EXPECT_EQ(client.result("dataset.describe", {{"dataset", "box"}})["surfaceFields"],
+              (json{"p", "U", "deformation", "approximated"}));
 }
 
 TEST_F(FieldsOnTheWire, ProgressSaysWhatEachPassTook) {

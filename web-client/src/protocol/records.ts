@@ -52,6 +52,8 @@ export interface DatasetDescription {
     bytesPerStep: number;
     finestSpacing: number;
     lattice: LatticeDescription;
+    /** What `fields` of a surface may name. */
+    surfaceFields?: string[];
 }
 
 export interface LatticeDescription {
