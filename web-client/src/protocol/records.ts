@@ -31,8 +31,6 @@ export interface FieldDescription {
     source: 'point' | 'cell';
     range: [number, number];
     unit?: string;
-    /** False: listed, but neither the probe nor a surface can have it. */
-    sampled?: boolean;
 }
 
 export interface DatasetDescription {

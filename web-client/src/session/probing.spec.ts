@@ -16,9 +16,9 @@ function bench() {
     const fields = [
         { name: 'U', components: 3 },
         { name: 'p', components: 1 },
-        { name: 'mask', components: 1, sampled: false },
+        { name: 'mask', components: 1 },
     ];
-    state.dataset.value = { dataset: 'd', velocity: 'U', fields, bounds: [0, 10, 0, 10, 0, 10], times: [2] } as unknown as DatasetDescription;
+    state.dataset.value = { dataset: 'd', velocity: 'U', fields, surfaceFields: ['p', 'deformation'], bounds: [0, 10, 0, 10, 0, 10], times: [2] } as unknown as DatasetDescription;
     const asked: { points: Vec3[]; fields?: string[]; time: number }[] = [];
     const answers: (() => void)[] = [];
     const call = (_: string, params: (typeof asked)[number]): Promise<unknown> => {

@@ -73,9 +73,10 @@ export class Probing implements PointerTool {
         this.next = null;
         this.asking = true;
         const time = shownTime(state);
+        // Masks and vectors that were left out at the import are listed, but are not there to be sampled.
         const fields = description.fields
-            .filter(({ name, sampled }) => sampled !== false || name === description.velocity)
-            .map(({ name }) => name);
+            .map(({ name }) => name)
+            .filter((name) => name === description.velocity || description.surfaceFields?.includes(name));
         const asked = { dataset: description.dataset, points: [point], time, fields };
         try {
             const { inside, values } = await worker.call('probe.sample', asked);
