@@ -17,6 +17,7 @@ import { SessionController } from './session/sessionController.ts';
 import { SurfaceProgress } from './session/surfaceProgress.ts';
 import { SurfaceFeed } from './session/surfaceFeed.ts';
 import { showTheme } from './session/themeInPicture.ts';
+import { showUnits } from './session/unitsInPicture.ts';
 import { baseUrl, readFragment, showFragment, writeFragment } from './session/urlState.ts';
 import { Views } from './session/views.ts';
 import { AppState } from './state/appState.ts';
@@ -73,6 +74,7 @@ function start(app: App): void {
     showPeople(state, view, scene);
     showTheme(view, scene);
     showMarks(state, view, scene);
+    showUnits(state, view, scene);
     const sight = { view: () => scene.view(), pick: (at: ScreenPoint) => scene.pick(at) };
     const probing = new Probing({ state, pageView: view, worker, requestFrame: scene.loop.request, ...sight });
     const pointing = new Pointing({ state, people, requestFrame: scene.loop.request, ...sight });

@@ -50,6 +50,7 @@ export class FlowScene {
     private readonly drawn: ((view: View) => void)[] = [];
     private readonly afterNextFrame: ((time: number) => void)[] = [];
     private theme: 'dark' | 'light' = 'dark';
+    private unit = '';
     private outline: DomainOutline | null = null;
     private obstacle: Mesh | null = null;
 
@@ -107,6 +108,13 @@ export class FlowScene {
         this.loop.request();
     }
 
+    /** Of lengths; empty: unknown. */
+    setUnit(unit: string): void {
+        this.unit = unit;
+        this.outline?.setUnit(unit);
+        this.loop.request();
+    }
+
     /** Called after every frame. */
     onDraw(listener: (view: View) => void): void {
         this.drawn.push(listener);
@@ -118,6 +126,7 @@ export class FlowScene {
             this.outline.dispose();
         }
         this.outline = new DomainOutline(bounds, this.labels, pictureColours[this.theme].outline);
+        this.outline.setUnit(this.unit);
         this.add(this.outline);
         this.controls.setBounds(bounds);
     }

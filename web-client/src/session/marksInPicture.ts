@@ -6,6 +6,7 @@ import { type MarkedLine, type Marker, MarkerLayer } from '../scene/tools/marker
 import type { AppState } from '../state/appState.ts';
 import type { ProbeReading, ViewState } from '../state/viewState.ts';
 import { distance } from './measuring.ts';
+import { withUnit } from './unitsInPicture.ts';
 
 const probeColour = '#f0e442';
 const measureColour = '#56b4e9';
@@ -26,7 +27,7 @@ export function showMarks(state: AppState, view: ViewState, scene: FlowScene): v
         }
         const lines: MarkedLine[] = [];
         if (a !== undefined && b !== undefined) {
-            lines.push({ from: a, to: b, colour: measureColour, words: shortNumber(distance(a, b)) });
+            lines.push({ from: a, to: b, colour: measureColour, words: withUnit(shortNumber(distance(a, b)), view.units.value.length) });
         }
         layer.set(markers, lines);
         scene.loop.request();

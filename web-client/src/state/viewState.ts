@@ -8,6 +8,11 @@ export type Tool = 'none' | 'place' | 'probe' | 'measure' | 'annotate' | 'paint'
 
 export type Theme = 'system' | 'dark' | 'light';
 
+export interface Units {
+    length: string;
+    time: string;
+}
+
 /** What the probe has found. */
 export interface ProbeReading {
     point: Vec3;
@@ -30,6 +35,8 @@ export interface NoteDraft {
 export class ViewState {
     readonly tool = signal<Tool>('none');
     readonly theme = signal<Theme>('system');
+    /** Of lengths and of times, as the user says: results rarely tell. Empty: unknown. */
+    readonly units = signal<Units>({ length: '', time: '' });
     readonly orthographic = signal(false);
     readonly probe = signal<ProbeReading | null>(null);
     /** Up to two points. */

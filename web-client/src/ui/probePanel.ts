@@ -4,6 +4,7 @@ import type { FieldDescription, Vec3 } from '../protocol/messages.ts';
 import { centreOf } from '../scene/domain/domainAxes.ts';
 import { shortNumber } from '../scene/ticks.ts';
 import { distance } from '../session/measuring.ts';
+import { withUnit } from '../session/unitsInPicture.ts';
 import type { ProbeReading } from '../state/viewState.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
@@ -81,7 +82,7 @@ export class ProbePanel extends SignalElement {
                     <dd data-field=${name}>${valueWords(value)}</dd>`;
             })}
             <dt>at</dt>
-            <dd>t = ${shortNumber(time)}</dd>
+            <dd>t = ${withUnit(shortNumber(time), this.model.view.units.value.time)}</dd>
         </dl>`;
     }
 
@@ -92,7 +93,7 @@ export class ProbePanel extends SignalElement {
         const along = b.map((value, i) => shortNumber(value - a[i]!));
         return html`<dl id="measured">
                 <dt>Distance</dt>
-                <dd>${shortNumber(distance(a, b))}</dd>
+                <dd>${withUnit(shortNumber(distance(a, b)), this.model.view.units.value.length)}</dd>
                 <dt>along x, y, z</dt>
                 <dd>${along.join(', ')}</dd>
             </dl>

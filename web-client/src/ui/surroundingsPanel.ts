@@ -1,6 +1,6 @@
-// Dark or light.
+// What surrounds the surfaces: dark or light, and in which units its numbers are meant.
 import { css, html, type TemplateResult } from 'lit';
-import type { Theme } from '../state/viewState.ts';
+import type { Theme, Units } from '../state/viewState.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
@@ -18,6 +18,17 @@ export class SurroundingsPanel extends SignalElement {
     static override styles = [
         sharedStyles,
         css`
+            input {
+                width: 90px;
+                min-height: 28px;
+                padding: 3px 8px;
+                border: 1px solid var(--line);
+                border-radius: 6px;
+                background: var(--raised);
+            }
+            label + label {
+                margin-top: 6px;
+            }
             label {
                 display: flex;
                 justify-content: space-between;
@@ -29,6 +40,14 @@ export class SurroundingsPanel extends SignalElement {
     override render(): TemplateResult {
         const { view } = this.model;
         return html`<label
+                >Unit of length
+                <input id="length-unit" maxlength="12" placeholder="none" .value=${view.units.value.length} @change=${(event: Event) => this.setUnit('length', event)} />
+            </label>
+            <label
+                >Unit of time
+                <input id="time-unit" maxlength="12" placeholder="none" .value=${view.units.value.time} @change=${(event: Event) => this.setUnit('time', event)} />
+            </label>
+            <label
             >Colours of the page
             <select id="theme" @change=${this.choose}>
                 ${themes.map(
@@ -37,6 +56,11 @@ export class SurroundingsPanel extends SignalElement {
                 )}
             </select>
         </label>`;
+    }
+
+    private setUnit(of: keyof Units, event: Event): void {
+        const { units } = this.model.view;
+        units.value = { ...units.value, [of]: (event.target as HTMLInputElement).value.trim() };
     }
 
     private choose(event: Event): void {

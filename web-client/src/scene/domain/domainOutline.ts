@@ -18,6 +18,7 @@ export class DomainOutline implements Layer {
     readonly object: LineSegments<EdgesGeometry, LineBasicMaterial>;
     private readonly bounds: Bounds;
     private readonly labels: Labels;
+    private unit = '';
     private placed: ScreenPoint[] = [];
     private placedFor = '';
 
@@ -53,6 +54,12 @@ export class DomainOutline implements Layer {
         this.object.material.color = colour;
     }
 
+    /** Of lengths, behind the names of the axes; empty: unknown. */
+    setUnit(unit: string): void {
+        this.unit = unit;
+        this.placedFor = '';
+    }
+
     private corner(end: 0 | 1): Vec3 {
         const [x, y, z] = [this.bounds[end], this.bounds[2 + end], this.bounds[4 + end]];
         return [x ?? 0, y ?? 0, z ?? 0];
@@ -77,7 +84,8 @@ export class DomainOutline implements Layer {
         }
         const middle = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
         const name = axisNames[edge.axis] ?? '';
-        this.place(middle, edge.outward, nameGapPx, name, `axis-name axis-${name}`);
+        const words = this.unit === '' ? name : `${name} (${this.unit})`;
+        this.place(middle, edge.outward, nameGapPx, words, `axis-name axis-${name}`);
     }
 
     private place(
