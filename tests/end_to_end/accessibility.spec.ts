@@ -1,49 +1,47 @@
 // The page for everybody: no finding of axe, in both colour schemes, and every control reachable.
 import { source as axeSource } from 'axe-core';
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
-import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { screenshot } from './support/browser_page.ts';
+import { useStand } from './support/stand.ts';
 
 interface AxeResults {
     violations: { id: string; nodes: { html: string; failureSummary: string }[] }[];
     passes: unknown[];
 }
 
-const store = temporaryFolder();
-let server: ServerProcess;
-let browser: Browser;
+const stand = useStand();
 
-beforeAll(async () => {
-    server = await ServerProcess.start({ store: store.path });
-    browser = await launchBrowser();
-});
-
-afterAll(async () => {
-    await browser?.close();
-    await server?.stop();
-    store.remove();
-});
+/** Through the debugger, past the content security policy of the page. */
+async function expectNoFindings(page: Page, where: string): Promise<void> {
+    const found = (await page.evaluate('axe.run()')) as AxeResults;
+    const findings = found.violations.map(({ id, nodes }) => [where, id, nodes[0]?.html, nodes[0]?.failureSummary]);
+    expect(findings).toEqual([]);
+    expect(found.passes.length).toBeGreaterThan(20);
+}
 
 describe('accessibility', () => {
-    it.each(['dark', 'light'] as const)('has no violation in the %s scheme', async (colorScheme) => {
-        const context = await newContext(browser, { colorScheme });
-        const { page } = await openPage(context, server.link);
-        await finalSurface(page);
-        // Through the debugger, past the content security policy of the page.
+    it.each(['dark', 'light'] as const)('has no violation on any tab and in no dialog in the %s scheme', async (colorScheme) => {
+        const page = await stand.visit({ colorScheme, firstVisit: true });
         await page.evaluate(axeSource);
-        const found = (await page.evaluate('axe.run()')) as AxeResults;
-        const findings = found.violations.map(({ id, nodes }) => [id, nodes[0]?.html, nodes[0]?.failureSummary]);
-        expect(findings).toEqual([]);
-        expect(found.passes.length).toBeGreaterThan(20);
-        await screenshot(page, `scheme-${colorScheme}`);
-        await context.close();
+        await expectNoFindings(page, 'tour');
+        await page.getByRole('button', { name: 'Skip the tour' }).click();
+        for (const tab of await page.getByRole('tab').all()) {
+            await tab.click();
+            // What is folded away counts as well.
+            for (const details of await page.locator('[role=tabpanel] details:not([open]) > summary').all()) await details.click();
+            await expectNoFindings(page, (await tab.textContent())!.trim());
+            await screenshot(page, `tab-${(await tab.textContent())!.trim().toLowerCase()}-${colorScheme}`);
+        }
+        await page.keyboard.press('?');
+        await page.getByRole('dialog').waitFor();
+        await expectNoFindings(page, 'help');
+        await page.getByRole('button', { name: 'Close' }).click();
+        await page.context().close();
     });
 
     it('names every control', async () => {
-        const context = await newContext(browser);
-        const { page } = await openPage(context, server.link);
-        await finalSurface(page);
+        const page = await stand.visit();
         for (const name of ['Start', 'Middle', 'End']) {
             expect(await page.getByRole('button', { name, exact: true }).count()).toBe(1);
         }
@@ -54,6 +52,6 @@ describe('accessibility', () => {
         }
         expect(await page.getByRole('slider', { name: 'Integration time' }).count()).toBe(1);
         expect(await page.getByRole('figure', { name: /Speed from/ }).count()).toBe(1);
-        await context.close();
+        await page.context().close();
     });
 });
