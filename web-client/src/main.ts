@@ -13,6 +13,7 @@ import { People } from './session/people.ts';
 import { showPeople } from './session/peopleInPicture.ts';
 import { Pointing } from './session/pointing.ts';
 import { Probing } from './session/probing.ts';
+import { showRakes } from './session/rakeScene.ts';
 import { SessionController } from './session/sessionController.ts';
 import { SurfaceProgress } from './session/surfaceProgress.ts';
 import { SurfaceFeed } from './session/surfaceFeed.ts';
@@ -27,6 +28,7 @@ import { installTestHook } from './testHook.ts';
 import { App } from './ui/app.ts';
 import type { AppModel } from './ui/appModel.ts';
 import { listenForViewKeys } from './ui/viewKeys.ts';
+import { listenForUndoKeys } from './ui/undoKeys.ts';
 import { WorkerClient } from './worker/workerClient.ts';
 
 const noWebGl2 =
@@ -50,7 +52,14 @@ function start(app: App): void {
         canvas,
         labels,
         graphics,
-        onRakeMove: (move) => edits.moveRake(move),
+        onRakeMove: (move) => {
+            edits.moveRake(move);
+            people.tell({ dragging: edits.draggedNow(move) });
+        },
+        onRakeChosen: (rake) => edits.chooseRake(rake),
+        onRakePlaced: () => {
+            if (view.tool.value === 'place') view.tool.value = 'none';
+        },
     });
     const worker = new WorkerClient((event) => controller.handle(event));
     const edits = new Edits({
@@ -58,10 +67,6 @@ function start(app: App): void {
         worker,
         latency,
         requestFrame: scene.loop.request,
-        setRakePoints: (points) => {
-            scene.rake.setPoints(points);
-            scene.loop.request();
-        },
         dragging: () => scene.interaction.dragging,
     });
     const people = new People({
@@ -91,9 +96,11 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => probing.flush());
     scene.loop.beforeFrame(() => pointing.flush());
     scene.loop.beforeFrame(() => feed.apply());
+    showRakes(state, view, scene);
     installTestHook({ state, scene, latency, canvas });
     const model: AppModel = { state, view, edits, clock, people, scene, worker, calls, views, probing, progress, rename: (name) => controller.rename(name), retryNow: () => worker.retryNow() };
     listenForViewKeys(model);
+    listenForUndoKeys(edits);
     app.begin(model);
     addEventListener('online', () => worker.retryNow());
     worker.start(baseUrl(), url.token);

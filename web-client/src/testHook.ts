@@ -5,7 +5,8 @@ import type { FlowScene } from './scene/scene.ts';
 import type { ScreenPoint } from './scene/view.ts';
 import type { PickHit } from './scene/surface/surfacePick.ts';
 import type { SurfaceVertex } from './scene/surface/surfaceMesh.ts';
-import type { Handle } from './scene/rake/rakeWidget.ts';
+import type { Handle } from './scene/rake/rakeHandles.ts';
+import type { DrawnRake } from './scene/rake/rakeLayer.ts';
 import type { AppState, DisplayedSurface } from './state/appState.ts';
 import type { LatencyLog, LatencySample } from './state/latency.ts';
 
@@ -18,6 +19,7 @@ export interface TestHook {
     readonly requestedEpoch: number;
     readonly displayed: DisplayedSurface | null;
     readonly rakePoints: Vec3[];
+    readonly rakes: readonly DrawnRake[];
     readonly bounds: readonly number[] | null;
     readonly speedRange: [number, number];
     readonly latencySamples: LatencySample[];
@@ -84,7 +86,10 @@ export function installTestHook({ state, scene, latency, canvas }: TestHookParts
             return displayed() ?? null;
         },
         get rakePoints() {
-            return scene.rake.getPoints();
+            return scene.rakes.shape.points.map((point) => [...point] as Vec3);
+        },
+        get rakes() {
+            return scene.rakes.drawn;
         },
         get bounds() {
             return state.dataset.value?.bounds ?? null;
@@ -107,7 +112,7 @@ export function installTestHook({ state, scene, latency, canvas }: TestHookParts
         },
         setCamera: (position, target) => scene.controls.place({ position, target, orthographic: false }),
         project: (point) => inWindow(scene.project(point)),
-        handleOnScreen: (handle) => inWindow(scene.project(scene.rake.positionOf(handle))),
+        handleOnScreen: (handle) => inWindow(scene.project(scene.rakes.positionOf(handle, scene.view()))),
         vertices: (every) => {
             const count = displayed()?.vertices ?? 0;
             const found: SurfaceVertex[] = [];

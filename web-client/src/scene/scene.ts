@@ -12,7 +12,7 @@ import type { Graphics } from './graphics.ts';
 import { Lights } from './lights.ts';
 import { PointerTools } from './pointerTools.ts';
 import { RakeInteraction, type RakeMove } from './rake/rakeInteraction.ts';
-import { RakeWidget } from './rake/rakeWidget.ts';
+import { RakeLayer } from './rake/rakeLayer.ts';
 import { SurfaceLayer } from './surface/surfaceLayer.ts';
 import type { MeshChange } from './surface/surfaceMesh.ts';
 import { type PickGrid, type PickHit, type PickOptions, SurfacePick } from './surface/surfacePick.ts';
@@ -27,6 +27,8 @@ export interface FlowSceneOptions {
     labels: HTMLElement;
     graphics: Graphics;
     onRakeMove: (move: RakeMove) => void;
+    onRakeChosen: (rake: string) => void;
+    onRakePlaced: () => void;
 }
 
 export class FlowScene {
@@ -34,7 +36,7 @@ export class FlowScene {
     readonly controls = new CameraControls(this.loop.request, (held) => this.hold(held));
     readonly surfaces = new SurfaceLayer();
     private readonly picker: SurfacePick;
-    readonly rake = new RakeWidget();
+    readonly rakes: RakeLayer;
     readonly interaction: RakeInteraction;
     readonly pointerTools: PointerTools;
     readonly renderer: WebGLRenderer;
@@ -60,11 +62,15 @@ export class FlowScene {
         this.software = options.graphics.software;
         this.renderer = createRenderer(options);
         this.picker = new SurfacePick(this.renderer, this.surfaces);
+        this.rakes = new RakeLayer(options.labels);
         this.interaction = new RakeInteraction({
-            widget: this.rake,
+            layer: this.rakes,
             view: () => this.view(),
+            pick: (at) => this.pick(at)?.point ?? null,
             requestFrame: this.loop.request,
             onMove: options.onRakeMove,
+            onChoose: options.onRakeChosen,
+            onPlaced: options.onRakePlaced,
             onHold: (held) => this.hold(held),
         });
         // Before the camera controls, which must not see a press on a handle.
@@ -74,7 +80,7 @@ export class FlowScene {
         this.setTheme('dark');
         this.scene.add(this.surfaces.object);
         this.add(new Lights());
-        this.add(this.rake);
+        this.add(this.rakes);
         new ResizeObserver(() => this.resize()).observe(this.canvas);
         this.canvas.addEventListener('webglcontextrestored', this.loop.request);
     }
@@ -129,6 +135,7 @@ export class FlowScene {
         this.outline.setUnit(this.unit);
         this.add(this.outline);
         this.controls.setBounds(bounds);
+        this.rakes.setBounds(bounds);
     }
 
     setObstacle(positions: Float32Array, indices: Uint32Array): void {

@@ -57,6 +57,56 @@ export function defaultLength(bounds: Bounds, fastest: number): number {
     return Math.max(step, Math.round(rough / step) * step);
 }
 
+/**
+ * For a further rake: as the first one, moved across the flow, or along it, to where it is clear of those there are; where
+ * nothing is clear, to where there is most room.
+ */
+export function freeRake(bounds: Bounds, others: readonly (readonly Vec3[])[]): [Vec3, Vec3] {
+    const [start, end] = defaultRake(bounds);
+    const sweep = defaultSweep(bounds, [start, end]);
+    const across = sweep.findIndex((each) => each !== 0) as Axis;
+    const longest = ([0, 1, 2] as Axis[]).reduce((a, b) => (extent(bounds, b) > extent(bounds, a) ? b : a));
+    const size = Math.hypot(extent(bounds, 0), extent(bounds, 1), extent(bounds, 2));
+    let best: [Vec3, Vec3] = [start, end];
+    let most = -1;
+    for (const along of [0.1, 0.3, 0.5]) {
+        for (const beside of [0.53, 0.35, 0.7, 0.2, 0.85, 0.44, 0.62]) {
+            const candidate = [start, end].map((point) => {
+                const moved: Vec3 = [...point];
+                moved[longest] = at(bounds, longest, along);
+                if (across !== longest) moved[across] = at(bounds, across, beside);
+                return moved;
+            }) as [Vec3, Vec3];
+            const room = Math.min(...others.map((points) => apart(candidate, points)));
+            if (room > 0.05 * size) return candidate;
+            if (room > most) [best, most] = [candidate, room];
+        }
+    }
+    return best;
+}
+
+/** Where a copy of a rake goes: a little to the side that has more room. */
+export function besideRake(bounds: Bounds, rake: readonly Vec3[]): Vec3 {
+    const [x, y, z] = defaultSweep(bounds, rake);
+    return [x * 0.25, y * 0.25, z * 0.25];
+}
+
+/** The smallest distance between the points of two rakes, and of their middles. */
+function apart(a: readonly Vec3[], b: readonly Vec3[]): number {
+    const [own, other] = [withMiddle(a), withMiddle(b)];
+    let least = Number.POSITIVE_INFINITY;
+    for (const p of own) {
+        for (const q of other) least = Math.min(least, Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+    }
+    return least;
+}
+
+function withMiddle(points: readonly Vec3[]): Vec3[] {
+    const [first = [0, 0, 0], last = first] = [points[0], points.at(-1)];
+    const middle = first.map((each, k) => (each + (last[k] ?? each)) / 2) as Vec3;
+    return [first, middle, last];
+}
+
 function extent(bounds: Bounds, axis: Axis): number {
     return (bounds[axis * 2 + 1] ?? 0) - (bounds[axis * 2] ?? 0);
 }

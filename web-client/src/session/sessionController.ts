@@ -10,10 +10,9 @@ import {
     type RakeRecord,
     type SessionSnapshot,
     type SurfaceRecord,
-    type Vec3,
 } from '../protocol/messages.ts';
 import type { FlowScene } from '../scene/scene.ts';
-import type { AppState } from '../state/appState.ts';
+import type { AppState, ShownRake } from '../state/appState.ts';
 import { keep, recall } from '../state/browserMemory.ts';
 import { CallError, type WorkerClient, type WorkerEvent } from '../worker/workerClient.ts';
 import { defaultLength, defaultRake, defaultSeeds } from './defaults.ts';
@@ -207,15 +206,15 @@ export class SessionController {
     private async createSession(dataset: string): Promise<SessionSnapshot> {
         const { worker, state } = this.options;
         const remembered = this.remembered(dataset);
-        const points = state.rakePoints.value;
+        const shape = state.rakeShape.value;
         const active = state.rake.value?.rake;
         const forgotten = this.session;
         const { session } = await worker.call('session.create', {});
         this.rebuilding = true;
         try {
             await this.enter(session);
-            await this.makeAnew(remembered, dataset, (rake, recorded) =>
-                rake === active && points.length > 0 ? [...points] : recorded,
+            await this.makeAnew(remembered, dataset, (record) =>
+                record.rake === active && shape.points.length > 0 ? shape : record,
             );
         } catch (error) {
             // What is on the page is not all in the new session: the next connection begins again with another.
@@ -237,18 +236,19 @@ export class SessionController {
         return { rakes: known.rakes, surfaces: known.surfaces.filter((each) => each.dataset === dataset) };
     }
 
-    /** `seen`: the points on the screen, which may be ahead of the record that was lost. */
+    /** `seen`: the shape on the screen, which may be ahead of the record that was lost. */
     private async makeAnew(
         remembered: Remembered,
         dataset: string,
-        seen: (rake: string, recorded: Vec3[]) => Vec3[],
+        seen: (record: RakeRecord) => ShownRake,
     ): Promise<void> {
         const { worker } = this.options;
         const ids = new Map<string, string>();
-        for (const { rake, kind, points: recorded, seeds, name, colour } of remembered.rakes) {
-            const points = seen(rake, recorded);
-            const coloured = colour === undefined ? {} : { colour };
-            const made = await worker.call('rake.set', { kind, points, seeds, name, ...coloured });
+        for (const record of remembered.rakes) {
+            const { rake, seeds, name, colour } = record;
+            const { kind, points } = seen(record);
+            const tint = colour === undefined ? {} : { colour };
+            const made = await worker.call('rake.set', { kind, points: [...points], seeds, name, ...tint });
             ids.set(rake, made.rake);
         }
         for (const record of remembered.surfaces) {
@@ -300,16 +300,7 @@ export class SessionController {
 
     private adopt(snapshot: SessionSnapshot): void {
         adoptSnapshot(this.options.state, snapshot);
-        this.chooseActive();
-    }
-
-    private chooseActive(): void {
-        const { state, edits } = this.options;
-        const { activeSurface, surfaces } = state;
-        if (!surfaces.value.has(activeSurface.value ?? '')) {
-            activeSurface.value = [...surfaces.value.keys()][0] ?? null;
-        }
-        edits.recordsChanged();
+        this.options.edits.recordsChanged();
     }
 
     private notified(notification: Notification): void {
@@ -360,7 +351,7 @@ export class SessionController {
         const { added, removed, asked } = applyPatches(state, patches);
         for (const surface of removed) feed.removed(surface);
         for (const { surface, epoch } of asked) feed.requested(surface, epoch);
-        this.chooseActive();
+        this.options.edits.recordsChanged();
         if (state.stage.value === 'running') for (const id of added) void feed.subscribe(id);
     }
 

@@ -94,7 +94,7 @@ describe('settingAnew', () => {
             ['r1', 'r7'],
             ['r2', 'r8'],
         ]);
-        const { surface: _, rev: __, epoch: ___, fields: ____, ...asked } = patch;
+        const { surface: _, rev: __, epoch: ___, ...asked } = patch;
         expect(settingAnew(patch, rakes)).toEqual({ ...asked, rake: 'r7', rake2: 'r8' });
         expect(settingAnew(patch, new Map([['r1', 'r7']]))).toBeNull();
         expect(settingAnew(record, new Map())).toBeNull();

@@ -1,6 +1,8 @@
 // What the user wants of a surface, and the setting of the server that comes nearest to it.
 import type {
+    Accuracy,
     DatasetDescription,
+    Direction,
     SurfaceKind,
     SurfaceRecord,
     SurfaceSetting,
@@ -15,6 +17,10 @@ export interface SurfaceIntent {
     /** Integration time; all but stream surfaces get less where the data end. */
     length: number;
     separation: number;
+    direction: Direction;
+    accuracy: Accuracy;
+    /** What is carried along for colouring, beside the speed. */
+    fields: readonly string[];
     /** How long a streak surface is released for; null: until it is shown. */
     released: number | null;
     /** Where the patch of a time surface ends: the rake swept along this, or another rake. */
@@ -23,9 +29,10 @@ export interface SurfaceIntent {
 }
 
 export function intentOf(record: SurfaceRecord): SurfaceIntent {
-    const { kind, from, to, separation, releaseUntil, sweep = null, rake2 = null } = record;
-    const released = releaseUntil === undefined ? null : releaseUntil - from;
-    return { kind, from, length: to - from, separation, released, sweep, rake2 };
+    const { kind, from, to, separation, direction, accuracy, fields, releaseUntil, sweep = null, rake2 = null } = record;
+    const released = releaseUntil === undefined ? null : Math.abs(releaseUntil - from);
+    const length = Math.abs(to - from);
+    return { kind, from, length, separation, direction, accuracy, fields, released, sweep, rake2 };
 }
 
 /** A time surface needs a second curve: where none was chosen, the rake is swept across the domain. */
@@ -45,10 +52,11 @@ export function settingOf(
     times: readonly number[],
     steady: boolean,
 ): SurfaceSetting | null {
-    const lastTime = times[times.length - 1] ?? intent.from;
-    let to = intent.from + intent.length;
-    if (intent.kind !== 'stream' && !steady) to = Math.min(to, lastTime);
-    if (!(to > intent.from)) return null;
+    const free = intent.kind === 'stream' || steady;
+    const length = free ? intent.length : Math.min(intent.length, timeLeft(intent, times));
+    if (!(length > 0)) return null;
+    const sign = intent.direction === 'backward' ? -1 : 1;
+    const to = intent.from + sign * length;
     return {
         surface: record.surface,
         rake: record.rake,
@@ -57,19 +65,29 @@ export function settingOf(
         from: intent.from,
         to,
         separation: intent.separation,
-        direction: record.direction,
-        accuracy: record.accuracy,
+        direction: intent.direction,
+        accuracy: intent.accuracy,
+        fields: [...intent.fields],
         merge: record.merge,
         angle: record.angle,
         maxQuads: record.maxQuads,
-        ...releaseOf(intent, to),
+        ...releaseOf(intent, sign * length),
         ...secondCurveOf(intent),
     };
 }
 
-function releaseOf({ kind, from, released }: SurfaceIntent, to: number): Partial<SurfaceSetting> {
-    if (kind !== 'streak' || released === null || from + released >= to) return {};
-    return { releaseUntil: from + released };
+/** How long particles can be followed before the data end, in every direction in which they are. */
+function timeLeft({ from, direction }: SurfaceIntent, times: readonly number[]): number {
+    const after = (times[times.length - 1] ?? from) - from;
+    const before = from - (times[0] ?? from);
+    if (direction === 'both') return Math.min(after, before);
+    return direction === 'backward' ? before : after;
+}
+
+/** @param duration negative where time runs backward */
+function releaseOf({ kind, from, released }: SurfaceIntent, duration: number): Partial<SurfaceSetting> {
+    if (kind !== 'streak' || released === null || released >= Math.abs(duration)) return {};
+    return { releaseUntil: from + Math.sign(duration) * released };
 }
 
 function secondCurveOf({ kind, sweep, rake2 }: SurfaceIntent): Partial<SurfaceSetting> {
@@ -83,7 +101,7 @@ export function settingAnew(
     record: SurfaceRecord,
     rakes: ReadonlyMap<string, string>,
 ): SurfaceSetting | null {
-    const { surface: _surface, rev: _rev, epoch: _epoch, fields: _fields, ...asked } = record;
+    const { surface: _surface, rev: _rev, epoch: _epoch, ...asked } = record;
     const rake = rakes.get(record.rake);
     if (rake === undefined) return null;
     if (record.rake2 === undefined) return { ...asked, rake };
@@ -100,6 +118,9 @@ export function fulfils(record: SurfaceRecord, setting: SurfaceSetting): boolean
         record.releaseUntil === setting.releaseUntil &&
         record.rake2 === setting.rake2 &&
         String(record.sweep) === String(setting.sweep) &&
+        record.direction === (setting.direction ?? record.direction) &&
+        record.accuracy === (setting.accuracy ?? record.accuracy) &&
+        String(record.fields) === String(setting.fields ?? record.fields) &&
         (setting.separation === undefined || record.separation === setting.separation)
     );
 }

@@ -10,6 +10,7 @@ import type {
     DatasetDescription,
     DatasetEntry,
     Participant,
+    RakeKind,
     RakeRecord,
     Role,
     StepState,
@@ -32,6 +33,11 @@ export interface DisplayedSurface {
     /** Updates from which it came, since the page knows it: whole states, and changes of the one before. */
     keys: number;
     deltas: number;
+}
+
+export interface ShownRake {
+    kind: RakeKind;
+    points: readonly Vec3[];
 }
 
 export type Stage = 'starting' | 'importing' | 'running' | 'failed' | 'ended';
@@ -58,10 +64,12 @@ export class AppState {
     readonly session = signal<string | null>(null);
     /** Of the dataset's time-steps, what is in the server's memory; empty where that is not told. */
     readonly stepStates = signal<readonly StepState[]>([]);
-    /** The surface that the panel and the time bar act on, and the rake it starts at. */
+    /** The surface that the panel and the time bar act on: one of the active rake's, if that has any. */
     readonly activeSurface = signal<string | null>(null);
-    /** The rake as the user has it on the screen, ahead of the server's record while dragging. */
-    readonly rakePoints = signal<readonly Vec3[]>([]);
+    readonly activeRake = signal<string | null>(null);
+    /** The active rake as the user has it on the screen, ahead of the server's record while an edit is on its way. */
+    readonly rakeShape = signal<ShownRake>({ kind: 'line', points: [] });
+    readonly rakePoints = computed(() => this.rakeShape.value.points);
     readonly displayed = signal<ReadonlyMap<string, DisplayedSurface>>(new Map());
     /** The newest epoch that an answer or a record of the server has named, by surface. */
     readonly requestedEpochs = signal<ReadonlyMap<string, number>>(new Map());
@@ -82,7 +90,7 @@ export class AppState {
     readonly latency = signal<LatencySample | null>(null);
 
     readonly surface = computed(() => this.surfaces.value.get(this.activeSurface.value ?? ''));
-    readonly rake = computed(() => this.rakes.value.get(this.surface.value?.rake ?? ''));
+    readonly rake = computed(() => this.rakes.value.get(this.activeRake.value ?? ''));
     readonly phase = computed((): SurfacePhase => {
         if (this.stage.value === 'ended') return 'ended';
         if (this.stage.value !== 'running') return 'waiting';

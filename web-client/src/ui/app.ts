@@ -59,6 +59,13 @@ export class App extends SignalElement {
                 top: 0;
                 white-space: nowrap;
             }
+            .labels .rake-label {
+                padding: 1px 7px;
+                border-left: 3px solid;
+                border-radius: 4px;
+                background: rgb(8 12 20 / 0.82);
+                color: #ffffff;
+            }
             .labels .axis-name {
                 font-size: 15px;
                 font-weight: 600;
@@ -153,7 +160,7 @@ export class App extends SignalElement {
         this.canvas.setAttribute('role', 'img');
         this.canvas.setAttribute(
             'aria-label',
-            'The surface in the flow. The rake can be moved in the panel, under Rake.',
+            'The surface in the flow. Rakes can be moved in the panel, under Geometry.',
         );
     }
 

@@ -9,6 +9,7 @@ import './linksPanel.ts';
 import './notesPanel.ts';
 import './peoplePanel.ts';
 import './probePanel.ts';
+import './rakeList.ts';
 import './rakePanel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
@@ -28,13 +29,19 @@ const tabs: readonly Tab[] = [
         id: 'flow',
         label: 'Flow',
         body: (model) => html`
+            <section aria-labelledby="rakes-head">
+                <h2 id="rakes-head">Rakes</h2>
+                <wakesurf-rake-list .model=${model}></wakesurf-rake-list>
+            </section>
             <section aria-labelledby="surface-head">
                 <h2 id="surface-head">Surface</h2>
                 <wakesurf-surface .model=${model}></wakesurf-surface>
             </section>
             <section aria-labelledby="rake-head">
-                <h2 id="rake-head">Rake</h2>
-                <wakesurf-rake .model=${model}></wakesurf-rake>
+                <details open>
+                    <summary><h2 id="rake-head">Geometry</h2></summary>
+                    <wakesurf-rake .model=${model}></wakesurf-rake>
+                </details>
             </section>
         `,
     },
@@ -108,9 +115,15 @@ export class Panel extends SignalElement {
                 font-size: 13px;
                 font-weight: 600;
             }
-            section + section h2 {
-                padding-top: 12px;
+            section + section {
+                margin-top: 12px;
                 border-top: 1px solid var(--line);
+            }
+            summary {
+                cursor: pointer;
+            }
+            summary h2 {
+                display: inline-block;
             }
             p {
                 margin: 2px 0 0;

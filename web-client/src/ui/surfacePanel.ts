@@ -1,8 +1,9 @@
 // The settings of the surface: its kind, how long it is followed, how fine it is.
-import { css, html, type TemplateResult } from 'lit';
-import type { DatasetDescription, SurfaceKind, Vec3 } from '../protocol/messages.ts';
+import { css, html, nothing, type TemplateResult } from 'lit';
+import type { Accuracy, DatasetDescription, Direction, SurfaceKind, SurfaceRecord, Vec3 } from '../protocol/messages.ts';
 import { niceStep, shortNumber } from '../scene/ticks.ts';
 import { defaultLength } from '../session/defaults.ts';
+import { surfacesOf } from '../session/selection.ts';
 import type { SurfaceIntent } from '../session/surfaceIntent.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
@@ -15,6 +16,20 @@ const separations = [
     { factor: 2, words: 'medium' },
     { factor: 4, words: 'coarse' },
 ];
+
+const directions: [Direction, string][] = [
+    ['forward', 'Forward, downstream'],
+    ['backward', 'Backward, upstream'],
+    ['both', 'Both ways'],
+];
+
+const accuracies: [Accuracy, string][] = [
+    ['fast', 'Fast, for looking round'],
+    ['balanced', 'Balanced'],
+    ['exact', 'Exact, for figures'],
+];
+
+const kindNames: Record<SurfaceKind, string> = { stream: 'Stream', path: 'Path', streak: 'Streak', time: 'Time' };
 
 const axes = ['x', 'y', 'z'] as const;
 
@@ -70,7 +85,31 @@ export class SurfacePanel extends SignalElement {
                 font-size: 12px;
             }
             select {
-                max-width: 170px;
+                max-width: 176px;
+            }
+            .several {
+                display: grid;
+                grid-template-columns: minmax(0, 1fr) auto auto;
+                gap: 6px;
+                margin-top: 10px;
+            }
+            .several select {
+                max-width: none;
+            }
+            .check {
+                display: flex;
+                gap: 8px;
+                align-items: center;
+                margin-top: 8px;
+                cursor: pointer;
+            }
+            .check input {
+                margin: 0;
+                accent-color: var(--accent);
+            }
+            button:disabled {
+                color: var(--quiet);
+                cursor: default;
             }
             .sweep {
                 display: grid;
@@ -97,12 +136,17 @@ export class SurfacePanel extends SignalElement {
         const { state, edits } = this.model;
         const intent = edits.intent.value;
         const dataset = state.dataset.value;
-        if (intent === null || dataset === null) return html``;
+        if (dataset === null || state.rake.value === undefined) return html``;
+        if (intent === null) {
+            return html`<p class="quiet">This rake has no surface.</p>
+                ${this.several()}`;
+        }
         const usual = defaultLength(dataset.bounds, state.speedRange.value[1]);
         const step = niceStep(usual / 40);
         const longest = Math.max(2 * usual, intent.length);
         const { to = 0, from = 0 } = state.surface.value ?? {};
-        const cut = intent.kind !== 'stream' && to - from < intent.length * 0.999;
+        const followed = Math.abs(to - from);
+        const cut = intent.kind !== 'stream' && followed < intent.length * 0.999;
         return html`
             <fieldset>
                 <legend>Kind of surface</legend>
@@ -125,9 +169,9 @@ export class SurfacePanel extends SignalElement {
                 @input=${this.lengthChanged}
             />
             <p class="quiet" ?hidden=${!cut}>
-                Followed for ${shortNumber(to - from)}: there the data end.
+                Followed for ${shortNumber(followed)}: there the data end.
             </p>
-            ${intent.kind === 'streak' ? this.release(intent, cut ? to - from : intent.length) : ''}
+            ${intent.kind === 'streak' ? this.release(intent, cut ? followed : intent.length) : ''}
             ${intent.kind === 'time' ? this.secondCurve(intent) : ''}
             <label class="row" for="separation">
                 <span>Separation</span>
@@ -135,7 +179,66 @@ export class SurfacePanel extends SignalElement {
                     ${this.separationChoices(dataset.finestSpacing, intent.separation)}
                 </select>
             </label>
+            ${this.choice('direction', 'Direction', directions, intent.direction, (direction) => ({ direction }))}
+            ${this.choice('accuracy', 'Accuracy', accuracies, intent.accuracy, (accuracy) => ({ accuracy }))}
+            ${this.several()}
         `;
+    }
+
+    private choice<Value extends string>(
+        id: string,
+        label: string,
+        choices: readonly [Value, string][],
+        current: Value,
+        changed: (value: Value) => Partial<SurfaceIntent>,
+    ): TemplateResult {
+        const change = (event: Event): void => {
+            this.model.edits.changeSurface(changed((event.target as HTMLSelectElement).value as Value));
+        };
+        return html`<label class="row" for=${id}>
+            <span>${label}</span>
+            <select id=${id} @change=${change}>
+                ${choices.map(
+                    ([value, words]) => html`<option value=${value} .selected=${value === current}>${words}</option>`,
+                )}
+            </select>
+        </label>`;
+    }
+
+    /** A rake may have several surfaces, or none. */
+    private several(): TemplateResult {
+        const { state, edits } = this.model;
+        const rake = state.activeRake.value ?? '';
+        const active = state.activeSurface.value;
+        const own = surfacesOf(state, rake).map((id) => state.surfaces.value.get(id)!);
+        const locked = state.role.value === 'viewer';
+        const choose = (event: Event): void => edits.chooseSurface((event.target as HTMLSelectElement).value);
+        return html`<div class="several" role="group" aria-label="Surfaces of this rake">
+            ${own.length > 1
+                ? html`<select id="which-surface" aria-label="Surface" @change=${choose}>
+                      ${own.map(
+                          (each, i) =>
+                              html`<option value=${each.surface} .selected=${each.surface === active}>
+                                  ${surfaceWords(each, i)}
+                              </option>`,
+                      )}
+                  </select>`
+                : html`<span></span>`}
+            <button type="button" ?disabled=${locked} @click=${() => edits.actions.addSurface(rake)}>
+                Add surface
+            </button>
+            ${own.length > 0
+                ? html`<button
+                      type="button"
+                      aria-label="Delete surface"
+                      title="Delete this surface; the rake stays"
+                      ?disabled=${locked}
+                      @click=${() => edits.actions.deleteSurface(active ?? '')}
+                  >
+                      Delete
+                  </button>`
+                : nothing}
+        </div>`;
     }
 
     private kindChoice(
@@ -161,9 +264,23 @@ export class SurfacePanel extends SignalElement {
     /** Until when a streak surface is released; at the end of the slider, as long as it is shown. */
     private release({ from, released }: SurfaceIntent, shown: number): TemplateResult {
         const current = Math.min(released ?? shown, shown);
-        return html`<label class="row" for="release-until">
+        const sign = this.model.edits.intent.value?.direction === 'backward' ? -1 : 1;
+        const allTheTime = (event: Event): void => {
+            const on = (event.target as HTMLInputElement).checked;
+            this.model.edits.changeSurface({ released: on ? null : shown / 2 });
+        };
+        return html`<label class="check">
+                <input
+                    type="checkbox"
+                    id="release"
+                    .checked=${current > shown * 0.999}
+                    @change=${allTheTime}
+                />
+                Keep releasing while it is shown
+            </label>
+            <label class="row" for="release-until">
                 <span>Release until</span>
-                <span class="value">t = ${shortNumber(from + current)}</span>
+                <span class="value">t = ${shortNumber(from + sign * current)}</span>
             </label>
             <input
                 id="release-until"
@@ -239,6 +356,10 @@ export class SurfacePanel extends SignalElement {
         const separation = Number((event.target as HTMLSelectElement).value);
         if (separation > 0) this.model.edits.changeSurface({ separation });
     }
+}
+
+function surfaceWords({ kind, direction }: SurfaceRecord, index: number): string {
+    return `${index + 1}: ${kindNames[kind]}${direction === 'forward' ? '' : `, ${direction}`}`;
 }
 
 customElements.define('wakesurf-surface', SurfacePanel);

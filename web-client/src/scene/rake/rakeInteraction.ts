@@ -1,105 +1,167 @@
-// Pointer and keyboard on the rake's handles.
+// Pointer and keyboard on the rakes: handles of the chosen one are dragged, others are chosen by a click, and a point can be
+// put where the next click is, for those who cannot drag.
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { Pointer, PointerTool } from '../pointerTools.ts';
 import type { ScreenPoint, View } from '../view.ts';
-import { difference, translate } from './rakeDrag.ts';
-import type { Handle, RakeWidget } from './rakeWidget.ts';
+import { beginDrag, type Drag, type Dragged, dragged, type Snap, towardsViewer } from './rakeDrag.ts';
+import { gripOf, type Handle } from './rakeHandles.ts';
+import type { RakeLayer } from './rakeLayer.ts';
+import { type RakeShape, resized, tilted, translated, turnedBy, withPoint } from './rakeShape.ts';
+import { onGrid } from './snapping.ts';
+import { minus, plus } from './vec3.ts';
 
 /** `movedAt` is the time of the pointer or key event, on the clock of performance.now(). */
 export interface RakeMove {
-    points: Vec3[];
+    shape: RakeShape;
     dragging: boolean;
     movedAt: number;
 }
 
-interface Drag {
-    handle: Handle;
-    start: Vec3[];
-    anchor: Vec3;
-    grab: ScreenPoint;
-}
-
 export interface RakeInteractionOptions {
-    widget: RakeWidget;
+    layer: RakeLayer;
     view: () => View;
+    /** What is under a canvas position: a place on a surface or a body. */
+    pick: (at: ScreenPoint) => Vec3 | null;
     requestFrame: () => void;
     onMove: (move: RakeMove) => void;
+    onChoose: (rake: string) => void;
+    /** The point has been put, or will not be. */
+    onPlaced: () => void;
     /** A handle has been taken or let go. */
     onHold: (held: boolean) => void;
 }
 
 export class RakeInteraction implements PointerTool {
+    /** Of the grid that dragged points are held to; null: none. */
+    step: number | null = null;
     private readonly options: RakeInteractionOptions;
     private drag: Drag | null = null;
+    private moved = false;
+    private nudged = false;
+    private placing: Handle | null = null;
 
     constructor(options: RakeInteractionOptions) {
         this.options = options;
     }
 
     get dragging(): boolean {
-        return this.drag !== null;
+        return this.drag !== null || this.nudged;
     }
 
-    /** Moves one handle by a step along one axis. */
-    nudge(handle: Handle, by: Vec3): void {
-        const { widget } = this.options;
-        const points = widget.getPoints();
-        this.apply(moved(points, handle, by), false, performance.now());
+    /** Moves one handle by a step along one axis. `more`: others follow, all of them one edit, until `endNudge`. */
+    nudge(handle: Handle, by: Vec3, more = false): void {
+        const shape = movedHandle(this.options.layer.shape, handle, by);
+        this.nudged = more;
+        this.apply(shape, more, performance.now());
+    }
+
+    /** Turns the rake in the plane that faces the camera. */
+    turn(angle: number, more = false): void {
+        const { layer, view } = this.options;
+        this.nudged = more;
+        this.apply(turnedBy(layer.shape, towardsViewer(view()), angle), more, performance.now());
+    }
+
+    endNudge(): void {
+        if (!this.nudged) return;
+        this.nudged = false;
+        this.apply(this.options.layer.shape, false, performance.now());
     }
 
     /** Puts the ring of attention round a handle, for example while its button has the focus. */
     highlight(handle: Handle | null): void {
-        if (this.options.widget.setHighlighted(handle)) this.options.requestFrame();
+        if (this.options.layer.setHighlighted(handle)) this.options.requestFrame();
+    }
+
+    /** The next click on the picture says where this handle goes; null: no longer. */
+    place(handle: Handle | null): void {
+        const before = this.placing;
+        this.placing = handle;
+        if (before !== null && handle === null) this.options.onPlaced();
     }
 
     press({ at }: Pointer): boolean {
-        const { widget } = this.options;
+        const { layer } = this.options;
         const view = this.options.view();
-        const handle = widget.handleAt(at, view);
+        const handle = this.placing === null ? layer.handleAt(at, view) : null;
         if (handle === null) return false;
-        const anchor = widget.positionOf(handle);
-        const centre = view.project(anchor) ?? at;
-        // A press off the handle's centre must not make it jump.
-        const grab = { x: centre.x - at.x, y: centre.y - at.y };
-        this.drag = { handle, start: widget.getPoints(), anchor, grab };
+        this.endNudge();
+        this.drag = beginDrag(handle, layer.shape, at, view);
+        this.moved = false;
         this.options.onHold(true);
         this.highlight(handle);
         return true;
     }
 
     hover(pointer: Pointer | null): string | null {
-        const handle = pointer === null ? null : this.options.widget.handleAt(pointer.at, this.options.view());
+        if (this.placing !== null) return 'crosshair';
+        const { layer } = this.options;
+        const view = this.options.view();
+        const handle = pointer === null ? null : layer.handleAt(pointer.at, view);
         this.highlight(handle);
-        return handle === null ? null : 'grab';
+        if (handle !== null) return 'grab';
+        return pointer !== null && layer.otherAt(pointer.at, view) !== null ? 'pointer' : null;
     }
 
     move(pointer: Pointer): void {
-        if (this.drag !== null) this.apply(this.dragged(pointer, this.drag), true, pointer.time);
+        if (this.drag === null) return;
+        this.moved = true;
+        const { shape, at, axis, words } = this.dragged(pointer, this.drag);
+        this.options.layer.setGuide({ held: { handle: this.drag.handle, at }, axis, words });
+        this.apply(shape, true, pointer.time);
     }
 
     release(pointer: Pointer, cancelled: boolean): void {
         const { drag } = this;
         if (drag === null) return;
         this.drag = null;
+        const { layer } = this.options;
         this.options.onHold(false);
-        const points = cancelled ? this.options.widget.getPoints() : this.dragged(pointer, drag);
-        this.apply(points, false, pointer.time);
+        layer.setGuide(null);
+        // A press alone changes nothing, not even to the next point of the grid.
+        if (!this.moved) return;
+        this.apply(cancelled ? layer.shape : this.dragged(pointer, drag).shape, false, pointer.time);
     }
 
-    private dragged({ at }: Pointer, drag: Drag): Vec3[] {
-        const target = { x: at.x + drag.grab.x, y: at.y + drag.grab.y };
-        const to = this.options.view().pointAtDepth(target, drag.anchor);
-        return moved(drag.start, drag.handle, difference(to, drag.anchor));
+    click({ at, time }: Pointer): boolean {
+        const { layer, onChoose } = this.options;
+        const view = this.options.view();
+        if (this.placing !== null) {
+            this.put(this.placing, at, view, time);
+            return true;
+        }
+        const other = layer.otherAt(at, view);
+        if (other !== null) onChoose(other);
+        return other !== null;
     }
 
-    private apply(points: Vec3[], dragging: boolean, movedAt: number): void {
-        this.options.widget.setPoints(points);
+    private put(handle: Handle, at: ScreenPoint, view: View, time: number): void {
+        const { layer, pick } = this.options;
+        const before = handle === 'middle' ? gripOf(layer.shape) : layer.positionOf(handle, view);
+        let to = pick(at) ?? view.pointAtDepth(at, before);
+        if (this.step !== null) to = onGrid(to, this.step);
+        this.place(null);
+        this.apply(movedHandle(layer.shape, handle, minus(to, before)), false, time);
+    }
+
+    private dragged(pointer: Pointer, drag: Drag): Dragged {
+        const snap: Snap = { axis: pointer.shift, step: this.step };
+        return dragged(drag, pointer.at, this.options.view(), snap);
+    }
+
+    private apply(shape: RakeShape, dragging: boolean, movedAt: number): void {
+        if (shape.points.length === 0) return;
+        this.options.layer.setShape(shape);
         this.options.requestFrame();
-        this.options.onMove({ points, dragging, movedAt });
+        this.options.onMove({ shape, dragging, movedAt });
     }
 }
 
-function moved(points: readonly Vec3[], handle: Handle, by: Vec3): Vec3[] {
-    if (handle === 'middle') return translate(points, by);
-    return points.map((point, i) => (i === handle ? (translate([point], by)[0] ?? point) : point));
+/** One handle elsewhere, and with it what hangs on it. */
+export function movedHandle(shape: RakeShape, handle: Handle, by: Vec3): RakeShape {
+    if (handle === 'middle' || (shape.kind === 'circle' && handle === 0)) return translated(shape, by);
+    if (handle === 'rotate') return shape;
+    const to = plus(shape.points[handle] ?? [0, 0, 0], by);
+    if (shape.kind !== 'circle') return withPoint(shape, handle, to);
+    return handle === 1 ? resized(shape, to) : tilted(shape, to);
 }

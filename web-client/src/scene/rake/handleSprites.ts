@@ -1,0 +1,146 @@
+// The handles of a rake as points of constant size on the screen, over everything: a handle that cannot be seen cannot be
+// dragged. One draw call for all of them; the shader draws what each is for.
+import { BufferGeometry, Color, DynamicDrawUsage, Float32BufferAttribute, Points, ShaderMaterial } from 'three';
+import type { Vec3 } from '../../protocol/messages.ts';
+import type { Handle } from './rakeHandles.ts';
+
+/** What a handle looks like. */
+const marks = { point: 0, middle: 1, rotate: 2, tilt: 3, dot: 4 } as const;
+export type Mark = keyof typeof marks;
+
+export interface HandleSprite {
+    at: Vec3;
+    mark: Mark;
+    radiusPx: number;
+    /** Under the pointer, or with the focus. */
+    highlighted: boolean;
+}
+
+const vertexShader = /* glsl */ `
+uniform float pixelRatio;
+attribute float mark;
+attribute float radius;
+attribute float highlighted;
+varying float kind;
+varying float px;
+varying float lit;
+
+void main() {
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    kind = mark;
+    lit = highlighted;
+    px = radius * (1.0 + 0.22 * highlighted);
+    gl_PointSize = 2.0 * (px + 2.0) * pixelRatio;
+}
+`;
+
+// Discs, rings and strokes by their distance in pixels: sharp at any size.
+const fragmentShader = /* glsl */ `
+uniform vec3 color;
+varying float kind;
+varying float px;
+varying float lit;
+
+float within(float inside) {
+    return clamp(inside + 0.5, 0.0, 1.0);
+}
+
+float bar(vec2 at, vec2 halves) {
+    vec2 beyond = abs(at) - halves;
+    return within(-max(beyond.x, beyond.y));
+}
+
+void main() {
+    vec2 at = (gl_PointCoord - 0.5) * 2.0 * (px + 2.0);
+    float r = length(at);
+    vec3 dark = vec3(0.02, 0.03, 0.05);
+    vec3 light = mix(vec3(1.0), vec3(1.0, 0.93, 0.55), lit);
+    float ring = max(1.5, px * 0.17) + lit;
+    vec3 shade = mix(light, dark, within(r - px));
+    bool plain = kind < 0.5 || kind > 3.5;
+    vec3 core = plain ? color : dark;
+    shade = mix(shade, core, within(px - ring - r));
+    float arm = px * 0.42;
+    if (kind > 0.5 && kind < 1.5) {
+        float mark = max(bar(at, vec2(arm, 1.1)), bar(at, vec2(1.1, arm)));
+        shade = mix(shade, color, mark);
+    } else if (kind > 1.5 && kind < 2.5) {
+        // Most of a circle, with an arrow's head at its open end.
+        float arc = within(1.1 - abs(r - arm)) * (at.x > 0.0 && at.y < 0.0 ? 0.0 : 1.0);
+        vec2 tip = at - vec2(0.0, -arm);
+        float head = within(min(2.6 - abs(tip.y) - tip.x * 0.9, tip.x + 0.6));
+        shade = mix(shade, color, max(arc, head));
+    } else if (kind > 2.5 && kind < 3.5) {
+        float flat_ring = abs(length(at * vec2(1.0, 2.2)) - arm * 1.1);
+        shade = mix(shade, color, max(within(1.3 - flat_ring * 0.7), bar(at, vec2(1.0, arm * 1.2))));
+    }
+    float covered = within(px + 1.5 - r);
+    if (covered <= 0.0) discard;
+    gl_FragColor = vec4(shade, covered);
+    #include <colorspace_fragment>
+}
+`;
+
+export class HandleSprites {
+    readonly object: Points;
+    private readonly material: ShaderMaterial;
+    private capacity = 0;
+
+    constructor(renderOrder: number) {
+        this.material = new ShaderMaterial({
+            vertexShader,
+            fragmentShader,
+            transparent: true,
+            depthTest: false,
+            depthWrite: false,
+            uniforms: { color: { value: new Color() }, pixelRatio: { value: 1 } },
+        });
+        this.object = new Points(new BufferGeometry(), this.material);
+        this.object.frustumCulled = false;
+        this.object.renderOrder = renderOrder;
+        this.object.onBeforeRender = (renderer) => {
+            this.material.uniforms['pixelRatio']!.value = renderer.getPixelRatio();
+        };
+    }
+
+    set(sprites: readonly HandleSprite[], color: string): void {
+        const { geometry } = this.object;
+        this.reserve(sprites.length);
+        geometry.setDrawRange(0, sprites.length);
+        this.object.visible = sprites.length > 0;
+        (this.material.uniforms['color']!.value as Color).set(color);
+        if (sprites.length === 0) return;
+        const [position, mark, radius, highlighted] = names.map((name) => geometry.getAttribute(name));
+        sprites.forEach((sprite, i) => {
+            position!.setXYZ(i, ...sprite.at);
+            mark!.setX(i, marks[sprite.mark]);
+            radius!.setX(i, sprite.radiusPx);
+            highlighted!.setX(i, sprite.highlighted ? 1 : 0);
+        });
+        for (const attribute of [position, mark, radius, highlighted]) attribute!.needsUpdate = true;
+    }
+
+    dispose(): void {
+        this.object.geometry.dispose();
+        this.material.dispose();
+    }
+
+    private reserve(count: number): void {
+        if (count <= this.capacity) return;
+        this.capacity = Math.ceil(count * 1.5);
+        this.object.geometry.dispose();
+        names.forEach((name, i) => {
+            const size = i === 0 ? 3 : 1;
+            const attribute = new Float32BufferAttribute(new Float32Array(this.capacity * size), size);
+            attribute.setUsage(DynamicDrawUsage);
+            this.object.geometry.setAttribute(name, attribute);
+        });
+    }
+}
+
+const names = ['position', 'mark', 'radius', 'highlighted'] as const;
+
+export function markOf(handle: Handle, circle: boolean): Mark {
+    if (handle === 'middle' || handle === 'rotate') return handle;
+    return circle && handle === 2 ? 'tilt' : 'point';
+}

@@ -1,0 +1,104 @@
+// Undo and redo as a person counts them. The server keeps an edit for every call; what one gesture or one press of a button
+// sent in several calls is taken back at once.
+import { signal } from '@preact/signals-core';
+import type { HistoryDepth } from '../protocol/messages.ts';
+import type { AppState } from '../state/appState.ts';
+import type { WorkerClient } from '../worker/workerClient.ts';
+import { tellFailure } from './editFailures.ts';
+
+/** Edits of one slider that follow each other faster are one step. */
+const gesturePauseMs = 1000;
+
+interface Step {
+    gesture: string;
+    calls: number;
+    at: number;
+}
+
+type Way = 'undo' | 'redo';
+
+export class UndoHistory {
+    readonly undoable = signal(0);
+    readonly redoable = signal(0);
+    /** What the last step came to, for people. */
+    readonly words = signal('');
+    private readonly state: AppState;
+    private readonly worker: WorkerClient;
+    private readonly stacks: Record<Way, Step[]> = { undo: [], redo: [] };
+    private last: Promise<unknown> = Promise.resolve();
+
+    constructor(state: AppState, worker: WorkerClient) {
+        this.state = state;
+        this.worker = worker;
+    }
+
+    /** The server has taken an edit. `same`: those of one gesture are one edit for the server too, as a drag is. */
+    noted(gesture: string, at: number, same: boolean): void {
+        const { undo } = this.stacks;
+        const top = undo.at(-1);
+        this.stacks.redo = [];
+        if (top?.gesture === gesture && (same || at - top.at < gesturePauseMs)) {
+            if (!same) top.calls += 1;
+            top.at = at;
+        } else undo.push({ gesture, calls: 1, at });
+        this.words.value = '';
+        this.count();
+    }
+
+    undo(): Promise<void> {
+        return this.turn('undo');
+    }
+
+    redo(): Promise<void> {
+        return this.turn('redo');
+    }
+
+    private turn(way: Way): Promise<void> {
+        // One after the other: two at once would turn each other's edits.
+        const turned = this.last.then(() => this.turnOne(way));
+        this.last = turned;
+        return turned;
+    }
+
+    private async turnOne(way: Way): Promise<void> {
+        const step = this.stacks[way].pop();
+        if (step === undefined) {
+            this.words.value = `Nothing of yours is left to ${way}.`;
+            return;
+        }
+        try {
+            const results: HistoryDepth[] = [];
+            for (let i = 0; i < step.calls; ++i) results.push(await this.worker.call(`history.${way}`, {}));
+            const skipped = results.flatMap((result) => result.skipped);
+            const calls = step.calls - results.filter((result) => result.skipped.length > 0).length;
+            // A gesture of its own from here on: what comes next is no part of it.
+            if (calls > 0) this.stacks[way === 'undo' ? 'redo' : 'undo'].push({ ...step, calls, gesture: '' });
+            this.tell(way, skipped);
+        } catch (error) {
+            tellFailure(this.state, error);
+        }
+        this.count();
+    }
+
+    private tell(way: Way, skipped: HistoryDepth['skipped']): void {
+        this.words.value = way === 'undo' ? 'Undone.' : 'Done again.';
+        if (skipped.length === 0) return;
+        const why = skipped.map(({ type, id, why: reason }) => reason.replace(`${type} ${id}`, this.nameOf(type, id)));
+        const done = way === 'undo' ? 'taken back' : 'done again';
+        this.words.value = `Not ${done}: ${why.join('; ')}.`;
+        this.state.notice.value = this.words.value;
+    }
+
+    private nameOf(type: string, id: string): string {
+        const { rakes, surfaces } = this.state;
+        const rake = type === 'surface' ? (surfaces.value.get(id)?.rake ?? '') : id;
+        const name = rakes.value.get(rake)?.name ?? '';
+        if (name === '') return `a ${type}`;
+        return type === 'surface' ? `the surface of ${name}` : name;
+    }
+
+    private count(): void {
+        this.undoable.value = this.stacks.undo.length;
+        this.redoable.value = this.stacks.redo.length;
+    }
+}

@@ -1,0 +1,107 @@
+// How the rake's numbers and buttons are laid out.
+import { css } from 'lit';
+
+export const rakePanelStyles = css`
+    .pair {
+        display: grid;
+        grid-template-columns: 1fr 1fr;
+        gap: 10px;
+    }
+    .pair label {
+        display: grid;
+        grid-template-columns: auto minmax(0, 1fr);
+        gap: 8px;
+        align-items: center;
+    }
+    .pair-row {
+        display: flex;
+        justify-content: space-between;
+        align-items: center;
+        gap: 8px;
+        margin-top: 8px;
+    }
+    .pair-row input,
+    .pair-row select {
+        width: 84px;
+    }
+    select {
+        min-width: 0;
+    }
+    input[type='number'] {
+        min-width: 0;
+        padding: 3px 6px;
+        text-align: right;
+        font-variant-numeric: tabular-nums;
+        appearance: textfield;
+    }
+    input::-webkit-inner-spin-button {
+        appearance: none;
+    }
+    .point {
+        display: grid;
+        grid-template-columns: 62px repeat(3, minmax(0, 1fr));
+        gap: 6px;
+        align-items: center;
+        margin-top: 6px;
+    }
+    .point input {
+        width: 100%;
+    }
+    .handle {
+        padding-inline: 2px;
+    }
+    [aria-pressed='true'] {
+        border-color: var(--accent);
+        box-shadow: inset 0 0 0 1px var(--accent);
+    }
+    .turn {
+        grid-template-columns: 62px 1fr 1fr;
+    }
+    .heads {
+        margin: 8px 0 -6px;
+        color: var(--quiet);
+        text-align: center;
+    }
+    .tools {
+        margin-top: 10px;
+        padding: 2px 10px 10px;
+        border: 1px solid var(--line);
+        border-radius: 8px;
+    }
+    .nudges {
+        display: grid;
+        grid-template-columns: repeat(6, minmax(0, 1fr));
+        gap: 4px;
+        margin-top: 8px;
+    }
+    .nudges.two {
+        grid-template-columns: 1fr 1fr;
+    }
+    .nudges button {
+        padding-inline: 2px;
+    }
+    .wide {
+        width: 100%;
+        margin-top: 8px;
+    }
+    button:disabled {
+        color: var(--quiet);
+        cursor: default;
+    }
+    .check {
+        display: flex;
+        gap: 8px;
+        align-items: center;
+        margin-top: 10px;
+        cursor: pointer;
+    }
+    .check input {
+        margin: 0;
+        accent-color: var(--accent);
+    }
+    .hint {
+        margin: 6px 0 0;
+        color: var(--quiet);
+        font-size: 12px;
+    }
+`;
