@@ -1,7 +1,8 @@
 // How long after a pointer move its surface is on the screen, while a handle is dragged for about 3 s
-// with the real mouse. Prints one line of JSON. Starts its own server unless WAKESURF_URL names one.
+// with the real mouse, and how much script that takes. Prints one line of JSON. Starts its own server unless WAKESURF_URL names one.
 import type { Page } from 'playwright-core';
 import { ask, finalSurface, launchBrowser, newContext, openPage } from './support/browser_page.ts';
+import { takeScriptTimes, timeScripts } from './support/script_time.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
 
 const dragMs = 3000;
@@ -22,24 +23,32 @@ async function dragInCircles(page: Page): Promise<void> {
 
 function quantile(sorted: readonly number[], fraction: number): number {
     const index = Math.min(sorted.length - 1, Math.floor(fraction * sorted.length));
-    return Math.round((sorted[index] ?? Number.NaN) * 10) / 10;
+    return Math.round((sorted[index] ?? Number.NaN) * 100) / 100;
+}
+
+function spread(sorted: readonly number[]): { median: number; p95: number } {
+    return { median: quantile(sorted, 0.5), p95: quantile(sorted, 0.95) };
 }
 
 async function measure(link: string): Promise<void> {
     const browser = await launchBrowser();
     try {
         const context = await newContext(browser, { width: 1280, height: 720 });
+        await timeScripts(context);
         const { page } = await openPage(context, link);
         await finalSurface(page);
         const before = await ask(page, (hook) => hook.latencySamples.length);
+        await takeScriptTimes(page);
         await dragInCircles(page);
+        const { moves, frames } = await takeScriptTimes(page);
         await finalSurface(page);
         const samples = await ask(page, (hook) => hook.latencySamples);
         const times = samples.slice(before).map(({ milliseconds }) => milliseconds);
         times.sort((a, b) => a - b);
         const quads = await ask(page, (hook) => hook.displayed?.cells ?? 0);
         const figures = { medianMs: quantile(times, 0.5), p95Ms: quantile(times, 0.95) };
-        console.log(JSON.stringify({ name: 'browser-drag', ...figures, samples: times.length, quads }));
+        const script = { script_per_move_ms: spread(moves), script_per_frame_ms: spread(frames) };
+        console.log(JSON.stringify({ name: 'browser-drag', ...figures, ...script, samples: times.length, quads }));
     } finally {
         await browser.close();
     }

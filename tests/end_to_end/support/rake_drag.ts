@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { expect } from 'vitest';
 
-export type HandleName = number | 'middle';
+export type HandleName = number | 'middle' | 'rotate';
 
 /** Presses on a handle; where on the screen that is. */
 export async function takeHandle(page: Page, handle: HandleName): Promise<{ x: number; y: number }> {

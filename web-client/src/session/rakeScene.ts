@@ -12,12 +12,15 @@ const ofNobody = '#ffffff';
 
 export function showRakes(state: AppState, view: ViewState, scene: FlowScene): void {
     effect(() => {
-        const { rakes, activeRake, rakeShape } = state;
+        const { rakes, activeRake } = state;
+        // Read in any case, or this would not be run again when it changes.
+        const settled = state.rakeShape.value;
+        if (scene.rakes.chosenId !== activeRake.value) scene.interaction.abandon();
+        const own = scene.interaction.dragging ? scene.rakes.shape : settled;
         const drawn = [...rakes.value.values()].map((record): DrawnRake => {
             const chosen = record.rake === activeRake.value;
-            const local = scene.interaction.dragging ? scene.rakes.shape : rakeShape.value;
             const color = rakeColor(record, rakes.value);
-            return { rake: record.rake, shape: chosen ? local : record, color, chosen, holder: holderOf(state, record) };
+            return { rake: record.rake, shape: chosen ? own : record, color, chosen, holder: holderOf(state, record) };
         });
         scene.rakes.setRakes(drawn);
         scene.loop.request();

@@ -303,7 +303,7 @@ export class RakePanel extends SignalElement {
             // As typed, not as before plus the difference.
             const points = this.points.map((point) => [...point] as Vec3);
             points[handle]![axis] = value;
-            edits.setShape({ ...state.rakeShape.value, points });
+            edits.setShape({ kind: state.rakeShape.value.kind, points });
             return;
         }
         const by: Vec3 = [0, 0, 0];

@@ -123,6 +123,14 @@ export class RakeInteraction implements PointerTool {
         this.apply(cancelled ? layer.shape : this.dragged(pointer, drag).shape, false, pointer.time);
     }
 
+    /** The rake that was being moved is there no more. */
+    abandon(): void {
+        if (this.drag !== null) this.options.onHold(false);
+        this.drag = null;
+        this.nudged = false;
+        this.options.layer.setGuide(null);
+    }
+
     click({ at, time }: Pointer): boolean {
         const { layer, onChoose } = this.options;
         const view = this.options.view();

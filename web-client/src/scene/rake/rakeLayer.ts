@@ -66,6 +66,10 @@ export class RakeLayer implements Layer {
         }
     }
 
+    get chosenId(): string | null {
+        return this.chosen?.rake?.rake ?? null;
+    }
+
     /** Of the chosen rake. */
     get shape(): RakeShape {
         return this.chosen?.shape ?? nothing;

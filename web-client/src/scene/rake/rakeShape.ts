@@ -65,20 +65,20 @@ export function middleOf({ kind, points }: RakeShape): Vec3 {
 
 /** All points moved by the same amount, so that the rake keeps its shape. */
 export function translated(shape: RakeShape, by: Vec3): RakeShape {
-    return { ...shape, points: shape.points.map((point) => plus(point, by)) };
+    return { kind: shape.kind, points: shape.points.map((point) => plus(point, by)) };
 }
 
 /** Turned about its middle. */
 export function turnedBy(shape: RakeShape, axis: Vec3, angle: number): RakeShape {
     const middle = middleOf(shape);
     return {
-        ...shape,
+        kind: shape.kind,
         points: shape.points.map((point) => plus(middle, turned(minus(point, middle), axis, angle))),
     };
 }
 
 export function withPoint(shape: RakeShape, index: number, point: Vec3): RakeShape {
-    return { ...shape, points: shape.points.map((each, i) => (i === index ? point : each)) };
+    return { kind: shape.kind, points: shape.points.map((each, i) => (i === index ? point : each)) };
 }
 
 /** A circle whose first rim point is where it is put; its plane is kept as far as that allows. */

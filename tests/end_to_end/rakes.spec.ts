@@ -1,0 +1,452 @@
+// Rakes as people work with them: by mouse, by keyboard alone, by clicks alone, by touch; several of them, of every kind. What
+// is done must be under the pointer at once and in the server's records afterwards.
+import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
+import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { dragHandle, type HandleName, takeHandle } from './support/rake_drag.ts';
+import { takeScriptTimes, timeScripts } from './support/script_time.ts';
+import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+
+const store = temporaryFolder();
+let server: ServerProcess;
+let browser: Browser;
+let context: BrowserContext;
+let page: Page;
+let complaints: string[];
+let session: string;
+
+beforeAll(async () => {
+    server = await ServerProcess.start({ store: store.path });
+    browser = await launchBrowser();
+});
+
+afterAll(async () => {
+    await browser?.close();
+    await server?.stop();
+    store.remove();
+});
+
+beforeEach(async () => {
+    context = await newContext(browser, { width: 900, height: 560 });
+    await timeScripts(context);
+    ({ page, complaints } = await openPage(context, server.link));
+    await finalSurface(page);
+    session = (await ask(page, (hook) => hook.session))!;
+});
+
+afterEach(async () => {
+    expect(complaints).toEqual([]);
+    await context.close();
+});
+
+async function rakes(): Promise<RakeRecord[]> {
+    return (await server.call('rake.list', { session }))['rakes'] as RakeRecord[];
+}
+
+async function surfaces(): Promise<SurfaceRecord[]> {
+    return (await server.call('surface.list', { session }))['surfaces'] as SurfaceRecord[];
+}
+
+/** Asks the server until it says what is expected. */
+async function eventually<Fact>(ask: () => Promise<Fact>, holds: (fact: Fact) => boolean): Promise<Fact> {
+    let fact = await ask();
+    await expect
+        .poll(async () => holds((fact = await ask())), { timeout: 10_000, interval: 40 })
+        .toBe(true);
+    return fact;
+}
+
+function shown(): Promise<Vec3[]> {
+    return ask(page, (hook) => hook.rakePoints);
+}
+
+/** What is on the screen of the chosen rake is in its record. */
+async function recorded(index = 0): Promise<RakeRecord> {
+    const points = JSON.stringify(await shown());
+    const all = await eventually(rakes, (each) => JSON.stringify(each[index]?.points) === points);
+    return all[index]!;
+}
+
+function distance(a: Vec3, b: Vec3): number {
+    return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+function middle([a, b]: Vec3[]): Vec3 {
+    return [(a![0] + b![0]) / 2, (a![1] + b![1]) / 2, (a![2] + b![2]) / 2];
+}
+
+async function onScreen(points: Vec3[]): Promise<{ x: number; y: number }[]> {
+    return page.evaluate((all) => all.map((point) => window.wakesurf!.project(point)!), points);
+}
+
+function angleOf(from: { x: number; y: number }, to: { x: number; y: number }): number {
+    return Math.atan2(to.y - from.y, to.x - from.x);
+}
+
+function turn(from: number, to: number): number {
+    return Math.atan2(Math.sin(to - from), Math.cos(to - from));
+}
+
+describe('a handle under the mouse', () => {
+    it('takes its end, the whole rake, or the rake round its middle along', async () => {
+        const start = await shown();
+        await dragHandle(page, 0, 24, -18, 5);
+        const moved = await shown();
+        expect(moved[1]).toEqual(start[1]);
+        expect((await recorded()).points[0]).toEqual(moved[0]);
+
+        await dragHandle(page, 'middle', 30, 12, 5);
+        const away = await shown();
+        const by = away.map((point, i) => point.map((v, k) => v - moved[i]![k]!));
+        by[0]!.forEach((v, k) => expect(v).toBeCloseTo(by[1]![k]!, 9));
+
+        const before = await onScreen([middle(away), ...away]);
+        const handle = (await ask(page, (hook) => hook.handleOnScreen('rotate')))!;
+        await dragHandle(page, 'rotate', 40, 30, 6);
+        const turned = await shown();
+        const after = await onScreen([middle(turned), ...turned]);
+        expect(distance(middle(turned), middle(away))).toBeLessThan(1e-9);
+        expect(distance(turned[0]!, turned[1]!)).toBeCloseTo(distance(away[0]!, away[1]!), 9);
+        const pointerTurn = turn(angleOf(before[0]!, handle), angleOf(before[0]!, { x: handle.x + 40, y: handle.y + 30 }));
+        expect(Math.abs(pointerTurn)).toBeGreaterThan(0.3);
+        // Seen in perspective a rake that leans towards the viewer turns a little more or less than the hand.
+        expect(turn(angleOf(before[0]!, before[2]!), angleOf(after[0]!, after[2]!))).toBeCloseTo(pointerTurn, 0.8);
+        await recorded();
+        await screenshot(page, 'rake-turned');
+    });
+
+    it('is followed without perspective as well', async () => {
+        await page.evaluate(() => window.wakesurf!.setCamera([5, -30, 3], [5, 0, 3]));
+        await page.getByRole('tab', { name: 'View' }).click();
+        const parallel = page.getByRole('checkbox', { name: /perspective|parallel|orthographic/i });
+        if ((await parallel.count()) > 0) await parallel.first().click();
+        await dragHandle(page, 1, -10, 20, 4);
+        await dragHandle(page, 'rotate', 25, 25, 4);
+        await recorded();
+    });
+
+    it('keeps to the axis that the hand is nearest to with Shift, and says so', async () => {
+        const [, end] = await shown();
+        await takeHandle(page, 1);
+        const at = (await ask(page, (hook) => hook.handleOnScreen(1)))!;
+        await page.keyboard.down('Shift');
+        await page.mouse.move(at.x + 70, at.y - 12, { steps: 4 });
+        await page.getByText('along x').waitFor();
+        await screenshot(page, 'rake-along-x');
+        const [, seen] = await onScreen(await shown());
+        // Nearest to the pointer on the axis: off it by no more than the hand left the axis.
+        expect(Math.hypot(seen!.x - at.x - 70, seen!.y - at.y + 12)).toBeLessThan(12);
+        await page.mouse.up();
+        await page.keyboard.up('Shift');
+        const [, moved] = await shown();
+        expect(moved![0] - end![0]).toBeGreaterThan(0.5);
+        expect(moved!.slice(1)).toEqual(end!.slice(1));
+        await page.getByText('along x').waitFor({ state: 'hidden' });
+        await recorded();
+    });
+
+    it('keeps to a grid where that is wanted', async () => {
+        await page.getByRole('checkbox', { name: 'Snap to a grid of 0.5' }).check();
+        await takeHandle(page, 1);
+        const at = (await ask(page, (hook) => hook.handleOnScreen(1)))!;
+        await page.mouse.move(at.x + 50, at.y + 31, { steps: 4 });
+        await page.getByText('grid 0.5', { exact: true }).waitFor();
+        await page.mouse.up();
+        const { points } = await recorded();
+        for (const value of points[1]!) expect(value * 2).toBe(Math.round(value * 2));
+        expect((await shown())[1]).toEqual(points[1]);
+    });
+
+    it('costs little script, also on a rake of very many points', async () => {
+        await takeScriptTimes(page);
+        await dragHandle(page, 'middle', 30, 10, 12);
+        const few = await takeScriptTimes(page);
+        const points = Array.from({ length: 900 }, (_, i) => [-2, Math.sin(i / 20), 1 + (4 * i) / 900] as Vec3);
+        const [{ rake }] = (await rakes()) as [RakeRecord];
+        await server.call('rake.set', { session, rake, kind: 'points', points, seeds: 100 });
+        await page.waitForFunction(() => window.wakesurf!.rakePoints.length === 900);
+        await finalSurface(page);
+        await screenshot(page, 'rake-of-points');
+        await takeScriptTimes(page);
+        await dragHandle(page, 'middle', 30, 10, 12);
+        const many = await takeScriptTimes(page);
+        for (const { moves } of [few, many]) {
+            expect(moves.length).toBeGreaterThan(8);
+            expect(moves[Math.floor(moves.length / 2)]).toBeLessThan(4);
+        }
+        expect((await recorded()).points).toHaveLength(900);
+    });
+});
+
+describe('without dragging', () => {
+    /** Presses Tab until the control with this name, or id, has the focus. */
+    async function tabTo(name: string): Promise<void> {
+        for (let i = 0; i < 120; ++i) {
+            await page.keyboard.press('Tab');
+            const focused = await page.evaluate(() => {
+                let at = document.activeElement;
+                while (at?.shadowRoot?.activeElement) at = at.shadowRoot.activeElement;
+                return [at?.id ?? '', at?.getAttribute('aria-label') ?? '', at?.textContent?.trim() ?? ''];
+            });
+            if (focused.includes(name)) return;
+        }
+        throw new Error(`Tab does not lead to ${name}`);
+    }
+
+    it('the whole of it works by keyboard alone', async () => {
+        const keys = page.keyboard;
+        await tabTo('New rake');
+        await keys.press('Enter');
+        await eventually(surfaces, (each) => each.length === 2);
+        await page.waitForFunction(() => window.wakesurf!.rakes[1]?.chosen === true);
+
+        await tabTo('End');
+        const before = await shown();
+        for (let i = 0; i < 3; ++i) await keys.press('Shift+ArrowRight');
+        await keys.press('PageUp');
+        const nudged = await recorded(1);
+        expect(nudged.points[1]![0] - before[1]![0]).toBeCloseTo(1.5, 6);
+        expect(nudged.points[1]![1] - before[1]![1]).toBeCloseTo(0.05, 6);
+        expect(nudged.points[0]).toEqual(before[0]);
+
+        await tabTo('End z');
+        await keys.press('Control+A');
+        await keys.type('4.25');
+        await keys.press('Enter');
+        await eventually(rakes, (each) => each[1]!.points[1]![2] === 4.25);
+        await tabTo('Turn');
+        const length = distance(...((await shown()) as [Vec3, Vec3]));
+        await keys.press('ArrowLeft');
+        await keys.press('Shift+ArrowLeft');
+        const turned = await recorded(1);
+        expect(distance(turned.points[0]!, turned.points[1]!)).toBeCloseTo(length, 9);
+        expect(turned.points[0]).not.toEqual(before[0]);
+
+        await tabTo('rake-name');
+        await keys.press('Control+A');
+        await keys.type('Upper sheet');
+        await keys.press('Enter');
+        await eventually(rakes, (each) => each[1]!.name === 'Upper sheet');
+        await tabTo('direction');
+        await keys.press('ArrowDown');
+        await eventually(surfaces, (each) => each[1]!.direction === 'backward');
+        // Out of the list, where the key would choose.
+        await tabTo('Geometry');
+        await keys.press('Control+Z');
+        await eventually(surfaces, (each) => each[1]!.direction === 'forward');
+        await keys.press('Control+Z');
+        await eventually(rakes, (each) => each[1]!.name === 'Rake 2');
+        await keys.press('Control+Shift+Z');
+        await eventually(rakes, (each) => each[1]!.name === 'Upper sheet');
+    });
+
+    it('the whole of it works by clicks alone', async () => {
+        const click = (name: string, exact = true): Promise<void> => page.getByRole('button', { name, exact }).click();
+        const start = await shown();
+        await click('End');
+        await click('End plus x');
+        await click('End minus z');
+        const nudged = await recorded();
+        expect(nudged.points[1]![0] - start[1]![0]).toBeCloseTo(0.05, 9);
+        expect(nudged.points[1]![2] - start[1]![2]).toBeCloseTo(-0.05, 9);
+
+        // On the surface that is there: where the picture shows it.
+        const vertex = await ask(page, (hook) => hook.vertices(1)[Math.floor(hook.displayed!.vertices / 3)]!.point);
+        const [at] = await onScreen([vertex]);
+        await click('Place End with a click');
+        await page.mouse.click(at!.x, at!.y);
+        const placed = await recorded();
+        const [seen] = await onScreen([placed.points[1]!]);
+        expect(Math.hypot(seen!.x - at!.x, seen!.y - at!.y)).toBeLessThan(1.5);
+
+        await click('Turn left');
+        await click('Add point after');
+        expect((await eventually(rakes, (each) => each[0]!.kind === 'polyline'))[0]!.points).toHaveLength(3);
+        await click('Undo');
+        await eventually(rakes, (each) => each[0]!.kind === 'line');
+        await click('Duplicate');
+        const two = await eventually(rakes, (each) => each.length === 2);
+        expect(two[1]!.name).toBe('Rake 1 copy');
+        await eventually(surfaces, (each) => each.length === 2);
+        await page.waitForFunction(() => window.wakesurf!.rakes[1]?.chosen === true);
+        await click('Delete');
+        await eventually(rakes, (each) => each.length === 1);
+        await click('Undo');
+        await eventually(rakes, (each) => each.length === 2);
+        expect(await surfaces()).toHaveLength(2);
+        await page.getByRole('list', { name: 'Rakes' }).getByRole('button').first().click();
+        await page.waitForFunction(() => window.wakesurf!.rakes[0]!.chosen);
+        await screenshot(page, 'rakes-by-clicks');
+    });
+});
+
+describe('several rakes', () => {
+    it('are drawn apart, chosen by a click on their line, and each has its settings', async () => {
+        await page.getByRole('button', { name: 'New rake' }).click();
+        await page.waitForFunction(() => window.wakesurf!.rakes[1]?.chosen === true);
+        await finalSurface(page);
+        const [first, second] = await ask(page, (hook) => hook.rakes);
+        expect(first!.color).not.toBe(second!.color);
+        // A quarter along the other's line, clear of its middle.
+        const [a, b] = await onScreen([...first!.shape.points] as Vec3[]);
+        const quarter = { x: a!.x + 0.25 * (b!.x - a!.x), y: a!.y + 0.25 * (b!.y - a!.y) };
+        const [r, g, blue] = (await page.evaluate((at) => window.wakesurf!.pixelsAt([at]), quarter))[0]!;
+        expect([r > 180, g > 60 && g < 190, blue < 140]).toEqual([true, true, true]);
+        await page.mouse.click(quarter.x, quarter.y);
+        await page.waitForFunction(() => window.wakesurf!.rakes[0]!.chosen);
+        const untouched = (await rakes())[1]!;
+        await dragHandle(page, 0, 15, 10, 4);
+        await recorded();
+        await page.getByRole('spinbutton', { name: 'Seeds' }).fill('48');
+        await page.keyboard.press('Enter');
+        await page.getByRole('combobox', { name: 'Accuracy' }).selectOption('exact');
+        await page.getByRole('combobox', { name: 'Separation' }).selectOption({ index: 3 });
+        await page.getByRole('combobox', { name: 'Direction' }).selectOption('both');
+        await eventually(surfaces, (each) => each[0]!.direction === 'both' && each[0]!.accuracy === 'exact');
+        const [changed, other] = await surfaces();
+        expect(changed!.separation).toBeCloseTo(4 * 0.1675, 2);
+        expect(other).toMatchObject({ direction: 'forward', accuracy: 'balanced' });
+        const [one, two] = await eventually(rakes, (each) => each[0]!.seeds === 48);
+        expect(two).toEqual(untouched);
+        expect(one!.seeds).toBe(48);
+        await finalSurface(page);
+        await screenshot(page, 'two-rakes');
+    });
+
+    it('keeps a second surface of a rake, and lets it go again', async () => {
+        await page.getByRole('button', { name: 'Add surface' }).click();
+        await eventually(surfaces, (each) => each.length === 2);
+        const which = page.getByRole('combobox', { name: 'Surface', exact: true });
+        await which.waitFor();
+        await page.getByRole('radio', { name: 'Path' }).check();
+        await eventually(surfaces, (each) => each[1]!.kind === 'path');
+        await which.selectOption({ index: 0 });
+        expect(await page.getByRole('radio', { name: 'Stream' }).isChecked()).toBe(true);
+        for (let left = 1; left >= 0; --left) {
+            await page.getByRole('button', { name: 'Delete surface' }).click();
+            await eventually(surfaces, (each) => each.length === left);
+        }
+        await page.getByText('This rake has no surface.').waitFor();
+        expect(await rakes()).toHaveLength(1);
+        await page.getByRole('button', { name: 'Undo' }).click();
+        await page.getByRole('radio', { name: 'Path' }).waitFor();
+    });
+
+    it('does not take back what somebody else has changed, and says so', async () => {
+        await dragHandle(page, 1, 15, 10, 4);
+        const { rake, kind, points, seeds } = await recorded();
+        await server.call('rake.set', { session, rake, kind, points, seeds: seeds + 1, name: 'Theirs' });
+        await page.waitForFunction(() => window.wakesurf!.rakes[0]!.shape !== undefined);
+        await eventually(() => page.getByRole('list', { name: 'Rakes' }).textContent(), (text) => text!.includes('Theirs'));
+        await page.keyboard.press('Control+Z');
+        await page.getByText(/Not taken back: Theirs has been changed by somebody else/).first().waitFor();
+        expect((await rakes())[0]).toMatchObject({ name: 'Theirs', points });
+    });
+});
+
+describe('a polyline and a circle', () => {
+    it('have points added, moved and removed', async () => {
+        await page.getByRole('combobox', { name: 'Shape' }).selectOption('polyline');
+        await eventually(rakes, (each) => each[0]!.points.length === 3);
+        await dragHandle(page, 1, 40, -6, 5);
+        const bent = await recorded();
+        await page.getByRole('button', { name: 'Point 2', exact: true }).click();
+        await page.getByRole('button', { name: 'Add point after' }).click();
+        const more = (await eventually(rakes, (each) => each[0]!.points.length === 4))[0]!;
+        more.points[2]!.forEach((v, k) => expect(v).toBeCloseTo((bent.points[1]![k]! + bent.points[2]![k]!) / 2, 9));
+        await dragHandle(page, 2, 25, 4, 4);
+        await recorded();
+        await finalSurface(page);
+        await screenshot(page, 'rake-polyline');
+        await page.getByRole('button', { name: 'Point 2', exact: true }).click();
+        await page.getByRole('button', { name: 'Remove point' }).click();
+        const less = (await eventually(rakes, (each) => each[0]!.points.length === 3))[0]!;
+        expect(less.points[0]).toEqual(bent.points[0]);
+    });
+
+    it('have centre, size and plane of a circle to hold on to', async () => {
+        await page.getByRole('combobox', { name: 'Shape' }).selectOption('circle');
+        const [circle] = await eventually(rakes, (each) => each[0]!.kind === 'circle');
+        const [centre, rim, side] = circle!.points as [Vec3, Vec3, Vec3];
+        expect(distance(centre, rim)).toBeCloseTo(distance(centre, side), 9);
+        // Across the flow, which goes along x.
+        for (const point of [rim, side]) expect(point[0]).toBeCloseTo(centre[0], 9);
+
+        await dragHandle(page, 1 as HandleName, 3, 22, 5);
+        const smaller = await recorded();
+        expect(distance(smaller.points[0]!, smaller.points[1]!)).toBeLessThan(distance(centre, rim) * 0.9);
+        for (const point of smaller.points) expect(point[0]).toBeCloseTo(centre[0], 9);
+
+        await dragHandle(page, 2 as HandleName, 6, -4, 4);
+        const tipped = await recorded();
+        const radius = distance(smaller.points[0]!, smaller.points[1]!);
+        expect(tipped.points[0]).toEqual(smaller.points[0]);
+        for (const i of [1, 2]) expect(distance(tipped.points[0]!, tipped.points[i]!)).toBeCloseTo(radius, 9);
+        expect(distance(tipped.points[2]!, smaller.points[2]!)).toBeGreaterThan(0.05);
+
+        await page.getByRole('spinbutton', { name: 'Radius' }).fill('1.5');
+        await page.keyboard.press('Enter');
+        await eventually(rakes, (each) => Math.abs(distance(each[0]!.points[0]!, each[0]!.points[2]!) - 1.5) < 1e-9);
+        // Out through the side wall: it stays a circle, inside.
+        await page.getByRole('spinbutton', { name: 'Centre y' }).fill('3.9');
+        await page.keyboard.press('Enter');
+        const [inside] = await eventually(rakes, (each) => each[0]!.points[0]![1] > 2);
+        expect(inside!.kind).toBe('circle');
+        expect(inside!.points[0]![1]).toBeLessThan(3);
+        await finalSurface(page);
+        await screenshot(page, 'rake-circle');
+    });
+});
+
+describe('a streak surface', () => {
+    it('is released all the time or as a sheet', async () => {
+        await page.getByRole('radio', { name: 'Streak' }).check();
+        const keep = page.getByRole('checkbox', { name: /Keep releasing/ });
+        await keep.uncheck();
+        const [sheet] = await eventually(surfaces, (each) => each[0]!.releaseUntil !== undefined);
+        expect(sheet!.releaseUntil).toBeCloseTo((8.5 + 16) / 2, 9);
+        await keep.check();
+        await eventually(surfaces, (each) => each[0]!.releaseUntil === undefined);
+    });
+});
+
+describe('a rake that somebody else moves', () => {
+    it('says who does, and cannot be taken meanwhile', async () => {
+        const { rake, kind, points, seeds } = (await rakes())[0]!;
+        const theirs = points.map(([x, y, z]) => [x + 0.2, y, z] as Vec3);
+        const handle = (await ask(page, (hook) => hook.handleOnScreen(0)))!;
+        await server.call('rake.set', { session, rake, kind, points: theirs, seeds, dragging: true });
+        await page.getByText('A script moves this').waitFor();
+        await page.getByRole('button', { name: /A script moves it/ }).waitFor();
+        expect(await shown()).toEqual(theirs);
+        await screenshot(page, 'rake-of-somebody');
+        await page.mouse.move(handle.x, handle.y);
+        await page.mouse.down();
+        await page.mouse.move(handle.x + 30, handle.y, { steps: 3 });
+        await page.mouse.up();
+        expect(await shown()).toEqual(theirs);
+        await server.call('rake.set', { session, rake, kind, points: theirs, seeds, dragging: false });
+        await page.getByText('A script moves this').waitFor({ state: 'hidden' });
+        await dragHandle(page, 0, 20, 10, 4);
+        expect((await recorded()).points).not.toEqual(theirs);
+    });
+});
+
+describe('touch', () => {
+    it('moves a handle as the mouse does, from beside it as well', async () => {
+        const devtools = await context.newCDPSession(page);
+        const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', at?: { x: number; y: number }): Promise<unknown> =>
+            devtools.send('Input.dispatchTouchEvent', { type, touchPoints: at === undefined ? [] : [at] });
+        const before = await shown();
+        const at = (await ask(page, (hook) => hook.handleOnScreen(1)))!;
+        const finger = { x: at.x + 12, y: at.y + 10 };
+        await touch('touchStart', finger);
+        for (let i = 1; i <= 5; ++i) await touch('touchMove', { x: finger.x + 8 * i, y: finger.y + 3 * i });
+        await touch('touchEnd');
+        const after = await recorded();
+        const [, seen] = await onScreen(after.points);
+        expect(Math.hypot(seen!.x - at.x - 40, seen!.y - at.y - 15)).toBeLessThan(1);
+        expect(after.points[0]).toEqual(before[0]);
+    });
+});
