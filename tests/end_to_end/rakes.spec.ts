@@ -63,9 +63,9 @@ function shown(): Promise<Vec3[]> {
 
 /** What is on the screen of the chosen rake is in its record. */
 async function recorded(index = 0): Promise<RakeRecord> {
-    const points = JSON.stringify(await shown());
-    const all = await eventually(rakes, (each) => JSON.stringify(each[index]?.points) === points);
-    return all[index]!;
+    const both = async () => ({ seen: await shown(), rake: (await rakes())[index]! });
+    const same = await eventually(both, ({ seen, rake }) => JSON.stringify(seen) === JSON.stringify(rake.points));
+    return same.rake;
 }
 
 function distance(a: Vec3, b: Vec3): number {
@@ -117,10 +117,7 @@ describe('a handle under the mouse', () => {
     });
 
     it('is followed without perspective as well', async () => {
-        await page.evaluate(() => window.wakesurf!.setCamera([5, -30, 3], [5, 0, 3]));
-        await page.getByRole('tab', { name: 'View' }).click();
-        const parallel = page.getByRole('checkbox', { name: /perspective|parallel|orthographic/i });
-        if ((await parallel.count()) > 0) await parallel.first().click();
+        await page.getByRole('button', { name: 'Parallel' }).click();
         await dragHandle(page, 1, -10, 20, 4);
         await dragHandle(page, 'rotate', 25, 25, 4);
         await recorded();
@@ -132,7 +129,7 @@ describe('a handle under the mouse', () => {
         const at = (await ask(page, (hook) => hook.handleOnScreen(1)))!;
         await page.keyboard.down('Shift');
         await page.mouse.move(at.x + 70, at.y - 12, { steps: 4 });
-        await page.getByText('along x').waitFor();
+        await page.getByText('along x', { exact: true }).waitFor();
         await screenshot(page, 'rake-along-x');
         const [, seen] = await onScreen(await shown());
         // Nearest to the pointer on the axis: off it by no more than the hand left the axis.
@@ -142,7 +139,7 @@ describe('a handle under the mouse', () => {
         const [, moved] = await shown();
         expect(moved![0] - end![0]).toBeGreaterThan(0.5);
         expect(moved!.slice(1)).toEqual(end!.slice(1));
-        await page.getByText('along x').waitFor({ state: 'hidden' });
+        await page.getByText('along x', { exact: true }).waitFor({ state: 'hidden' });
         await recorded();
     });
 
@@ -417,7 +414,7 @@ describe('a rake that somebody else moves', () => {
         const theirs = points.map(([x, y, z]) => [x + 0.2, y, z] as Vec3);
         const handle = (await ask(page, (hook) => hook.handleOnScreen(0)))!;
         await server.call('rake.set', { session, rake, kind, points: theirs, seeds, dragging: true });
-        await page.getByText('A script moves this').waitFor();
+        await page.getByText('A script moves this', { exact: true }).waitFor();
         await page.getByRole('button', { name: /A script moves it/ }).waitFor();
         expect(await shown()).toEqual(theirs);
         await screenshot(page, 'rake-of-somebody');
@@ -427,7 +424,7 @@ describe('a rake that somebody else moves', () => {
         await page.mouse.up();
         expect(await shown()).toEqual(theirs);
         await server.call('rake.set', { session, rake, kind, points: theirs, seeds, dragging: false });
-        await page.getByText('A script moves this').waitFor({ state: 'hidden' });
+        await page.getByText('A script moves this', { exact: true }).waitFor({ state: 'hidden' });
         await dragHandle(page, 0, 20, 10, 4);
         expect((await recorded()).points).not.toEqual(theirs);
     });

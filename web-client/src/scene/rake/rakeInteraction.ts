@@ -118,9 +118,9 @@ export class RakeInteraction implements PointerTool {
         const { layer } = this.options;
         this.options.onHold(false);
         layer.setGuide(null);
-        // A press alone changes nothing, not even to the next point of the grid.
-        if (!this.moved) return;
-        this.apply(cancelled ? layer.shape : this.dragged(pointer, drag).shape, false, pointer.time);
+        // A press alone moves nothing, not even to the next point of the grid; it may mean the rake under the handle.
+        if (!this.moved) this.chooseAt(pointer.at);
+        else this.apply(cancelled ? layer.shape : this.dragged(pointer, drag).shape, false, pointer.time);
     }
 
     /** The rake that was being moved is there no more. */
@@ -132,13 +132,16 @@ export class RakeInteraction implements PointerTool {
     }
 
     click({ at, time }: Pointer): boolean {
-        const { layer, onChoose } = this.options;
-        const view = this.options.view();
         if (this.placing !== null) {
-            this.put(this.placing, at, view, time);
+            this.put(this.placing, at, this.options.view(), time);
             return true;
         }
-        const other = layer.otherAt(at, view);
+        return this.chooseAt(at);
+    }
+
+    private chooseAt(at: ScreenPoint): boolean {
+        const { layer, view, onChoose } = this.options;
+        const other = layer.otherAt(at, view());
         if (other !== null) onChoose(other);
         return other !== null;
     }
