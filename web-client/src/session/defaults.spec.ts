@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../protocol/messages.ts';
-import { defaultLength, defaultRake, defaultSweep } from './defaults.ts';
+import { besideRake, defaultLength, defaultRake, defaultSweep, freeRake } from './defaults.ts';
 
 describe('defaultRake', () => {
     it('stands along z near the inflow of a domain that is longest in x', () => {
@@ -77,5 +77,32 @@ describe('defaultLength', () => {
 
     it('is usable without any flow', () => {
         expect(defaultLength([0, 1, 0, 1, 0, 1], 0)).toBe(1);
+    });
+});
+
+describe('a further rake', () => {
+    const bounds: [number, number, number, number, number, number] = [-3, 13, -4, 4, 0, 6];
+
+    it('is clear of all the others, and in the domain', () => {
+        const rakes: Vec3[][] = [defaultRake(bounds)];
+        for (let i = 0; i < 6; ++i) {
+            const next = freeRake(bounds, rakes);
+            for (const other of rakes) {
+                expect(Math.hypot(...next[0].map((v, k) => v - other[0]![k]!))).toBeGreaterThan(0.9);
+            }
+            next.flat().forEach((v, i) => {
+                expect(v).toBeGreaterThan(bounds[2 * (i % 3)]!);
+                expect(v).toBeLessThan(bounds[2 * (i % 3) + 1]!);
+            });
+            rakes.push(next);
+        }
+        expect(freeRake(bounds, [])).toEqual(defaultRake(bounds));
+    });
+
+    it('that is a copy stands beside the first, where there is room', () => {
+        const [x, y, z] = besideRake(bounds, defaultRake(bounds));
+        expect([x, z]).toEqual([0, 0]);
+        expect(Math.abs(y)).toBeGreaterThan(0.5);
+        expect(Math.abs(y)).toBeLessThan(2);
     });
 });

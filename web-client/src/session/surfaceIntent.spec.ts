@@ -59,6 +59,17 @@ describe('settingOf', () => {
         expect(settingOf(path, record, times, false)).not.toHaveProperty('sweep');
     });
 
+    it('follows particles back to the beginning of the data, or both ways as far as there are data on both sides', () => {
+        const path = { ...intentOf(record), kind: 'path' as const, from: 12 };
+        const back = settingOf({ ...path, direction: 'backward' }, record, times, false);
+        expect(back).toMatchObject({ direction: 'backward', from: 12, to: 8.5 });
+        const both = settingOf({ ...path, direction: 'both' }, record, times, false);
+        expect(both).toMatchObject({ direction: 'both', from: 12, to: 15.5 });
+        const sheet = settingOf({ ...path, kind: 'streak', direction: 'backward', released: 2 }, record, times, false);
+        expect(sheet).toMatchObject({ to: 8.5, releaseUntil: 10 });
+        expect(intentOf({ ...record, ...sheet! } as SurfaceRecord)).toMatchObject({ length: 3.5, released: 2 });
+    });
+
     it('keeps what only scripts set', () => {
         const tuned = { ...record, merge: 0.1, angle: 5 };
         expect(settingOf(intentOf(tuned), tuned, times, false)).toMatchObject({ merge: 0.1, angle: 5 });

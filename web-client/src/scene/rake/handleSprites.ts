@@ -55,7 +55,7 @@ void main() {
     float r = length(at);
     vec3 dark = vec3(0.02, 0.03, 0.05);
     vec3 light = mix(vec3(1.0), vec3(1.0, 0.93, 0.55), lit);
-    float ring = max(1.5, px * 0.17) + lit;
+    float ring = kind > 3.5 ? 0.0 : max(1.5, px * 0.17) + lit;
     vec3 shade = mix(light, dark, within(r - px));
     bool plain = kind < 0.5 || kind > 3.5;
     vec3 core = plain ? color : dark;

@@ -11,6 +11,9 @@ import type { DrawnRake } from './rakeLayer.ts';
 const handleRadiusPx = 11;
 const smallRadiusPx = 9;
 const dotRadiusPx = 4;
+const smallDotRadiusPx = 2.5;
+/** More would hide the rake behind its points. */
+const mostDots = 64;
 
 /** A handle that is not where the shape has it, because it is held. */
 export interface HeldHandle {
@@ -88,10 +91,15 @@ export class RakeWidget {
     /** At the ends of a rake that is not chosen, and at every point of a list, which has no handles for them. */
     private setDots({ shape, chosen, color }: DrawnRake): void {
         const { points, kind } = shape;
+        const every = Math.ceil(points.length / mostDots);
+        const list = !hasPointHandles(shape);
         let dotted: readonly Vec3[] = [];
-        if (!hasPointHandles(shape)) dotted = points;
-        else if (!chosen && kind !== 'circle') dotted = [points[0], points.at(-1)].filter((each) => each !== undefined);
-        const sprite = (at: Vec3): HandleSprite => ({ at, mark: 'dot', radiusPx: dotRadiusPx, highlighted: false });
-        this.dots.set(dotted.map(sprite), color);
+        if (list) dotted = points.filter((_, i) => i % every === 0);
+        else if (!chosen && kind !== 'circle') dotted = points.filter((_, i) => i === 0 || i === points.length - 1);
+        const radiusPx = list ? smallDotRadiusPx : dotRadiusPx;
+        this.dots.set(
+            dotted.map((at): HandleSprite => ({ at, mark: 'dot', radiusPx, highlighted: false })),
+            color,
+        );
     }
 }
