@@ -57,6 +57,9 @@ describe('the kinds of surface', () => {
             for (let i = 0; i < 25; ++i) await slider.press('ArrowLeft');
         });
         expect(sheet.releaseUntil).toBeCloseTo(12.25);
+        const keep = page.getByRole('checkbox', { name: /Keep releasing/ });
+        expect((await edited(() => keep.check())).releaseUntil).toBeUndefined();
+        expect((await edited(() => keep.uncheck())).releaseUntil).toBeCloseTo(12.25);
     });
 
     it('sweeps a time surface across the flow until told otherwise', async () => {
@@ -71,5 +74,6 @@ describe('the kinds of surface', () => {
         expect(slanted.sweep).toEqual([0, patch.sweep![1], 0.5]);
         const path = await edited(() => page.getByRole('radio', { name: 'Path' }).check());
         expect(path.sweep).toBeUndefined();
+        await page.getByText(/there the data end/).waitFor();
     });
 });

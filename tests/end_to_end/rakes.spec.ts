@@ -89,7 +89,7 @@ function turn(from: number, to: number): number {
 }
 
 describe('a handle under the mouse', () => {
-    it('takes its end, the whole rake, or the rake round its middle along', async () => {
+    it('takes its end, the whole rake, or the rake round its middle along, in any projection', async () => {
         const start = await shown();
         await dragHandle(page, 0, 24, -18, 5);
         const moved = await shown();
@@ -114,16 +114,29 @@ describe('a handle under the mouse', () => {
         expect(turn(angleOf(before[0]!, before[2]!), angleOf(after[0]!, after[2]!))).toBeCloseTo(pointerTurn, 0.8);
         await recorded();
         await screenshot(page, 'rake-turned');
-    });
 
-    it('is followed without perspective as well', async () => {
         await page.getByRole('button', { name: 'Parallel' }).click();
         await dragHandle(page, 1, -10, 20, 4);
         await dragHandle(page, 'rotate', 25, 25, 4);
         await recorded();
+
+        // By touch, from beside the handle: a finger is wide.
+        const devtools = await context.newCDPSession(page);
+        const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', at?: { x: number; y: number }): Promise<unknown> =>
+            devtools.send('Input.dispatchTouchEvent', { type, touchPoints: at === undefined ? [] : [at] });
+        const untouched = await shown();
+        const end = (await ask(page, (hook) => hook.handleOnScreen(1)))!;
+        const finger = { x: end.x + 12, y: end.y + 10 };
+        await touch('touchStart', finger);
+        for (let i = 1; i <= 5; ++i) await touch('touchMove', { x: finger.x + 8 * i, y: finger.y + 3 * i });
+        await touch('touchEnd');
+        const touched = await recorded();
+        const [, under] = await onScreen(touched.points);
+        expect(Math.hypot(under!.x - end.x - 40, under!.y - end.y - 15)).toBeLessThan(1);
+        expect(touched.points[0]).toEqual(untouched[0]);
     });
 
-    it('keeps to the axis that the hand is nearest to with Shift, and says so', async () => {
+    it('keeps to the axis that the hand is nearest to with Shift, or to a grid, and says so', async () => {
         const [, end] = await shown();
         await takeHandle(page, 1);
         const at = (await ask(page, (hook) => hook.handleOnScreen(1)))!;
@@ -141,13 +154,11 @@ describe('a handle under the mouse', () => {
         expect(moved!.slice(1)).toEqual(end!.slice(1));
         await page.getByText('along x', { exact: true }).waitFor({ state: 'hidden' });
         await recorded();
-    });
 
-    it('keeps to a grid where that is wanted', async () => {
         await page.getByRole('checkbox', { name: 'Snap to a grid of 0.5' }).check();
         await takeHandle(page, 1);
-        const at = (await ask(page, (hook) => hook.handleOnScreen(1)))!;
-        await page.mouse.move(at.x + 50, at.y + 31, { steps: 4 });
+        const from = (await ask(page, (hook) => hook.handleOnScreen(1)))!;
+        await page.mouse.move(from.x + 50, from.y + 31, { steps: 4 });
         await page.getByText('grid 0.5', { exact: true }).waitFor();
         await page.mouse.up();
         const { points } = await recorded();
@@ -160,7 +171,7 @@ describe('a handle under the mouse', () => {
         await dragHandle(page, 'middle', 30, 10, 12);
         const few = await takeScriptTimes(page);
         const points = Array.from({ length: 900 }, (_, i) => [-2, Math.sin(i / 20), 1 + (4 * i) / 900] as Vec3);
-        const [{ rake }] = (await rakes()) as [RakeRecord];
+        const [{ rake }] = (await eventually(rakes, (each) => !each[0]!.dragging)) as [RakeRecord];
         await server.call('rake.set', { session, rake, kind: 'points', points, seeds: 100 });
         await page.waitForFunction(() => window.wakesurf!.rakePoints.length === 900);
         await finalSurface(page);
@@ -311,7 +322,7 @@ describe('several rakes', () => {
         await screenshot(page, 'two-rakes');
     });
 
-    it('keeps a second surface of a rake, and lets it go again', async () => {
+    it('have several surfaces or none; what others have changed is not taken back', async () => {
         await page.getByRole('button', { name: 'Add surface' }).click();
         await eventually(surfaces, (each) => each.length === 2);
         const which = page.getByRole('combobox', { name: 'Surface', exact: true });
@@ -328,9 +339,7 @@ describe('several rakes', () => {
         expect(await rakes()).toHaveLength(1);
         await page.getByRole('button', { name: 'Undo' }).click();
         await page.getByRole('radio', { name: 'Path' }).waitFor();
-    });
 
-    it('does not take back what somebody else has changed, and says so', async () => {
         await dragHandle(page, 1, 15, 10, 4);
         const { rake, kind, points, seeds } = await recorded();
         await server.call('rake.set', { session, rake, kind, points, seeds: seeds + 1, name: 'Theirs' });
@@ -343,7 +352,7 @@ describe('several rakes', () => {
 });
 
 describe('a polyline and a circle', () => {
-    it('have points added, moved and removed', async () => {
+    it('have points added, moved and removed, or a centre, a size and a plane to hold on to', async () => {
         await page.getByRole('combobox', { name: 'Shape' }).selectOption('polyline');
         await eventually(rakes, (each) => each[0]!.points.length === 3);
         await dragHandle(page, 1, 40, -6, 5);
@@ -360,9 +369,7 @@ describe('a polyline and a circle', () => {
         await page.getByRole('button', { name: 'Remove point' }).click();
         const less = (await eventually(rakes, (each) => each[0]!.points.length === 3))[0]!;
         expect(less.points[0]).toEqual(bent.points[0]);
-    });
 
-    it('have centre, size and plane of a circle to hold on to', async () => {
         await page.getByRole('combobox', { name: 'Shape' }).selectOption('circle');
         const [circle] = await eventually(rakes, (each) => each[0]!.kind === 'circle');
         const [centre, rim, side] = circle!.points as [Vec3, Vec3, Vec3];
@@ -396,18 +403,6 @@ describe('a polyline and a circle', () => {
     });
 });
 
-describe('a streak surface', () => {
-    it('is released all the time or as a sheet', async () => {
-        await page.getByRole('radio', { name: 'Streak' }).check();
-        const keep = page.getByRole('checkbox', { name: /Keep releasing/ });
-        await keep.uncheck();
-        const [sheet] = await eventually(surfaces, (each) => each[0]!.releaseUntil !== undefined);
-        expect(sheet!.releaseUntil).toBeCloseTo((8.5 + 16) / 2, 9);
-        await keep.check();
-        await eventually(surfaces, (each) => each[0]!.releaseUntil === undefined);
-    });
-});
-
 describe('a rake that somebody else moves', () => {
     it('says who does, and cannot be taken meanwhile', async () => {
         const { rake, kind, points, seeds } = (await rakes())[0]!;
@@ -427,23 +422,5 @@ describe('a rake that somebody else moves', () => {
         await page.getByText('A script moves this', { exact: true }).waitFor({ state: 'hidden' });
         await dragHandle(page, 0, 20, 10, 4);
         expect((await recorded()).points).not.toEqual(theirs);
-    });
-});
-
-describe('touch', () => {
-    it('moves a handle as the mouse does, from beside it as well', async () => {
-        const devtools = await context.newCDPSession(page);
-        const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', at?: { x: number; y: number }): Promise<unknown> =>
-            devtools.send('Input.dispatchTouchEvent', { type, touchPoints: at === undefined ? [] : [at] });
-        const before = await shown();
-        const at = (await ask(page, (hook) => hook.handleOnScreen(1)))!;
-        const finger = { x: at.x + 12, y: at.y + 10 };
-        await touch('touchStart', finger);
-        for (let i = 1; i <= 5; ++i) await touch('touchMove', { x: finger.x + 8 * i, y: finger.y + 3 * i });
-        await touch('touchEnd');
-        const after = await recorded();
-        const [, seen] = await onScreen(after.points);
-        expect(Math.hypot(seen!.x - at.x - 40, seen!.y - at.y - 15)).toBeLessThan(1);
-        expect(after.points[0]).toEqual(before[0]);
     });
 });

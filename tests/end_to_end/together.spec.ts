@@ -1,4 +1,4 @@
-// Several people in one session: links that let look on, a rake that somebody else holds, and the ends of a connection
+// Several people in one session: links that let look on, and the ends of a connection
 // after which a page must not come back by itself.
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
@@ -128,25 +128,6 @@ describe('a link for looking on', () => {
         await expectEnded(viewer, /expired or was taken back/);
         await screenshot(viewer, 'link-ended');
         expect(await ask(page, (hook) => hook.connection)).toBe('open');
-    });
-});
-
-describe('a rake that somebody else holds', () => {
-    it('cannot be dragged, and the page says by whom it is held', async () => {
-        const { rake, kind, points, seeds } = await recordedRake();
-        await server.call('rake.set', { session, rake, kind, points, seeds, dragging: true });
-        await dragHandle(page, 0, 20, 10, 4);
-        const alert = page.getByRole('alert').filter({ hasText: /drag/i });
-        await alert.waitFor({ timeout: 4000 });
-        await screenshot(page, 'leased');
-        await page.waitForFunction((y) => window.wakesurf!.rakePoints[0]![1] === y, points[0]![1]);
-        sameRakes(points, await ask(page, (hook) => hook.rakePoints));
-
-        await server.call('rake.set', { session, rake, kind, points, seeds, dragging: false });
-        await dragHandle(page, 0, 20, 10, 4);
-        await expectServersMesh(server, page);
-        expect((await recordedRake()).points).not.toEqual(points);
-        expect(await page.getByRole('alert').textContent()).toBe('');
     });
 });
 
