@@ -133,7 +133,8 @@ describe('a drag on its way to the server', () => {
 describe('edits of a rake', () => {
     it('say the whole of it, each on top of the last', () => {
         const bench = new Bench();
-        bench.records([rakeOf('r1', { colour: '#123456' }), rakeOf('r2')]);
+        bench.records([rakeOf('r1', { colour: '#aaaaaa' }), rakeOf('r2')]);
+        bench.edits.changeRake('r1', { colour: '#123456' });
         bench.edits.changeRake('r1', { seeds: 20 });
         bench.edits.changeRake('r1', { name: 'Low' });
         bench.edits.flush();
@@ -141,8 +142,9 @@ describe('edits of a rake', () => {
         expect(params).toMatchObject({ rake: 'r1', kind: 'line', seeds: 20, name: 'Low', colour: '#123456' });
     });
 
-    it('name no colour to a server that told none', () => {
+    it('leave the colour as it is where they are not about it', () => {
         const bench = new Bench();
+        bench.records([rakeOf('r1'), rakeOf('r2', { colour: '#aaaaaa' })]);
         bench.edits.changeRake('r2', { seeds: 20 });
         bench.edits.flush();
         expect(bench.calls[0]![1]).not.toHaveProperty('colour');

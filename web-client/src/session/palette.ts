@@ -19,12 +19,6 @@ export function rakeColor(record: RakeRecord, rakes: ReadonlyMap<string, RakeRec
     return byOrder([...rakes.keys()].indexOf(record.rake));
 }
 
-/** The first that no rake has. */
-export function freeColor(rakes: ReadonlyMap<string, RakeRecord>): string {
-    const taken = new Set([...rakes.values()].map((record) => rakeColor(record, rakes)));
-    return rakeColors.find((each) => !taken.has(each)) ?? byOrder(rakes.size);
-}
-
 function byOrder(place: number): string {
     return rakeColors[Math.max(0, place) % rakeColors.length] ?? rakeColors[0];
 }

@@ -181,11 +181,12 @@ export class RakeEdits {
 }
 
 function settingsOf(record: RakeRecord): Omit<RakeEdit, 'dragging' | 'editedAt' | 'gesture'> {
-    const { rake, kind, points, seeds, name, colour } = record;
-    return { rake, shape: { kind, points }, seeds, name, colour };
+    const { rake, kind, points, seeds, name } = record;
+    // What is left out of a colour stays as it is.
+    return { rake, shape: { kind, points }, seeds, name, colour: undefined };
 }
 
 function sameRake({ shape, seeds, name, colour }: RakeEdit, record: RakeRecord): boolean {
-    if (seeds !== record.seeds || name !== record.name || colour !== record.colour) return false;
+    if (seeds !== record.seeds || name !== record.name || (colour ?? record.colour) !== record.colour) return false;
     return shape.kind === record.kind && JSON.stringify(shape.points) === JSON.stringify(record.points);
 }

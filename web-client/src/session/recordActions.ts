@@ -5,7 +5,6 @@ import type { AppState } from '../state/appState.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
 import { besideRake, defaultLength, defaultSeeds, freeRake } from './defaults.ts';
 import { tellFailure } from './editFailures.ts';
-import { freeColor } from './palette.ts';
 import { surfacesOf } from './selection.ts';
 import type { UndoHistory } from './undoHistory.ts';
 
@@ -81,12 +80,9 @@ export class RecordActions {
     }
 
     private async make(shape: RakeShape, rest: Pick<RakeRecord, 'seeds' | 'name'>): Promise<string> {
-        const { rakes } = this.state;
-        // A server that knows no colours would refuse the rake.
-        const known = [...rakes.value.values()].some(({ colour }) => colour !== undefined);
-        const colour = known ? { colour: freeColor(rakes.value) } : {};
         const points = shape.points.map((point) => [...point] as [number, number, number]);
-        const { rake } = await this.worker.call('rake.set', { kind: shape.kind, points, ...rest, ...colour });
+        // The server gives it a colour that few others have.
+        const { rake } = await this.worker.call('rake.set', { kind: shape.kind, points, ...rest });
         return rake;
     }
 

@@ -247,7 +247,7 @@ export class SessionController {
         for (const record of remembered.rakes) {
             const { rake, seeds, name, colour } = record;
             const { kind, points } = seen(record);
-            const tint = colour === undefined ? {} : { colour };
+            const tint = colour === undefined || colour === '' ? {} : { colour };
             const made = await worker.call('rake.set', { kind, points: [...points], seeds, name, ...tint });
             ids.set(rake, made.rake);
         }

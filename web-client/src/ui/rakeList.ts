@@ -147,7 +147,9 @@ export class RakeList extends SignalElement {
     private entry(record: RakeRecord, chosen: boolean): TemplateResult {
         const { state, edits } = this.model;
         const holder = holderOf(state, record);
-        const made = record.author === undefined || record.author === '' ? '' : `, by ${record.author}`;
+        const you = state.participants.value.get(state.you.value ?? '')?.name;
+        const { author = '' } = record;
+        const made = author === '' ? '' : `, ${author === you ? 'yours' : `by ${author}`}`;
         const about = holder === null ? `${kindWords[record.kind]}${made}` : `${holder.name} moves it`;
         return html`<li>
             <button

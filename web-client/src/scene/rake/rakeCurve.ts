@@ -64,15 +64,17 @@ uniform vec3 color;
 uniform float opacity;
 uniform float width;
 uniform float dash;
+uniform float halo;
 varying float across;
 varying float along;
 
 void main() {
     if (dash > 0.0 && fract(along / dash) > 0.55) discard;
     float edge = (1.0 - abs(across)) * width * 0.5;
+    vec3 inner = mix(color, vec3(1.0), 1.0 - smoothstep(halo, halo + 0.8, edge - 1.0));
     float inside = smoothstep(0.5, 1.5, edge);
     float covered = smoothstep(0.0, 0.8, edge);
-    gl_FragColor = vec4(mix(vec3(0.02, 0.03, 0.05), color, inside), opacity * covered);
+    gl_FragColor = vec4(mix(vec3(0.02, 0.03, 0.05), halo > 0.0 ? inner : color, inside), opacity * covered);
     #include <colorspace_fragment>
 }
 `;
@@ -83,6 +85,8 @@ export interface CurveStyle {
     opacity: number;
     /** Length of a dash with its gap in pixels; 0: unbroken. */
     dashPx: number;
+    /** Of the white line on both sides, inside the dark edge; 0: none. */
+    haloPx: number;
 }
 
 /** Of the part behind something: it shows through faintly. */
@@ -94,7 +98,7 @@ export class RakeCurve {
     private readonly shown = createMaterial(true);
     private readonly hidden = createMaterial(false);
     private buffer: InstancedInterleavedBuffer | null = null;
-    private style: CurveStyle = { color: '#ffffff', widthPx: 4, opacity: 1, dashPx: 0 };
+    private style: CurveStyle = { color: '#ffffff', widthPx: 4, opacity: 1, dashPx: 0, haloPx: 0 };
 
     constructor() {
         const corners = [0, -1, 0, 1, -1, 0, 0, 1, 0, 1, 1, 0];
@@ -130,6 +134,7 @@ export class RakeCurve {
         for (const material of [this.shown, this.hidden]) {
             (material.uniforms['color']!.value as Color).set(style.color);
             material.uniforms['dash']!.value = style.dashPx;
+            material.uniforms['halo']!.value = style.haloPx;
             material.uniforms['width']!.value = style.widthPx;
         }
         this.shown.uniforms['opacity']!.value = style.opacity;
@@ -181,6 +186,7 @@ function createMaterial(depthTest: boolean): ShaderMaterial {
             opacity: { value: 1 },
             width: { value: 4 },
             dash: { value: 0 },
+            halo: { value: 0 },
             size: { value: new Vector2(1, 1) },
             lift: { value: 0 },
             parallelRays: { value: false },

@@ -121,7 +121,7 @@ export class RakeLayer implements Layer {
         const axis = guide?.axis ?? null;
         this.axis.setPoints(axis === null ? [] : axisLine(axis.from, axis.axis, this.bounds));
         if (axis === null) return;
-        this.axis.setStyle({ color: axisColors[axis.axis], widthPx: 4, opacity: 0.9, dashPx: 12 });
+        this.axis.setStyle({ color: axisColors[axis.axis], widthPx: 4, opacity: 0.9, dashPx: 12, haloPx: 0 });
     }
 
     /** Brings the drawn objects in line with rakes and camera; called before every frame. */

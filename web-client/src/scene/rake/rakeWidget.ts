@@ -15,6 +15,10 @@ const smallDotRadiusPx = 2.5;
 /** More would hide the rake behind its points. */
 const mostDots = 64;
 
+/** White on both sides, so that it stands out whatever its colour is. */
+const chosenStyle = { widthPx: 8, opacity: 1, haloPx: 1.1 };
+const otherStyle = { widthPx: 4.5, opacity: 0.9, haloPx: 0 };
+
 /** A handle that is not where the shape has it, because it is held. */
 export interface HeldHandle {
     handle: Handle;
@@ -50,10 +54,11 @@ export class RakeWidget {
         if (before?.shape !== rake.shape) this.setCurve(rake);
         else if (before.chosen !== rake.chosen || before.color !== rake.color) this.setDots(rake);
         const { chosen, color, holder } = rake;
-        this.curve.setStyle({ color, widthPx: chosen ? 6 : 4, opacity: chosen ? 1 : 0.85, dashPx: holder === null ? 0 : 10 });
+        const dashPx = holder === null ? 0 : 10;
+        this.curve.setStyle(chosen ? { ...chosenStyle, color, dashPx } : { ...otherStyle, color, dashPx });
         this.ghost.setPoints(holder?.points === undefined ? [] : curveOf({ kind: rake.shape.kind, points: holder.points }));
-        this.ghost.setStyle({ color: holder?.color ?? color, widthPx: 5, opacity: 0.9, dashPx: 10 });
-        this.stem.setStyle({ color, widthPx: 3, opacity: 0.7, dashPx: 0 });
+        this.ghost.setStyle({ ...otherStyle, color: holder?.color ?? color, dashPx: 10 });
+        this.stem.setStyle({ ...otherStyle, color: '#ffffff', widthPx: 3, opacity: 0.7, dashPx: 0 });
     }
 
     /** While one is moved: the same rake, elsewhere. */
