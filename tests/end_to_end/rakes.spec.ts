@@ -2,7 +2,9 @@
 // is done must be under the pointer at once and in the server's records afterwards.
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import type { RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
+import WebSocket from 'ws';
+import type { Participant, RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
+import { subprotocol } from '../../web-client/src/protocol/version.ts';
 import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { dragHandle, type HandleName, takeHandle } from './support/rake_drag.ts';
 import { takeScriptTimes, timeScripts } from './support/script_time.ts';
@@ -414,24 +416,85 @@ describe('a polyline and a circle', () => {
     });
 });
 
+/** Somebody in the session whose page is this test. */
+class Ann {
+    private readonly socket: WebSocket;
+    /** What the page has told of what it drags. */
+    readonly told: ({ rake: string; points: Vec3[] } | null)[] = [];
+    private readonly answers = new Map<number, (result: { you?: string; error?: unknown }) => void>();
+    private calls = 0;
+
+    private constructor(socket: WebSocket) {
+        this.socket = socket;
+        socket.on('message', (data, binary) => {
+            if (binary) return;
+            const message = JSON.parse(String(data)) as { id?: number; method?: string; params?: { participants: Partial<Participant>[] } };
+            if (message.method === 'presence.patched') {
+                for (const { dragging } of message.params!.participants) if (dragging !== undefined) this.told.push(dragging);
+            }
+            this.answers.get(message.id ?? 0)?.(message as never);
+        });
+    }
+
+    static async join(): Promise<Ann> {
+        const address = new URL('/ws', server.link);
+        address.protocol = 'ws:';
+        const socket = new WebSocket(address, subprotocol, { headers: { Authorization: `Bearer ${server.token}` } });
+        await new Promise((resolve, reject) => socket.once('open', resolve).once('error', reject));
+        const ann = new Ann(socket);
+        await ann.call('session.join', { session, name: 'Ann', colour: '#cc79a7' });
+        return ann;
+    }
+
+    async call(method: string, params: object): Promise<void> {
+        const id = ++this.calls;
+        this.socket.send(JSON.stringify({ jsonrpc: '2.0', id, method, params }));
+        const { error } = await new Promise<{ error?: unknown }>((resolve) => this.answers.set(id, resolve));
+        expect(error).toBeUndefined();
+    }
+
+    leave(): void {
+        this.socket.terminate();
+    }
+}
+
 describe('a rake that somebody else moves', () => {
-    it('says who does, and cannot be taken meanwhile', async () => {
+    it('says who does, moves before the eyes, and cannot be taken meanwhile', async () => {
+        const ann = await Ann.join();
         const { rake, kind, points, seeds } = (await rakes())[0]!;
-        const theirs = points.map(([x, y, z]) => [x + 0.2, y, z] as Vec3);
+        const moved = (by: number): Vec3[] => points.map(([x, y, z]) => [x + by, y, z]);
         const handle = (await ask(page, (hook) => hook.handleOnScreen(0)))!;
-        await server.call('rake.set', { session, rake, kind, points: theirs, seeds, dragging: true });
-        await page.getByText('A script moves this', { exact: true }).waitFor();
-        await page.getByRole('button', { name: /A script moves it/ }).waitFor();
-        expect(await shown()).toEqual(theirs);
+        await ann.call('rake.set', { rake, kind, points: moved(0.2), seeds, dragging: true });
+        // Where her page has it at the moment, which may be ahead of the record.
+        await ann.call('presence.update', { dragging: { rake, points: moved(-0.9) } });
+        await page.getByText('Ann moves this', { exact: true }).waitFor();
+        await page.getByRole('button', { name: /Ann moves it/ }).waitFor();
+        await page.waitForFunction(() => window.wakesurf!.rakes[0]!.holder?.points !== undefined);
+        expect(await ask(page, (hook) => hook.rakes[0]!.holder)).toEqual({ name: 'Ann', color: '#cc79a7', points: moved(-0.9) });
+        const ends = await onScreen(moved(-0.9));
         await screenshot(page, 'rake-of-somebody');
+        // Dashed, so somewhere along it.
+        const along = [0.2, 0.21, 0.22, 0.23, 0.24, 0.25, 0.26, 0.27].map((part) => ({
+            x: ends[0]!.x + part * (ends[1]!.x - ends[0]!.x),
+            y: ends[0]!.y + part * (ends[1]!.y - ends[0]!.y),
+        }));
+        const seen = await page.evaluate((all) => window.wakesurf!.pixelsAt(all), along);
+        expect(seen.some(([r, g, b]) => r > 150 && g < 150 && b > 120)).toBe(true);
+
         await page.mouse.move(handle.x, handle.y);
         await page.mouse.down();
-        await page.mouse.move(handle.x + 30, handle.y, { steps: 3 });
+        await page.mouse.move(handle.x + 12, handle.y, { steps: 3 });
         await page.mouse.up();
-        expect(await shown()).toEqual(theirs);
-        await server.call('rake.set', { session, rake, kind, points: theirs, seeds, dragging: false });
-        await page.getByText('A script moves this', { exact: true }).waitFor({ state: 'hidden' });
-        await dragHandle(page, 0, 20, 10, 4);
-        expect((await recorded()).points).not.toEqual(theirs);
+        expect(await shown()).toEqual(moved(0.2));
+        await ann.call('rake.set', { rake, kind, points: moved(0.2), seeds, dragging: false });
+        await ann.call('presence.update', { dragging: null });
+        await page.getByText('Ann moves this', { exact: true }).waitFor({ state: 'hidden' });
+
+        await dragHandle(page, 0, 20, 10, 6);
+        expect((await recorded()).points).not.toEqual(moved(0.2));
+        // She was told meanwhile, and of the end.
+        await eventually(() => Promise.resolve(ann.told), (told) => told.length > 1 && told.at(-1) === null);
+        expect(ann.told[0]!.points).toHaveLength(2);
+        ann.leave();
     });
 });

@@ -58,21 +58,22 @@ void main() {
     float ring = kind > 3.5 ? 0.0 : max(1.5, px * 0.17) + lit;
     vec3 shade = mix(light, dark, within(r - px));
     bool plain = kind < 0.5 || kind > 3.5;
-    vec3 core = plain ? color : dark;
+    // What moves the whole is dark with a sign, what moves a point has the rake's colour.
+    vec3 core = plain ? color : mix(dark, color, 0.25);
     shade = mix(shade, core, within(px - ring - r));
     float arm = px * 0.42;
     if (kind > 0.5 && kind < 1.5) {
         float mark = max(bar(at, vec2(arm, 1.1)), bar(at, vec2(1.1, arm)));
-        shade = mix(shade, color, mark);
+        shade = mix(shade, vec3(1.0), mark);
     } else if (kind > 1.5 && kind < 2.5) {
         // Most of a circle, with an arrow's head at its open end.
         float arc = within(1.1 - abs(r - arm)) * (at.x > 0.0 && at.y < 0.0 ? 0.0 : 1.0);
         vec2 tip = at - vec2(0.0, -arm);
         float head = within(min(2.6 - abs(tip.y) - tip.x * 0.9, tip.x + 0.6));
-        shade = mix(shade, color, max(arc, head));
+        shade = mix(shade, vec3(1.0), max(arc, head));
     } else if (kind > 2.5 && kind < 3.5) {
         float flat_ring = abs(length(at * vec2(1.0, 2.2)) - arm * 1.1);
-        shade = mix(shade, color, max(within(1.3 - flat_ring * 0.7), bar(at, vec2(1.0, arm * 1.2))));
+        shade = mix(shade, vec3(1.0), max(within(1.3 - flat_ring * 0.7), bar(at, vec2(1.0, arm * 1.2))));
     }
     float covered = within(px + 1.5 - r);
     if (covered <= 0.0) discard;

@@ -55,7 +55,7 @@ export class RakeWidget {
         else if (before.chosen !== rake.chosen || before.color !== rake.color) this.setDots(rake);
         const { chosen, color, holder } = rake;
         const dashPx = holder === null ? 0 : 10;
-        this.curve.setStyle(chosen ? { ...chosenStyle, color, dashPx } : { ...otherStyle, color, dashPx });
+        this.curve.setStyle(chosen && holder === null ? { ...chosenStyle, color, dashPx } : { ...otherStyle, color, dashPx });
         this.ghost.setPoints(holder?.points === undefined ? [] : curveOf({ kind: rake.shape.kind, points: holder.points }));
         this.ghost.setStyle({ ...otherStyle, color: holder?.color ?? color, dashPx: 10 });
         this.stem.setStyle({ ...otherStyle, color: '#ffffff', widthPx: 3, opacity: 0.7, dashPx: 0 });
