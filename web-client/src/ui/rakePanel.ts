@@ -8,6 +8,7 @@ import { gripOf, type Handle } from '../scene/rake/rakeHandles.ts';
 import { asKind, circleOf, circleShape, withoutPoint, withPointAfter } from '../scene/rake/rakeShape.ts';
 import { gridStep, unitAxis } from '../scene/rake/snapping.ts';
 import { niceStep } from '../scene/ticks.ts';
+import { withUnit } from '../session/unitsInPicture.ts';
 import type { AppModel } from './appModel.ts';
 import { handleNameOf, handleRows } from './rakeRows.ts';
 import { rakePanelStyles } from './rakePanelStyles.ts';
@@ -60,7 +61,7 @@ export class RakePanel extends SignalElement {
         return html`
             ${this.shapeAndSeeds(shape.kind)}
             <div class="point heads" aria-hidden="true">
-                <span></span>${axes.map((axis) => html`<span>${axis}</span>`)}
+                <span></span>${axes.map((axis) => html`<span>${this.inUnits(axis)}</span>`)}
             </div>
             ${rows.map((row) => this.pointRow(row.handle, row.name))}
             ${shape.points.length > 12 ? this.pointChoice(shape.points.length) : nothing}
@@ -89,6 +90,10 @@ export class RakePanel extends SignalElement {
         const { state, scene } = this.model;
         const size = diagonal(state.dataset.value!.bounds);
         return scene.interaction.step ?? niceStep(size * (stepFractions[this.stepIndex.value] ?? 0.01));
+    }
+
+    private inUnits(words: string | number): string {
+        return withUnit(String(words), this.model.view.units.value.length);
     }
 
     private shapeAndSeeds(kind: RakeKind): TemplateResult {
@@ -182,7 +187,7 @@ export class RakePanel extends SignalElement {
             if (radius > 0) edits.setShape(circleShape({ ...circle, radius }));
             else this.requestUpdate();
         };
-        return html`<label class="pair-row">Radius
+        return html`<label class="pair-row">${this.inUnits('Radius')}
             <input type="number" id="radius" min="0" step="any"
                 .value=${String(Number(circle.radius.toPrecision(4)))} @change=${change} />
         </label>`;
@@ -201,7 +206,7 @@ export class RakePanel extends SignalElement {
                 <span>Move <strong>${name}</strong> by</span>
                 <select id="nudge-step" aria-label="Length of a step" ?disabled=${this.snapping.value}
                     @change=${(event: Event) => (this.stepIndex.value = Number((event.target as HTMLSelectElement).value))}>
-                    ${this.snapping.value ? html`<option .selected=${true}>${this.step}</option>` : this.stepChoices()}
+                    ${this.snapping.value ? html`<option .selected=${true}>${this.inUnits(this.step)}</option>` : this.stepChoices()}
                 </select>
             </div>
             <div class="nudges">
@@ -228,7 +233,9 @@ export class RakePanel extends SignalElement {
         const size = diagonal(this.model.state.dataset.value!.bounds);
         return stepFractions.map(
             (fraction, i) =>
-                html`<option value=${i} .selected=${i === this.stepIndex.value}>${niceStep(size * fraction)}</option>`,
+                html`<option value=${i} .selected=${i === this.stepIndex.value}>
+                    ${this.inUnits(niceStep(size * fraction))}
+                </option>`,
         );
     }
 
@@ -259,7 +266,7 @@ export class RakePanel extends SignalElement {
         };
         return html`<label class="check">
                 <input type="checkbox" id="snap" .checked=${this.snapping.value} @change=${change} />
-                Snap to a grid of ${step}
+                Snap to a grid of ${this.inUnits(step)}
             </label>
             <p class="hint">Shift while dragging keeps to an axis.</p>`;
     }

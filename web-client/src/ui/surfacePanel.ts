@@ -5,6 +5,7 @@ import { niceStep, shortNumber } from '../scene/ticks.ts';
 import { defaultLength } from '../session/defaults.ts';
 import { surfacesOf } from '../session/selection.ts';
 import type { SurfaceIntent } from '../session/surfaceIntent.ts';
+import { withUnit } from '../session/unitsInPicture.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
@@ -157,7 +158,7 @@ export class SurfacePanel extends SignalElement {
             </fieldset>
             <label class="row" for="length">
                 <span>Integration time</span>
-                <span class="value">${shortNumber(intent.length)}</span>
+                <span class="value">${this.time(intent.length)}</span>
             </label>
             <input
                 id="length"
@@ -169,7 +170,7 @@ export class SurfacePanel extends SignalElement {
                 @input=${this.lengthChanged}
             />
             <p class="quiet" ?hidden=${!cut}>
-                Followed for ${shortNumber(followed)}: there the data end.
+                Followed for ${this.time(followed)}: there the data end.
             </p>
             ${intent.kind === 'streak' ? this.release(intent, cut ? followed : intent.length) : ''}
             ${intent.kind === 'time' ? this.secondCurve(intent) : ''}
@@ -241,6 +242,14 @@ export class SurfacePanel extends SignalElement {
         </div>`;
     }
 
+    private time(value: number): string {
+        return withUnit(shortNumber(value), this.model.view.units.value.time);
+    }
+
+    private length(value: number): string {
+        return withUnit(shortNumber(value), this.model.view.units.value.length);
+    }
+
     private kindChoice(
         kind: SurfaceKind,
         label: string,
@@ -280,7 +289,7 @@ export class SurfacePanel extends SignalElement {
             </label>
             <label class="row" for="release-until">
                 <span>Release until</span>
-                <span class="value">t = ${shortNumber(from + sign * current)}</span>
+                <span class="value">t = ${this.time(from + sign * current)}</span>
             </label>
             <input
                 id="release-until"
@@ -320,11 +329,11 @@ export class SurfacePanel extends SignalElement {
     private separationChoices(spacing: number, current: number): TemplateResult[] {
         const choices = separations.map(({ factor, words }) => ({
             value: factor * spacing,
-            words: `${shortNumber(factor * spacing)}, ${words}`,
+            words: `${this.length(factor * spacing)}, ${words}`,
         }));
         const close = (value: number): boolean => Math.abs(value - current) <= 1e-6 * current;
         if (!choices.some(({ value }) => close(value))) {
-            choices.push({ value: current, words: shortNumber(current) });
+            choices.push({ value: current, words: this.length(current) });
         }
         return choices.map(
             ({ value, words }) =>
