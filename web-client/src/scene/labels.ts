@@ -29,7 +29,10 @@ export class Labels {
     }
 
     end(): void {
-        for (const label of this.pool.slice(this.used)) label.hidden = true;
+        for (const label of this.pool.slice(this.used)) {
+            label.hidden = true;
+            label.textContent = '';
+        }
     }
 
     dispose(): void {
