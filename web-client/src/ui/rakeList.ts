@@ -87,10 +87,6 @@ export class RakeList extends SignalElement {
                 border-radius: 6px;
                 background: var(--raised);
             }
-            button:disabled {
-                color: var(--quiet);
-                cursor: default;
-            }
             p {
                 margin: 6px 0 0;
                 color: var(--quiet);

@@ -84,10 +84,6 @@ export const rakePanelStyles = css`
         width: 100%;
         margin-top: 8px;
     }
-    button:disabled {
-        color: var(--quiet);
-        cursor: default;
-    }
     .check {
         display: flex;
         gap: 8px;

@@ -39,6 +39,10 @@ export const sharedStyles = css`
     button {
         cursor: pointer;
     }
+    button:disabled {
+        color: var(--quiet);
+        cursor: default;
+    }
     button:hover {
         border-color: var(--accent);
     }

@@ -108,10 +108,6 @@ export class SurfacePanel extends SignalElement {
                 margin: 0;
                 accent-color: var(--accent);
             }
-            button:disabled {
-                color: var(--quiet);
-                cursor: default;
-            }
             .sweep {
                 display: grid;
                 grid-template-columns: 42px repeat(3, 1fr);

@@ -34,7 +34,8 @@ void main() {
 }
 `;
 
-// Discs, rings and strokes by their distance in pixels: sharp at any size.
+// Discs, rings and strokes by their distance in pixels: sharp at any size. What moves the whole is dark with a sign (a cross,
+// most of a circle with an arrow's head, a ring seen aslant), what moves a point has the rake's colour.
 const fragmentShader = /* glsl */ `
 uniform vec3 color;
 varying float kind;
@@ -58,7 +59,6 @@ void main() {
     float ring = kind > 3.5 ? 0.0 : max(1.5, px * 0.17) + lit;
     vec3 shade = mix(light, dark, within(r - px));
     bool plain = kind < 0.5 || kind > 3.5;
-    // What moves the whole is dark with a sign, what moves a point has the rake's colour.
     vec3 core = plain ? color : mix(dark, color, 0.25);
     shade = mix(shade, core, within(px - ring - r));
     float arm = px * 0.42;
@@ -66,7 +66,6 @@ void main() {
         float mark = max(bar(at, vec2(arm, 1.1)), bar(at, vec2(1.1, arm)));
         shade = mix(shade, vec3(1.0), mark);
     } else if (kind > 1.5 && kind < 2.5) {
-        // Most of a circle, with an arrow's head at its open end.
         float arc = within(1.1 - abs(r - arm)) * (at.x > 0.0 && at.y < 0.0 ? 0.0 : 1.0);
         vec2 tip = at - vec2(0.0, -arm);
         float head = within(min(2.6 - abs(tip.y) - tip.x * 0.9, tip.x + 0.6));

@@ -17,6 +17,8 @@ import type { View } from '../view.ts';
 import { isOrthographic } from '../view.ts';
 import { distance } from './vec3.ts';
 
+// Lifted towards the eye, so that the surface that starts here does not hide half of it. What is behind the eye has no place on
+// the screen and is cut off just before. Half a width further at both ends fills the gaps at bends.
 const vertexShader = /* glsl */ `
 uniform vec2 size;
 uniform float width;
@@ -27,7 +29,6 @@ attribute vec3 to;
 varying float across;
 varying float along;
 
-// Towards the eye, so that the surface that starts here does not hide half of it.
 vec4 lifted(vec3 point) {
     vec4 seen = modelViewMatrix * vec4(point, 1.0);
     seen.xyz += (parallelRays ? vec3(0.0, 0.0, 1.0) : -normalize(seen.xyz)) * lift;
@@ -37,7 +38,6 @@ vec4 lifted(vec3 point) {
 void main() {
     vec4 a = lifted(from);
     vec4 b = lifted(to);
-    // What is behind the eye has no place on the screen: cut it off just before.
     float near = -0.001 * lift;
     if (!parallelRays) {
         if (a.z > near && b.z < near) a = mix(a, b, (near - a.z) / (b.z - a.z));
@@ -49,7 +49,6 @@ void main() {
     float px = length(direction);
     direction = px > 0.0 ? direction / px : vec2(1.0, 0.0);
     float end = position.x;
-    // Half a width further at both ends fills the gaps at bends.
     vec2 offset = vec2(-direction.y, direction.x) * position.y + direction * (end * 2.0 - 1.0) * 0.5;
     vec4 clip = end < 0.5 ? clipA : clipB;
     clip.xy += offset * width / size * clip.w;
