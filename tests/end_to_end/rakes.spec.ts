@@ -2,10 +2,9 @@
 // is done must be under the pointer at once and in the server's records afterwards.
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import WebSocket from 'ws';
-import type { Participant, RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { subprotocol } from '../../web-client/src/protocol/version.ts';
+import type { RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { Guest } from './support/guest.ts';
 import { dragHandle, type HandleName, takeHandle } from './support/rake_drag.ts';
 import { takeScriptTimes, timeScripts } from './support/script_time.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
@@ -416,51 +415,9 @@ describe('a polyline and a circle', () => {
     });
 });
 
-/** Somebody in the session whose page is this test. */
-class Ann {
-    private readonly socket: WebSocket;
-    /** What the page has told of what it drags. */
-    readonly told: ({ rake: string; points: Vec3[] } | null)[] = [];
-    private readonly answers = new Map<number, (result: { you?: string; error?: unknown }) => void>();
-    private calls = 0;
-
-    private constructor(socket: WebSocket) {
-        this.socket = socket;
-        socket.on('message', (data, binary) => {
-            if (binary) return;
-            const message = JSON.parse(String(data)) as { id?: number; method?: string; params?: { participants: Partial<Participant>[] } };
-            if (message.method === 'presence.patched') {
-                for (const { dragging } of message.params!.participants) if (dragging !== undefined) this.told.push(dragging);
-            }
-            this.answers.get(message.id ?? 0)?.(message as never);
-        });
-    }
-
-    static async join(): Promise<Ann> {
-        const address = new URL('/ws', server.link);
-        address.protocol = 'ws:';
-        const socket = new WebSocket(address, subprotocol, { headers: { Authorization: `Bearer ${server.token}` } });
-        await new Promise((resolve, reject) => socket.once('open', resolve).once('error', reject));
-        const ann = new Ann(socket);
-        await ann.call('session.join', { session, name: 'Ann', colour: '#cc79a7' });
-        return ann;
-    }
-
-    async call(method: string, params: object): Promise<void> {
-        const id = ++this.calls;
-        this.socket.send(JSON.stringify({ jsonrpc: '2.0', id, method, params }));
-        const { error } = await new Promise<{ error?: unknown }>((resolve) => this.answers.set(id, resolve));
-        expect(error).toBeUndefined();
-    }
-
-    leave(): void {
-        this.socket.terminate();
-    }
-}
-
 describe('a rake that somebody else moves', () => {
     it('says who does, moves before the eyes, and cannot be taken meanwhile', async () => {
-        const ann = await Ann.join();
+        const ann = await Guest.join(server, session, { name: 'Ann', colour: '#cc79a7' });
         const { rake, kind, points, seeds } = (await rakes())[0]!;
         const moved = (by: number): Vec3[] => points.map(([x, y, z]) => [x + by, y, z]);
         const handle = (await ask(page, (hook) => hook.handleOnScreen(0)))!;
