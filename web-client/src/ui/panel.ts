@@ -98,7 +98,7 @@ export class Panel extends SignalElement {
                 background: var(--ground);
                 border-left: 1px solid var(--line);
             }
-            header {
+            .head {
                 padding: 14px 16px 8px;
             }
             .title {
@@ -168,7 +168,7 @@ export class Panel extends SignalElement {
         const dataset = state.dataset.value;
         const chosen = tabs.find(({ id }) => id === this.chosen.value) ?? tabs[0]!;
         return html`
-            <header>
+            <div class="head">
                 <div class="title">
                     <h1>wakesurf</h1>
                     <wakesurf-help .model=${this.model}></wakesurf-help>
@@ -183,7 +183,7 @@ export class Panel extends SignalElement {
                 ${state.role.value === 'viewer'
                     ? html`<p class="quiet" id="role">This link is for looking on: it cannot change anything.</p>`
                     : nothing}
-            </header>
+            </div>
             <div role="tablist" aria-label="Settings" @keydown=${this.turn}>
                 ${tabs.map(({ id, label }) => this.tab(id, label, id === chosen.id))}
             </div>
