@@ -2,8 +2,10 @@
 // server has come.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
+import { rakeSteps, surfaceSteps } from '../session/panelSteps.ts';
 import type { AppModel } from './appModel.ts';
 import './bookmarksPanel.ts';
+import './copyAs.ts';
 import './helpDialog.ts';
 import './linksPanel.ts';
 import './notesPanel.ts';
@@ -36,11 +38,13 @@ const tabs: readonly Tab[] = [
             <section aria-labelledby="surface-head">
                 <h2 id="surface-head">Surface</h2>
                 <wakesurf-surface .model=${model}></wakesurf-surface>
+                <wakesurf-copy-as .model=${model} .calls=${() => surfaceSteps(model.state)}></wakesurf-copy-as>
             </section>
             <section aria-labelledby="rake-head">
                 <details open>
                     <summary><h2 id="rake-head">Geometry</h2></summary>
                     <wakesurf-rake .model=${model}></wakesurf-rake>
+                    <wakesurf-copy-as .model=${model} .calls=${() => rakeSteps(model.state)}></wakesurf-copy-as>
                 </details>
             </section>
         `,

@@ -1,0 +1,51 @@
+// A script for a shell that does what a panel shows, with curl, and jq where an id has to be passed on (protocol/README.md,
+// "A tour with curl").
+import { type CallStep, KeptId, type MeshStep, nounOf, ofSession, type ScriptPlace, type ScriptStep } from './scriptStep.ts';
+
+export function curlScript(place: ScriptPlace, steps: readonly ScriptStep[]): string {
+    const lines = [
+        '# The token is not in this text: put it into the environment first, as WAKESURF_TOKEN.',
+        `server=${quoted(place.server)}`,
+        'get() { curl -sS --fail-with-body -H "Authorization: Bearer ${WAKESURF_TOKEN-}" "$@"; }',
+    ];
+    if (steps.some((step) => !('mesh' in step))) {
+        lines.push(`rpc() { get "$server/rpc" -H 'Content-Type: application/json' -d "$1"; }`);
+    }
+    if (steps.some((step) => !('mesh' in step) && step.keep !== undefined)) {
+        lines.push(`id_of() { jq -er --arg noun "$1" '.result[$noun] // error(.error.message)'; }`);
+    }
+    for (const step of steps) lines.push('mesh' in step ? download(place, step) : call(place, step));
+    return `${lines.join('\n')}\n`;
+}
+
+function call(place: ScriptPlace, { method, params, keep }: CallStep): string {
+    const text = message(method, ofSession(method) ? { session: place.session, ...params } : params);
+    if (keep === undefined) return `rpc ${text}; echo`;
+    return `${keep}=$(rpc ${text} | id_of ${nounOf(method)})`;
+}
+
+/** One word of the shell: JSON in single quotes, and the variables that hold ids in double ones. */
+function message(method: string, params: object): string {
+    let word = '';
+    let json = `{"jsonrpc":"2.0","id":1,"method":${JSON.stringify(method)},"params":{`;
+    const given = Object.entries(params).filter(([, value]) => value !== undefined);
+    for (const [i, [name, value]] of given.entries()) {
+        json += `${i === 0 ? '' : ','}${JSON.stringify(name)}:`;
+        if (value instanceof KeptId) {
+            word += `${quoted(`${json}"`)}"$${value.name}"`;
+            json = '"';
+        } else json += JSON.stringify(value);
+    }
+    return word + quoted(`${json}}}`);
+}
+
+function download({ session }: ScriptPlace, { mesh, surface }: MeshStep): string {
+    const before = `/api/v1/sessions/${encodeURIComponent(session)}/surfaces/`;
+    const id = surface instanceof KeptId ? `"$${surface.name}"` : quoted(encodeURIComponent(surface));
+    return `get "$server"${quoted(before)}${id}/mesh.${mesh} -o surface.${mesh}`;
+}
+
+/** In single quotes a shell reads nothing but the end of them. */
+export function quoted(text: string): string {
+    return `'${text.replaceAll("'", `'\\''`)}'`;
+}

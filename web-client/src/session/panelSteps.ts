@@ -1,0 +1,39 @@
+// What the panels show, as the steps of a script that makes the same records anew.
+import type { RakeRecord, Vec3 } from '../protocol/messages.ts';
+import type { AppState } from '../state/appState.ts';
+import { type CallStep, KeptId, type MeshFormat, type ScriptStep } from './scriptStep.ts';
+
+/** The rake of the surface that is being worked on, as it is on the screen. */
+export function rakeSteps(state: AppState): ScriptStep[] {
+    const rake = state.rake.value;
+    return rake === undefined ? [] : [rakeStep(rake, state.rakePoints.value, 'rake')];
+}
+
+/** The surface that is being worked on, with what it hangs on. */
+export function surfaceSteps(state: AppState): ScriptStep[] {
+    const record = state.surface.value;
+    const second = state.rakes.value.get(record?.rake2 ?? '');
+    if (record === undefined || state.rake.value === undefined) return [];
+    const { surface: _surface, rev: _rev, epoch: _epoch, fields, ...asked } = record;
+    const params = {
+        ...asked,
+        rake: new KeptId('rake'),
+        ...(second === undefined ? {} : { rake2: new KeptId('rake2') }),
+        ...(fields === undefined || fields.length === 0 ? {} : { fields }),
+    };
+    return [
+        ...rakeSteps(state),
+        ...(second === undefined ? [] : [rakeStep(second, second.points, 'rake2')]),
+        { method: 'surface.set', params, keep: 'surface' },
+    ];
+}
+
+export function meshSteps(state: AppState, mesh: MeshFormat): ScriptStep[] {
+    const surface = state.activeSurface.value;
+    return surface === null ? [] : [{ mesh, surface }];
+}
+
+function rakeStep({ kind, seeds, name, colour }: RakeRecord, points: readonly Vec3[], keep: string): CallStep {
+    const shown = points.map((point) => [...point]);
+    return { method: 'rake.set', params: { kind, points: shown, seeds, name, colour }, keep };
+}

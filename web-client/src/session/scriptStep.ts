@@ -1,0 +1,47 @@
+// What a panel shows as calls of the server, for scripts that do the same: pythonScript.ts and curlScript.ts spell them.
+
+export type MeshFormat = 'vtp' | 'glb' | 'ply' | 'obj' | 'drc';
+
+/** The id that an earlier step of the script has answered, under the name it was kept as. */
+export class KeptId {
+    readonly name: string;
+
+    constructor(name: string) {
+        this.name = name;
+    }
+}
+
+export interface CallStep {
+    method: string;
+    /** As JSON has them, without `session`; at the top level a KeptId may stand for an id. */
+    params: object;
+    /** Keeps the member of the answer that is named like the record (`rake` of rake.set) under this name. */
+    keep?: string;
+}
+
+/** A download, in full precision, once the surface is final. */
+export interface MeshStep {
+    mesh: MeshFormat;
+    surface: KeptId | string;
+}
+
+export type ScriptStep = CallStep | MeshStep;
+
+/** Where a script runs. The token is no part of it: texts are pasted into chats and tickets. */
+export interface ScriptPlace {
+    /** Address of the server, with the prefix of a proxy. */
+    server: string;
+    session: string;
+}
+
+const sessionless: ReadonlySet<string> = new Set(['server', 'dataset', 'cache', 'probe', 'rpc']);
+
+/** Whether a method acts on a session, and takes its id. */
+export function ofSession(method: string): boolean {
+    return !sessionless.has(method.split('.')[0] ?? '') && !['session.create', 'session.list'].includes(method);
+}
+
+/** The noun of a method: what its answer calls the id of the record. */
+export function nounOf(method: string): string {
+    return method.split('.')[0] ?? '';
+}
