@@ -11,6 +11,7 @@ import { Measuring } from './session/measuring.ts';
 import { Noting } from './session/noting.ts';
 import { People } from './session/people.ts';
 import { showPeople } from './session/peopleInPicture.ts';
+import { Playback } from './session/playback.ts';
 import { Pointing } from './session/pointing.ts';
 import { Probing } from './session/probing.ts';
 import { showRakes } from './session/rakeScene.ts';
@@ -91,6 +92,7 @@ function start(app: App): void {
     const views = new Views({ state, view, scene, url });
     const controller = new SessionController({ state, scene, worker, edits, feed, people, progress, url, views });
     const clock = new ClockControl({ state, worker, requestFrame: scene.loop.request });
+    const playback = new Playback({ state, edits, clock });
     scene.loop.beforeFrame(() => edits.flush());
     scene.loop.beforeFrame(() => clock.flush());
     scene.loop.beforeFrame(() => probing.flush());
@@ -98,7 +100,7 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => feed.apply());
     showRakes(state, view, scene);
     installTestHook({ state, scene, latency, canvas });
-    const model: AppModel = { state, view, edits, clock, people, scene, worker, calls, views, probing, progress, rename: (name) => controller.rename(name), retryNow: () => worker.retryNow() };
+    const model: AppModel = { state, view, edits, clock, playback, people, scene, worker, calls, views, probing, progress, rename: (name) => controller.rename(name), retryNow: () => worker.retryNow() };
     listenForViewKeys(model);
     listenForUndoKeys(edits);
     app.begin(model);

@@ -28,7 +28,7 @@ describe('ClockControl', () => {
 
     it('plays and pauses', async () => {
         const { calls, clock } = bench();
-        await clock.play(0.5);
+        await clock.play({ speed: 0.5, loop: true });
         await clock.pause();
         expect(calls).toEqual([
             ['time.play', { speed: 0.5, loop: true }],

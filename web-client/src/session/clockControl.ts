@@ -1,5 +1,6 @@
 // The session's clock, which all participants share: play, pause, and the newest place of the slider.
 import { EditWindow } from '../connection/editWindow.ts';
+import type { ParamsOf } from '../protocol/messages.ts';
 import type { AppState } from '../state/appState.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
 
@@ -11,7 +12,7 @@ export interface ClockControlOptions {
 
 export class ClockControl {
     private readonly options: ClockControlOptions;
-    private readonly window: EditWindow<number>;
+    private readonly window: EditWindow<number | null>;
 
     constructor(options: ClockControlOptions) {
         this.options = options;
@@ -28,14 +29,14 @@ export class ClockControl {
     }
 
     /** Of the times of one frame only the newest is sent. The control follows at once. */
-    set(time: number): void {
+    set(time: number | null): void {
         const { clock } = this.options.state;
         if (clock.value !== null) clock.value = { ...clock.value, time };
         this.window.submit(time);
     }
 
-    async play(speed: number): Promise<void> {
-        await this.send(() => this.options.worker.call('time.play', { speed, loop: true }));
+    async play(how: ParamsOf<'time.play'>): Promise<void> {
+        await this.send(() => this.options.worker.call('time.play', how));
     }
 
     async pause(): Promise<void> {

@@ -28,6 +28,16 @@ export function surfaceSteps(state: AppState): ScriptStep[] {
     ];
 }
 
+/** When the picture is of. */
+export function timeSteps(state: AppState): ScriptStep[] {
+    const clock = state.clock.value;
+    const record = state.surface.value;
+    if (clock === null || record === undefined || record.kind === 'stream') return surfaceSteps(state);
+    if (!clock.playing) return [{ method: 'time.set', params: { time: clock.time } }];
+    const { speed, loop, from, to } = clock;
+    return [{ method: 'time.play', params: { speed, loop, from: from ?? undefined, to: to ?? undefined } }];
+}
+
 export function meshSteps(state: AppState, mesh: MeshFormat): ScriptStep[] {
     const surface = state.activeSurface.value;
     return surface === null ? [] : [{ mesh, surface }];

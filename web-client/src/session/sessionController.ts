@@ -20,6 +20,7 @@ import type { Edits } from './edits.ts';
 import type { People } from './people.ts';
 import { settingAnew } from './surfaceIntent.ts';
 import { adoptSnapshot, applyPatches } from './recordMirror.ts';
+import { StepStates } from './stepStates.ts';
 import type { SurfaceProgress } from './surfaceProgress.ts';
 import type { SurfaceFeed } from './surfaceFeed.ts';
 import type { UrlState } from './urlState.ts';
@@ -51,6 +52,7 @@ interface Remembered {
 
 export class SessionController {
     private readonly options: SessionControllerOptions;
+    private readonly stepStates: StepStates;
     private session: string | null;
     private resumeToken: string | undefined;
     /** Counts connections; what an earlier one began must not go on in the next. */
@@ -60,6 +62,7 @@ export class SessionController {
 
     constructor(options: SessionControllerOptions) {
         this.options = options;
+        this.stepStates = new StepStates(options.state, options.worker);
         this.session = options.url.session;
     }
 
@@ -185,6 +188,7 @@ export class SessionController {
         const known = state.dataset.value;
         const description = await worker.call('dataset.describe', { dataset });
         state.dataset.value = description;
+        void this.stepStates.load(dataset);
         scene.setRange(state.speedRange.value);
         if (known?.dataset === dataset) return;
         scene.setDomain(description.bounds);
@@ -325,6 +329,9 @@ export class SessionController {
                 break;
             case 'presence.patched':
                 this.options.people.patched(notification.participants, notification.left);
+                break;
+            case 'cache.patched':
+                this.stepStates.patched(notification.dataset, notification.changes);
                 break;
             case 'surface.progress':
                 feed.progressed(notification.surface, notification.epoch, notification.seconds);

@@ -3,6 +3,7 @@ import type { Calls } from '../session/calls.ts';
 import type { ClockControl } from '../session/clockControl.ts';
 import type { Edits } from '../session/edits.ts';
 import type { People } from '../session/people.ts';
+import type { Playback } from '../session/playback.ts';
 import type { Probing } from '../session/probing.ts';
 import type { SurfaceProgress } from '../session/surfaceProgress.ts';
 import type { Views } from '../session/views.ts';
@@ -16,6 +17,7 @@ export interface AppModel {
     view: ViewState;
     edits: Edits;
     clock: ClockControl;
+    playback: Playback;
     people: People;
     scene: FlowScene;
     worker: Pick<WorkerClient, 'call'>;

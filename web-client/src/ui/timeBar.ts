@@ -1,18 +1,22 @@
-// The time of the data: one stop of the slider for every time-step that is ready. Below it, for surfaces that move,
-// the session's clock: when of their life they are shown.
-import { css, html, nothing, type TemplateResult } from 'lit';
-import type { ClockRecord, SurfaceKind } from '../protocol/messages.ts';
+// Below the picture: when it is of, how that runs, and the timeline.
+import { css, html, noChange, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
+import type { SurfaceKind } from '../protocol/messages.ts';
 import { shortNumber } from '../scene/ticks.ts';
+import { timeSteps } from '../session/panelSteps.ts';
+import { residentWords } from '../session/timeSteps.ts';
 import type { AppModel } from './appModel.ts';
+import './copyAs.ts';
+import { icon } from './icons.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
+import { focusedElement, timeKey } from './timeKeys.ts';
+import './timeline.ts';
 
-const clockStops = 200;
-const secondsToPlay = 10;
+const speeds = [0.1, 0.25, 0.5, 1, 2, 4];
 
-/** What the time of the slider is for a surface of each kind. */
-const meanings: Record<SurfaceKind, string> = {
-    stream: 'frozen at',
+/** What the release is to a surface of each kind. */
+const released: Record<Exclude<SurfaceKind, 'stream'>, string> = {
     path: 'released at',
     streak: 'released from',
     time: 'released at',
@@ -21,133 +25,237 @@ const meanings: Record<SurfaceKind, string> = {
 export class TimeBar extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: AppModel;
+    /** What is being typed must not be overwritten by the time that passes. */
+    private typing = false;
 
     static override styles = [
         sharedStyles,
         css`
             :host {
-                display: grid;
-                grid-template-columns: auto auto 1fr auto auto;
-                align-items: center;
-                gap: 10px;
-                padding: 8px 16px;
+                display: block;
+                padding: 6px 10px 4px;
                 background: var(--ground);
                 border-top: 1px solid var(--line);
             }
-            button {
-                width: 40px; /* the same for all that may stand in it, or the sliders would jump */
-                padding-inline: 0;
+            .row {
+                display: flex;
+                flex-wrap: wrap;
+                align-items: center;
+                gap: 4px 12px;
+                min-height: 28px;
             }
-            .clock {
-                display: contents;
+            .buttons {
+                display: flex;
+                gap: 3px;
             }
-            .clock input {
-                grid-column: 3 / 5;
+            .buttons button {
+                display: grid;
+                place-content: center;
+                width: 32px;
+                padding: 0;
             }
-            output {
-                min-width: 12ch;
+            button:disabled {
+                opacity: 0.45;
+                cursor: default;
+            }
+            [aria-pressed='true'] {
+                border-color: var(--accent);
+                color: var(--accent);
+            }
+            #speed {
+                width: 132px;
+            }
+            input[type='number'] {
+                width: 84px;
+                text-align: right;
                 font-variant-numeric: tabular-nums;
             }
-            .quiet {
+            label {
+                display: flex;
+                align-items: center;
+                gap: 6px;
+            }
+            .words {
+                font-variant-numeric: tabular-nums;
+            }
+            .quiet,
+            .below {
                 color: var(--quiet);
+                font-size: 12px;
+            }
+            .below {
+                justify-content: space-between;
+                min-height: 24px;
+            }
+            .legend {
+                display: flex;
+                flex-wrap: wrap;
+                gap: 2px 12px;
+            }
+            .legend svg {
+                margin-right: 4px;
+                vertical-align: -1px;
+            }
+            .legend rect {
+                fill: none;
+                stroke: currentColor;
+            }
+            .legend path {
+                fill: currentColor;
+            }
+            wakesurf-copy-as {
+                margin: 0;
             }
         `,
     ];
 
+    override connectedCallback(): void {
+        super.connectedCallback();
+        addEventListener('keydown', this.keyed);
+    }
+
+    override disconnectedCallback(): void {
+        super.disconnectedCallback();
+        removeEventListener('keydown', this.keyed);
+    }
+
     override render(): TemplateResult {
-        const { state, edits } = this.model;
-        const times = state.times.value;
-        const intent = edits.intent.value;
-        const index = nearestIndex(times, intent?.from ?? 0);
-        const still = intent === null || times.length < 2;
-        const meaning = meanings[intent?.kind ?? 'stream'];
+        const { playback } = this.model;
+        const viewer = this.model.state.role.value === 'viewer';
+        const none = playback.mode.value === 'none';
         return html`
-            <label for="time">Time</label>
-            <button
-                type="button"
-                aria-label="Previous time-step"
-                ?disabled=${still || index === 0}
-                @click=${() => this.choose(index - 1)}
-            >
-                ‹
-            </button>
-            <input
-                id="time"
-                type="range"
-                min="0"
-                max=${Math.max(1, times.length - 1)}
-                step="1"
-                ?disabled=${still}
-                .value=${String(index)}
-                aria-valuetext=${`time ${shortNumber(times[index] ?? 0)}`}
-                @input=${(event: Event) => this.choose((event.target as HTMLInputElement).valueAsNumber)}
-            />
-            <button
-                type="button"
-                aria-label="Next time-step"
-                ?disabled=${still || index >= times.length - 1}
-                @click=${() => this.choose(index + 1)}
-            >
-                ›
-            </button>
-            <output for="time"
-                ><span class="quiet">${meaning}</span> t = ${shortNumber(intent?.from ?? Number.NaN)}</output
-            >
-            ${this.clock()}
+            <div class="row">
+                ${this.buttons(viewer || none)} ${this.speed(viewer || none)}
+                <label for="go-to"
+                    ><span class="quiet">${playback.mode.value === 'clock' ? 'shown' : 'frozen'} at</span>
+                    <input
+                        id="go-to"
+                        type="number"
+                        step="any"
+                        aria-label=${playback.mode.value === 'clock' ? 'Shown at time' : 'Frozen at time'}
+                        ?disabled=${viewer || none}
+                        .value=${this.typing ? noChange : live(numberText(playback.time.value))}
+                        @focus=${() => (this.typing = true)}
+                        @blur=${this.left}
+                        @change=${this.typed}
+                    />
+                </label>
+                <span class="words">${this.meaning()}</span>
+            </div>
+            <wakesurf-timeline .model=${this.model}></wakesurf-timeline>
+            <div class="row below">
+                ${this.legend()}
+                <wakesurf-copy-as .model=${this.model} .calls=${() => timeSteps(this.model.state)}></wakesurf-copy-as>
+            </div>
         `;
     }
 
-    /** Only for what the clock moves, and where the server has one. */
-    private clock(): TemplateResult | typeof nothing {
-        const { state, clock } = this.model;
-        const record = state.clock.value;
-        const intent = this.model.edits.intent.value;
-        if (record === null || intent === null || intent.kind === 'stream') return nothing;
-        const [from, to] = [record.from ?? intent.from, record.to ?? intent.from + intent.length];
-        const time = this.shownTime(record) ?? to;
-        const speed = record.from === null ? (to - from) / secondsToPlay : record.speed;
-        return html`<div class="clock">
-            <label for="clock">Shown at</label>
-            <button
-                type="button"
-                aria-label=${record.playing ? 'Pause' : 'Play'}
-                @click=${() => (record.playing ? clock.pause() : clock.play(speed))}
-            >
-                ${record.playing ? '❚❚' : '▶'}
-            </button>
-            <input
-                id="clock"
-                type="range"
-                min=${from}
-                max=${to}
-                step=${(to - from) / clockStops}
-                .value=${String(time)}
-                aria-valuetext=${`time ${shortNumber(time)}`}
-                @input=${(event: Event) => clock.set((event.target as HTMLInputElement).valueAsNumber)}
-            />
-            <output for="clock">t = ${shortNumber(time)}</output>
+    private buttons(disabled: boolean): TemplateResult {
+        const { playback } = this.model;
+        const playing = playback.playing.value;
+        const button = (words: string, keys: string, sign: TemplateResult, action: () => unknown): TemplateResult =>
+            html`<button type="button" aria-label=${words} title=${keys} ?disabled=${disabled} @click=${action}>${sign}</button>`;
+        return html`<div class="buttons" role="group" aria-label="Time controls">
+            ${button('To the start', 'To the start', icon('start'), () => playback.toEnd(-1))}
+            ${button('Previous time-step', 'One time-step back: ,', icon('back'), () => playback.step(-1))}
+            ${playing
+                ? button('Pause', 'Pause: space', icon('pause'), () => playback.toggle())
+                : button('Play', 'Play: space', icon('play'), () => playback.toggle())}
+            ${button('Next time-step', 'One time-step on: .', icon('forward'), () => playback.step(1))}
+            ${button('To the end', 'To the end', icon('end'), () => playback.toEnd(1))}
         </div>`;
     }
 
-    /** While the clock runs, that of the surface on the screen. */
-    private shownTime(record: ClockRecord): number | null {
-        const { state } = this.model;
-        const displayed = state.displayed.value.get(state.activeSurface.value ?? '');
-        return record.playing && displayed !== undefined ? displayed.time : record.time;
+    private speed(disabled: boolean): TemplateResult {
+        const { playback } = this.model;
+        const normal = playback.normalSpeed.value;
+        const factor = playback.speed.value / normal;
+        const close = (each: number): boolean => Math.abs(each - factor) < 1e-3 * each;
+        const choices = speeds.some(close) || !Number.isFinite(factor) ? speeds : [...speeds, factor];
+        const loop = playback.loop.value;
+        return html`<select
+                id="speed"
+                aria-label="Speed"
+                title="How much time of the data passes in a second"
+                ?disabled=${disabled}
+                @change=${this.speedChosen}
+            >
+                ${choices.map(
+                    (each) =>
+                        html`<option value=${each} .selected=${close(each)}>
+                            ${shortNumber(each)}× (${shortNumber(each * normal)} per s)
+                        </option>`,
+                )}
+            </select>
+            <button
+                type="button"
+                aria-pressed=${loop ? 'true' : 'false'}
+                title="At the end, begin again"
+                ?disabled=${disabled}
+                @click=${() => playback.setLoop(!loop)}
+            >
+                Loop
+            </button>`;
     }
 
-    private choose(index: number): void {
-        const from = this.model.state.times.value[index];
-        if (from !== undefined) this.model.edits.changeSurface({ from });
+    /** When the surface is released, or why nothing plays. */
+    private meaning(): TemplateResult | typeof nothing {
+        const { playback, edits, state } = this.model;
+        const intent = edits.intent.value;
+        if (intent === null) return nothing;
+        if (intent.kind === 'stream') {
+            return playback.mode.value === 'none'
+                ? html`<span class="quiet">The data have one time-step: nothing to play.</span>`
+                : nothing;
+        }
+        const until = intent.kind === 'streak' ? state.surface.value?.releaseUntil : undefined;
+        const end = until === undefined ? nothing : html` <span class="quiet">to</span> ${shortNumber(until)}`;
+        return html`<span class="quiet">${released[intent.kind]}</span> ${shortNumber(intent.from)}${end}`;
+    }
+
+    private legend(): TemplateResult {
+        const states = this.model.state.stepStates.value;
+        if (states.length === 0) return html`<span></span>`;
+        const sign = (fill: string): TemplateResult =>
+            html`<svg width="9" height="11" viewBox="0 0 9 11" aria-hidden="true">
+                <path d=${fill} />
+                <rect x="0.5" y="0.5" width="8" height="10" />
+            </svg>`;
+        return html`<span class="legend">
+            <span id="resident">${residentWords(states)}</span>
+            <span aria-hidden="true">${sign('M0 0h9v11h-9z')}in memory</span>
+            <span aria-hidden="true">${sign('M0 5.5h9v5.5h-9z')}loading</span>
+            <span aria-hidden="true">${sign('')}on disk</span>
+        </span>`;
+    }
+
+    private readonly keyed = (event: KeyboardEvent): void => {
+        const { playback, state } = this.model;
+        const key = timeKey(event, focusedElement(event.composedPath()));
+        if (key === null || playback.mode.value === 'none' || state.role.value === 'viewer') return;
+        event.preventDefault();
+        if (key === 'toggle') void playback.toggle();
+        else void playback.step(key === 'forward' ? 1 : -1);
+    };
+
+    private typed(event: Event): void {
+        this.typing = false;
+        this.model.playback.goTo((event.target as HTMLInputElement).valueAsNumber);
+        this.requestUpdate();
+    }
+
+    private left(): void {
+        this.typing = false;
+        this.requestUpdate();
+    }
+
+    private speedChosen(event: Event): void {
+        void this.model.playback.setSpeed(Number((event.target as HTMLSelectElement).value));
     }
 }
 
-function nearestIndex(times: readonly number[], time: number): number {
-    let nearest = 0;
-    times.forEach((t, i) => {
-        if (Math.abs(t - time) < Math.abs((times[nearest] ?? 0) - time)) nearest = i;
-    });
-    return nearest;
+function numberText(time: number): string {
+    return Number.isFinite(time) ? String(Number(time.toPrecision(6))) : '';
 }
 
 customElements.define('wakesurf-time-bar', TimeBar);

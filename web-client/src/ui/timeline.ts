@@ -1,0 +1,204 @@
+// The time of the data as a line: its time-steps with what of them is in the server's memory, the part that the surface covers,
+// and two handles: above, when the picture is of; below, when the surface is released.
+import { html, nothing, svg, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
+import { signal } from '@preact/signals-core';
+import type { StepState, SurfaceRecord } from '../protocol/messages.ts';
+import { niceTicks, shortNumber } from '../scene/ticks.ts';
+import { type Span, type StepMark, stepMarks, timelineSpan } from '../session/timeSteps.ts';
+import type { AppModel } from './appModel.ts';
+import { sharedStyles } from './sharedStyles.ts';
+import { SignalElement } from './signalElement.ts';
+import { timelineStyles } from './timelineStyles.ts';
+
+const pxPerTick = 64;
+const marksAtMost = 240;
+const pageOfSteps = 5;
+
+export class Timeline extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    private readonly width = signal(600);
+    private readonly resized = new ResizeObserver(([entry]) => {
+        if (entry !== undefined && entry.contentRect.width > 0) this.width.value = entry.contentRect.width;
+    });
+
+    static override styles = [sharedStyles, timelineStyles];
+
+    override connectedCallback(): void {
+        super.connectedCallback();
+        this.resized.observe(this);
+    }
+
+    override disconnectedCallback(): void {
+        super.disconnectedCallback();
+        this.resized.disconnect();
+    }
+
+    override render(): TemplateResult {
+        const { playback, state } = this.model;
+        const moving = playback.mode.value === 'clock';
+        const times = state.times.value;
+        const surface = moving ? playback.span.value : null;
+        const line = timelineSpan(times, surface);
+        const at = (time: number): string => `${((100 * (time - line[0])) / (line[1] - line[0])).toFixed(3)}%`;
+        const ticks = niceTicks(line[0], line[1], this.width.value / pxPerTick);
+        const { time } = playback;
+        return html`
+            <svg class="picture" aria-hidden="true">
+                <rect class="line" x="0" width="100%" y="9" height="2" />
+                ${surface === null ? nothing : this.surfaceBand(surface, at)}
+                ${Number.isFinite(time.value)
+                    ? svg`<line class="now" x1=${at(time.value)} x2=${at(time.value)} y1="10" y2="34" />`
+                    : nothing}
+                ${stepMarks(state.stepStates.value, marksAtMost).map((mark) => this.mark(mark, at))}
+                ${ticks.map(({ value, label }) => svg`<text x=${at(value)} y="49">${label}</text>`)}
+            </svg>
+            ${moving ? this.clockSlider(line) : this.frozenSlider(line)} ${moving ? this.releaseSlider(line) : nothing}
+        `;
+    }
+
+    /** Released in the full part; in the pale one what was released moves on. */
+    private surfaceBand(surface: Span, at: (time: number) => string): TemplateResult {
+        const released = releaseEnd(this.model.state.surface.value, surface);
+        const width = (low: number, high: number): string => `${Math.max(0, parseFloat(at(high)) - parseFloat(at(low)))}%`;
+        return svg`
+            <rect class="shown" x=${at(surface[0])} width=${width(...surface)} y="6" height="8" rx="2" />
+            <rect class="released" x=${at(surface[0])} width=${width(surface[0], released)} y="6" height="8" rx="2" />
+            ${released < surface[1] && released > surface[0]
+                ? svg`<line class="release-end" x1=${at(released)} x2=${at(released)} y1="3" y2="17" />`
+                : nothing}`;
+    }
+
+    /** Full in memory, half while it is loaded, hollow on the disk. */
+    private mark({ first, last, state }: StepMark, at: (time: number) => string): TemplateResult {
+        const times = this.model.state.dataset.value?.times ?? [];
+        const [low, high] = [parseFloat(at(times[first] ?? 0)), parseFloat(at(times[last] ?? 0))];
+        const width = Math.min(1.2, (0.7 * 100) / Math.max(1, times.length));
+        const [x, across] = [`${(low - width / 2).toFixed(3)}%`, `${(high - low + width).toFixed(3)}%`];
+        return svg`<g data-step=${first} data-state=${state}>
+            <rect class="hollow" x=${x} width=${across} y="23.5" height="9" />
+            ${fills[state] === 0
+                ? nothing
+                : svg`<rect class="filled" x=${x} width=${across} y=${33 - fills[state]} height=${fills[state]} />`}
+        </g>`;
+    }
+
+    private clockSlider(line: Span): TemplateResult {
+        const { playback } = this.model;
+        return html`<input
+            id="clock"
+            class="now-handle"
+            type="range"
+            min=${line[0]}
+            max=${line[1]}
+            step="any"
+            ?disabled=${this.mayNot}
+            .value=${live(String(playback.time.value))}
+            aria-label="Shown at"
+            aria-valuetext=${`shown at ${shortNumber(playback.time.value)}`}
+            @input=${this.scrubbed}
+            @keydown=${this.keyed}
+        />`;
+    }
+
+    private frozenSlider(line: Span): TemplateResult {
+        const { playback } = this.model;
+        const time = playback.time.value;
+        return html`<input
+            id="time"
+            class="now-handle"
+            type="range"
+            min=${line[0]}
+            max=${line[1]}
+            step="any"
+            ?disabled=${this.mayNot || playback.mode.value === 'none'}
+            .value=${live(String(Number.isFinite(time) ? time : line[0]))}
+            aria-label="Time of the frozen field"
+            aria-valuetext=${`frozen at ${shortNumber(time)}`}
+            @input=${this.scrubbed}
+            @keydown=${this.keyed}
+        />`;
+    }
+
+    private releaseSlider(line: Span): TemplateResult {
+        const { playback, edits, state } = this.model;
+        const from = edits.intent.value?.from ?? line[0];
+        return html`<input
+            id="time"
+            class="release-handle"
+            type="range"
+            min=${line[0]}
+            max=${line[1]}
+            step="any"
+            ?disabled=${this.mayNot || state.times.value.length < 2}
+            .value=${live(String(from))}
+            aria-label="Release"
+            aria-valuetext=${`released at ${shortNumber(from)}`}
+            title="When the surface is released: drag"
+            @input=${(event: Event) => {
+                playback.release(valueOf(event));
+                this.requestUpdate();
+            }}
+            @keydown=${this.releaseKeyed}
+        />`;
+    }
+
+    private get mayNot(): boolean {
+        return this.model.state.role.value === 'viewer';
+    }
+
+    private scrubbed(event: Event): void {
+        this.model.playback.goTo(valueOf(event));
+        // The handle goes back to where it may be.
+        this.requestUpdate();
+    }
+
+    /** Arrow keys go by time-steps: what a slider does by itself is a hundredth of the whole. */
+    private keyed(event: KeyboardEvent): void {
+        const { playback } = this.model;
+        const steps = stepsOf(event.key);
+        if (steps !== 0) {
+            event.preventDefault();
+            void (async () => {
+                for (let i = 0; i < Math.abs(steps); ++i) await playback.step(steps > 0 ? 1 : -1);
+            })();
+        } else if (event.key === 'Home' || event.key === 'End') {
+            event.preventDefault();
+            void playback.toEnd(event.key === 'End' ? 1 : -1);
+        }
+    }
+
+    private releaseKeyed(event: KeyboardEvent): void {
+        const { playback, state, edits } = this.model;
+        const times = state.times.value;
+        const index = times.indexOf(edits.intent.value?.from ?? Number.NaN);
+        const ends: Record<string, number> = { Home: 0, End: times.length - 1 };
+        const to = ends[event.key] ?? index + stepsOf(event.key);
+        if (stepsOf(event.key) === 0 && ends[event.key] === undefined) return;
+        event.preventDefault();
+        const time = times[Math.min(times.length - 1, Math.max(0, to))];
+        if (time !== undefined) playback.release(time);
+    }
+}
+
+const fills: Record<StepState, number> = { resident: 10, loading: 5, cold: 0 };
+
+function releaseEnd(record: SurfaceRecord | undefined, [from, to]: Span): number {
+    if (record?.kind !== 'streak') return from;
+    return record.releaseUntil ?? to;
+}
+
+function stepsOf(key: string): number {
+    const steps: Record<string, number> = {
+        ...{ ArrowRight: 1, ArrowUp: 1, PageUp: pageOfSteps },
+        ...{ ArrowLeft: -1, ArrowDown: -1, PageDown: -pageOfSteps },
+    };
+    return steps[key] ?? 0;
+}
+
+function valueOf(event: Event): number {
+    return (event.target as HTMLInputElement).valueAsNumber;
+}
+
+customElements.define('wakesurf-timeline', Timeline);
