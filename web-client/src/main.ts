@@ -6,6 +6,9 @@ import type { ScreenPoint } from './scene/view.ts';
 import { Calls } from './session/calls.ts';
 import { ClockControl } from './session/clockControl.ts';
 import { Edits } from './session/edits.ts';
+import { Figure } from './session/figure.ts';
+import { FilmMaker } from './session/film.ts';
+import { MeshDownload } from './session/meshDownload.ts';
 import { showMarks } from './session/marksInPicture.ts';
 import { Measuring } from './session/measuring.ts';
 import { Noting } from './session/noting.ts';
@@ -93,6 +96,9 @@ function start(app: App): void {
     const controller = new SessionController({ state, scene, worker, edits, feed, people, progress, url, views });
     const clock = new ClockControl({ state, worker, requestFrame: scene.loop.request });
     const playback = new Playback({ state, edits, clock });
+    const figure = new Figure(scene, () => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null);
+    const film = new FilmMaker({ state, worker, edits, playback, figure });
+    const mesh = new MeshDownload(baseUrl());
     scene.loop.beforeFrame(() => edits.flush());
     scene.loop.beforeFrame(() => clock.flush());
     scene.loop.beforeFrame(() => probing.flush());
@@ -100,7 +106,11 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => feed.apply());
     showRakes(state, view, scene);
     installTestHook({ state, scene, latency, canvas });
-    const model: AppModel = { state, view, edits, clock, playback, people, scene, worker, calls, views, probing, progress, rename: (name) => controller.rename(name), retryNow: () => worker.retryNow() };
+    const model: AppModel = {
+        ...{ state, view, edits, clock, playback, people, scene, worker, calls, views, probing, progress, figure, film, mesh },
+        rename: (name) => controller.rename(name),
+        retryNow: () => worker.retryNow(),
+    };
     listenForViewKeys(model);
     listenForUndoKeys(edits);
     app.begin(model);

@@ -1,6 +1,6 @@
 // The picture: surfaces, rake, domain and body, drawn on demand. Knows nothing of the server; session/ feeds it and listens
 // to it.
-import { type Mesh, Scene, WebGLRenderer } from 'three';
+import { type Color, type Mesh, Scene, WebGLRenderer } from 'three';
 import type { Vec3 } from '../protocol/messages.ts';
 import { CameraControls } from './camera/cameraControls.ts';
 import type { Bounds } from './domain/domainAxes.ts';
@@ -53,6 +53,8 @@ export class FlowScene {
     private readonly afterNextFrame: ((time: number) => void)[] = [];
     private theme: 'dark' | 'light' = 'dark';
     private unit = '';
+    /** While a figure is drawn, which has another size than the canvas. */
+    private figureSize: ScreenSize | null = null;
     private outline: DomainOutline | null = null;
     private obstacle: Mesh | null = null;
 
@@ -86,7 +88,7 @@ export class FlowScene {
     }
 
     get size(): ScreenSize {
-        return { width: this.canvas.clientWidth, height: this.canvas.clientHeight };
+        return this.figureSize ?? { width: this.canvas.clientWidth, height: this.canvas.clientHeight };
     }
 
     /** Camera and canvas as they are now. */
@@ -197,6 +199,32 @@ export class FlowScene {
         const pixels = new Uint8Array(width * height * 4);
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
         return { width, height, pixels };
+    }
+
+    /**
+     * For capture.ts: as if the canvas were of this size, with so many pixels for one of CSS, without what is not for
+     * figures. `use` may draw before several backgrounds; the drawing is gone when it returns.
+     */
+    drawAside<T>(size: ScreenSize, pixelRatio: number, leftOut: (layer: Layer) => boolean, use: (draw: (background: Color | null) => void) => T): T {
+        const { renderer, scene } = this;
+        const [ratioBefore, backgroundBefore] = [renderer.getPixelRatio(), scene.background];
+        const hidden = this.layers.filter((layer) => layer.object.visible && leftOut(layer));
+        for (const { object } of hidden) object.visible = false;
+        this.figureSize = size;
+        renderer.setDrawingBufferSize(size.width, size.height, pixelRatio);
+        this.controls.setAspect(size.width / size.height);
+        try {
+            return use((background) => {
+                scene.background = background ?? backgroundBefore;
+                this.draw();
+            });
+        } finally {
+            this.figureSize = null;
+            scene.background = backgroundBefore;
+            for (const { object } of hidden) object.visible = true;
+            renderer.setPixelRatio(ratioBefore);
+            this.resize();
+        }
     }
 
     private draw(): void {

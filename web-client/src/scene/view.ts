@@ -18,6 +18,8 @@ export type SceneCamera = PerspectiveCamera | OrthographicCamera;
 /** What is drawn beside the surfaces: brought in line with camera and canvas before every frame. */
 export interface Layer {
     readonly object: Object3D;
+    /** True of what people work with, as pointers of others: no part of a figure. */
+    readonly notForFigures?: boolean;
     update(view: View): void;
 }
 

@@ -2,6 +2,9 @@
 import type { Calls } from '../session/calls.ts';
 import type { ClockControl } from '../session/clockControl.ts';
 import type { Edits } from '../session/edits.ts';
+import type { Figure } from '../session/figure.ts';
+import type { FilmMaker } from '../session/film.ts';
+import type { MeshDownload } from '../session/meshDownload.ts';
 import type { People } from '../session/people.ts';
 import type { Playback } from '../session/playback.ts';
 import type { Probing } from '../session/probing.ts';
@@ -18,6 +21,9 @@ export interface AppModel {
     edits: Edits;
     clock: ClockControl;
     playback: Playback;
+    figure: Figure;
+    film: FilmMaker;
+    mesh: MeshDownload;
     people: People;
     scene: FlowScene;
     worker: Pick<WorkerClient, 'call'>;

@@ -8,6 +8,7 @@ import { pythonScript } from '../session/pythonScript.ts';
 import type { ScriptStep } from '../session/scriptStep.ts';
 import { baseUrl, readFragment } from '../session/urlState.ts';
 import type { AppModel } from './appModel.ts';
+import { copyText } from './copyText.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
 
@@ -97,12 +98,8 @@ export class CopyAs extends SignalElement {
         }
         const session = this.model.state.session.value ?? readFragment(location.hash).session ?? 'main';
         const text = languages[language]({ server: baseUrl().replace(/\/$/, ''), session }, steps);
-        try {
-            await navigator.clipboard.writeText(text);
-            this.say(`Copied as ${language}`);
-        } catch {
-            this.show(text);
-        }
+        if (await copyText(text)) this.say(`Copied as ${language}`);
+        else this.show(text);
     }
 
     private say(text: string): void {

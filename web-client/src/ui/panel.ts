@@ -6,6 +6,7 @@ import { rakeSteps, surfaceSteps } from '../session/panelSteps.ts';
 import type { AppModel } from './appModel.ts';
 import './bookmarksPanel.ts';
 import './copyAs.ts';
+import { exportBody } from './exportPanel.ts';
 import './helpDialog.ts';
 import './linksPanel.ts';
 import './notesPanel.ts';
@@ -85,6 +86,7 @@ const tabs: readonly Tab[] = [
             </section>
         `,
     },
+    { id: 'export', label: 'Export', body: exportBody },
 ];
 
 export class Panel extends SignalElement {

@@ -10,7 +10,7 @@ import './copyAs.ts';
 import { icon } from './icons.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
-import { focusedElement, timeKey } from './timeKeys.ts';
+import { timeKeyOf } from './timeKeys.ts';
 import './timeline.ts';
 
 const speeds = [0.1, 0.25, 0.5, 1, 2, 4];
@@ -231,7 +231,7 @@ export class TimeBar extends SignalElement {
 
     private readonly keyed = (event: KeyboardEvent): void => {
         const { playback, state } = this.model;
-        const key = timeKey(event, focusedElement(event.composedPath()));
+        const key = timeKeyOf(event);
         if (key === null || playback.mode.value === 'none' || state.role.value === 'viewer') return;
         event.preventDefault();
         if (key === 'toggle') void playback.toggle();

@@ -54,6 +54,7 @@ class Figure {
 
 export class PeopleLayer implements Layer {
     readonly object = new Group();
+    readonly notForFigures = true;
     private readonly labels: Labels;
     private readonly sphere = new SphereGeometry(1, 16, 12);
     private readonly figures = new Map<string, Figure>();

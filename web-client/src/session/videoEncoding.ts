@@ -1,0 +1,91 @@
+// Pictures to a film: the browser's own encoder (WebCodecs), one picture after the other, none left out.
+import { type EncodedFrame, type Film, webmFile } from './webm.ts';
+
+const keyEverySeconds = 2;
+const queueAtMost = 3;
+const bitsPerPixel = 0.18;
+
+/** In the order in which they are tried; the second part of VP9's is its level, which bounds the size. */
+const codecs: readonly { name: string; id: Film['codec'] }[] = [
+    { name: 'vp09.00.41.08', id: 'V_VP9' },
+    { name: 'vp09.00.61.08', id: 'V_VP9' },
+    { name: 'vp8', id: 'V_VP8' },
+];
+
+export interface VideoSetting {
+    width: number;
+    height: number;
+    fps: number;
+}
+
+/** Whether there is an encoder at all: browsers keep it from pages that come over http from other machines. */
+export function canEncode(): boolean {
+    return typeof VideoEncoder === 'function';
+}
+
+export class VideoEncoding {
+    private readonly setting: VideoSetting;
+    private readonly encoder: VideoEncoder;
+    private readonly codec: Film['codec'];
+    private readonly frames: EncodedFrame[] = [];
+    private failure: Error | null = null;
+    private count = 0;
+
+    private constructor(setting: VideoSetting, config: VideoEncoderConfig, codec: Film['codec']) {
+        this.setting = setting;
+        this.codec = codec;
+        this.encoder = new VideoEncoder({
+            output: (chunk) => this.encoded(chunk),
+            error: (error) => (this.failure = error),
+        });
+        this.encoder.configure(config);
+    }
+
+    /** Null where no encoder takes this size. */
+    static async begin(setting: VideoSetting): Promise<VideoEncoding | null> {
+        const { width, height, fps } = setting;
+        const bitrate = Math.round(Math.max(1e6, width * height * fps * bitsPerPixel));
+        for (const { name, id } of codecs) {
+            const config: VideoEncoderConfig = { codec: name, width, height, bitrate, framerate: fps };
+            const { supported } = await VideoEncoder.isConfigSupported(config).catch(() => ({ supported: false }));
+            if (supported === true) return new VideoEncoding(setting, config, id);
+        }
+        return null;
+    }
+
+    /** Waits while the encoder has enough to do. */
+    async add(picture: HTMLCanvasElement): Promise<void> {
+        const { fps } = this.setting;
+        const microseconds = (count: number): number => Math.round((1e6 * count) / fps);
+        const frame = new VideoFrame(picture, {
+            timestamp: microseconds(this.count),
+            duration: microseconds(this.count + 1) - microseconds(this.count),
+        });
+        this.encoder.encode(frame, { keyFrame: this.count % Math.round(keyEverySeconds * fps) === 0 });
+        frame.close();
+        this.count += 1;
+        while (this.encoder.encodeQueueSize > queueAtMost && this.failure === null) {
+            await new Promise((resolve) => this.encoder.addEventListener('dequeue', resolve, { once: true }));
+        }
+        if (this.failure !== null) throw this.failure;
+    }
+
+    async finish(): Promise<Blob> {
+        await this.encoder.flush();
+        if (this.failure !== null) throw this.failure;
+        this.encoder.close();
+        const { width, height, fps } = this.setting;
+        const duration = (1000 * this.count) / fps;
+        return webmFile({ codec: this.codec, width, height, duration, frames: this.frames });
+    }
+
+    abandon(): void {
+        if (this.encoder.state !== 'closed') this.encoder.close();
+    }
+
+    private encoded(chunk: EncodedVideoChunk): void {
+        const data = new Uint8Array(chunk.byteLength);
+        chunk.copyTo(data);
+        this.frames.push({ data, time: Math.round(chunk.timestamp / 1000), key: chunk.type === 'key' });
+    }
+}
