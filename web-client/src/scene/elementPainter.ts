@@ -17,9 +17,14 @@ export function paintElement(
     if (element instanceof HTMLCanvasElement && element.width > 0 && element.height > 0) {
         context.drawImage(element, at.x, at.y, box.width, box.height);
     }
-    for (const node of (element.shadowRoot ?? element).childNodes) {
-        if (node instanceof Element) paintElement(context, node, shift, skipped);
-        else if (node instanceof Text && node.data.trim() !== '') paintText(context, node, style, shift);
+    let run: Text[] = [];
+    for (const node of [...(element.shadowRoot ?? element).childNodes, null]) {
+        if (node instanceof Text) run.push(node);
+        else if (!(node instanceof Comment)) {
+            paintText(context, run, style, shift);
+            run = [];
+            if (node instanceof Element) paintElement(context, node, shift, skipped);
+        }
     }
 }
 
@@ -45,16 +50,20 @@ function paintBox(context: CanvasRenderingContext2D, style: CSSStyleDeclaration,
     }
 }
 
-function paintText(context: CanvasRenderingContext2D, text: Text, style: CSSStyleDeclaration, shift: ScreenPoint): void {
+/** Neighbours are one text: templates leave comments between their parts. */
+function paintText(context: CanvasRenderingContext2D, run: readonly Text[], style: CSSStyleDeclaration, shift: ScreenPoint): void {
+    const words = run.map(({ data }) => data).join('').replace(/\s+/g, ' ').trim();
+    if (words === '') return;
     const range = document.createRange();
-    range.selectNodeContents(text);
+    range.setStartBefore(run[0]!);
+    range.setEndAfter(run.at(-1)!);
     const box = range.getBoundingClientRect();
     if (box.width === 0) return;
     context.font = `${style.fontStyle} ${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
     context.fillStyle = style.color;
     context.textBaseline = 'middle';
     context.textAlign = 'left';
-    context.fillText(text.data.replace(/\s+/g, ' ').trim(), box.left + shift.x, box.top + box.height / 2 + shift.y);
+    context.fillText(words, box.left + shift.x, box.top + box.height / 2 + shift.y);
 }
 
 function isClear(colour: string): boolean {

@@ -18,8 +18,8 @@ export class ScalarBar extends SignalElement {
             width: 260px;
             padding: 8px 14px 6px;
             border-radius: 8px;
-            background: rgb(11 16 24 / 0.82);
-            color: #e8edf5;
+            background: light-dark(rgb(255 255 255 / 0.85), rgb(11 16 24 / 0.82));
+            color: light-dark(#17202d, #e8edf5);
             font-size: 12px;
             pointer-events: none;
         }
@@ -38,7 +38,7 @@ export class ScalarBar extends SignalElement {
             margin-bottom: 4px;
         }
         .range {
-            color: #a7b4c8;
+            color: light-dark(#4b5a70, #a7b4c8);
             font-variant-numeric: tabular-nums;
         }
         .ticks {

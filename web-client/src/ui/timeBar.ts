@@ -183,7 +183,7 @@ export class TimeBar extends SignalElement {
                 ${choices.map(
                     (each) =>
                         html`<option value=${each} .selected=${close(each)}>
-                            ${shortNumber(each)}× (${shortNumber(each * normal)} per s)
+                            ${shortNumber(each)}× (${shortNumber(each * normal)}/s)
                         </option>`,
                 )}
             </select>

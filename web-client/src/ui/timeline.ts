@@ -1,6 +1,6 @@
 // The time of the data as a line: its time-steps with what of them is in the server's memory, the part that the surface covers,
 // and two handles: above, when the picture is of; below, when the surface is released.
-import { html, nothing, svg, type TemplateResult } from 'lit';
+import { html, noChange, nothing, svg, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { signal } from '@preact/signals-core';
 import type { StepState, SurfaceRecord } from '../protocol/messages.ts';
@@ -19,6 +19,8 @@ export class Timeline extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: AppModel;
     private readonly width = signal(600);
+    /** The handle under the pointer goes where that is; set back from here, it would drift away from it. */
+    private readonly held = signal<string | null>(null);
     private readonly resized = new ResizeObserver(([entry]) => {
         if (entry !== undefined && entry.contentRect.width > 0) this.width.value = entry.contentRect.width;
     });
@@ -94,9 +96,10 @@ export class Timeline extends SignalElement {
             max=${line[1]}
             step="any"
             ?disabled=${this.mayNot}
-            .value=${live(String(playback.time.value))}
+            .value=${this.place('clock', playback.time.value)}
             aria-label="Shown at"
             aria-valuetext=${`shown at ${shortNumber(playback.time.value)}`}
+            @pointerdown=${this.hold}
             @input=${this.scrubbed}
             @keydown=${this.keyed}
         />`;
@@ -113,9 +116,10 @@ export class Timeline extends SignalElement {
             max=${line[1]}
             step="any"
             ?disabled=${this.mayNot || playback.mode.value === 'none'}
-            .value=${live(String(Number.isFinite(time) ? time : line[0]))}
+            .value=${this.place('time', Number.isFinite(time) ? time : line[0])}
             aria-label="Time of the frozen field"
             aria-valuetext=${`frozen at ${shortNumber(time)}`}
+            @pointerdown=${this.hold}
             @input=${this.scrubbed}
             @keydown=${this.keyed}
         />`;
@@ -132,14 +136,12 @@ export class Timeline extends SignalElement {
             max=${line[1]}
             step="any"
             ?disabled=${this.mayNot || state.times.value.length < 2}
-            .value=${live(String(from))}
+            .value=${this.place('time', from)}
             aria-label="Release"
             aria-valuetext=${`released at ${shortNumber(from)}`}
             title="When the surface is released: drag"
-            @input=${(event: Event) => {
-                playback.release(valueOf(event));
-                this.requestUpdate();
-            }}
+            @pointerdown=${this.hold}
+            @input=${(event: Event) => playback.release(valueOf(event))}
             @keydown=${this.releaseKeyed}
         />`;
     }
@@ -148,10 +150,23 @@ export class Timeline extends SignalElement {
         return this.model.state.role.value === 'viewer';
     }
 
+    private place(handle: string, time: number): string | typeof noChange | ReturnType<typeof live> {
+        return this.held.value === handle ? noChange : live(String(time));
+    }
+
+    private hold(event: PointerEvent): void {
+        this.held.value = (event.target as HTMLInputElement).id;
+        const letGo = (): void => {
+            this.held.value = null;
+            removeEventListener('pointerup', letGo);
+            removeEventListener('pointercancel', letGo);
+        };
+        addEventListener('pointerup', letGo);
+        addEventListener('pointercancel', letGo);
+    }
+
     private scrubbed(event: Event): void {
         this.model.playback.goTo(valueOf(event));
-        // The handle goes back to where it may be.
-        this.requestUpdate();
     }
 
     /** Arrow keys go by time-steps: what a slider does by itself is a hundredth of the whole. */

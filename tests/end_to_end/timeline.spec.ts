@@ -1,0 +1,234 @@
+// The timeline: what of the data is in memory, and one time that mouse, keys and other people move. What the page says is
+// compared with the server's records, and where it stops with the server's mesh.
+import type { Browser, BrowserContext, Locator, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { ClockRecord, SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
+import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { expectServersMesh } from './support/server_mesh.ts';
+import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+
+const store = temporaryFolder();
+let server: ServerProcess;
+let browser: Browser;
+let context: BrowserContext;
+let page: Page;
+
+beforeAll(async () => {
+    server = await ServerProcess.start({ store: store.path });
+    browser = await launchBrowser();
+});
+
+afterAll(async () => {
+    await browser?.close();
+    await server?.stop();
+    store.remove();
+});
+
+beforeEach(async () => {
+    context = await newContext(browser, { width: 900, height: 480 });
+    ({ page } = await openPage(context, server.link));
+    await finalSurface(page);
+});
+
+afterEach(() => context.close());
+
+async function records(): Promise<{ clock: ClockRecord; surface: SurfaceRecord }> {
+    const session = await ask(page, (hook) => hook.session);
+    const state = await server.call('session.state', { session });
+    const { clock, surfaces } = state as unknown as { clock: ClockRecord; surfaces: SurfaceRecord[] };
+    return { clock, surface: surfaces[0]! };
+}
+
+async function becomes<T>(read: () => Promise<T>, expected: (value: T) => void): Promise<void> {
+    await expect.poll(async () => {
+        const value = await read();
+        try {
+            expected(value);
+            return 'as expected';
+        } catch {
+            return value;
+        }
+    }, { timeout: 10_000, interval: 30 }).toBe('as expected');
+}
+
+async function streak(): Promise<void> {
+    await page.getByRole('radio', { name: 'Streak' }).check();
+    await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
+    await finalSurface(page);
+}
+
+/** Where the picture is of this time, drawn. */
+async function shownAt(time: number): Promise<void> {
+    await page.waitForFunction((at) => Math.abs(window.wakesurf!.displayed!.time - at) < 1e-6, time);
+    await finalSurface(page);
+}
+
+function marks(): Promise<{ state: string; middle: number }[]> {
+    return page.locator('wakesurf-timeline [data-state]').evaluateAll((all) =>
+        all.map((each) => {
+            const box = each.getBoundingClientRect();
+            return { state: (each as SVGElement).dataset['state']!, middle: box.x + box.width / 2 };
+        }),
+    );
+}
+
+/** Middle of a handle, and the window's x of a time. */
+async function lineOf(handle: Locator): Promise<{ x: (time: number) => number; y: number }> {
+    const box = (await handle.boundingBox())!;
+    const thumb = 14;
+    const [left, width] = [box.x + thumb / 2, box.width - thumb];
+    return { x: (time) => left + (width * (time - 8.5)) / 7.5, y: box.y + box.height / 2 };
+}
+
+describe('the timeline', () => {
+    it('shows which time-steps are in memory, each at its time, as the server has it', async () => {
+        const status = async () =>
+            (await server.call('cache.status', { dataset: 'sqcyl' })) as unknown as { steps: string[] };
+        const { times } = (await server.call('dataset.describe', { dataset: 'sqcyl' })) as unknown as { times: number[] };
+        const { steps } = await status();
+        expect(steps).toContain('cold');
+        expect(steps).toContain('resident');
+        const drawn = await marks();
+        expect(drawn.map(({ state }) => state)).toEqual(steps);
+        const line = await lineOf(page.locator('#time'));
+        for (const [i, { middle }] of drawn.entries()) expect(Math.abs(middle - line.x(times[i]!))).toBeLessThan(1);
+        // Full, half or hollow: not by colour alone.
+        const fills = await page.locator('wakesurf-timeline [data-state] .filled').count();
+        expect(fills).toBe(steps.filter((state) => state === 'resident').length);
+        await expect.poll(() => page.locator('#resident').textContent()).toBe(`${fills} of 16 time-steps in memory`);
+        await screenshot(page, 'timeline-frozen');
+        await streak();
+        await becomes(marks, (now) => expect(now.every(({ state }) => state === 'resident')).toBe(true));
+        expect((await status()).steps.every((state) => state === 'resident')).toBe(true);
+        expect(await page.locator('#resident').textContent()).toBe('16 of 16 time-steps in memory');
+    });
+
+    it('plays, stops, steps and goes where it is told, on the clock of the session', async () => {
+        await streak();
+        await page.getByRole('button', { name: 'Play' }).click();
+        const played = { playing: true, loop: true, from: 8.5, to: 16, speed: 0.75 };
+        await becomes(records, ({ clock }) => expect(clock).toMatchObject(played));
+        await page.locator('#speed').selectOption('2');
+        await becomes(records, ({ clock }) => expect(clock).toMatchObject({ ...played, speed: 1.5 }));
+        await page.getByRole('button', { name: 'Loop' }).click();
+        await becomes(records, ({ clock }) => expect(clock).toMatchObject({ ...played, speed: 1.5, loop: false }));
+        await page.locator('canvas').first().focus().catch(() => undefined);
+        await page.locator('main').click({ position: { x: 5, y: 200 } });
+        await page.keyboard.press('Space');
+        await becomes(records, ({ clock }) => expect(clock.playing).toBe(false));
+        await page.locator('#go-to').fill('12.25');
+        await page.keyboard.press('Enter');
+        await shownAt(12.25);
+        // Typed, these are characters, not commands.
+        await page.locator('#go-to').press('.');
+        expect((await records()).clock.time).toBe(12.25);
+        await page.locator('main').click({ position: { x: 5, y: 200 } });
+        for (const [key, time] of [['.', 12.5], ['.', 13], [',', 12.5], [',', 12]] as const) {
+            await page.keyboard.press(key);
+            await shownAt(time);
+            expect((await records()).clock.time).toBe(time);
+        }
+        await page.getByRole('button', { name: 'To the end' }).click();
+        await shownAt(16);
+        // From the end, play begins at the start; without loop it stops at the end by itself.
+        await page.locator('#speed').selectOption('4');
+        await page.getByRole('button', { name: 'Play' }).click();
+        await becomes(records, ({ clock }) => expect(clock).toMatchObject({ playing: true, speed: 3 }));
+        expect((await records()).clock.time).toBeLessThan(15);
+        await becomes(records, ({ clock }) => expect(clock).toMatchObject({ playing: false, time: 16 }));
+        await page.getByRole('button', { name: 'Play' }).waitFor();
+    });
+
+    it('is scrubbed by mouse and keys, back to the mesh that the server computes for that time from the start', async () => {
+        await streak();
+        const handle = page.locator('#clock');
+        const line = await lineOf(handle);
+        await page.mouse.move(line.x(16), line.y);
+        await page.mouse.down();
+        await page.mouse.move(line.x(14), line.y, { steps: 4 });
+        const begun = Date.now();
+        await page.mouse.move(line.x(11), line.y, { steps: 4 });
+        await page.mouse.up();
+        await page.waitForFunction(() => Math.abs(window.wakesurf!.displayed!.time - 11) < 0.03);
+        await finalSurface(page);
+        const scrubbed = Date.now() - begun;
+        await handle.focus();
+        await page.keyboard.press('Home');
+        // Nothing has been released for any time yet.
+        await page.waitForFunction(() => window.wakesurf!.displayed!.time === 8.5 && window.wakesurf!.phase === 'empty');
+        for (const _ of [1, 2, 3]) await page.keyboard.press('ArrowRight');
+        await shownAt(10);
+        await page.keyboard.press('PageUp');
+        await shownAt(12.5);
+        await screenshot(page, 'timeline-scrubbed');
+        // A surface of its own that ends there: no clock, no checkpoint, the same mesh.
+        const { clock, surface: record } = await records();
+        expect(clock.time).toBe(12.5);
+        const { surface: _surface, rev: _rev, epoch: _epoch, fields: _fields, ...setting } = record;
+        const session = await ask(page, (hook) => hook.session);
+        const { surface } = await server.call('surface.set', { ...setting, session, to: 12.5 });
+        const fresh = await server.call('surface.wait', { session, surface, timeoutMs: 20_000 });
+        const shown = await ask(page, (hook) => hook.displayed!);
+        expect(fresh).toMatchObject({ complete: true, vertices: shown.vertices, quads: shown.cells });
+        expect(scrubbed).toBeLessThan(3000);
+        await page.keyboard.press('End');
+        await shownAt(16);
+        await expectServersMesh(server, page);
+    });
+
+    it('follows whoever else moves the clock, and lets nobody play who only looks on', async () => {
+        await streak();
+        const session = await ask(page, (hook) => hook.session);
+        const { link } = (await server.call('session.share', { session, role: 'viewer' })) as { link: string };
+        const other = await newContext(browser, { width: 900, height: 480, colorScheme: 'light' });
+        const { page: viewer } = await openPage(other, new URL(link, server.link).href);
+        await finalSurface(viewer);
+        expect(await viewer.getByRole('button', { name: 'Play' }).isDisabled()).toBe(true);
+        const line = await lineOf(page.locator('#clock'));
+        await page.mouse.click(line.x(10), line.y);
+        const { clock } = await records();
+        expect(Math.abs(clock.time! - 10)).toBeLessThan(0.03);
+        await viewer.waitForFunction((at) => Math.abs(window.wakesurf!.displayed!.time - at) < 1e-6, clock.time!);
+        expect(Number(await viewer.locator('#clock').inputValue())).toBeCloseTo(clock.time!);
+        await server.call('time.set', { session, time: 13 });
+        await shownAt(13);
+        expect(await page.locator('#go-to').inputValue()).toBe('13');
+        await screenshot(viewer, 'timeline-light');
+        await other.close();
+    });
+
+    it('plays a stream surface by freezing the field at one time-step after the other', async () => {
+        await page.locator('#speed').selectOption('4');
+        await page.getByRole('button', { name: 'Play' }).click();
+        const seen = new Set<number>();
+        await becomes(records, ({ surface }) => {
+            seen.add(surface.from);
+            expect(surface.from).toBeGreaterThanOrEqual(10.5);
+        });
+        expect(seen.size).toBeGreaterThanOrEqual(3);
+        await page.getByRole('button', { name: 'Pause' }).click();
+        await finalSurface(page);
+        const { from } = (await records()).surface;
+        expect(from).toBeLessThan(16);
+        await page.getByRole('button', { name: 'Next time-step' }).click();
+        await becomes(records, ({ surface }) => expect(surface.from).toBe(from + 0.5));
+        await expectServersMesh(server, page);
+    });
+
+    it('has a handle for the release, which goes from time-step to time-step', async () => {
+        await streak();
+        const handle = page.getByRole('slider', { name: 'Release', exact: true });
+        await handle.focus();
+        await page.keyboard.press('ArrowRight');
+        await becomes(records, ({ surface }) => expect(surface.from).toBe(9));
+        const line = await lineOf(handle);
+        await page.mouse.move(line.x(9), line.y);
+        await page.mouse.down();
+        await page.mouse.move(line.x(10.6), line.y, { steps: 4 });
+        await page.mouse.up();
+        await becomes(records, ({ surface }) => expect([surface.from, surface.to]).toEqual([10.5, 16]));
+        const band = (await page.locator('wakesurf-timeline .shown').boundingBox())!;
+        expect(Math.abs(band.x - line.x(10.5))).toBeLessThan(1);
+        expect(Math.abs(band.x + band.width - line.x(16))).toBeLessThan(1);
+    });
+});
