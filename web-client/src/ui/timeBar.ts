@@ -41,7 +41,7 @@ export class TimeBar extends SignalElement {
                 display: flex;
                 flex-wrap: wrap;
                 align-items: center;
-                gap: 4px 12px;
+                gap: 4px 10px;
                 min-height: 28px;
             }
             .buttons {
@@ -51,7 +51,7 @@ export class TimeBar extends SignalElement {
             .buttons button {
                 display: grid;
                 place-content: center;
-                width: 32px;
+                width: 29px;
                 padding: 0;
             }
             button:disabled {
@@ -63,10 +63,10 @@ export class TimeBar extends SignalElement {
                 color: var(--accent);
             }
             #speed {
-                width: 132px;
+                width: 120px;
             }
             input[type='number'] {
-                width: 84px;
+                width: 74px;
                 text-align: right;
                 font-variant-numeric: tabular-nums;
             }
@@ -222,8 +222,7 @@ export class TimeBar extends SignalElement {
                 <rect x="0.5" y="0.5" width="8" height="10" />
             </svg>`;
         return html`<span class="legend">
-            <span id="resident">${residentWords(states)}</span>
-            <span aria-hidden="true">${sign('M0 0h9v11h-9z')}in memory</span>
+            <span>${sign('M0 0h9v11h-9z')}<span id="resident">${residentWords(states)}</span></span>
             <span aria-hidden="true">${sign('M0 5.5h9v5.5h-9z')}loading</span>
             <span aria-hidden="true">${sign('')}on disk</span>
         </span>`;
