@@ -21,7 +21,7 @@ export function curlScript(place: ScriptPlace, steps: readonly ScriptStep[]): st
 function call(place: ScriptPlace, { method, params, keep }: CallStep): string {
     const text = message(method, ofSession(method) ? { session: place.session, ...params } : params);
     if (keep === undefined) return `rpc ${text}; echo`;
-    return `${keep}=$(rpc ${text} | id_of ${nounOf(method)})`;
+    return `${keep}=$(rpc ${text} | id_of ${nounOf(method)}) && echo "${keep}: $${keep}"`;
 }
 
 /** One word of the shell: JSON in single quotes, and the variables that hold ids in double ones. */

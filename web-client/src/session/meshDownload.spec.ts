@@ -1,0 +1,61 @@
+// Against a server of its own: what is asked for is the address that matters.
+import { createServer, type RequestListener, type Server } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { afterEach, describe, expect, it } from 'vitest';
+import { MeshDownload } from './meshDownload.ts';
+
+let server: Server | null = null;
+
+async function serving(answer: RequestListener): Promise<string> {
+    server = createServer(answer);
+    await new Promise<void>((resolve) => server!.listen(0, '127.0.0.1', resolve));
+    return `http://127.0.0.1:${(server.address() as AddressInfo).port}/behind/a/proxy/`;
+}
+
+afterEach(() => {
+    server?.closeAllConnections();
+    server?.close();
+});
+
+describe('MeshDownload', () => {
+    it('asks below the address of the page, and says that it waits', async () => {
+        const asked: (string | undefined)[] = [];
+        const base = await serving((request, response) => {
+            asked.push(request.url);
+            response.end('mesh');
+        });
+        const download = new MeshDownload(base);
+        const mesh = download.fetch('a session', 's1', 'vtp');
+        expect(download.progress.value).toMatchObject({ state: 'waiting' });
+        expect(await (await mesh)?.text()).toBe('mesh');
+        expect(asked).toEqual(['/behind/a/proxy/api/v1/sessions/a%20session/surfaces/s1/mesh.vtp']);
+        expect(download.progress.value).toEqual({ state: 'idle', words: '' });
+    });
+
+    it('says in the words of the server why there is no mesh', async () => {
+        const error = { message: 'the surface is empty', data: { hint: 'move the rake into the flow' } };
+        const base = await serving((_request, response) => {
+            response.statusCode = 409;
+            response.end(JSON.stringify({ error }));
+        });
+        const download = new MeshDownload(base);
+        expect(await download.fetch('s', 's1', 'glb')).toBeNull();
+        expect(download.progress.value).toEqual({ state: 'failed', words: 'the surface is empty: move the rake into the flow' });
+    });
+
+    it('is cancelled while it waits', async () => {
+        const base = await serving(() => undefined);
+        const download = new MeshDownload(base);
+        const mesh = download.fetch('s', 's1', 'obj');
+        download.cancel();
+        expect(await mesh).toBeNull();
+        expect(download.progress.value).toEqual({ state: 'idle', words: '' });
+    });
+
+    it('says that nobody answers', async () => {
+        const base = await serving((request) => request.destroy());
+        const download = new MeshDownload(base);
+        expect(await download.fetch('s', 's1', 'obj')).toBeNull();
+        expect(download.progress.value).toEqual({ state: 'failed', words: 'The server cannot be reached.' });
+    });
+});
