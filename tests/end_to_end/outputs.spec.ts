@@ -68,7 +68,9 @@ function pixelsOf(png: Buffer, points: { x: number; y: number }[]): Promise<Pixe
             const canvas = new OffscreenCanvas(image.width, image.height);
             const drawing = canvas.getContext('2d')!;
             drawing.drawImage(image, 0, 0);
-            const at = places.map(({ x, y }) => [...drawing.getImageData(Math.floor(x), Math.floor(y), 1, 1).data]);
+            const at = places.map(({ x, y }) => [
+                ...drawing.getImageData(Math.floor(x), Math.floor(y), 1, 1).data,
+            ]);
             return { width: image.width, height: image.height, at };
         },
         { data: png.toString('base64'), places: points },
@@ -77,7 +79,10 @@ function pixelsOf(png: Buffer, points: { x: number; y: number }[]): Promise<Pixe
 
 async function chooseSize(id: string, width: number, height: number): Promise<void> {
     await page.locator(`#${id}-size`).selectOption('typed');
-    for (const [side, value] of [['width', width], ['height', height]] as const) {
+    for (const [side, value] of [
+        ['width', width],
+        ['height', height],
+    ] as const) {
         await page.locator(`#${id}-${side}`).fill(String(value));
         await page.locator(`#${id}-${side}`).press('Tab');
     }
@@ -109,10 +114,16 @@ describe('a picture', () => {
             return { places, colours: hook.pixelsAt(places) };
         });
         // Some vertices are behind the body, under the rake or at the rim: what counts is where the page shows colour.
-        const shown = seen.places.map((at, i) => ({ at, colour: seen.colours[i]! })).filter(({ colour: [r, g, b] }) => Math.max(r, g, b) - Math.min(r, g, b) > 50);
+        const shown = seen.places
+            .map((at, i) => ({ at, colour: seen.colours[i]! }))
+            .filter(({ colour: [r, g, b] }) => Math.max(r, g, b) - Math.min(r, g, b) > 50);
         expect(shown.length).toBeGreaterThan(50);
         const inPicture = shown.map(({ at }) => ({ x: 2 * (at.x - box.x), y: 2 * (at.y - box.y) }));
-        const corners = [{ x: 4, y: 4 }, { x: box.width, y: 10 }, { x: 4, y: 2 * box.height - 4 }];
+        const corners = [
+            { x: 4, y: 4 },
+            { x: box.width, y: 10 },
+            { x: 4, y: 2 * box.height - 4 },
+        ];
         const { width, height, at } = await pixelsOf(bytes, [...corners, ...inPicture]);
         expect([width, height]).toEqual([2 * box.width, 2 * box.height]);
         for (const corner of at.slice(0, corners.length)) expect(corner).toEqual([0, 0, 0, 0]);
@@ -122,7 +133,12 @@ describe('a picture', () => {
         });
         expect(same.length / shown.length).toBeGreaterThan(0.93);
         // The page is as it was.
-        expect(await page.locator('canvas').first().evaluate((each: HTMLCanvasElement) => [each.width, each.height])).toEqual([box.width, box.height]);
+        expect(
+            await page
+                .locator('canvas')
+                .first()
+                .evaluate((each: HTMLCanvasElement) => [each.width, each.height]),
+        ).toEqual([box.width, box.height]);
     });
 
     it('holds bar and numbers or leaves them out, and is not drawn larger than the graphics can', async () => {
@@ -131,7 +147,10 @@ describe('a picture', () => {
         const box = (await page.locator('canvas').first().boundingBox())!;
         const axis = (await page.locator('.axis-x').boundingBox())!;
         const bar = (await page.locator('wakesurf-scalar-bar canvas').boundingBox())!;
-        const inside = (from: typeof box, fx: number, fy: number) => ({ x: from.x - box.x + fx * from.width, y: from.y - box.y + fy * from.height });
+        const inside = (from: typeof box, fx: number, fy: number) => ({
+            x: from.x - box.x + fx * from.width,
+            y: from.y - box.y + fy * from.height,
+        });
         const letter = Array.from({ length: 12 }, (_, i) => inside(axis, (i + 0.5) / 12, 0.5));
         const ends = [inside(bar, 0.01, 0.5), inside(bar, 0.99, 0.5)];
         const opaque = (all: number[][]): number => all.filter(([, , , alpha]) => alpha! > 128).length;
@@ -146,7 +165,9 @@ describe('a picture', () => {
         expect(opaque(bare.at)).toBe(0);
         await chooseSize('picture', 100_000, 500);
         await page.locator('#save-picture').click();
-        expect(await page.getByRole('alert').filter({ hasText: 'at most' }).textContent()).toMatch(/at most \d+ pixels a side/);
+        expect(await page.getByRole('alert').filter({ hasText: 'at most' }).textContent()).toMatch(
+            /at most \d+ pixels a side/,
+        );
     });
 });
 
@@ -175,7 +196,9 @@ describe('a film', () => {
                 video.onloadeddata = resolve;
                 video.onerror = () => reject(new Error(video.error?.message));
             });
-            const drawing = new OffscreenCanvas(video.videoWidth, video.videoHeight).getContext('2d', { willReadFrequently: true })!;
+            const drawing = new OffscreenCanvas(video.videoWidth, video.videoHeight).getContext('2d', {
+                willReadFrequently: true,
+            })!;
             const frames: Uint8ClampedArray[] = [];
             for (let i = 0; i < 12; ++i) {
                 const sought = new Promise((resolve) => (video.onseeked = resolve));
@@ -184,7 +207,8 @@ describe('a film', () => {
                 drawing.drawImage(video, 0, 0);
                 frames.push(drawing.getImageData(0, 0, video.videoWidth, video.videoHeight).data);
             }
-            const differ = (a: Uint8ClampedArray, b: Uint8ClampedArray): number => a.reduce((sum, value, k) => sum + (Math.abs(value - b[k]!) > 24 ? 1 : 0), 0);
+            const differ = (a: Uint8ClampedArray, b: Uint8ClampedArray): number =>
+                a.reduce((sum, value, k) => sum + (Math.abs(value - b[k]!) > 24 ? 1 : 0), 0);
             const changes = frames.slice(1).map((frame, i) => differ(frame, frames[i]!));
             return { duration: video.duration, size: [video.videoWidth, video.videoHeight], changes };
         }, bytes.toString('base64'));
@@ -219,7 +243,10 @@ describe('a mesh', () => {
         for (const format of ['vtp', 'glb', 'ply', 'obj', 'drc']) {
             await page.locator('#mesh-format').selectOption(format);
             const { name, bytes } = await saved('#download-mesh');
-            const reply = await fetch(new URL(`/api/v1/sessions/${session}/surfaces/${surface}/mesh.${format}`, server.link), { headers });
+            const reply = await fetch(
+                new URL(`/api/v1/sessions/${session}/surfaces/${surface}/mesh.${format}`, server.link),
+                { headers },
+            );
             expect(name).toBe(`sqcyl-stream.${format}`);
             expect(reply.status).toBe(200);
             expect(bytes.equals(Buffer.from(await reply.arrayBuffer())), format).toBe(true);
@@ -233,7 +260,8 @@ describe('a script', () => {
         WAKESURF_TOKEN: server.token,
         PYTHONPATH: join(projectRoot, 'protocol/python'),
     });
-    const runPython = (text: string) => run('/usr/bin/python3', ['-c', text], { env: environment(), cwd: work.path });
+    const runPython = (text: string) =>
+        run('/usr/bin/python3', ['-c', text], { env: environment(), cwd: work.path });
     const runShell = (text: string) => run('bash', ['-c', text], { env: environment(), cwd: work.path });
     const copied = async (within: string, language: string): Promise<string> => {
         await page.locator(`${within} wakesurf-copy-as`).getByRole('button', { name: language }).click();
@@ -250,7 +278,10 @@ describe('a script', () => {
         await streak();
         const surfacePanel = 'section[aria-labelledby="surface-head"]';
         const before = await records();
-        for (const [language, runs] of [['Python', runPython], ['curl', runShell]] as const) {
+        for (const [language, runs] of [
+            ['Python', runPython],
+            ['curl', runShell],
+        ] as const) {
             await runs(await copied(surfacePanel, language));
             const after = await records();
             const made = after.surfaces.at(-1)!;
@@ -261,14 +292,20 @@ describe('a script', () => {
             const { colour: _new, ...shape } = placed(rake) as RakeRecord;
             const { colour: _old, ...wanted } = placed(before.rakes[0]!) as RakeRecord;
             expect(shape).toEqual(wanted);
-            await server.call('rake.delete', { session: await ask(page, (hook) => hook.session), rake: made.rake });
+            await server.call('rake.delete', {
+                session: await ask(page, (hook) => hook.session),
+                rake: made.rake,
+            });
         }
     });
 
     it('sets the clock, and fetches the mesh', async () => {
         await streak();
         const session = await ask(page, (hook) => hook.session);
-        for (const [language, runs, time] of [['Python', runPython, 11.5], ['curl', runShell, 12]] as const) {
+        for (const [language, runs, time] of [
+            ['Python', runPython, 11.5],
+            ['curl', runShell, 12],
+        ] as const) {
             await server.call('time.set', { session, time });
             await page.waitForFunction((at) => window.wakesurf!.displayed!.time === at, time);
             const text = await copied('wakesurf-time-bar', language);
@@ -280,7 +317,10 @@ describe('a script', () => {
         await toExport();
         await page.locator('#mesh-format').selectOption('ply');
         const { bytes } = await saved('#download-mesh');
-        for (const [language, runs] of [['Python', runPython], ['curl', runShell]] as const) {
+        for (const [language, runs] of [
+            ['Python', runPython],
+            ['curl', runShell],
+        ] as const) {
             await runs(await copied('wakesurf-mesh-export', language));
             expect(readFileSync(join(work.path, 'surface.ply')).equals(bytes)).toBe(true);
         }
@@ -289,7 +329,9 @@ describe('a script', () => {
     it('is shown to be copied by hand where there is no clipboard', async () => {
         // As in pages that come over plain http from another machine.
         await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
-        const button = page.locator('section[aria-labelledby="rake-head"] wakesurf-copy-as').getByRole('button', { name: 'curl' });
+        const button = page
+            .locator('section[aria-labelledby="rake-head"] wakesurf-copy-as')
+            .getByRole('button', { name: 'curl' });
         await button.scrollIntoViewIfNeeded();
         await button.click();
         const text = page.getByRole('textbox', { name: 'Script' });

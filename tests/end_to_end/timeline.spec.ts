@@ -40,15 +40,20 @@ async function records(): Promise<{ clock: ClockRecord; surface: SurfaceRecord }
 }
 
 async function becomes<T>(read: () => Promise<T>, expected: (value: T) => void): Promise<void> {
-    await expect.poll(async () => {
-        const value = await read();
-        try {
-            expected(value);
-            return 'as expected';
-        } catch {
-            return value;
-        }
-    }, { timeout: 10_000, interval: 30 }).toBe('as expected');
+    await expect
+        .poll(
+            async () => {
+                const value = await read();
+                try {
+                    expected(value);
+                    return 'as expected';
+                } catch {
+                    return value;
+                }
+            },
+            { timeout: 10_000, interval: 30 },
+        )
+        .toBe('as expected');
 }
 
 async function streak(): Promise<void> {
@@ -84,18 +89,23 @@ describe('the timeline', () => {
     it('shows which time-steps are in memory, each at its time, as the server has it', async () => {
         const status = async () =>
             (await server.call('cache.status', { dataset: 'sqcyl' })) as unknown as { steps: string[] };
-        const { times } = (await server.call('dataset.describe', { dataset: 'sqcyl' })) as unknown as { times: number[] };
+        const { times } = (await server.call('dataset.describe', { dataset: 'sqcyl' })) as unknown as {
+            times: number[];
+        };
         const { steps } = await status();
         expect(steps).toContain('cold');
         expect(steps).toContain('resident');
         const drawn = await marks();
         expect(drawn.map(({ state }) => state)).toEqual(steps);
         const line = await lineOf(page.locator('#time'));
-        for (const [i, { middle }] of drawn.entries()) expect(Math.abs(middle - line.x(times[i]!))).toBeLessThan(1);
+        for (const [i, { middle }] of drawn.entries())
+            expect(Math.abs(middle - line.x(times[i]!))).toBeLessThan(1);
         // Full, half or hollow: not by colour alone.
         const fills = await page.locator('wakesurf-timeline [data-state] .filled').count();
         expect(fills).toBe(steps.filter((state) => state === 'resident').length);
-        await expect.poll(() => page.locator('#resident').textContent()).toBe(`${fills} of 16 time-steps in memory`);
+        await expect
+            .poll(() => page.locator('#resident').textContent())
+            .toBe(`${fills} of 16 time-steps in memory`);
         await screenshot(page, 'timeline-frozen');
         await streak();
         await becomes(marks, (now) => expect(now.every(({ state }) => state === 'resident')).toBe(true));
@@ -112,7 +122,11 @@ describe('the timeline', () => {
         await becomes(records, ({ clock }) => expect(clock).toMatchObject({ ...played, speed: 1.5 }));
         await page.getByRole('button', { name: 'Loop' }).click();
         await becomes(records, ({ clock }) => expect(clock).toMatchObject({ ...played, speed: 1.5, loop: false }));
-        await page.locator('canvas').first().focus().catch(() => undefined);
+        await page
+            .locator('canvas')
+            .first()
+            .focus()
+            .catch(() => undefined);
         await page.locator('main').click({ position: { x: 5, y: 200 } });
         await page.keyboard.press('Space');
         await becomes(records, ({ clock }) => expect(clock.playing).toBe(false));
@@ -123,7 +137,12 @@ describe('the timeline', () => {
         await page.locator('#go-to').press('.');
         expect((await records()).clock.time).toBe(12.25);
         await page.locator('main').click({ position: { x: 5, y: 200 } });
-        for (const [key, time] of [['.', 12.5], ['.', 13], [',', 12.5], [',', 12]] as const) {
+        for (const [key, time] of [
+            ['.', 12.5],
+            ['.', 13],
+            [',', 12.5],
+            [',', 12],
+        ] as const) {
             await page.keyboard.press(key);
             await shownAt(time);
             expect((await records()).clock.time).toBe(time);
@@ -155,7 +174,9 @@ describe('the timeline', () => {
         await handle.focus();
         await page.keyboard.press('Home');
         // Nothing has been released for any time yet.
-        await page.waitForFunction(() => window.wakesurf!.displayed!.time === 8.5 && window.wakesurf!.phase === 'empty');
+        await page.waitForFunction(
+            () => window.wakesurf!.displayed!.time === 8.5 && window.wakesurf!.phase === 'empty',
+        );
         for (const _ of [1, 2, 3]) await page.keyboard.press('ArrowRight');
         await shownAt(10);
         await page.keyboard.press('PageUp');

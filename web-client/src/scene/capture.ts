@@ -64,7 +64,9 @@ export function capture(scene: FlowScene, setting: FigureSetting): HTMLCanvasEle
         const shoot = (colour: Color | null): void => {
             draw(colour);
             if (drawn.width !== width || drawn.height !== height || scene.renderer.getContext().isContextLost()) {
-                throw new Error('The graphics here have no memory for a picture of this size. Choose a smaller one.');
+                throw new Error(
+                    'The graphics here have no memory for a picture of this size. Choose a smaller one.',
+                );
             }
             context.drawImage(drawn, 0, 0);
         };

@@ -28,7 +28,12 @@ export function paintElement(
     }
 }
 
-function paintBox(context: CanvasRenderingContext2D, style: CSSStyleDeclaration, at: ScreenPoint, box: DOMRect): void {
+function paintBox(
+    context: CanvasRenderingContext2D,
+    style: CSSStyleDeclaration,
+    at: ScreenPoint,
+    box: DOMRect,
+): void {
     const border = style.borderTopStyle === 'solid' ? parseFloat(style.borderTopWidth) : 0;
     const inset = border / 2;
     context.beginPath();
@@ -51,8 +56,17 @@ function paintBox(context: CanvasRenderingContext2D, style: CSSStyleDeclaration,
 }
 
 /** Neighbours are one text: templates leave comments between their parts. */
-function paintText(context: CanvasRenderingContext2D, run: readonly Text[], style: CSSStyleDeclaration, shift: ScreenPoint): void {
-    const words = run.map(({ data }) => data).join('').replace(/\s+/g, ' ').trim();
+function paintText(
+    context: CanvasRenderingContext2D,
+    run: readonly Text[],
+    style: CSSStyleDeclaration,
+    shift: ScreenPoint,
+): void {
+    const words = run
+        .map(({ data }) => data)
+        .join('')
+        .replace(/\s+/g, ' ')
+        .trim();
     if (words === '') return;
     const range = document.createRange();
     range.setStartBefore(run[0]!);

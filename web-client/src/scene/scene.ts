@@ -205,7 +205,12 @@ export class FlowScene {
      * For capture.ts: as if the canvas were of this size, with so many pixels for one of CSS, without what is not for
      * figures. `use` may draw before several backgrounds; the drawing is gone when it returns.
      */
-    drawAside<T>(size: ScreenSize, pixelRatio: number, leftOut: (layer: Layer) => boolean, use: (draw: (background: Color | null) => void) => T): T {
+    drawAside<T>(
+        size: ScreenSize,
+        pixelRatio: number,
+        leftOut: (layer: Layer) => boolean,
+        use: (draw: (background: Color | null) => void) => T,
+    ): T {
         const { renderer, scene } = this;
         const [ratioBefore, backgroundBefore] = [renderer.getPixelRatio(), scene.background];
         const hidden = this.layers.filter((layer) => layer.object.visible && leftOut(layer));

@@ -1,6 +1,14 @@
 // A script for a shell that does what a panel shows, with curl, and jq where an id has to be passed on (protocol/README.md,
 // "A tour with curl").
-import { type CallStep, KeptId, type MeshStep, nounOf, ofSession, type ScriptPlace, type ScriptStep } from './scriptStep.ts';
+import {
+    type CallStep,
+    KeptId,
+    type MeshStep,
+    nounOf,
+    ofSession,
+    type ScriptPlace,
+    type ScriptStep,
+} from './scriptStep.ts';
 
 export function curlScript(place: ScriptPlace, steps: readonly ScriptStep[]): string {
     const lines = [

@@ -33,6 +33,13 @@ export class Figure {
     draw(size: ScreenSize, caption: string | null, background = this.background.value): HTMLCanvasElement {
         const bar = this.bar.value ? this.findBar() : null;
         const [axes, rake] = [this.axes.value, this.rake.value];
-        return capture(this.scene, { ...size, background, axes, rake, caption, bar: bar?.hidden === true ? null : bar });
+        return capture(this.scene, {
+            ...size,
+            background,
+            axes,
+            rake,
+            caption,
+            bar: bar?.hidden === true ? null : bar,
+        });
     }
 }

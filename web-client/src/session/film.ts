@@ -42,7 +42,10 @@ export interface FilmOptions {
 }
 
 /** The times of the frames: the first and the last are the ends. */
-export function frameTimes([from, to]: readonly [number, number], { fps, seconds }: { fps: number; seconds: number }): number[] {
+export function frameTimes(
+    [from, to]: readonly [number, number],
+    { fps, seconds }: { fps: number; seconds: number },
+): number[] {
     const frames = Math.min(framesAtMost, Math.max(2, Math.round(fps * seconds)));
     return Array.from({ length: frames }, (_, i) => from + ((to - from) * i) / (frames - 1));
 }
@@ -62,7 +65,10 @@ export class FilmMaker {
     async record(setting: FilmSetting): Promise<Blob | null> {
         const { playback, state, figure } = this.options;
         if (this.progress.value.state === 'recording') return null;
-        if (!canEncode()) return this.fail('This browser encodes no films here: it needs a current browser, and https or localhost.');
+        if (!canEncode())
+            return this.fail(
+                'This browser encodes no films here: it needs a current browser, and https or localhost.',
+            );
         const size = { width: 2 * Math.floor(setting.width / 2), height: 2 * Math.floor(setting.height / 2) };
         const times = frameTimes(playback.span.value, setting);
         const before = state.clock.value;
@@ -72,7 +78,8 @@ export class FilmMaker {
         let encoding: VideoEncoding | null = null;
         try {
             encoding = await VideoEncoding.begin({ ...size, fps: setting.fps });
-            if (encoding === null) return this.fail('No encoder of this browser takes films of this size. Choose a smaller one.');
+            if (encoding === null)
+                return this.fail('No encoder of this browser takes films of this size. Choose a smaller one.');
             await playback.pause();
             for (const [i, time] of times.entries()) {
                 await this.show(time);
@@ -111,9 +118,13 @@ export class FilmMaker {
         if (moving) await worker.call('time.set', { time });
         else playback.release(time);
         // Somebody else may have moved the clock since.
-        const again = moving ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), askAgainMs) : undefined;
+        const again = moving
+            ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), askAgainMs)
+            : undefined;
         try {
-            await this.until(() => (moving ? this.surfacesAt(time) : ['final', 'empty'].includes(state.phase.value)));
+            await this.until(() =>
+                moving ? this.surfacesAt(time) : ['final', 'empty'].includes(state.phase.value),
+            );
         } finally {
             clearInterval(again);
         }
@@ -143,7 +154,14 @@ export class FilmMaker {
                 stop?.();
             };
             const timer = setTimeout(
-                () => settle(() => reject(new Error('The surface of the next frame has not come for a minute. Is the server busy, or this page hidden?'))),
+                () =>
+                    settle(() =>
+                        reject(
+                            new Error(
+                                'The surface of the next frame has not come for a minute. Is the server busy, or this page hidden?',
+                            ),
+                        ),
+                    ),
                 patienceMs,
             );
             stop = effect(() => {

@@ -40,7 +40,10 @@ describe('MeshDownload', () => {
         });
         const download = new MeshDownload(base);
         expect(await download.fetch('s', 's1', 'glb')).toBeNull();
-        expect(download.progress.value).toEqual({ state: 'failed', words: 'the surface is empty: move the rake into the flow' });
+        expect(download.progress.value).toEqual({
+            state: 'failed',
+            words: 'the surface is empty: move the rake into the flow',
+        });
     });
 
     it('is cancelled while it waits', async () => {

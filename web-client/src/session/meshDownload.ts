@@ -46,7 +46,12 @@ export class MeshDownload {
     }
 
     private failed(error: unknown, cancelled: boolean): void {
-        const words = error instanceof TypeError ? 'The server cannot be reached.' : error instanceof Error ? error.message : String(error);
+        const words =
+            error instanceof TypeError
+                ? 'The server cannot be reached.'
+                : error instanceof Error
+                  ? error.message
+                  : String(error);
         this.progress.value = cancelled ? { state: 'idle', words: '' } : { state: 'failed', words };
     }
 }

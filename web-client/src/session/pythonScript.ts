@@ -1,5 +1,13 @@
 // A script for Python that does what a panel shows, with the client that comes with the server (protocol/python/wakesurf.py).
-import { type CallStep, KeptId, type MeshStep, nounOf, ofSession, type ScriptPlace, type ScriptStep } from './scriptStep.ts';
+import {
+    type CallStep,
+    KeptId,
+    type MeshStep,
+    nounOf,
+    ofSession,
+    type ScriptPlace,
+    type ScriptStep,
+} from './scriptStep.ts';
 
 const head = [
     '# Needs wakesurf.py of the server (protocol/python) beside it, and numpy.',

@@ -11,7 +11,16 @@ const nasty = `it's "q" $HOME \`ls\` \\n \\ ! %s {x} \n second line \u{1f30a} é
 const made: ScriptStep[] = [
     {
         method: 'rake.set',
-        params: { kind: 'line', points: [[0, -1.5, 1e-7], [0, 1.5, 2]], seeds: 24, name: nasty, colour: undefined },
+        params: {
+            kind: 'line',
+            points: [
+                [0, -1.5, 1e-7],
+                [0, 1.5, 2],
+            ],
+            seeds: 24,
+            name: nasty,
+            colour: undefined,
+        },
         keep: 'rake',
     },
     {
@@ -47,7 +56,10 @@ function curlArguments(script: string): string[][] {
     const shell = `curl() { for a in "$@"; do printf '%s\\0' "$a" >&2; done; printf '\\1' >&2; echo '{"result":{"rake":"r7","surface":"s8"}}'; }
 ${script}`;
     const out = execFileSync('bash', ['-c', `{ ${shell}\n} 2>&1 >/dev/null`], { encoding: 'utf8' });
-    return out.split('\u0001').slice(0, -1).map((call) => call.split('\u0000').slice(0, -1));
+    return out
+        .split('\u0001')
+        .slice(0, -1)
+        .map((call) => call.split('\u0000').slice(0, -1));
 }
 
 function sent(call: string[]): Record<string, unknown> {
@@ -60,7 +72,18 @@ describe('a script for Python', () => {
         expect(calls).toEqual([
             ['Client', [place.server], {}],
             ['session', ['main'], {}],
-            ['rake', [], { line: [[0, -1.5, 1e-7], [0, 1.5, 2]], seeds: 24, name: nasty }],
+            [
+                'rake',
+                [],
+                {
+                    line: [
+                        [0, -1.5, 1e-7],
+                        [0, 1.5, 2],
+                    ],
+                    seeds: 24,
+                    name: nasty,
+                },
+            ],
             ['surface', ['kept', 'streak'], { dataset: "d'1", from_: 8.5, to: 12, direction: 'both' }],
             ['wait', [], {}],
             ['export', ['surface.vtp'], {}],
@@ -92,7 +115,15 @@ describe('a script for curl', () => {
         expect(calls[0]).toContain(`${place.server}/rpc`);
         expect(sent(calls[0]!)).toEqual({
             session: 'main',
-            ...{ kind: 'line', points: [[0, -1.5, 1e-7], [0, 1.5, 2]], seeds: 24, name: nasty },
+            ...{
+                kind: 'line',
+                points: [
+                    [0, -1.5, 1e-7],
+                    [0, 1.5, 2],
+                ],
+                seeds: 24,
+                name: nasty,
+            },
         });
         expect(sent(calls[1]!)).toMatchObject({ rake: 'r7', dataset: "d'1", kind: 'streak' });
         expect(calls[2]).toContain(`${place.server}/api/v1/sessions/main/surfaces/s8/mesh.vtp`);

@@ -18,7 +18,10 @@ describe('StepStates', () => {
         await states.load('d');
         expect(state.stepStates.value).toEqual(['resident', 'cold', 'cold']);
         states.patched('another', [{ step: 0, state: 'cold' }]);
-        states.patched('d', [{ step: 1, state: 'loading' }, { step: 4, state: 'resident' }]);
+        states.patched('d', [
+            { step: 1, state: 'loading' },
+            { step: 4, state: 'resident' },
+        ]);
         expect(state.stepStates.value).toEqual(['resident', 'loading', 'cold', 'cold', 'resident']);
     });
 });

@@ -51,10 +51,18 @@ describe('time-steps', () => {
             { first: 4, last: 4, state: 'resident' },
         ]);
         for (const count of [1, 7, 239, 240, 241, 5000]) {
-            const many = stepMarks(Array<StepState>(count).fill('cold'), 240);
-            expect(many.length).toBeLessThanOrEqual(240);
-            expect(many.reduce((sum, { first, last }) => sum + last - first + 1, 0)).toBe(count);
+            const many = Array.from({ length: count }, (_, i) => states[Math.floor(i / 50) % 5]!);
+            const drawn = stepMarks(many, 240);
+            expect(drawn.length).toBeLessThanOrEqual(240);
+            expect(drawn.reduce((sum, { first, last }) => sum + last - first + 1, 0)).toBe(count);
+            for (const { first, last, state } of drawn) {
+                if (state === 'resident')
+                    expect(many.slice(first, last + 1).every((each) => each === 'resident')).toBe(true);
+            }
         }
+        expect(stepMarks(Array<StepState>(5000).fill('cold'), 240)).toEqual([
+            { first: 0, last: 4999, state: 'cold' },
+        ]);
     });
 
     it('are counted in words', () => {

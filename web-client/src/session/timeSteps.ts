@@ -46,14 +46,19 @@ export interface StepMark {
     state: StepState;
 }
 
-/** A run is as far as the least of its time-steps: resident only if all of it is. */
+/**
+ * A mark for each time-step; where they are more than `atMost`, one for each run of the same state, for which neighbours count
+ * as far as the least of them: resident only if all are.
+ */
 export function stepMarks(states: readonly StepState[], atMost: number): StepMark[] {
-    const width = Math.max(1, Math.ceil(states.length / atMost));
+    const width = Math.max(1, Math.ceil(states.length / Math.max(1, atMost)));
     const marks: StepMark[] = [];
     for (let first = 0; first < states.length; first += width) {
         const run = states.slice(first, first + width);
         const state = run.includes('loading') ? 'loading' : run.includes('cold') ? 'cold' : 'resident';
-        marks.push({ first, last: first + run.length - 1, state });
+        const [last, before] = [first + run.length - 1, marks.at(-1)];
+        if (width > 1 && before?.state === state) before.last = last;
+        else marks.push({ first, last, state });
     }
     return marks;
 }

@@ -10,7 +10,9 @@ interface Element {
     children: Element[];
 }
 
-const masters = new Set([0x1a45dfa3, 0x18538067, 0x1549a966, 0x1654ae6b, 0xae, 0xe0, 0x1c53bb6b, 0xbb, 0xb7, 0x1f43b675]);
+const masters = new Set([
+    0x1a45dfa3, 0x18538067, 0x1549a966, 0x1654ae6b, 0xae, 0xe0, 0x1c53bb6b, 0xbb, 0xb7, 0x1f43b675,
+]);
 
 /** The twin: elements of EBML (RFC 8794), whatever widths their numbers have. */
 function parse(file: DataView, from: number, to: number): Element[] {
@@ -90,7 +92,11 @@ describe('a WebM file', () => {
     });
 
     it('begins a new cluster before the times in it become too long', async () => {
-        const long = Array.from({ length: 100 }, (_, i) => ({ data: new Uint8Array(1), time: i * 1000, key: i === 0 }));
+        const long = Array.from({ length: 100 }, (_, i) => ({
+            data: new Uint8Array(1),
+            time: i * 1000,
+            key: i === 0,
+        }));
         const blob = webmFile({ codec: 'V_VP8', width: 16, height: 16, duration: 100_000, frames: long });
         const file = new DataView(await blob.arrayBuffer());
         const blocks = all(parse(file, 0, file.byteLength), 0xa3);

@@ -40,7 +40,14 @@ const ids = {
     ...{ info: 0x1549a966, timestampScale: 0x2ad7b1, duration: 0x4489, muxingApp: 0x4d80, writingApp: 0x5741 },
     ...{ tracks: 0x1654ae6b, trackEntry: 0xae, trackNumber: 0xd7, trackUid: 0x73c5, trackType: 0x83 },
     ...{ lacing: 0x9c, codecId: 0x86, video: 0xe0, pixelWidth: 0xb0, pixelHeight: 0xba },
-    ...{ cues: 0x1c53bb6b, cuePoint: 0xbb, cueTime: 0xb3, cueTrackPositions: 0xb7, cueTrack: 0xf7, cuePosition: 0xf1 },
+    ...{
+        cues: 0x1c53bb6b,
+        cuePoint: 0xbb,
+        cueTime: 0xb3,
+        cueTrackPositions: 0xb7,
+        cueTrack: 0xf7,
+        cuePosition: 0xf1,
+    },
     ...{ cluster: 0x1f43b675, timestamp: 0xe7, simpleBlock: 0xa3 },
 };
 const videoTrack = 1;
@@ -49,7 +56,12 @@ const longestCluster = 30_000;
 
 function head(): Part[] {
     return element(ids.ebml, [
-        ...[whole(ids.version, 1), whole(ids.readVersion, 1), whole(ids.maxIdLength, 4), whole(ids.maxSizeLength, 8)],
+        ...[
+            whole(ids.version, 1),
+            whole(ids.readVersion, 1),
+            whole(ids.maxIdLength, 4),
+            whole(ids.maxSizeLength, 8),
+        ],
         ...[text(ids.docType, 'webm'), whole(ids.docTypeVersion, 4), whole(ids.docTypeReadVersion, 2)],
     ]);
 }
@@ -69,7 +81,12 @@ function info({ duration }: Film): Part {
 function tracks({ codec, width, height }: Film): Part {
     const video = join(element(ids.video, [whole(ids.pixelWidth, width), whole(ids.pixelHeight, height)]));
     const entry = [
-        ...[whole(ids.trackNumber, videoTrack), whole(ids.trackUid, 1), whole(ids.trackType, 1), whole(ids.lacing, 0)],
+        ...[
+            whole(ids.trackNumber, videoTrack),
+            whole(ids.trackUid, 1),
+            whole(ids.trackType, 1),
+            whole(ids.lacing, 0),
+        ],
         ...[text(ids.codecId, codec), video],
     ];
     return join(element(ids.tracks, element(ids.trackEntry, entry)));
@@ -103,11 +120,18 @@ function block({ data, key }: EncodedFrame, time: number): Part[] {
 /** The same size for any place, so that places can be counted before they are written. */
 function cuePoint(time: number, at: number): Part {
     const positions = [whole(ids.cueTrack, videoTrack), whole(ids.cuePosition, at, 8)];
-    return join(element(ids.cuePoint, [whole(ids.cueTime, time, 8), ...element(ids.cueTrackPositions, positions)]));
+    return join(
+        element(ids.cuePoint, [whole(ids.cueTime, time, 8), ...element(ids.cueTrackPositions, positions)]),
+    );
 }
 
 function cuesSize(count: number): number {
-    return sizeOf(element(ids.cues, Array.from({ length: count }, () => cuePoint(0, 0))));
+    return sizeOf(
+        element(
+            ids.cues,
+            Array.from({ length: count }, () => cuePoint(0, 0)),
+        ),
+    );
 }
 
 function element(id: number, body: readonly Part[]): Part[] {

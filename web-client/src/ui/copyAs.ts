@@ -60,7 +60,9 @@ export class CopyAs extends SignalElement {
                 width: 100%;
                 height: 40vh;
                 margin-bottom: 8px;
-                font: 12px / 1.4 ui-monospace, monospace;
+                font:
+                    12px / 1.4 ui-monospace,
+                    monospace;
                 color: inherit;
                 background: var(--raised);
                 border: 1px solid var(--line);
@@ -73,17 +75,20 @@ export class CopyAs extends SignalElement {
     override render(): TemplateResult {
         return html`
             ${(['Python', 'curl'] as const).map(
-                (language) => html`<button
-                    type="button"
-                    title=${`A script that does the same over the network, for ${language}. It holds no token.`}
-                    @click=${() => this.copy(language)}
-                >
-                    Copy as ${language}
-                </button>`,
+                (language) =>
+                    html`<button
+                        type="button"
+                        title=${`A script that does the same over the network, for ${language}. It holds no token.`}
+                        @click=${() => this.copy(language)}
+                    >
+                        Copy as ${language}
+                    </button>`,
             )}
             <span role="status">${this.said.value}</span>
             <dialog aria-labelledby="copy-head" @close=${() => (this.shown.value = '')}>
-                <p id="copy-head">This page may not write to the clipboard. The text is selected: copy it by hand.</p>
+                <p id="copy-head">
+                    This page may not write to the clipboard. The text is selected: copy it by hand.
+                </p>
                 <textarea readonly aria-label="Script" spellcheck="false" .value=${this.shown.value}></textarea>
                 <form method="dialog"><button>Close</button></form>
             </dialog>

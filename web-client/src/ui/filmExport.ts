@@ -44,13 +44,23 @@ export class FilmExport extends SignalElement {
             ${choice.render(figure.shownSize)}
             <label
                 >Frames per second
-                <select id="film-fps" @change=${(event: Event) => (fps.value = Number((event.target as HTMLSelectElement).value))}>
+                <select
+                    id="film-fps"
+                    @change=${(event: Event) => (fps.value = Number((event.target as HTMLSelectElement).value))}
+                >
                     ${rates.map((rate) => html`<option value=${rate} .selected=${rate === fps.value}>${rate}</option>`)}
                 </select>
             </label>
             <label
                 >Length in seconds
-                <input id="film-seconds" type="number" min="0.1" step="any" .value=${String(seconds.value)} @change=${this.lengthTyped} />
+                <input
+                    id="film-seconds"
+                    type="number"
+                    min="0.1"
+                    step="any"
+                    .value=${String(seconds.value)}
+                    @change=${this.lengthTyped}
+                />
             </label>
             <label class="check"
                 ><input
@@ -59,11 +69,13 @@ export class FilmExport extends SignalElement {
                     @change=${(event: Event) => (time.value = (event.target as HTMLInputElement).checked)}
                 />Time in the picture</label
             >
-            <div class="row"><button type="button" id="record-film" @click=${this.record}>Record WebM</button></div>
+            <div class="row">
+                <button type="button" id="record-film" @click=${this.record}>Record WebM</button>
+            </div>
             ${words === '' ? nothing : html`<p role="alert">${words}</p>`}
             <p>
-                From t = ${shortNumber(from)} to ${shortNumber(to)} in ${frames} frames, each drawn when its surface is there.
-                Background, bar, axes and rake as above.
+                From t = ${shortNumber(from)} to ${shortNumber(to)} in ${frames} frames, each drawn when its
+                surface is there. Background, bar, axes and rake as above.
                 ${others ? 'The others in this session see the time move while it is recorded.' : ''}
             </p>
         `;
@@ -81,7 +93,8 @@ export class FilmExport extends SignalElement {
         if (!canEncode()) {
             return 'This browser encodes no films here. It takes a current browser, and a page that comes over https or from localhost.';
         }
-        if (state.role.value === 'viewer') return 'This link is for looking on: a film would have to move the time.';
+        if (state.role.value === 'viewer')
+            return 'This link is for looking on: a film would have to move the time.';
         return playback.mode.value === 'none' ? 'There is nothing to play: the data have one time-step.' : null;
     }
 

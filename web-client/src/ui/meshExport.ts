@@ -40,13 +40,21 @@ export class MeshExport extends SignalElement {
                 </select>
             </label>
             <div class="row">
-                <button type="button" id="download-mesh" ?disabled=${waiting || state.surface.value === undefined} @click=${this.download}>
+                <button
+                    type="button"
+                    id="download-mesh"
+                    ?disabled=${waiting || state.surface.value === undefined}
+                    @click=${this.download}
+                >
                     Download mesh
                 </button>
                 ${waiting ? html`<button type="button" @click=${() => mesh.cancel()}>Cancel</button>` : nothing}
             </div>
             ${words === '' ? nothing : html`<p role=${progress === 'failed' ? 'alert' : 'status'}>${words}</p>`}
-            <wakesurf-copy-as .model=${this.model} .calls=${() => meshSteps(state, chosen.value)}></wakesurf-copy-as>
+            <wakesurf-copy-as
+                .model=${this.model}
+                .calls=${() => meshSteps(state, chosen.value)}
+            ></wakesurf-copy-as>
         `;
     }
 

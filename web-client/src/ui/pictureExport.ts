@@ -36,7 +36,9 @@ export class PictureExport extends SignalElement {
                 <select id="background" @change=${this.backgroundChosen}>
                     ${backgrounds.map(
                         ({ value, words }) =>
-                            html`<option value=${value} .selected=${value === figure.background.value}>${words}</option>`,
+                            html`<option value=${value} .selected=${value === figure.background.value}>
+                                ${words}
+                            </option>`,
                     )}
                 </select>
             </label>

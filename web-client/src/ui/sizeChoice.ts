@@ -28,12 +28,15 @@ export class SizeChoice {
                 >Size
                 <select id=${`${id}-size`} @change=${(event: Event) => this.choose(event, shown)}>
                     ${option('shown', `as shown, ${words(shown)}`)}
-                    ${this.presets.map((preset) => option(words(preset), words(preset)))} ${option('typed', 'other')}
+                    ${this.presets.map((preset) => option(words(preset), words(preset)))}
+                    ${option('typed', 'other')}
                 </select>
             </label>
-            ${chosen === 'typed'
-                ? html`<div class="row">${this.number('width', shown)} × ${this.number('height', shown)}</div>`
-                : nothing}`;
+            ${
+                chosen === 'typed'
+                    ? html`<div class="row">${this.number('width', shown)} × ${this.number('height', shown)}</div>`
+                    : nothing
+            }`;
     }
 
     private number(side: 'width' | 'height', shown: ScreenSize): TemplateResult {

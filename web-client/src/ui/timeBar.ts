@@ -1,5 +1,5 @@
 // Below the picture: when it is of, how that runs, and the timeline.
-import { css, html, noChange, nothing, type TemplateResult } from 'lit';
+import { html, noChange, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { SurfaceKind } from '../protocol/messages.ts';
 import { shortNumber } from '../scene/ticks.ts';
@@ -10,6 +10,7 @@ import './copyAs.ts';
 import { icon } from './icons.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
+import { timeBarStyles } from './timeBarStyles.ts';
 import { timeKeyOf } from './timeKeys.ts';
 import './timeline.ts';
 
@@ -28,86 +29,7 @@ export class TimeBar extends SignalElement {
     /** What is being typed must not be overwritten by the time that passes. */
     private typing = false;
 
-    static override styles = [
-        sharedStyles,
-        css`
-            :host {
-                display: block;
-                padding: 6px 10px 4px;
-                background: var(--ground);
-                border-top: 1px solid var(--line);
-            }
-            .row {
-                display: flex;
-                flex-wrap: wrap;
-                align-items: center;
-                gap: 4px 10px;
-                min-height: 28px;
-            }
-            .buttons {
-                display: flex;
-                gap: 3px;
-            }
-            .buttons button {
-                display: grid;
-                place-content: center;
-                width: 29px;
-                padding: 0;
-            }
-            button:disabled {
-                opacity: 0.45;
-                cursor: default;
-            }
-            [aria-pressed='true'] {
-                border-color: var(--accent);
-                color: var(--accent);
-            }
-            #speed {
-                width: 120px;
-            }
-            input[type='number'] {
-                width: 74px;
-                text-align: right;
-                font-variant-numeric: tabular-nums;
-            }
-            label {
-                display: flex;
-                align-items: center;
-                gap: 6px;
-            }
-            .words {
-                font-variant-numeric: tabular-nums;
-            }
-            .quiet,
-            .below {
-                color: var(--quiet);
-                font-size: 12px;
-            }
-            .below {
-                justify-content: space-between;
-                min-height: 24px;
-            }
-            .legend {
-                display: flex;
-                flex-wrap: wrap;
-                gap: 2px 12px;
-            }
-            .legend svg {
-                margin-right: 4px;
-                vertical-align: -1px;
-            }
-            .legend rect {
-                fill: none;
-                stroke: currentColor;
-            }
-            .legend path {
-                fill: currentColor;
-            }
-            wakesurf-copy-as {
-                margin: 0;
-            }
-        `,
-    ];
+    static override styles = [sharedStyles, timeBarStyles];
 
     override connectedCallback(): void {
         super.connectedCallback();
@@ -142,10 +64,16 @@ export class TimeBar extends SignalElement {
                 </label>
                 <span class="words">${this.meaning()}</span>
             </div>
-            <wakesurf-timeline .model=${this.model}></wakesurf-timeline>
+            <wakesurf-timeline
+                .model=${this.model}
+                ?hidden=${none && this.model.state.times.value.length < 2}
+            ></wakesurf-timeline>
             <div class="row below">
                 ${this.legend()}
-                <wakesurf-copy-as .model=${this.model} .calls=${() => timeSteps(this.model.state)}></wakesurf-copy-as>
+                <wakesurf-copy-as
+                    .model=${this.model}
+                    .calls=${() => timeSteps(this.model.state)}
+                ></wakesurf-copy-as>
             </div>
         `;
     }
@@ -153,14 +81,23 @@ export class TimeBar extends SignalElement {
     private buttons(disabled: boolean): TemplateResult {
         const { playback } = this.model;
         const playing = playback.playing.value;
-        const button = (words: string, keys: string, sign: TemplateResult, action: () => unknown): TemplateResult =>
-            html`<button type="button" aria-label=${words} title=${keys} ?disabled=${disabled} @click=${action}>${sign}</button>`;
+        const button = (
+            words: string,
+            keys: string,
+            sign: TemplateResult,
+            action: () => unknown,
+        ): TemplateResult =>
+            html`<button type="button" aria-label=${words} title=${keys} ?disabled=${disabled} @click=${action}>
+                ${sign}
+            </button>`;
         return html`<div class="buttons" role="group" aria-label="Time controls">
             ${button('To the start', 'To the start', icon('start'), () => playback.toEnd(-1))}
             ${button('Previous time-step', 'One time-step back: ,', icon('back'), () => playback.step(-1))}
-            ${playing
-                ? button('Pause', 'Pause: space', icon('pause'), () => playback.toggle())
-                : button('Play', 'Play: space', icon('play'), () => playback.toggle())}
+            ${
+                playing
+                    ? button('Pause', 'Pause: space', icon('pause'), () => playback.toggle())
+                    : button('Play', 'Play: space', icon('play'), () => playback.toggle())
+            }
             ${button('Next time-step', 'One time-step on: .', icon('forward'), () => playback.step(1))}
             ${button('To the end', 'To the end', icon('end'), () => playback.toEnd(1))}
         </div>`;
@@ -169,9 +106,9 @@ export class TimeBar extends SignalElement {
     private speed(disabled: boolean): TemplateResult {
         const { playback } = this.model;
         const normal = playback.normalSpeed.value;
-        const factor = playback.speed.value / normal;
+        const factor = normal > 0 ? playback.speed.value / normal : 1;
         const close = (each: number): boolean => Math.abs(each - factor) < 1e-3 * each;
-        const choices = speeds.some(close) || !Number.isFinite(factor) ? speeds : [...speeds, factor];
+        const choices = speeds.some(close) ? speeds : [...speeds, factor];
         const loop = playback.loop.value;
         return html`<select
                 id="speed"
@@ -254,7 +191,7 @@ export class TimeBar extends SignalElement {
 }
 
 function numberText(time: number): string {
-    return Number.isFinite(time) ? String(Number(time.toPrecision(6))) : '';
+    return Number.isFinite(time) ? String(Number(time.toPrecision(5))) : '';
 }
 
 customElements.define('wakesurf-time-bar', TimeBar);

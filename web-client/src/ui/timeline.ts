@@ -12,7 +12,8 @@ import { SignalElement } from './signalElement.ts';
 import { timelineStyles } from './timelineStyles.ts';
 
 const pxPerTick = 64;
-const marksAtMost = 240;
+/** Marks nearer to each other than this are drawn as one bar. */
+const pxPerMark = 5;
 const pageOfSteps = 5;
 
 export class Timeline extends SignalElement {
@@ -50,39 +51,47 @@ export class Timeline extends SignalElement {
             <svg class="picture" aria-hidden="true">
                 <rect class="line" x="0" width="100%" y="9" height="2" />
                 ${surface === null ? nothing : this.surfaceBand(surface, at)}
-                ${Number.isFinite(time.value)
-                    ? svg`<line class="now" x1=${at(time.value)} x2=${at(time.value)} y1="10" y2="34" />`
-                    : nothing}
-                ${stepMarks(state.stepStates.value, marksAtMost).map((mark) => this.mark(mark, at))}
+                ${
+                    Number.isFinite(time.value)
+                        ? svg`<line class="now" x1=${at(time.value)} x2=${at(time.value)} y1="10" y2="34" />`
+                        : nothing
+                }
+                ${stepMarks(state.stepStates.value, this.width.value / pxPerMark).map((mark) => this.mark(mark, at))}
                 ${ticks.map(({ value, label }) => svg`<text x=${at(value)} y="49">${label}</text>`)}
             </svg>
-            ${moving ? this.clockSlider(line) : this.frozenSlider(line)} ${moving ? this.releaseSlider(line) : nothing}
+            ${moving ? this.clockSlider(line) : this.frozenSlider(line)}
+            ${moving ? this.releaseSlider(line) : nothing}
         `;
     }
 
     /** Released in the full part; in the pale one what was released moves on. */
     private surfaceBand(surface: Span, at: (time: number) => string): TemplateResult {
         const released = releaseEnd(this.model.state.surface.value, surface);
-        const width = (low: number, high: number): string => `${Math.max(0, parseFloat(at(high)) - parseFloat(at(low)))}%`;
+        const width = (low: number, high: number): string =>
+            `${Math.max(0, parseFloat(at(high)) - parseFloat(at(low)))}%`;
         return svg`
             <rect class="shown" x=${at(surface[0])} width=${width(...surface)} y="6" height="8" rx="2" />
             <rect class="released" x=${at(surface[0])} width=${width(surface[0], released)} y="6" height="8" rx="2" />
-            ${released < surface[1] && released > surface[0]
-                ? svg`<line class="release-end" x1=${at(released)} x2=${at(released)} y1="3" y2="17" />`
-                : nothing}`;
+            ${
+                released < surface[1] && released > surface[0]
+                    ? svg`<line class="release-end" x1=${at(released)} x2=${at(released)} y1="3" y2="17" />`
+                    : nothing
+            }`;
     }
 
     /** Full in memory, half while it is loaded, hollow on the disk. */
     private mark({ first, last, state }: StepMark, at: (time: number) => string): TemplateResult {
         const times = this.model.state.dataset.value?.times ?? [];
         const [low, high] = [parseFloat(at(times[first] ?? 0)), parseFloat(at(times[last] ?? 0))];
-        const width = Math.min(1.2, (0.7 * 100) / Math.max(1, times.length));
+        const width = Math.min(1.2, ((last > first ? 1 : 0.7) * 100) / Math.max(1, times.length - 1));
         const [x, across] = [`${(low - width / 2).toFixed(3)}%`, `${(high - low + width).toFixed(3)}%`];
         return svg`<g data-step=${first} data-state=${state}>
             <rect class="hollow" x=${x} width=${across} y="23.5" height="9" />
-            ${fills[state] === 0
-                ? nothing
-                : svg`<rect class="filled" x=${x} width=${across} y=${33 - fills[state]} height=${fills[state]} />`}
+            ${
+                fills[state] === 0
+                    ? nothing
+                    : svg`<rect class="filled" x=${x} width=${across} y=${33 - fills[state]} height=${fills[state]} />`
+            }
         </g>`;
     }
 

@@ -1,0 +1,84 @@
+// How the time bar looks.
+import { css } from 'lit';
+
+export const timeBarStyles = css`
+    :host {
+        display: block;
+        padding: 6px 10px 4px;
+        background: var(--ground);
+        border-top: 1px solid var(--line);
+    }
+    .row {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        gap: 4px 10px;
+        min-height: 28px;
+    }
+    .buttons {
+        display: flex;
+        gap: 3px;
+    }
+    .buttons button {
+        display: grid;
+        place-content: center;
+        width: 29px;
+        padding: 0;
+    }
+    button:disabled {
+        opacity: 0.45;
+        cursor: default;
+    }
+    [aria-pressed='true'] {
+        border-color: var(--accent);
+        color: var(--accent);
+    }
+    #speed {
+        width: 120px;
+    }
+    input[type='number'] {
+        width: 74px;
+        appearance: textfield;
+        text-align: right;
+        font-variant-numeric: tabular-nums;
+    }
+    input::-webkit-inner-spin-button {
+        appearance: none;
+    }
+    label {
+        display: flex;
+        align-items: center;
+        gap: 6px;
+    }
+    .words {
+        font-variant-numeric: tabular-nums;
+    }
+    .quiet,
+    .below {
+        color: var(--quiet);
+        font-size: 12px;
+    }
+    .below {
+        justify-content: space-between;
+        min-height: 24px;
+    }
+    .legend {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 2px 12px;
+    }
+    .legend svg {
+        margin-right: 4px;
+        vertical-align: -1px;
+    }
+    .legend rect {
+        fill: none;
+        stroke: currentColor;
+    }
+    .legend path {
+        fill: currentColor;
+    }
+    wakesurf-copy-as {
+        margin: 0;
+    }
+`;
