@@ -49,7 +49,7 @@ function idiom(method: string, params: ReadonlyMap<string, unknown>): string | n
     const written = (name: string): string => literal(params.get(name));
     switch (method) {
         case 'rake.set':
-            if (!known('kind', 'points', 'seeds', 'name')) return null;
+            if (!known('kind', 'points', 'seeds', 'name', 'colour')) return null;
             return `session.rake(${[`${String(params.get('kind'))}=${written('points')}`, ...rest('kind', 'points')].join(', ')})`;
         case 'surface.set': {
             if (params.has('surface') || !params.has('rake')) return null;
