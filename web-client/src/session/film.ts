@@ -10,6 +10,7 @@ import type { Edits } from './edits.ts';
 import type { Figure } from './figure.ts';
 import type { Playback } from './playback.ts';
 import { clampTo } from './timeSteps.ts';
+import { withUnit } from './unitsInPicture.ts';
 import { canEncode, VideoEncoding } from './videoEncoding.ts';
 
 const patienceMs = 60_000;
@@ -21,6 +22,8 @@ export interface FilmSetting extends ScreenSize {
     seconds: number;
     /** Writes the time into the picture. */
     time: boolean;
+    /** Of the time; empty: none. */
+    unit: string;
 }
 
 export interface FilmProgress {
@@ -84,7 +87,9 @@ export class FilmMaker {
             for (const [i, time] of times.entries()) {
                 await this.show(time);
                 const background = figure.background.value === 'clear' ? 'white' : figure.background.value;
-                const caption = setting.time ? `t = ${shortNumber(playback.time.value)}` : null;
+                const caption = setting.time
+                    ? `t = ${withUnit(shortNumber(playback.time.value), setting.unit)}`
+                    : null;
                 await encoding.add(figure.draw(size, caption, background));
                 this.progress.value = { ...this.progress.value, done: i + 1 };
             }

@@ -105,11 +105,17 @@ export class FilmExport extends SignalElement {
     }
 
     private async record(): Promise<void> {
-        const { film, figure, state } = this.model;
+        const { film, figure, state, view } = this.model;
         const size = choice.size(figure.shownSize);
         this.fault.value = sizeFault(size, figure.longestSide) ?? '';
         if (this.fault.value !== '') return;
-        const file = await film.record({ ...size, fps: fps.value, seconds: seconds.value, time: time.value });
+        const file = await film.record({
+            ...size,
+            fps: fps.value,
+            seconds: seconds.value,
+            time: time.value,
+            unit: view.units.value.time,
+        });
         if (file !== null) saveFile(file, fileName(state.dataset.value?.name, 'film.webm'));
     }
 }

@@ -5,6 +5,7 @@ import type { SurfaceKind } from '../protocol/messages.ts';
 import { shortNumber } from '../scene/ticks.ts';
 import { timeSteps } from '../session/panelSteps.ts';
 import { residentWords } from '../session/timeSteps.ts';
+import { withUnit } from '../session/unitsInPicture.ts';
 import type { AppModel } from './appModel.ts';
 import './copyAs.ts';
 import { icon } from './icons.ts';
@@ -61,6 +62,7 @@ export class TimeBar extends SignalElement {
                         @blur=${this.left}
                         @change=${this.typed}
                     />
+                    ${this.model.view.units.value.time}
                 </label>
                 <span class="words">${this.meaning()}</span>
             </div>
@@ -76,6 +78,10 @@ export class TimeBar extends SignalElement {
                 ></wakesurf-copy-as>
             </div>
         `;
+    }
+
+    private words(time: number): string {
+        return withUnit(shortNumber(time), this.model.view.units.value.time);
     }
 
     private buttons(disabled: boolean): TemplateResult {
@@ -120,7 +126,7 @@ export class TimeBar extends SignalElement {
                 ${choices.map(
                     (each) =>
                         html`<option value=${each} .selected=${close(each)}>
-                            ${shortNumber(each)}× (${shortNumber(each * normal)}/s)
+                            ${shortNumber(each)}× (${this.words(each * normal)}/s)
                         </option>`,
                 )}
             </select>
@@ -146,8 +152,8 @@ export class TimeBar extends SignalElement {
                 : nothing;
         }
         const until = intent.kind === 'streak' ? state.surface.value?.releaseUntil : undefined;
-        const end = until === undefined ? nothing : html` <span class="quiet">to</span> ${shortNumber(until)}`;
-        return html`<span class="quiet">${released[intent.kind]}</span> ${shortNumber(intent.from)}${end}`;
+        const end = until === undefined ? nothing : html` <span class="quiet">to</span> ${this.words(until)}`;
+        return html`<span class="quiet">${released[intent.kind]}</span> ${this.words(intent.from)}${end}`;
     }
 
     private legend(): TemplateResult {

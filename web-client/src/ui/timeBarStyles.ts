@@ -34,7 +34,7 @@ export const timeBarStyles = css`
         color: var(--accent);
     }
     #speed {
-        width: 120px;
+        max-width: 150px;
     }
     input[type='number'] {
         width: 74px;

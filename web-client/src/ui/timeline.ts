@@ -6,6 +6,7 @@ import { signal } from '@preact/signals-core';
 import type { StepState, SurfaceRecord } from '../protocol/messages.ts';
 import { niceTicks, shortNumber } from '../scene/ticks.ts';
 import { type Span, type StepMark, stepMarks, timelineSpan } from '../session/timeSteps.ts';
+import { withUnit } from '../session/unitsInPicture.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
@@ -57,7 +58,10 @@ export class Timeline extends SignalElement {
                         : nothing
                 }
                 ${stepMarks(state.stepStates.value, this.width.value / pxPerMark).map((mark) => this.mark(mark, at))}
-                ${ticks.map(({ value, label }) => svg`<text x=${at(value)} y="49">${label}</text>`)}
+                ${ticks.map(({ value, label }, i) => {
+                    const words = i === ticks.length - 1 ? withUnit(label, this.unit) : label;
+                    return svg`<text x=${at(value)} y="49">${words}</text>`;
+                })}
             </svg>
             ${moving ? this.clockSlider(line) : this.frozenSlider(line)}
             ${moving ? this.releaseSlider(line) : nothing}
@@ -107,7 +111,7 @@ export class Timeline extends SignalElement {
             ?disabled=${this.mayNot}
             .value=${this.place('clock', playback.time.value)}
             aria-label="Shown at"
-            aria-valuetext=${`shown at ${shortNumber(playback.time.value)}`}
+            aria-valuetext=${`shown at ${this.words(playback.time.value)}`}
             @pointerdown=${this.hold}
             @input=${this.scrubbed}
             @keydown=${this.keyed}
@@ -127,7 +131,7 @@ export class Timeline extends SignalElement {
             ?disabled=${this.mayNot || playback.mode.value === 'none'}
             .value=${this.place('time', Number.isFinite(time) ? time : line[0])}
             aria-label="Time of the frozen field"
-            aria-valuetext=${`frozen at ${shortNumber(time)}`}
+            aria-valuetext=${`frozen at ${this.words(time)}`}
             @pointerdown=${this.hold}
             @input=${this.scrubbed}
             @keydown=${this.keyed}
@@ -147,12 +151,20 @@ export class Timeline extends SignalElement {
             ?disabled=${this.mayNot || state.times.value.length < 2}
             .value=${this.place('time', from)}
             aria-label="Release"
-            aria-valuetext=${`released at ${shortNumber(from)}`}
+            aria-valuetext=${`released at ${this.words(from)}`}
             title="When the surface is released: drag"
             @pointerdown=${this.hold}
             @input=${(event: Event) => playback.release(valueOf(event))}
             @keydown=${this.releaseKeyed}
         />`;
+    }
+
+    private get unit(): string {
+        return this.model.view.units.value.time;
+    }
+
+    private words(time: number): string {
+        return withUnit(shortNumber(time), this.unit);
     }
 
     private get mayNot(): boolean {
