@@ -71,6 +71,12 @@ describe('Playback of a surface that moves', () => {
         expect([playback.speed.value, playback.loop.value]).toEqual([3, true]);
     });
 
+    it('ends with the data also while an edit is on its way', () => {
+        const { playback, intent } = bench('streak');
+        intent.value = { ...intent.value!, from: 2, length: 40 };
+        expect(playback.span.value).toEqual([2, 5]);
+    });
+
     it('stops to step by a stored time-step', async () => {
         const { playback, state } = bench('streak');
         playback.goTo(2.3);

@@ -57,7 +57,11 @@ export class Playback {
         }
         const record = state.surface.value;
         const same = record !== undefined && record.kind === intent.kind && record.from === intent.from;
-        return same ? [record.from, record.to] : [intent.from, intent.from + intent.length];
+        if (same) return [record.from, record.to];
+        // Until the server has it: what it will be asked for (settingOf).
+        const asked = intent.from + intent.length;
+        const steady = state.dataset.value?.steady ?? false;
+        return [intent.from, steady ? asked : Math.min(asked, state.times.value.at(-1) ?? asked)];
     });
 
     /** Of the picture. */

@@ -21,7 +21,7 @@ export class Timeline extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: AppModel;
     private readonly width = signal(600);
-    /** The handle under the pointer goes where that is; set back from here, it would drift away from it. */
+    /** The handle under the pointer stays there until it is let go, also between two time-steps. */
     private readonly held = signal<string | null>(null);
     private readonly resized = new ResizeObserver(([entry]) => {
         if (entry !== undefined && entry.contentRect.width > 0) this.width.value = entry.contentRect.width;
