@@ -53,7 +53,7 @@ export function capture(scene: FlowScene, setting: FigureSetting): HTMLCanvasEle
     const [rounded, ratio] = [{ width: layout.width, height: layout.height }, pixelRatio * (1 + 1e-9)];
     const leftOut = (layer: Layer): boolean =>
         layer.notForFigures === true ||
-        (!setting.rake && layer === scene.rake) ||
+        (!setting.rake && layer === scene.rakes) ||
         (!setting.axes && layer instanceof DomainOutline);
     return scene.drawAside(rounded, ratio, leftOut, (draw) => {
         const drawn = scene.renderer.domElement;
@@ -104,7 +104,7 @@ const captionAt = { x: 16, y: 24 };
 function paintText(
     context: CanvasRenderingContext2D,
     scene: FlowScene,
-    { background, axes, bar, caption }: FigureSetting,
+    { background, axes, rake, bar, caption }: FigureSetting,
     layout: ScreenSize,
     pixelRatio: number,
 ): void {
@@ -117,7 +117,9 @@ function paintText(
     context.scale(pixelRatio, pixelRatio);
     const page = labels.getBoundingClientRect();
     const skipped = (element: Element): boolean =>
-        element.matches('.person') || (!axes && element.matches('.tick, .axis-name'));
+        element.matches('.person') ||
+        (!axes && element.matches('.tick, .axis-name')) ||
+        (!rake && element.matches('.rake-label'));
     paintElement(context, labels, { x: -page.left, y: -page.top }, skipped);
     if (bar !== null) {
         // Where the labels lie has been placed for the figure, the bar has not.

@@ -71,6 +71,17 @@ describe('Playback of a surface that moves', () => {
         expect([playback.speed.value, playback.loop.value]).toEqual([3, true]);
     });
 
+    it('does not forget a speed that is chosen before the clock has started', async () => {
+        const { playback, calls } = bench('streak');
+        const starting = playback.play();
+        await playback.setSpeed(2);
+        await starting;
+        expect(calls).toEqual([
+            { speed: 0.4, loop: true, from: 1, to: 5 },
+            { speed: 0.8, loop: true, from: 1, to: 5 },
+        ]);
+    });
+
     it('ends with the data also while an edit is on its way', () => {
         const { playback, intent } = bench('streak');
         intent.value = { ...intent.value!, from: 2, length: 40 };

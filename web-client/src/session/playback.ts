@@ -30,6 +30,8 @@ export class Playback {
     private readonly chosenFactor = signal<number | null>(null);
     private readonly chosenLoop = signal<boolean | null>(null);
     private waiting: Timer | null = null;
+    /** The clock has been asked to run, and has not answered. */
+    private telling = false;
 
     constructor(options: PlaybackOptions) {
         this.options = options;
@@ -153,14 +155,22 @@ export class Playback {
     }
 
     private async tellIfRunning(): Promise<void> {
-        if (!this.playing.value) return;
-        if (this.mode.value === 'clock') await this.playClock();
-        else this.playFrozen();
+        if (this.mode.value === 'clock') {
+            // What is chosen before the clock has started is told when it has.
+            if (this.playing.value && !this.telling) await this.playClock();
+        } else if (this.playing.value) this.playFrozen();
     }
 
     private async playClock(): Promise<void> {
+        const [factor, loop] = [this.chosenFactor.value, this.chosenLoop.value];
         const [from, to] = this.span.value;
+        this.telling = true;
         await this.options.clock.play({ speed: this.speed.value, loop: this.loop.value, from, to });
+        this.telling = false;
+        if (this.chosenFactor.value !== factor || this.chosenLoop.value !== loop) {
+            await this.playClock();
+            return;
+        }
         // From here on the record says it, whoever changes it.
         this.chosenFactor.value = null;
         this.chosenLoop.value = null;
