@@ -12,6 +12,8 @@ import { MeshDownload } from './session/meshDownload.ts';
 import { showMarks } from './session/marksInPicture.ts';
 import { Measuring } from './session/measuring.ts';
 import { Noting } from './session/noting.ts';
+import { showLooks } from './session/looksInPicture.ts';
+import { connectPainting } from './session/painting.ts';
 import { People } from './session/people.ts';
 import { showPeople } from './session/peopleInPicture.ts';
 import { Playback } from './session/playback.ts';
@@ -90,6 +92,8 @@ function start(app: App): void {
     for (const tool of [probing, new Measuring({ state, pageView: view, ...sight }), new Noting({ state, pageView: view, ...sight }), pointing]) {
         scene.pointerTools.add(tool);
     }
+    showLooks({ state, view, scene, worker });
+    connectPainting(view, scene);
     scene.controls.onMove(() => people.takeCamera());
     const feed = new SurfaceFeed({ state, scene, worker, latency });
     const views = new Views({ state, view, scene, url });

@@ -1,6 +1,6 @@
 // The picture: surfaces, rake, domain and body, drawn on demand. Knows nothing of the server; session/ feeds it and listens
 // to it.
-import { type Color, type Mesh, Scene, WebGLRenderer } from 'three';
+import { type BufferGeometry, type Color, type Material, type Mesh, Scene, WebGLRenderer } from 'three';
 import type { Vec3 } from '../protocol/messages.ts';
 import { CameraControls } from './camera/cameraControls.ts';
 import type { Bounds } from './domain/domainAxes.ts';
@@ -13,6 +13,7 @@ import { Lights } from './lights.ts';
 import { PointerTools } from './pointerTools.ts';
 import { RakeInteraction, type RakeMove } from './rake/rakeInteraction.ts';
 import { RakeLayer } from './rake/rakeLayer.ts';
+import { clipMaterial } from './surface/bodyClip.ts';
 import { SurfaceLayer } from './surface/surfaceLayer.ts';
 import type { MeshChange } from './surface/surfaceMesh.ts';
 import { type PickGrid, type PickHit, type PickOptions, SurfacePick } from './surface/surfacePick.ts';
@@ -35,7 +36,6 @@ export class FlowScene {
     readonly loop = new FrameLoop((finished) => this.drawFrame(finished));
     readonly controls = new CameraControls(this.loop.request, (held) => this.hold(held));
     readonly surfaces = new SurfaceLayer();
-    private readonly picker: SurfacePick;
     readonly rakes: RakeLayer;
     readonly interaction: RakeInteraction;
     readonly pointerTools: PointerTools;
@@ -46,6 +46,7 @@ export class FlowScene {
     /** When the domain was on the screen first, on performance.now()'s clock. */
     firstPictureMs: number | null = null;
     private readonly canvas: HTMLCanvasElement;
+    private readonly picker: SurfacePick;
     private readonly software: boolean;
     private readonly scene = new Scene();
     private readonly layers: Layer[] = [];
@@ -56,13 +57,15 @@ export class FlowScene {
     /** While a figure is drawn, which has another size than the canvas. */
     private figureSize: ScreenSize | null = null;
     private outline: DomainOutline | null = null;
-    private obstacle: Mesh | null = null;
+    private obstacle: Mesh<BufferGeometry, Material> | null = null;
+    private bodyPlanes: readonly [number, number, number, number][] = [];
 
     constructor(options: FlowSceneOptions) {
         this.canvas = options.canvas;
         this.labels = options.labels;
         this.software = options.graphics.software;
         this.renderer = createRenderer(options);
+        this.renderer.localClippingEnabled = true;
         this.picker = new SurfacePick(this.renderer, this.surfaces);
         this.rakes = new RakeLayer(options.labels);
         this.interaction = new RakeInteraction({
@@ -80,7 +83,7 @@ export class FlowScene {
         this.pointerTools.add(this.interaction);
         this.controls.connect(this.canvas);
         this.setTheme('dark');
-        this.scene.add(this.surfaces.object);
+        this.surfaces.attach(this.scene);
         this.add(new Lights());
         this.add(this.rakes);
         new ResizeObserver(() => this.resize()).observe(this.canvas);
@@ -138,6 +141,7 @@ export class FlowScene {
         this.add(this.outline);
         this.controls.setBounds(bounds);
         this.rakes.setBounds(bounds);
+        this.surfaces.setBounds(bounds);
     }
 
     setObstacle(positions: Float32Array, indices: Uint32Array): void {
@@ -146,12 +150,16 @@ export class FlowScene {
             this.obstacle.geometry.dispose();
         }
         this.obstacle = createObstacleMesh(positions, indices);
+        clipMaterial(this.obstacle.material, this.bodyPlanes);
         this.scene.add(this.obstacle);
         this.loop.request();
     }
 
-    setRange(range: readonly [number, number]): void {
-        this.surfaces.setRange(range);
+    /** Planes (n, w) that cut surfaces, and the body too if asked: nothing is left where n . point > w. */
+    setClip(planes: readonly [number, number, number, number][], body: boolean): void {
+        this.surfaces.setClip(planes, body);
+        this.bodyPlanes = body ? planes : [];
+        if (this.obstacle !== null) clipMaterial(this.obstacle.material, this.bodyPlanes);
         this.loop.request();
     }
 

@@ -41,7 +41,7 @@ class Bench {
         };
         const edits = { reconnected: () => undefined, recordsChanged: () => undefined };
         const people = { joined: () => undefined, patched: () => undefined };
-        const scene = { setRange: () => undefined, setDomain: () => undefined };
+        const scene = { setDomain: () => undefined };
         const url = { token: null, session, dataset: null, state: null };
         const progress = { progressed: () => undefined };
         const views = { restore: () => undefined };

@@ -189,7 +189,6 @@ export class SessionController {
         const description = await worker.call('dataset.describe', { dataset });
         state.dataset.value = description;
         void this.stepStates.load(dataset);
-        scene.setRange(state.speedRange.value);
         if (known?.dataset === dataset) return;
         scene.setDomain(description.bounds);
         if (description.obstacle) void this.loadObstacle(description);

@@ -85,6 +85,7 @@ export class SurfaceFeed {
         for (const [surface, arrived] of this.waiting) {
             for (const change of arrived) {
                 scene.setSurface(surface, change);
+                if (change.parts !== null) state.parts.value = withEntry(state.parts.value, surface, change.parts.parts);
                 worker.taken(surface);
             }
             const { epoch, vertices, cells, triangles, stateCrc, phase, time, keys, deltas } = arrived.at(-1)!;

@@ -40,6 +40,14 @@ export interface ShownRake {
     points: readonly Vec3[];
 }
 
+/** A connected part of a surface. */
+export interface SurfacePart {
+    cells: number;
+    /** s and t of a place on it. */
+    seed: readonly [number, number];
+    hidden: boolean;
+}
+
 export type Stage = 'starting' | 'importing' | 'running' | 'failed' | 'ended';
 
 export class AppState {
@@ -71,6 +79,8 @@ export class AppState {
     readonly rakeShape = signal<ShownRake>({ kind: 'line', points: [] });
     readonly rakePoints = computed(() => this.rakeShape.value.points);
     readonly displayed = signal<ReadonlyMap<string, DisplayedSurface>>(new Map());
+    /** By surface, where they are asked for. */
+    readonly parts = signal<ReadonlyMap<string, readonly SurfacePart[]>>(new Map());
     /** The newest epoch that an answer or a record of the server has named, by surface. */
     readonly requestedEpochs = signal<ReadonlyMap<string, number>>(new Map());
     readonly surfaceErrors = signal<ReadonlyMap<string, SurfaceFailure>>(new Map());

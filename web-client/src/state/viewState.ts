@@ -2,6 +2,8 @@
 // session/, read by both.
 import { signal } from '@preact/signals-core';
 import type { Vec3 } from '../protocol/messages.ts';
+import { type ClipPlanes, noClip } from './clipPlanes.ts';
+import { type SurfaceLook, usualLook } from './surfaceLook.ts';
 
 /** What a click on the picture does. */
 export type Tool = 'none' | 'place' | 'probe' | 'measure' | 'annotate' | 'paint';
@@ -32,6 +34,12 @@ export interface NoteDraft {
     surface: string | null;
 }
 
+/** What the tool `paint` does to the surface under the pointer. */
+export interface Brush {
+    does: 'reveal' | 'erase' | 'hidePart';
+    radiusPx: number;
+}
+
 export class ViewState {
     readonly tool = signal<Tool>('none');
     readonly theme = signal<Theme>('system');
@@ -42,8 +50,22 @@ export class ViewState {
     /** Up to two points. */
     readonly measured = signal<readonly Vec3[]>([]);
     readonly note = signal<NoteDraft | null>(null);
+    /** By surface; those that are not in it look as usual. */
+    readonly looks = signal<ReadonlyMap<string, SurfaceLook>>(new Map());
+    readonly clip = signal<ClipPlanes>(noClip);
+    /** The surface whose parts are listed. */
+    readonly partsListed = signal<string | null>(null);
+    readonly brush = signal<Brush>({ does: 'reveal', radiusPx: 24 });
     /** Where the tour is; null: there is none. */
     readonly tourStep = signal<number | null>(null);
     /** The participant whose view this page takes. */
     readonly following = signal<string | null>(null);
+
+    lookOf(surface: string | null): SurfaceLook {
+        return this.looks.value.get(surface ?? '') ?? usualLook;
+    }
+
+    changeLook(surface: string, change: Partial<SurfaceLook>): void {
+        this.looks.value = new Map(this.looks.value).set(surface, { ...this.lookOf(surface), ...change });
+    }
 }

@@ -66,6 +66,13 @@ export class App extends SignalElement {
                 background: rgb(8 12 20 / 0.82);
                 color: #ffffff;
             }
+            .labels .brush {
+                position: absolute;
+                left: 0;
+                top: 0;
+                border: 1.5px solid light-dark(#17202d, #e8edf5);
+                border-radius: 50%;
+            }
             .labels .axis-name {
                 font-size: 15px;
                 font-weight: 600;

@@ -10,6 +10,7 @@ import { exportBody } from './exportPanel.ts';
 import './helpDialog.ts';
 import './linksPanel.ts';
 import './notesPanel.ts';
+import './lookPanel.ts';
 import './peoplePanel.ts';
 import './probePanel.ts';
 import './rakeList.ts';
@@ -49,6 +50,11 @@ const tabs: readonly Tab[] = [
                 </details>
             </section>
         `,
+    },
+    {
+        id: 'look',
+        label: 'Look',
+        body: (model) => html`<wakesurf-look .model=${model}></wakesurf-look>`,
     },
     {
         id: 'view',

@@ -1,76 +1,88 @@
-// What the colours mean: the colour table with numbers, as text that can be read aloud.
+// What the colours of the selected surface mean: the colour table with numbers, as text that can be read aloud.
 import { css, html, type TemplateResult } from 'lit';
 import { colorTable, fractionOf, tableSize } from '../scene/surface/colorMap.ts';
-import { niceTicks, shortNumber } from '../scene/ticks.ts';
+import { colorTicks } from '../scene/surface/colorTicks.ts';
+import type { SurfaceSpan } from '../scene/surface/surfaceLayer.ts';
+import { shortNumber } from '../scene/ticks.ts';
 import type { AppModel } from './appModel.ts';
+import { colourTitle } from './colourNames.ts';
+import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
 
 export class ScalarBar extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: AppModel;
+    private span: SurfaceSpan | null = null;
 
-    static override styles = css`
-        :host([hidden]) {
-            display: none;
-        }
-        :host {
-            display: block;
-            width: 260px;
-            padding: 8px 14px 6px;
-            border-radius: 8px;
-            background: light-dark(rgb(255 255 255 / 0.85), rgb(11 16 24 / 0.82));
-            color: light-dark(#17202d, #e8edf5);
-            font-size: 12px;
-            pointer-events: none;
-        }
-        figure {
-            margin: 0;
-        }
-        canvas {
-            display: block;
-            width: 100%;
-            height: 12px;
-            border-radius: 3px;
-        }
-        figcaption {
-            display: flex;
-            justify-content: space-between;
-            margin-bottom: 4px;
-        }
-        .range {
-            color: light-dark(#4b5a70, #a7b4c8);
-            font-variant-numeric: tabular-nums;
-        }
-        .ticks {
-            position: relative;
-            height: 18px;
-            margin-top: 3px;
-            font-variant-numeric: tabular-nums;
-        }
-        .ticks span {
-            position: absolute;
-            transform: translateX(-50%);
-        }
-    `;
+    static override styles = [
+        sharedStyles,
+        css`
+            :host([hidden]) {
+                display: none;
+            }
+            :host {
+                display: block;
+                width: 260px;
+                padding: 8px 14px 6px;
+                border-radius: 8px;
+                background: light-dark(rgb(246 248 251 / 0.86), rgb(11 16 24 / 0.82));
+                font-size: 12px;
+                pointer-events: none;
+            }
+            figure {
+                margin: 0;
+            }
+            canvas {
+                display: block;
+                width: 100%;
+                height: 12px;
+                border-radius: 3px;
+            }
+            figcaption {
+                display: flex;
+                justify-content: space-between;
+                gap: 8px;
+                margin-bottom: 4px;
+            }
+            .range {
+                color: var(--quiet);
+                white-space: nowrap;
+                font-variant-numeric: tabular-nums;
+            }
+            .ticks {
+                position: relative;
+                height: 18px;
+                margin-top: 3px;
+                font-variant-numeric: tabular-nums;
+            }
+            .ticks span {
+                position: absolute;
+                transform: translateX(-50%);
+            }
+        `,
+    ];
 
     override render(): TemplateResult {
-        const { state } = this.model;
-        const dataset = state.dataset.value;
-        this.hidden = dataset === null;
-        const range = state.speedRange.value;
-        const unit = dataset?.fields.find(({ name }) => name === dataset.velocity)?.unit;
-        const name = unit === undefined ? 'Speed' : `Speed (${unit})`;
-        const span = `from ${shortNumber(range[0])} to ${shortNumber(range[1])}`;
-        return html`<figure aria-label=${`Colours: ${name} ${span}`}>
+        const { state, view, scene } = this.model;
+        // Whenever one of these changes, what is drawn may.
+        void [state.displayed.value, view.looks.value, state.surfaces.value, state.speedRange.value];
+        this.span = scene.surfaces.spanOf(state.activeSurface.value ?? '');
+        this.hidden = this.span === null || this.span.style.source === 'constant';
+        if (this.span === null) return html``;
+        const { colors, style } = this.span;
+        const [low, high] = colors;
+        const name = colourTitle(style, state.dataset.value, state.surface.value?.kind);
+        const scale = style.logarithmic ? ', logarithmic' : '';
+        return html`<figure aria-label=${`Colours: ${name} from ${shortNumber(low)} to ${shortNumber(high)}${scale}`}>
             <figcaption>
                 <span>${name}</span>
-                <span class="range">${shortNumber(range[0])} to ${shortNumber(range[1])}</span>
+                <span class="range">${shortNumber(low)} to ${shortNumber(high)}${style.logarithmic ? ', log' : ''}</span>
             </figcaption>
             <canvas width=${tableSize} height="1" aria-hidden="true"></canvas>
             <div class="ticks" aria-hidden="true">
-                ${niceTicks(range[0], range[1], 5).map(
+                ${colorTicks(low, high, style.logarithmic, 5).map(
                     ({ value, label }) =>
-                        html`<span data-at=${fractionOf(value, range)}>${label}</span>`,
+                        html`<span data-at=${fractionOf(value, colors, style.logarithmic)}>${label}</span>`,
                 )}
             </div>
         </figure>`;
@@ -81,8 +93,10 @@ export class ScalarBar extends SignalElement {
         for (const tick of this.renderRoot.querySelectorAll<HTMLElement>('.ticks span')) {
             tick.style.left = `${Number(tick.dataset['at']) * 100}%`;
         }
+        if (this.span === null) return;
+        const { map, inverted } = this.span.style;
         const canvas = this.renderRoot.querySelector('canvas');
-        const pixels = new Uint8ClampedArray(colorTable().buffer);
+        const pixels = new Uint8ClampedArray(colorTable(map, inverted).buffer);
         canvas?.getContext('2d')?.putImageData(new ImageData(pixels, tableSize, 1), 0, 0);
     }
 }

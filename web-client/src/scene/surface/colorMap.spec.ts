@@ -1,33 +1,84 @@
 import { describe, expect, it } from 'vitest';
-import { colorTable, fractionOf } from './colorMap.ts';
+import { colorMapNames, type ColorMapName, colorTable, drawnRange, fractionOf } from './colorMap.ts';
 
-function luminance(r: number, g: number, b: number): number {
-    const linear = (c: number): number =>
-        c <= 0.04045 * 255 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4;
-    return 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+const linear = (c: number): number => (c <= 0.04045 * 255 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4);
+
+function luminance(table: Uint8Array, i: number): number {
+    const [r, g, b] = table.subarray(4 * i);
+    return 0.2126 * linear(r!) + 0.7152 * linear(g!) + 0.0722 * linear(b!);
 }
 
 describe('colorTable', () => {
-    const table = colorTable();
+    const ends: Partial<Record<ColorMapName, [number[], number[]]>> = {
+        viridis: [[0x44, 0x01, 0x54], [0xfd, 0xe7, 0x25]],
+        inferno: [[0, 0, 4], [252, 255, 164]],
+        plasma: [[13, 8, 135], [240, 249, 33]],
+        coolToWarm: [[59, 76, 192], [180, 4, 38]],
+    };
 
-    it('runs from dark violet to bright yellow', () => {
-        expect([...table.slice(0, 4)]).toEqual([0x44, 0x01, 0x54, 255]);
-        expect([...table.slice(-4)]).toEqual([0xfd, 0xe7, 0x25, 255]);
+    it.each(Object.entries(ends))('%s has the ends of its source', (name, [first, last]) => {
+        const table = colorTable(name as ColorMapName);
+        expect([...table.slice(0, 4)]).toEqual([...first, 255]);
+        expect([...table.slice(-4)]).toEqual([...last, 255]);
     });
 
-    it('grows brighter all the way, so that it can be read without colour', () => {
-        let before = -1;
-        for (let i = 0; i < 256; i += 8) {
-            const now = luminance(table[4 * i]!, table[4 * i + 1]!, table[4 * i + 2]!);
-            expect(now, `entry ${i}`).toBeGreaterThan(before);
-            before = now;
+    it.each(['viridis', 'cividis', 'inferno', 'plasma', 'grey'] as const)(
+        '%s grows brighter all the way, so that it can be read without colour',
+        (name) => {
+            const table = colorTable(name);
+            for (let i = 8; i < 256; i += 8) {
+                expect(luminance(table, i), `entry ${i}`).toBeGreaterThan(luminance(table, i - 8));
+            }
+        },
+    );
+
+    it('cool to warm is brightest in its middle, which has no hue', () => {
+        const table = colorTable('coolToWarm');
+        // Moreland's own table has (221, 221, 221) there.
+        for (const c of table.subarray(4 * 128, 4 * 128 + 3)) expect(Math.abs(c - 221)).toBeLessThanOrEqual(2);
+        for (let i = 1; i < 127; i += 1) {
+            // But for the rounding to 8 bits.
+            expect(luminance(table, i)).toBeLessThan(luminance(table, 127) + 0.005);
+            expect(luminance(table, 255 - i)).toBeLessThan(luminance(table, 128) + 0.005);
         }
+    });
+
+    it.each(colorMapNames)('%s inverted is itself from the end', (name) => {
+        const [table, inverted] = [colorTable(name), colorTable(name, true)];
+        for (let i = 0; i < 256; i += 1) {
+            expect([...inverted.subarray(4 * i, 4 * i + 4)]).toEqual([...table.subarray(4 * (255 - i), 4 * (256 - i))]);
+        }
+    });
+});
+
+describe('drawnRange', () => {
+    it('is what is asked for, and never empty', () => {
+        expect(drawnRange([1, 3], false, null)).toEqual([1, 3]);
+        expect(drawnRange([2, 2], false, null)).toEqual([2, 4]);
+        expect(drawnRange([0, 0], false, null)).toEqual([0, 1]);
+        expect(drawnRange([Infinity, -Infinity], false, null)).toEqual([0, 1]);
+    });
+
+    it('is symmetric round a centre and holds all that it held', () => {
+        expect(drawnRange([-1, 3], false, 0)).toEqual([-3, 3]);
+        expect(drawnRange([5, 6], false, 2)).toEqual([-2, 6]);
+    });
+
+    it('is positive where it is for logarithms', () => {
+        expect(drawnRange([0.1, 10], true, null)).toEqual([0.1, 10]);
+        expect(drawnRange([0, 10], true, null)).toEqual([0.01, 10]);
+        expect(drawnRange([-5, -1], true, null)).toEqual([0.001, 1]);
     });
 });
 
 describe('fractionOf', () => {
     it('is linear inside the range and sticks to its ends', () => {
         expect([-1, 1, 2, 3, 9].map((v) => fractionOf(v, [1, 3]))).toEqual([0, 0, 0.5, 1, 1]);
+    });
+
+    it('is linear in the logarithm where that is asked for', () => {
+        const fractions = [0, 0.01, 0.1, 1, 100, 1e4, -3].map((v) => fractionOf(v, [0.01, 100], true));
+        [0, 0, 0.25, 0.5, 1, 1, 0].forEach((expected, i) => expect(fractions[i]).toBeCloseTo(expected, 12));
     });
 
     it('does not divide by an empty range', () => {

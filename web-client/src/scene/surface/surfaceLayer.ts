@@ -1,14 +1,32 @@
-// All surfaces of the session in the scene: their meshes, materials and looks.
-import { Group } from 'three';
+// All surfaces of the session in the scene: their meshes, materials, looks and what the painter has left of them.
+import { Group, type Scene, type Vector4, type WebGLRenderer, WebGLRenderTarget } from 'three';
+import { Blending } from './blending.ts';
+import { SurfaceMask, type BrushPrint } from './surfaceMask.ts';
 import { SurfaceMesh, type MeshChange, type SurfaceVertex } from './surfaceMesh.ts';
 import { noPlanes, sharedUniforms, SurfaceMaterials } from './surfaceMaterial.ts';
-import { plainStyle, type SurfaceStyle } from './surfaceStyle.ts';
+import { isTransparent, plainStyle, type SurfaceStyle } from './surfaceStyle.ts';
 import { SurfaceTextures } from './surfaceTextures.ts';
+
+type Range = [number, number];
+type Planes = readonly (readonly [number, number, number, number])[];
 
 export interface DrawnSurface {
     id: string;
     mesh: SurfaceMesh;
     materials: SurfaceMaterials;
+    style: SurfaceStyle;
+    mask: SurfaceMask | null;
+}
+
+/** What a surface spans, as it is drawn. */
+export interface SurfaceSpan {
+    /** What both ends of the colours stand for. */
+    colors: Range;
+    t: Range;
+    s: Range;
+    /** Of what is shown now, the same as t but for streak surfaces. */
+    age: Range;
+    /** How it is drawn now; a wish may still wait for what it shows. */
     style: SurfaceStyle;
 }
 
@@ -16,16 +34,38 @@ export class SurfaceLayer {
     readonly object = new Group();
     readonly textures = new SurfaceTextures();
     readonly shared = sharedUniforms(this.textures);
-    /** Planes (xyz, w) that cut the body: nothing is left where xyz . point > w. */
+    /** Planes (n, w) that cut the body: nothing is left where n . point > w. */
     readonly bodyClip = { value: noPlanes() };
+    private readonly blending = new Blending(this.shared.depthRange.value);
     private readonly surfaces = new Map<string, DrawnSurface>();
     private readonly styles = new Map<string, SurfaceStyle>();
-    private usual = plainStyle;
 
-    /** Of the speed, where a surface has no look of its own. */
-    setRange(range: readonly [number, number]): void {
-        this.usual = { ...this.usual, range };
-        for (const surface of this.surfaces.values()) this.restyle(surface);
+    constructor() {
+        this.object.add(this.blending.composite);
+    }
+
+    /** Whatever renders the scene gets transparency with it. */
+    attach(scene: Scene): void {
+        scene.add(this.object);
+        // Of a scene, the fourth is the target, other than the types say (WebGLRenderer.render).
+        scene.onBeforeRender = (renderer, _scene, camera, target: unknown) => {
+            const into = target instanceof WebGLRenderTarget ? target : null;
+            this.blending.prepare(renderer as WebGLRenderer, scene, camera, into);
+        };
+    }
+
+    setBounds(bounds: readonly [number, number, number, number, number, number]): void {
+        this.blending.setBounds(bounds);
+    }
+
+    setClip(planes: Planes, body: boolean): void {
+        setPlanes(this.shared.clip.value, planes);
+        setPlanes(this.bodyClip.value, body ? planes : []);
+    }
+
+    /** Of the flow texture, by so much of t. */
+    moveTexture(by: number): void {
+        this.shared.flowShift.value += by;
     }
 
     /** From now on, and of a surface that is still to come. */
@@ -40,7 +80,7 @@ export class SurfaceLayer {
         let surface = this.surfaces.get(id);
         if (surface === undefined) {
             const materials = new SurfaceMaterials(this.textures, this.shared);
-            surface = { id, mesh: new SurfaceMesh(materials.opaque), materials, style: plainStyle };
+            surface = { id, mesh: new SurfaceMesh(materials.opaque), materials, style: plainStyle, mask: null };
             this.surfaces.set(id, surface);
             this.object.add(surface.mesh.mesh);
             this.wish(surface);
@@ -55,8 +95,10 @@ export class SurfaceLayer {
         if (surface === undefined) return;
         this.surfaces.delete(id);
         this.object.remove(surface.mesh.mesh);
+        this.blending.hide(surface.mesh.mesh);
         surface.mesh.dispose();
         surface.materials.dispose();
+        surface.mask?.dispose();
     }
 
     get all(): DrawnSurface[] {
@@ -68,27 +110,68 @@ export class SurfaceLayer {
         return this.surfaces.get(id)?.mesh.vertex(vertex) ?? null;
     }
 
-    /** What both ends of the colours stand for, as drawn. */
-    rangeOf(id: string): [number, number] | null {
-        return this.surfaces.get(id)?.materials.range ?? null;
+    spanOf(id: string): SurfaceSpan | null {
+        const surface = this.surfaces.get(id);
+        if (surface === undefined) return null;
+        const { mesh, materials } = surface;
+        return { colors: materials.range, t: mesh.tRange, s: [0, 1], age: materials.ages, style: surface.style };
+    }
+
+    /** Reveals or hides what the brush touches of the surfaces that are painted. */
+    paint(print: BrushPrint, reveal: boolean): void {
+        for (const surface of this.surfaces.values()) {
+            if (surface.style.painting) this.maskOf(surface).stamp(surface.id, print, reveal);
+        }
+    }
+
+    /** All of a surface. */
+    revealAll(id: string, reveal: boolean): void {
+        const surface = this.surfaces.get(id);
+        if (surface !== undefined) this.maskOf(surface).fill(reveal);
+    }
+
+    private maskOf(surface: DrawnSurface): SurfaceMask {
+        surface.mask ??= new SurfaceMask(surface.mesh.tRange);
+        this.showMask(surface);
+        return surface.mask;
+    }
+
+    private showMask({ mask, mesh, materials }: DrawnSurface): void {
+        if (mask === null) return;
+        mask.cover(mesh.tRange);
+        materials.setMask(mask.texture, mask.tStart, 1 / mask.tLength);
     }
 
     private wish({ id, mesh }: DrawnSurface): void {
-        const style = this.styles.get(id) ?? this.usual;
+        const style = this.styles.get(id) ?? plainStyle;
         if (style.source === 'scalar') mesh.wantedScalar = style.scalar;
     }
 
     private restyle(surface: DrawnSurface): void {
         this.wish(surface);
-        const wanted = this.styles.get(surface.id) ?? this.usual;
+        const wanted = this.styles.get(surface.id) ?? plainStyle;
         const { mesh, materials } = surface;
         // The colours change over when what they show is here.
         const here = wanted.source !== 'scalar' || mesh.shownScalar === wanted.scalar;
         surface.style = here ? wanted : { ...wanted, ...coloursOf(surface.style) };
+        if (surface.style.painting && mesh.vertices > 0) this.maskOf(surface);
         materials.apply(surface.style, mesh);
+        const transparent = isTransparent(surface.style);
+        mesh.mesh.material = transparent ? materials.blended : materials.opaque;
+        if (transparent) {
+            this.object.remove(mesh.mesh);
+            this.blending.show(mesh.mesh);
+        } else {
+            this.blending.hide(mesh.mesh);
+            this.object.add(mesh.mesh);
+        }
     }
 }
 
 function coloursOf({ source, scalar, map, range, centre, inverted, logarithmic }: SurfaceStyle): Partial<SurfaceStyle> {
     return { source, scalar, map, range, centre, inverted, logarithmic };
+}
+
+function setPlanes(vectors: Vector4[], planes: Planes): void {
+    vectors.forEach((vector, i) => vector.set(...(planes[i] ?? ([0, 0, 0, 1] as const))));
 }

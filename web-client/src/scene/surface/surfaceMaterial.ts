@@ -85,6 +85,7 @@ export class SurfaceMaterials {
     readonly pick: ShaderMaterial;
     /** What is drawn as the two ends of the colours. */
     range: [number, number] = [0, 1];
+    ages: [number, number] = [0, 1];
     private readonly own: ReturnType<typeof ownUniforms>;
     private readonly textures: SurfaceTextures;
 
@@ -124,7 +125,9 @@ export class SurfaceMaterials {
         const { sWindow, ageWindow } = style;
         const ageSign = style.tIsRelease ? -1 : 1;
         const ageStart = style.tIsRelease ? facts.time : 0;
-        const ages = facts.tRange.map((t) => ageStart + ageSign * t).sort((a, b) => a - b);
+        const [first, last] = facts.tRange.map((t) => ageStart + ageSign * t) as [number, number];
+        const ages: [number, number] = first <= last ? [first, last] : [last, first];
+        this.ages = ages;
         own.source.value = sources.indexOf(style.source);
         own.ageOf.value.set(ageStart, ageSign);
         own.window.value.set(...(sWindow ?? [-far, far]), ...(ageWindow ?? [-far, far]));
@@ -146,7 +149,7 @@ export class SurfaceMaterials {
         own.smoke.value = style.smoke;
         own.stretchKnown.value = facts.hasStretch;
         own.areaPerSeed.value = style.areaPerSeed;
-        own.ageSpan.value = Math.max(1e-30, ages[1] ?? 1);
+        own.ageSpan.value = Math.max(1e-30, ages[1]);
         own.lines.value = patterns.indexOf(style.lines);
         own.lineDensity.value = style.density;
         own.textured.value = style.texture;

@@ -1,0 +1,24 @@
+// Where the numbers of a scalar bar go: round ones, evenly or by powers of ten.
+import { niceTicks, shortNumber, type Tick } from '../ticks.ts';
+
+const steps: readonly (readonly number[])[] = [[1, 2, 5], [1, 3], [1]];
+
+export function colorTicks(low: number, high: number, logarithmic: boolean, wanted: number): Tick[] {
+    if (!logarithmic) return niceTicks(low, high, wanted);
+    if (!(low > 0) || !(high > low)) return [];
+    const [first, last] = [Math.floor(Math.log10(low)), Math.ceil(Math.log10(high))];
+    // Less than a power of ten: as if it were even.
+    if (high / low < 5) return niceTicks(low, high, wanted).filter(({ value }) => value > 0);
+    const apart = Math.max(1, Math.ceil((last - first) / wanted));
+    const ticksOf = (factors: readonly number[]): Tick[] => {
+        const ticks: Tick[] = [];
+        for (let power = first; power <= last; power += apart) {
+            for (const factor of factors) {
+                const value = Number(`${factor}e${power}`);
+                if (value >= low * 0.9999 && value <= high * 1.0001) ticks.push({ value, label: shortNumber(value) });
+            }
+        }
+        return ticks;
+    };
+    return steps.map(ticksOf).find((ticks) => ticks.length <= wanted + 1) ?? ticksOf([1]);
+}

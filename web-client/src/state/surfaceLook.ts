@@ -1,0 +1,119 @@
+// How somebody wants a surface to look: plain values, kept by this page alone, and by links and bookmarks. What comes back from
+// those may be of strangers or of older versions; whatever is wrong in it becomes the usual.
+
+export const colourMaps = ['viridis', 'cividis', 'inferno', 'plasma', 'coolToWarm', 'grey', 'turbo'] as const;
+export type ColourMap = (typeof colourMaps)[number];
+export const lineKinds = ['none', 'timelines', 'streamlines', 'grid', 'checker'] as const;
+export type LineKind = (typeof lineKinds)[number];
+export const backSides = ['shaded', 'same', 'tinted'] as const;
+export type BackSide = (typeof backSides)[number];
+
+type Pair = readonly [number, number];
+
+export interface SurfaceLook {
+    /** 'constant', 'speed', 'age', 's', 'deformation', 'approximated', or 'field:' and the name of a field of the dataset. */
+    colourBy: string;
+    /** #rrggbb where `colourBy` is 'constant'; null: as the rake. */
+    colour: string | null;
+    map: ColourMap;
+    invert: boolean;
+    log: boolean;
+    /** Locked; null: automatic. */
+    range: Pair | null;
+    /** The colours are symmetric round this value. */
+    centre: number | null;
+    backSide: BackSide;
+    opacity: number;
+    /** Thicker where it is seen edge-on, as a layer is. */
+    angleOpacity: boolean;
+    /** 0 .. 1: thinner the more it has been stretched and the older it is. */
+    smoke: number;
+    silhouettes: boolean;
+    lines: LineKind;
+    density: number;
+    texture: boolean;
+    animated: boolean;
+    /** What of s and of the age is shown. */
+    sWindow: Pair | null;
+    ageWindow: Pair | null;
+    /** Each names the part of the surface it lies on, by s and t. */
+    hiddenParts: readonly Pair[];
+    /** Only what the brush has revealed is shown; the rest has opacity `faded`. */
+    painting: boolean;
+    faded: number;
+}
+
+export const usualLook: SurfaceLook = {
+    colourBy: 'speed',
+    colour: null,
+    map: 'viridis',
+    invert: false,
+    log: false,
+    range: null,
+    centre: null,
+    backSide: 'shaded',
+    opacity: 1,
+    angleOpacity: false,
+    smoke: 0,
+    silhouettes: false,
+    lines: 'none',
+    density: 1,
+    texture: false,
+    animated: false,
+    sWindow: null,
+    ageWindow: null,
+    hiddenParts: [],
+    painting: false,
+    faded: 0,
+};
+
+const longestName = 200;
+const partsAtMost = 64;
+
+const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
+const isFlag = (value: unknown): boolean => typeof value === 'boolean';
+const isPart = (value: unknown): boolean => isNumber(value) && value >= 0 && value <= 1;
+const isPair = (value: unknown): value is [number, number] =>
+    Array.isArray(value) && value.length === 2 && value.every(isNumber);
+const isSpan = (value: unknown): boolean => value === null || (isPair(value) && value[0] <= value[1]);
+const isOneOf =
+    (values: readonly string[]) =>
+    (value: unknown): boolean =>
+        values.includes(value as string);
+
+const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
+    colourBy: (value) => typeof value === 'string' && value !== '' && value.length <= longestName,
+    colour: (value) => value === null || (typeof value === 'string' && /^#[0-9a-f]{6}$/i.test(value)),
+    map: isOneOf(colourMaps),
+    invert: isFlag,
+    log: isFlag,
+    range: isSpan,
+    centre: (value) => value === null || isNumber(value),
+    backSide: isOneOf(backSides),
+    opacity: isPart,
+    angleOpacity: isFlag,
+    smoke: isPart,
+    silhouettes: isFlag,
+    lines: isOneOf(lineKinds),
+    density: (value) => isNumber(value) && value >= 0.125 && value <= 8,
+    texture: isFlag,
+    animated: isFlag,
+    sWindow: isSpan,
+    ageWindow: isSpan,
+    hiddenParts: (value) => Array.isArray(value) && value.length <= partsAtMost && value.every(isPair),
+    painting: isFlag,
+    faded: isPart,
+};
+
+/** What differs from the usual, for a link or a bookmark. */
+export function encodeLook(look: SurfaceLook): Partial<SurfaceLook> {
+    const differs = (name: keyof SurfaceLook): boolean => JSON.stringify(look[name]) !== JSON.stringify(usualLook[name]);
+    return Object.fromEntries(Object.entries(look).filter(([name]) => differs(name as keyof SurfaceLook)));
+}
+
+/** Never throws. */
+export function decodeLook(value: unknown): SurfaceLook {
+    if (typeof value !== 'object' || value === null) return usualLook;
+    const given = Object.entries(value).filter(([name, each]) => Object.hasOwn(checks, name) && checks[name as keyof SurfaceLook](each));
+    return { ...usualLook, ...Object.fromEntries(given) };
+}
