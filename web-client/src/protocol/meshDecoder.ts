@@ -66,14 +66,15 @@ export interface AppliedUpdate {
 export class MeshDecoder {
     private readonly points: PointsReader;
     private readonly lattice: Lattice;
-    private readonly attributeCount: number;
+    private readonly attributeCount: number | null;
     private header: FrameHeader | undefined;
     private update: Collected | undefined;
     private state: WireMesh | undefined;
     private surface: number | undefined;
 
-    /// `attributeCount`: how many attributes the frames carry, as `surface.subscribe` says.
-    constructor(draco: DracoPoints, lattice: Lattice, attributeCount: number) {
+    /// `attributeCount`: how many attributes the frames carry; null: as many as each KEY has, because an edit of a surface's
+    /// fields changes them.
+    constructor(draco: DracoPoints, lattice: Lattice, attributeCount: number | null) {
         this.points = new PointsReader(draco);
         this.lattice = lattice;
         this.attributeCount = attributeCount;
@@ -132,7 +133,8 @@ export class MeshDecoder {
     }
 
     private checkAgreement(h: FrameHeader): void {
-        if (h.attributeCount !== this.attributeCount || h.latticeBits !== this.lattice.bits)
+        const wanted = this.attributeCount ?? (h.key ? h.attributeCount : this.state?.codes.length);
+        if (h.attributeCount !== wanted || h.latticeBits !== this.lattice.bits)
             throw new FrameError('a mesh frame has other attributes or another lattice than agreed');
         if (this.surface !== undefined && h.surface !== this.surface)
             throw new FrameError(`a frame of subscription ${h.surface} came to ${this.surface}`);

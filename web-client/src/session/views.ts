@@ -2,7 +2,9 @@
 import { effect } from '@preact/signals-core';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
+import { noClip } from '../state/clipPlanes.ts';
 import type { PageView } from '../state/pageView.ts';
+import { decodeLook, encodeLook, type SurfaceLook } from '../state/surfaceLook.ts';
 import type { ViewState } from '../state/viewState.ts';
 import { encodeLinkState } from './linkState.ts';
 import { showFragment, type UrlState, writeFragment } from './urlState.ts';
@@ -27,7 +29,7 @@ export class Views {
 
     constructor(options: ViewsOptions) {
         this.options = options;
-        const { state, scene } = options;
+        const { state, view, scene } = options;
         scene.onDraw(() => {
             const pose = JSON.stringify(scene.controls.pose);
             if (pose !== this.drawnPose) this.changed();
@@ -36,22 +38,34 @@ export class Views {
         effect(() => {
             // Whatever of these changes, the address does.
             void [state.session.value, state.rakes.value, state.surfaces.value, state.activeSurface.value];
+            void [view.looks.value, view.clip.value];
             this.changed();
         });
     }
 
     current(): PageView {
-        const { state, scene } = this.options;
+        const { state, view, scene } = this.options;
         const surface = state.activeSurface.value;
-        return { camera: scene.controls.pose, ...(surface === null ? {} : { surface }) };
+        const [clip, known] = [view.clip.value, state.surfaces.value];
+        const looks = [...view.looks.value].filter(([id]) => known.has(id)).map(([id, look]) => [id, encodeLook(look)]);
+        return {
+            camera: scene.controls.pose,
+            ...(surface === null ? {} : { surface }),
+            looks: Object.fromEntries(looks) as Record<string, Partial<SurfaceLook>>,
+            ...(clip === noClip ? {} : { clip }),
+        };
     }
 
-    show({ camera, surface }: PageView): void {
+    show({ camera, surface, looks, clip }: PageView): void {
         const { state, view, scene } = this.options;
         if (camera !== undefined) {
             view.orthographic.value = camera.orthographic;
             scene.controls.place(camera);
             scene.loop.request();
+        }
+        if (looks !== undefined) {
+            view.looks.value = new Map(Object.entries(looks).map(([id, look]) => [id, decodeLook(look)]));
+            view.clip.value = clip ?? noClip;
         }
         if (surface !== undefined && state.surfaces.value.has(surface)) state.activeSurface.value = surface;
     }

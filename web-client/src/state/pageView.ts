@@ -1,22 +1,34 @@
 // What a link or a bookmark remembers of a page: how the session is looked at. Comes from strangers and from older versions, so
 // that anything may be missing or wrong in it.
 import { isVec3, type Vec3 } from '../protocol/messages.ts';
+import { type ClipPlanes, decodeClip } from './clipPlanes.ts';
+import { decodeLook, encodeLook, type SurfaceLook } from './surfaceLook.ts';
 
 export interface PageView {
     camera?: { position: Vec3; target: Vec3; orthographic: boolean };
     /** The surface that the panel acts on. */
     surface?: string;
+    /** By surface, what differs from the usual look. */
+    looks?: Record<string, Partial<SurfaceLook>>;
+    clip?: ClipPlanes;
 }
+
+const looksAtMost = 100;
 
 export function readPageView(value: unknown): PageView {
     const view: PageView = {};
     if (typeof value !== 'object' || value === null) return view;
-    const { camera, surface } = value as Record<string, unknown>;
+    const { camera, surface, looks, clip } = value as Record<string, unknown>;
     const pose = camera as Record<string, unknown> | null | undefined;
     const [position, target] = [pose?.['position'], pose?.['target']];
     if (isVec3(position) && isVec3(target) && String(position) !== String(target)) {
         view.camera = { position, target, orthographic: pose?.['orthographic'] === true };
     }
     if (typeof surface === 'string') view.surface = surface;
+    if (typeof looks === 'object' && looks !== null) {
+        const known = Object.entries(looks).slice(0, looksAtMost);
+        view.looks = Object.fromEntries(known.map(([id, look]) => [id, encodeLook(decodeLook(look))]));
+    }
+    if (clip !== undefined) view.clip = decodeClip(clip);
     return view;
 }

@@ -11,8 +11,9 @@ import type { MeshChange, PartsFound, PartsWish, ScalarChange } from './workerMe
 
 export class DisplayArrays {
     private readonly lattice: Lattice;
-    private readonly attributes: readonly string[];
-    /** By the name of an attribute that is shown: from which vertex on it has changed. */
+    private attributes: readonly string[];
+    private wanted: readonly string[] = [];
+    /** By the name of an attribute that is wanted and there: from which vertex on it has changed. */
     private shown = new Map<string, number>();
     private partsWish: PartsWish | null = null;
     private partsAsked = false;
@@ -34,6 +35,7 @@ export class DisplayArrays {
 
     /** Whether take() has anything new to give because of it. */
     show(attributes: readonly string[], parts: PartsWish | null): boolean {
+        this.wanted = attributes;
         const known = attributes.filter((name) => this.attributes.includes(name));
         const added = known.some((name) => !this.shown.has(name));
         this.shown = new Map(known.map((name) => [name, this.shown.get(name) ?? 0]));
@@ -41,6 +43,12 @@ export class DisplayArrays {
         this.partsWish = parts;
         this.partsAsked ||= asked;
         return added || asked;
+    }
+
+    /** The frames carry other attributes from the next KEY on. */
+    rename(attributes: readonly string[]): void {
+        this.attributes = attributes;
+        this.show(this.wanted, this.partsWish);
     }
 
     /** Notes what an update has changed; cheap, because states that are never shown need no arrays. */

@@ -142,6 +142,11 @@ class SessionWorker {
         if (incoming === null) return;
         if (incoming.type === 'notification') {
             const notification = readNotification(incoming.method, incoming.params);
+            if (notification?.method === 'session.patched') {
+                for (const patch of notification.patches) {
+                    if (patch.op === 'put' && patch.type === 'surface') this.folder.recorded(patch.record);
+                }
+            }
             if (notification !== null) this.port.postMessage({ type: 'notification', notification });
             return;
         }

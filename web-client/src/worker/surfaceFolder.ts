@@ -1,9 +1,10 @@
 // Folds the frames of all subscriptions into states. What the page has not taken yet waits here as a note of what has
 // changed: a page that is slow or hidden gets the newest state when it asks, and no state in between.
-import type { Subscription } from '../protocol/messages.ts';
+import type { Subscription, SurfaceRecord } from '../protocol/messages.ts';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { MeshDecoder } from '../protocol/meshDecoder.ts';
 import { surfaceOf } from '../protocol/meshFrame.ts';
+import { AttributeNames, everySurface } from './attributeNames.ts';
 import { DisplayArrays } from './displayArrays.ts';
 import type { PartsWish, SurfaceState } from './workerMessages.ts';
 
@@ -47,6 +48,7 @@ export class SurfaceFolder {
     private readonly options: SurfaceFolderOptions;
     private readonly followed = new Map<string, Followed>();
     private readonly wishes = new Map<string, Wish>();
+    private readonly names = new AttributeNames();
     /** Only of this connection; the states outlive it. */
     private readonly bySubscription = new Map<number, Followed>();
 
@@ -64,6 +66,7 @@ export class SurfaceFolder {
 
     subscribed(surface: string, agreed: Subscription): void {
         const { subscription, lattice, attributes, resumed } = agreed;
+        this.names.learn(surface, agreed.epoch, attributes);
         const known = this.followed.get(surface);
         if (known !== undefined && resumed === true && this.placeOf(surface) !== undefined) {
             known.decoder.continueAs(subscription);
@@ -75,7 +78,7 @@ export class SurfaceFolder {
         display.show(wish.attributes, wish.parts);
         const followed = {
             surface,
-            decoder: new MeshDecoder(this.options.draco, lattice, attributes.length),
+            decoder: new MeshDecoder(this.options.draco, lattice, null),
             display,
             untaken: known?.untaken ?? 0,
             keys: known?.keys ?? 0,
@@ -86,6 +89,11 @@ export class SurfaceFolder {
         };
         this.followed.set(surface, followed);
         this.bySubscription.set(subscription, followed);
+    }
+
+    /** An edit of a surface's fields changes what its frames carry. */
+    recorded({ surface, epoch, fields }: SurfaceRecord): void {
+        this.names.learn(surface, epoch, [...everySurface, ...(fields ?? [])]);
     }
 
     /** Sends at once what is asked for and is here. */
@@ -99,6 +107,7 @@ export class SurfaceFolder {
 
     forget(surface: string): void {
         this.wishes.delete(surface);
+        this.names.forget(surface);
         const followed = this.followed.get(surface);
         this.followed.delete(surface);
         for (const [subscription, each] of this.bySubscription) {
@@ -115,6 +124,7 @@ export class SurfaceFolder {
     forgetAll(): void {
         this.bySubscription.clear();
         this.followed.clear();
+        this.names.clear();
     }
 
     /** The page has put a state on the screen. */
@@ -138,6 +148,8 @@ export class SurfaceFolder {
             followed.news = true;
             if (applied.header.key) followed.keys += 1;
             else followed.deltas += 1;
+            const { key, epoch, attributeCount } = applied.header;
+            if (key) followed.display.rename(this.names.of(followed.surface, epoch, attributeCount));
             followed.display.note(applied);
             this.options.onApplied(subscription, applied.header);
         } catch (error) {
