@@ -3,7 +3,7 @@
 import type { Vec3 } from './protocol/messages.ts';
 import type { FlowScene } from './scene/scene.ts';
 import type { ScreenPoint } from './scene/view.ts';
-import type { PickHit } from './scene/surface/surfacePick.ts';
+import type { PickGrid, PickHit } from './scene/surface/surfacePick.ts';
 import type { SurfaceVertex } from './scene/surface/surfaceMesh.ts';
 import type { Handle } from './scene/rake/rakeHandles.ts';
 import type { DrawnRake } from './scene/rake/rakeLayer.ts';
@@ -35,6 +35,8 @@ export interface TestHook {
     vertices(every: number): SurfaceVertex[];
     /** What is seen at a position in the window. */
     pick(at: ScreenPoint): PickHit | null;
+    /** What is seen round a position in the window, by pixels. */
+    pickGrid(at: ScreenPoint, radiusPx: number): PickGrid;
     /** Draws and returns RGB at positions in the window. */
     pixelsAt(points: ScreenPoint[]): [number, number, number][];
     loseContext(): void;
@@ -125,6 +127,11 @@ export function installTestHook({ state, scene, latency, canvas }: TestHookParts
         pick: ({ x, y }) => {
             const box = canvas.getBoundingClientRect();
             return scene.pick({ x: x - box.left, y: y - box.top });
+        },
+        pickGrid: ({ x, y }, radiusPx) => {
+            const box = canvas.getBoundingClientRect();
+            const grid = scene.pickGrid({ x: x - box.left, y: y - box.top }, radiusPx, {});
+            return { ...grid, corner: { x: grid.corner.x + box.left, y: grid.corner.y + box.top } };
         },
         pixelsAt: (points) => {
             const { width, height, pixels } = scene.readPixels();

@@ -1,0 +1,379 @@
+// How surfaces look: colours, ranges, transparency, stripes, windows, planes, parts and painting, set with mouse and keyboard and
+// compared with numbers.
+import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { encodeLinkState } from '../../web-client/src/session/linkState.ts';
+import { stripePeriodPx } from '../../web-client/src/scene/surface/patternShader.ts';
+import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
+import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { agreement, hitsOver, type Rgb, seenVertices } from './support/look_facts.ts';
+import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+
+const store = temporaryFolder();
+let server: ServerProcess;
+let browser: Browser;
+let context: BrowserContext;
+let page: Page;
+let complaints: string[];
+
+beforeAll(async () => {
+    server = await ServerProcess.start({ store: store.path });
+    browser = await launchBrowser();
+    context = await newContext(browser, { width: 860, height: 560 });
+    ({ page, complaints } = await openPage(context, server.link));
+    await finalSurface(page);
+    // From the side, near enough that the surface fills the picture.
+    await page.evaluate(() => window.wakesurf!.setCamera([4, -16, 7], [3.5, 0, 2.8]));
+    await page.getByRole('tab', { name: 'Look' }).click();
+});
+
+afterAll(async () => {
+    await browser?.close();
+    await server?.stop();
+    store.remove();
+});
+
+/** After the next picture. */
+async function drawn(on: Page = page): Promise<void> {
+    await on.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+}
+
+async function setSlider(id: string, value: number): Promise<void> {
+    await page.locator(id).fill(String(value));
+    await drawn();
+}
+
+const scalarBar = (): Promise<string | null> => page.locator('wakesurf-scalar-bar figure').getAttribute('aria-label');
+
+async function openGroup(id: string, open = true): Promise<void> {
+    const group = page.locator(id);
+    if ((await group.evaluate((each) => (each as HTMLDetailsElement).open)) !== open) await group.locator('summary').click();
+}
+
+const light = ([r, g, b]: Rgb): number => {
+    const [x, y, z] = [r, g, b].map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * x! + 0.7152 * y! + 0.0722 * z!;
+};
+
+describe('colours', () => {
+    it('are those of the age: automatic, locked by typed numbers, inverted, logarithmic', async () => {
+        await page.getByLabel('Colour by').selectOption('age');
+        await drawn();
+        const age = ({ t }: { t: number }): number => t;
+        const seen = await seenVertices(page, 5);
+        const whole: [number, number] = [0, Math.max(...(await ask(page, (hook) => hook.vertices(1))).map(age))];
+        expect(await scalarBar()).toBe(`Colours: Age from 0 to ${Number(whole[1].toPrecision(4))}`);
+        expect(agreement(seen, age, { map: 'viridis', range: whole })).toBeGreaterThan(0.97);
+
+        await page.getByLabel('Range to').fill('6');
+        await page.getByLabel('Range to').press('Enter');
+        await page.getByLabel('Range from').fill('1');
+        await page.getByLabel('Range from').press('Tab');
+        await drawn();
+        const locked = await seenVertices(page, 5);
+        expect(await page.locator('#lock-range').isChecked()).toBe(true);
+        expect(await scalarBar()).toBe('Colours: Age from 1 to 6');
+        expect(agreement(locked, age, { map: 'viridis', range: [1, 6] })).toBeGreaterThan(0.97);
+        expect(agreement(locked, age, { map: 'viridis', range: whole })).toBeLessThan(0.6);
+
+        await page.locator('#invert').focus();
+        await page.keyboard.press('Space');
+        await page.locator('#log').focus();
+        await page.keyboard.press('Space');
+        await drawn();
+        const both = await seenVertices(page, 5);
+        expect(await scalarBar()).toBe('Colours: Age from 1 to 6, logarithmic');
+        expect(agreement(both, age, { map: 'viridis', range: [1, 6], log: true, invert: true })).toBeGreaterThan(0.97);
+        expect(agreement(both, age, { map: 'viridis', range: [1, 6], invert: true })).toBeLessThan(0.85);
+        await screenshot(page, 'look-age-log');
+
+        await page.locator('#lock-range').uncheck();
+        await page.locator('#invert').uncheck();
+        await page.locator('#log').uncheck();
+    });
+
+    it('are those of the place on the rake, in another map chosen by keyboard', async () => {
+        await page.getByLabel('Colour by').selectOption('s');
+        await page.getByRole('radio', { name: 'Viridis' }).focus();
+        for (let i = 0; i < 3; i += 1) await page.keyboard.press('ArrowRight');
+        expect(await page.getByRole('radio', { name: 'Plasma' }).isChecked()).toBe(true);
+        await drawn();
+        const seen = await seenVertices(page, 5);
+        expect(agreement(seen, ({ s }) => s, { map: 'plasma', range: [0, 1] })).toBeGreaterThan(0.95);
+        await page.getByRole('radio', { name: 'Viridis' }).click();
+    });
+
+    it('are those of what the server computes on demand, once it has come', async () => {
+        const before = await ask(page, (hook) => hook.displayed!.epoch);
+        await page.getByLabel('Colour by').selectOption('deformation');
+        await page.waitForFunction(
+            (epoch) => window.wakesurf!.phase === 'final' && window.wakesurf!.displayed!.epoch > epoch,
+            before,
+        );
+        await page.waitForFunction(() =>
+            /^Colours: Stretching/.test(
+                document
+                    .querySelector('wakesurf-app')!
+                    .shadowRoot!.querySelector('wakesurf-scalar-bar')!
+                    .shadowRoot!.querySelector('figure')!.ariaLabel ?? '',
+            ),
+        );
+        await drawn();
+        const session = await ask(page, (hook) => hook.session);
+        const record = (await server.call('session.state', { session })) as { snapshot?: unknown };
+        expect(JSON.stringify(record)).toContain('"fields":["deformation"]');
+        const values = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar);
+        const half = Math.max(...values.map(Math.abs));
+        expect(half).toBeGreaterThan(1);
+        const seen = await seenVertices(page, 3);
+        expect(await page.getByRole('radio', { name: 'Cool to warm' }).isChecked()).toBe(true);
+        expect(agreement(seen, ({ scalar }) => scalar, { map: 'coolToWarm', range: [-half, half] })).toBeGreaterThan(0.95);
+        await screenshot(page, 'look-deformation');
+    });
+
+    it('are those of a field of the dataset, and go back to the speed at once', async () => {
+        await page.getByLabel('Colour by').selectOption('field:mask');
+        await page.waitForFunction(
+            () =>
+                document
+                    .querySelector('wakesurf-app')!
+                    .shadowRoot!.querySelector('wakesurf-scalar-bar')!
+                    .shadowRoot!.querySelector('figure')!.ariaLabel === 'Colours: mask from 0 to 1',
+        );
+        const masks = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar);
+        expect(Math.min(...masks)).toBeGreaterThanOrEqual(0);
+        expect(Math.max(...masks)).toBeLessThanOrEqual(1);
+        await page.getByLabel('Colour by').selectOption('speed');
+        await drawn();
+        const range = await ask(page, (hook) => hook.speedRange);
+        await page.waitForFunction((top) => window.wakesurf!.vertices(1).some(({ scalar }) => scalar > top), 1.1);
+        const seen = await seenVertices(page, 5);
+        expect(agreement(seen, ({ scalar }) => scalar, { map: 'viridis', range })).toBeGreaterThan(0.95);
+    });
+});
+
+describe('stripes', () => {
+    it('follow t, a power of two of them a unit, so wide as the screen wants them', async () => {
+        await page.getByLabel('Colour by').selectOption('constant');
+        await drawn();
+        const plain = await hitsOver(page, 9);
+        const read = (): Promise<Rgb[]> =>
+            page.evaluate((at) => window.wakesurf!.pixelsAt(at), plain.map(({ at }) => at));
+        const before = await read();
+        await openGroup('#lines-group');
+        await page.getByLabel('Stripes').selectOption('timelines');
+        await drawn();
+        const striped = await read();
+        await screenshot(page, 'look-timelines');
+        let [bright, dark] = [0, 0];
+        const right = plain.flatMap(({ surface, t, slope }, i) => {
+            if (surface === null || slope === null || !(slope.t > 0)) return [];
+            const wanted = -Math.log2(slope.t * stripePeriodPx);
+            const part = wanted - Math.floor(wanted);
+            // Between two frequencies, and at the border of stripes, anything may be.
+            if (part > 0.15 && part < 0.85) return [];
+            const frequency = 2 ** (Math.floor(wanted) + (part >= 0.85 ? 1 : 0));
+            const phase = t * frequency - Math.floor(t * frequency);
+            const off = Math.abs(phase - 0.5);
+            if (Math.abs(off - 0.25) < 0.08) return [];
+            const ratio = light(striped[i]!) / light(before[i]!);
+            const expected = off < 0.25 ? 1 : 0.5;
+            if (expected === 1) bright += 1;
+            else dark += 1;
+            return [Math.abs(ratio - expected) < 0.13];
+        });
+        expect(Math.min(bright, dark)).toBeGreaterThan(40);
+        expect(right.filter(Boolean).length / right.length).toBeGreaterThan(0.93);
+        await page.getByLabel('Stripes').selectOption('none');
+    });
+
+    it('move with the flow only while that is on, and not for people who want no motion', async () => {
+        await page.getByLabel('Flow texture').check();
+        await page.getByLabel('Moving with the flow').check();
+        await drawn();
+        const still = await ask(page, (hook) => hook.framesDrawn);
+        await drawn();
+        await drawn();
+        expect(await ask(page, (hook) => hook.framesDrawn)).toBe(still);
+        await page.emulateMedia({ reducedMotion: 'no-preference' });
+        await page.waitForFunction((count) => window.wakesurf!.framesDrawn > count + 3, still);
+        await page.getByLabel('Moving with the flow').uncheck();
+        await drawn();
+        const stopped = await ask(page, (hook) => hook.framesDrawn);
+        await drawn();
+        await drawn();
+        expect(await ask(page, (hook) => hook.framesDrawn)).toBe(stopped);
+        await page.emulateMedia({ reducedMotion: 'reduce' });
+        await screenshot(page, 'look-texture');
+        await page.getByLabel('Flow texture').uncheck();
+        await openGroup('#lines-group', false);
+        await page.getByLabel('Colour by').selectOption('speed');
+    });
+});
+
+describe('what is shown of a surface', () => {
+    it('is what lies before a plane, also for the pointer, and what lies behind it when flipped', async () => {
+        await openGroup('#clip-group');
+        await page.locator('#clip-x').check();
+        await page.locator('#clip-x-at').focus();
+        for (let i = 0; i < 20; i += 1) await page.keyboard.press('ArrowLeft');
+        await drawn();
+        const [low, high] = (await ask(page, (hook) => hook.bounds))! as [number, number];
+        const at = low + 0.4 * (high - low);
+        const slack = 1e-4 * (high - low);
+        const before = await hitsOver(page, 12);
+        expect(before.filter(({ surface }) => surface !== null).length).toBeGreaterThan(50);
+        expect(before.every(({ surface, point }) => surface === null || point[0] <= at + slack)).toBe(true);
+        await screenshot(page, 'look-clipped');
+
+        await page.locator('#clip-x-flip').click();
+        await page.locator('#clip-body').check();
+        await drawn();
+        const behind = await hitsOver(page, 12);
+        expect(behind.length).toBeGreaterThan(50);
+        expect(behind.every(({ surface, point }) => surface !== null && point[0] >= at - slack)).toBe(true);
+        // Where only what is cut away was, there is the background.
+        const gone = before.filter(({ at: { x, y } }) => !behind.some((hit) => hit.at.x === x && hit.at.y === y));
+        const pixels = await page.evaluate((places) => window.wakesurf!.pixelsAt(places), gone.map((hit) => hit.at));
+        const dark = pixels.filter(([r, g, b]) => Math.max(Math.abs(r - 11), Math.abs(g - 16), Math.abs(b - 24)) <= 2);
+        expect(dark.length / pixels.length).toBeGreaterThan(0.9);
+        await page.locator('#clip-body').uncheck();
+        await page.locator('#clip-x').uncheck();
+        await openGroup('#clip-group', false);
+    });
+
+    it('is what comes from some seeds and is of some age', async () => {
+        await openGroup('#windows-group');
+        await setSlider('#s-window-from', 0.4);
+        await setSlider('#age-window-to', 6.5);
+        const hits = (await hitsOver(page, 12)).filter(({ surface }) => surface !== null);
+        expect(hits.length).toBeGreaterThan(30);
+        expect(hits.every(({ s, t }) => s >= 0.399 && t <= 6.501)).toBe(true);
+        await page.getByRole('button', { name: 'Show all of it' }).click();
+        await drawn();
+        const all = (await hitsOver(page, 12)).filter(({ surface }) => surface !== null);
+        expect(all.some(({ s }) => s < 0.3) && all.some(({ t }) => t > 8)).toBe(true);
+        await openGroup('#windows-group', false);
+    });
+
+    it('is what the brush has revealed, exactly, and what it has not erased', async () => {
+        await openGroup('#paint-group');
+        await page.locator('#painting').check();
+        await drawn();
+        expect((await hitsOver(page, 12)).filter(({ surface }) => surface !== null)).toHaveLength(0);
+        const hidden = await page.evaluate(() => window.wakesurf!.project([4, -0.3, 3])!);
+        const [from, to] = [{ x: hidden.x - 60, y: hidden.y }, { x: hidden.x + 60, y: hidden.y + 10 }];
+        await page.mouse.move(from.x, from.y);
+        await page.mouse.down();
+        await page.mouse.move(to.x, to.y, { steps: 5 });
+        await page.mouse.up();
+        await drawn();
+        const apart = ({ x, y }: { x: number; y: number }): number => {
+            const [dx, dy] = [to.x - from.x, to.y - from.y];
+            const part = Math.min(1, Math.max(0, ((x - from.x) * dx + (y - from.y) * dy) / (dx * dx + dy * dy)));
+            return Math.hypot(x - from.x - part * dx, y - from.y - part * dy);
+        };
+        const revealed = (await hitsOver(page, 7)).filter(({ surface }) => surface !== null);
+        expect(revealed.length).toBeGreaterThan(80);
+        expect(Math.max(...revealed.map(({ at }) => apart(at)))).toBeLessThan(24 + 2.5);
+        await screenshot(page, 'look-painted');
+        await page.getByRole('button', { name: 'Reveal all' }).click();
+        await drawn();
+        const all = (await hitsOver(page, 7)).filter(({ surface }) => surface !== null);
+        const inside = all.filter(({ at }) => apart(at) < 22);
+        const found = inside.filter(({ at }) => revealed.some((hit) => hit.at.x === at.x && hit.at.y === at.y));
+        expect(found.length / inside.length).toBeGreaterThan(0.98);
+
+        await page.getByRole('button', { name: 'Erase' }).click();
+        await page.mouse.click(hidden.x, hidden.y);
+        await drawn();
+        const erased = await page.evaluate(({ x, y }) => [window.wakesurf!.pick({ x, y }), window.wakesurf!.pick({ x, y: y + 30 })], hidden);
+        expect([erased[0]?.surface ?? null, typeof erased[1]?.surface]).toEqual([null, 'string']);
+    });
+
+    it('is the same after the graphics context was lost, transparency and painting included', async () => {
+        await openGroup('#opacity-group');
+        await setSlider('#opacity', 0.5);
+        const places = (await hitsOver(page, 25)).map(({ at }) => at);
+        const pixels = (): Promise<Rgb[]> => page.evaluate((at) => window.wakesurf!.pixelsAt(at), places);
+        const before = await pixels();
+        await page.evaluate(() => window.wakesurf!.loseContext());
+        await drawn();
+        const frames = await ask(page, (hook) => hook.framesDrawn);
+        await page.evaluate(() => window.wakesurf!.restoreContext());
+        await page.waitForFunction((count) => window.wakesurf!.framesDrawn > count, frames);
+        expect(await pixels()).toEqual(before);
+        await setSlider('#opacity', 1);
+        await openGroup('#opacity-group', false);
+        await page.locator('#painting').uncheck();
+    });
+
+    it('is what belongs to parts that are not hidden', async () => {
+        await page.waitForFunction(
+            () => document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('wakesurf-panel') !== null,
+        );
+        const first = page.getByRole('checkbox', { name: /^Part 1:/ });
+        expect(await first.isChecked()).toBe(true);
+        await page.getByRole('button', { name: 'Hide by clicking' }).click();
+        const place = (await hitsOver(page, 25)).find(({ surface }) => surface !== null)!.at;
+        await page.mouse.click(place.x, place.y);
+        await page.waitForFunction((at) => (window.wakesurf!.pick(at)?.surface ?? null) === null, place);
+        await page.getByRole('button', { name: 'Show all parts' }).click();
+        await page.waitForFunction((at) => typeof window.wakesurf!.pick(at)?.surface === 'string', place);
+        await page.getByRole('button', { name: 'Hide by clicking' }).click();
+        await openGroup('#paint-group', false);
+        expect(complaints).toEqual([]);
+    });
+});
+
+describe('transparency', () => {
+    /** Two sheets one behind the other, made in the order of `shifts`; places where both are seen, and their pixels. */
+    async function sheets(shifts: readonly number[]) {
+        const { session } = (await server.call('session.create', {})) as { session: string };
+        const ids: string[] = [];
+        for (const shift of shifts) {
+            const rake = { session, kind: 'line', seeds: 12, name: `at ${shift}` };
+            const points = [
+                [4, shift, 0.5],
+                [4, shift, 5],
+            ];
+            const made = await server.call('rake.set', { ...rake, points });
+            const dataset = ((await server.call('dataset.list', {})) as { datasets: { dataset: string }[] }).datasets[0]!.dataset;
+            const setting = { session, rake: made['rake'], dataset, kind: 'stream', from: 8.5, to: 12.5 };
+            const { surface } = await server.call('surface.set', setting);
+            await server.call('surface.wait', { session, surface: surface, timeoutMs: 30_000 });
+            ids.push(String(surface));
+        }
+        const front = shifts.indexOf(Math.min(...shifts));
+        const look = (colour: string): Partial<SurfaceLook> => ({ colourBy: 'constant', colour, opacity: 0.5 });
+        const looks = Object.fromEntries(ids.map((id, i) => [id, look(i === front ? '#ff2020' : '#2020ff')]));
+        const camera = { position: [6, -18, 3] as [number, number, number], target: [6, 0, 3] as [number, number, number], orthographic: false };
+        const state = encodeLinkState({ view: { camera, looks }, rakes: [], surfaces: [] });
+        const link = new URL(server.link);
+        link.hash = `session=${session}&token=${server.token}&state=${state}`;
+        const opened = await openPage(context, link.href);
+        await finalSurface(opened.page);
+        await opened.page.waitForFunction(() => window.wakesurf!.pick(window.wakesurf!.project([5.2, -1.2, 3])!) !== null);
+        await drawn(opened.page);
+        const places = await opened.page.evaluate(() => {
+            const hook = window.wakesurf!;
+            return [4.6, 5, 5.4, 5.8].flatMap((x) => [1.5, 2.5, 3.5].map((z) => hook.project([x, 0, z])!));
+        });
+        const pixels = await opened.page.evaluate((at) => window.wakesurf!.pixelsAt(at), places);
+        await screenshot(opened.page, `look-sheets-${shifts.join('-')}`);
+        await opened.page.close();
+        return pixels;
+    }
+
+    it('shows two sheets, the nearer one more, whichever was made first', async () => {
+        const alone = await sheets([-1]);
+        const both = await sheets([-1, 1]);
+        const other = await sheets([1, -1]);
+        for (const [i, pixel] of both.entries()) {
+            // Through the red one in front, the blue one behind.
+            expect(pixel[2]).toBeGreaterThan(alone[i]![2] + 25);
+            expect(pixel[0]).toBeGreaterThan(pixel[2]);
+            pixel.forEach((channel, k) => expect(Math.abs(channel - other[i]![k]!)).toBeLessThanOrEqual(1));
+        }
+    });
+});
