@@ -1,5 +1,7 @@
 // How surfaces look: colours, ranges, transparency, stripes, windows, planes, parts and painting, set with mouse and keyboard and
 // compared with numbers.
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { encodeLinkState } from '../../web-client/src/session/linkState.ts';
@@ -8,6 +10,13 @@ import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
 import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { agreement, hitsOver, type Rgb, seenVertices } from './support/look_facts.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+
+/** 8 x 8 x 8 points: the flow along x, and a field that is x. */
+const slab = `<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
+<ImageData WholeExtent="0 7 0 7 0 7" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 7 0 7 0 7"><PointData>
+<DataArray type="Float32" Name="U" NumberOfComponents="3" format="ascii">${'1 0 0 '.repeat(512)}</DataArray>
+<DataArray type="Float32" Name="place" format="ascii">${'0 1 2 3 4 5 6 7 '.repeat(64)}</DataArray>
+</PointData></Piece></ImageData></VTKFile>`;
 
 const store = temporaryFolder();
 let server: ServerProcess;
@@ -131,24 +140,40 @@ describe('colours', () => {
         await screenshot(page, 'look-deformation');
     });
 
-    it('are those of a field of the dataset, and go back to the speed at once', async () => {
-        await page.getByLabel('Colour by').selectOption('field:mask');
-        await page.waitForFunction(
-            () =>
-                document
-                    .querySelector('wakesurf-app')!
-                    .shadowRoot!.querySelector('wakesurf-scalar-bar')!
-                    .shadowRoot!.querySelector('figure')!.ariaLabel === 'Colours: mask from 0 to 1',
-        );
-        const masks = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar);
-        expect(Math.min(...masks)).toBeGreaterThanOrEqual(0);
-        expect(Math.max(...masks)).toBeLessThanOrEqual(1);
+    it('are those of the speed again at once', async () => {
         await page.getByLabel('Colour by').selectOption('speed');
-        await drawn();
         const range = await ask(page, (hook) => hook.speedRange);
-        await page.waitForFunction((top) => window.wakesurf!.vertices(1).some(({ scalar }) => scalar > top), 1.1);
+        await page.waitForFunction((top) => window.wakesurf!.vertices(1).every(({ scalar }) => scalar >= 0 && scalar <= top), range[1]);
+        await drawn();
+        expect(await scalarBar()).toMatch(/^Colours: Speed from/);
         const seen = await seenVertices(page, 5);
         expect(agreement(seen, ({ scalar }) => scalar, { map: 'viridis', range })).toBeGreaterThan(0.95);
+    });
+
+    it('are those of a field of the dataset', async () => {
+        // A field that is the place along x.
+        const folder = temporaryFolder();
+        const data = join(folder.path, 'slab.vti');
+        writeFileSync(data, slab);
+        const other = await ServerProcess.start({ store: folder.path, data });
+        try {
+            const opened = await openPage(context, other.link);
+            await finalSurface(opened.page);
+            await opened.page.getByRole('tab', { name: 'Look' }).click();
+            await opened.page.getByLabel('Colour by').selectOption({ label: 'place' });
+            await opened.page.locator('wakesurf-scalar-bar figure[aria-label="Colours: place from 0 to 7"]').waitFor();
+            await drawn(opened.page);
+            const vertices = await ask(opened.page, (hook) => hook.vertices(1));
+            const furthest = Math.max(...vertices.map(({ point, scalar }) => Math.abs(point[0] - scalar)));
+            expect(Math.max(...vertices.map(({ scalar }) => scalar))).toBeGreaterThan(6);
+            expect(furthest).toBeLessThan(0.01);
+            const seen = await seenVertices(opened.page, 1);
+            expect(agreement(seen, ({ point }) => point[0], { map: 'viridis', range: [0, 7] })).toBeGreaterThan(0.95);
+            await opened.page.close();
+        } finally {
+            await other.stop();
+            folder.remove();
+        }
     });
 });
 
@@ -332,14 +357,14 @@ describe('transparency', () => {
         const { session } = (await server.call('session.create', {})) as { session: string };
         const ids: string[] = [];
         for (const shift of shifts) {
-            const rake = { session, kind: 'line', seeds: 12, name: `at ${shift}` };
+            const rake = { session, kind: 'line', seeds: 8, name: `at ${shift}` };
             const points = [
                 [4, shift, 0.5],
                 [4, shift, 5],
             ];
             const made = await server.call('rake.set', { ...rake, points });
             const dataset = ((await server.call('dataset.list', {})) as { datasets: { dataset: string }[] }).datasets[0]!.dataset;
-            const setting = { session, rake: made['rake'], dataset, kind: 'stream', from: 8.5, to: 12.5 };
+            const setting = { session, rake: made['rake'], dataset, kind: 'stream', from: 8.5, to: 11, separation: 0.5 };
             const { surface } = await server.call('surface.set', setting);
             await server.call('surface.wait', { session, surface: surface, timeoutMs: 30_000 });
             ids.push(String(surface));

@@ -13,6 +13,8 @@ export interface ServerOptions {
     state?: string;
     /** A further page address that may connect. */
     origin?: string;
+    /** Instead of the bundled data. */
+    data?: string;
     /** Kept between servers of one test, so that only the first imports. */
     store: string;
 }
@@ -27,7 +29,7 @@ export class ServerProcess {
         this.link = link;
     }
 
-    static async start({ port = 0, tokenFile, state, origin, store }: ServerOptions): Promise<ServerProcess> {
+    static async start({ port = 0, tokenFile, state, origin, data, store }: ServerOptions): Promise<ServerProcess> {
         const binary = process.env['WAKESURF_BINARY'] ?? join(projectRoot, 'build/release/bin/wakesurf');
         const optional = Object.entries({ '--token-file': tokenFile, '--state': state, '--origin': origin });
         const given = optional.flatMap(([name, value]) => (value === undefined ? [] : [name, value]));
@@ -35,7 +37,7 @@ export class ServerProcess {
             binary,
             [
                 'serve',
-                process.env['WAKESURF_DATA'] ?? join(projectRoot, 'data/sqcyl/sqcyl.pvd'),
+                data ?? process.env['WAKESURF_DATA'] ?? join(projectRoot, 'data/sqcyl/sqcyl.pvd'),
                 ...['--listen', `127.0.0.1:${port}`, '--store', store],
                 ...['--web', join(projectRoot, 'web-client/dist'), ...given],
             ],

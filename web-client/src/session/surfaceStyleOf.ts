@@ -15,9 +15,22 @@ export interface StyleFacts {
     speedRange: readonly [number, number];
 }
 
+/** As many further attributes as a surface may have (limits::fields of the server). */
+const fieldsAtMost = 4;
+
+/** Whether the server can send it with a surface; one that does not say what it can is asked for anything. */
+export function canCome(dataset: DatasetDescription | null, field: string): boolean {
+    return dataset?.surfaceFields?.includes(field) ?? true;
+}
+
 /** Fields that a surface can be coloured by: one number each. */
 export function colourFields(dataset: DatasetDescription | null): FieldDescription[] {
-    return dataset?.fields.filter(({ components }) => components === 1) ?? [];
+    return dataset?.fields.filter(({ name, components }) => components === 1 && canCome(dataset, name)) ?? [];
+}
+
+/** One more of a surface's fields; where there is no room, the one longest there goes. */
+export function withField(fields: readonly string[], field: string): string[] {
+    return fields.includes(field) ? [...fields] : [...fields, field].slice(-fieldsAtMost);
 }
 
 export function colourByField(name: string): string {

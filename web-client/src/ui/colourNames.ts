@@ -1,7 +1,7 @@
 // What a surface can be coloured by, and the colour maps, in words.
 import type { DatasetDescription, SurfaceKind } from '../protocol/messages.ts';
 import type { SurfaceStyle } from '../scene/surface/surfaceStyle.ts';
-import { colourByField, colourFields, deformation } from '../session/surfaceStyleOf.ts';
+import { canCome, colourByField, colourFields, deformation } from '../session/surfaceStyleOf.ts';
 import type { ColourMap } from '../state/surfaceLook.ts';
 import type { Choice } from './lookStyles.ts';
 
@@ -30,12 +30,17 @@ export function colourChoices(
         words: name,
         disabled: !isThere(name),
     }));
+    const derived = [
+        { value: deformation, words: 'Stretching' },
+        { value: 'approximated', words: 'Approximated' },
+    ];
     return [
         { value: 'speed', words: 'Speed' },
         { value: 'age', words: ageName(kind) },
         { value: 's', words: 'Place on the rake' },
-        { value: deformation, words: 'Stretching', disabled: !isThere(deformation) },
-        { value: 'approximated', words: 'Approximated', disabled: !isThere('approximated') },
+        ...derived
+            .filter(({ value }) => canCome(dataset, value))
+            .map((each) => ({ ...each, disabled: !isThere(each.value) })),
         ...fields,
         { value: 'constant', words: 'One colour' },
     ];

@@ -1,7 +1,7 @@
 // What the selected surface is coloured by, with which colours, over which range.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colorTable, tableSize } from '../scene/surface/colorMap.ts';
-import { attributeOf, deformation, fieldOf } from '../session/surfaceStyleOf.ts';
+import { attributeOf, deformation, fieldOf, withField } from '../session/surfaceStyleOf.ts';
 import { colourMaps, type SurfaceLook } from '../state/surfaceLook.ts';
 import type { AppModel } from './appModel.ts';
 import { colourChoices, mapNames } from './colourNames.ts';
@@ -100,7 +100,7 @@ export class ColourPanel extends SignalElement {
         const before = view.lookOf(state.activeSurface.value);
         const field = fieldOf(colourBy);
         const fields = state.surface.value?.fields ?? [];
-        if (field !== null && !fields.includes(field)) edits.changeSurface({ fields: [...fields, field] });
+        if (field !== null && !fields.includes(field)) edits.changeSurface({ fields: withField(fields, field) });
         // Stretched or gathered: a quantity with a sign.
         const signed = colourBy === deformation;
         const wasSigned = before.map === 'coolToWarm' && before.centre !== null;
@@ -112,7 +112,12 @@ export class ColourPanel extends SignalElement {
         const wanted = attributeOf(look.colourBy);
         const style = this.model.scene.surfaces.spanOf(id)?.style;
         if (wanted === null || style === undefined || style.scalar === wanted) return nothing;
-        return html`<p class="quiet" role="status">The colours change when the values have come from the server.</p>`;
+        const { state } = this.model;
+        const asked = wanted === 'speed' || state.editsPending.value || state.surface.value?.fields.includes(wanted);
+        const words = asked
+            ? 'The colours change when the values have come from the server.'
+            : 'The server does not send this with the surface. Choose it again, or another.';
+        return html`<p class="quiet" role="status">${words}</p>`;
     }
 
     private constant(look: SurfaceLook): TemplateResult {
