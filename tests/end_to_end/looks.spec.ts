@@ -364,7 +364,7 @@ describe('transparency', () => {
             ];
             const made = await server.call('rake.set', { ...rake, points });
             const dataset = ((await server.call('dataset.list', {})) as { datasets: { dataset: string }[] }).datasets[0]!.dataset;
-            const setting = { session, rake: made['rake'], dataset, kind: 'stream', from: 8.5, to: 11, separation: 0.5 };
+            const setting = { session, rake: made['rake'], dataset, kind: 'stream', from: 8.5, to: 12, separation: 0.5 };
             const { surface } = await server.call('surface.set', setting);
             await server.call('surface.wait', { session, surface: surface, timeoutMs: 30_000 });
             ids.push(String(surface));
@@ -378,7 +378,10 @@ describe('transparency', () => {
         link.hash = `session=${session}&token=${server.token}&state=${state}`;
         const opened = await openPage(context, link.href);
         await finalSurface(opened.page);
-        await opened.page.waitForFunction(() => window.wakesurf!.pick(window.wakesurf!.project([5.2, -1.2, 3])!) !== null);
+        await opened.page.waitForFunction(
+            (count) => window.wakesurf!.allDisplayed.filter(({ phase }) => phase === 'final').length === count,
+            shifts.length,
+        );
         await drawn(opened.page);
         const places = await opened.page.evaluate(() => {
             const hook = window.wakesurf!;

@@ -18,6 +18,8 @@ export interface TestHook {
     readonly phase: string;
     readonly requestedEpoch: number;
     readonly displayed: DisplayedSurface | null;
+    /** All surfaces that are on the screen. */
+    readonly allDisplayed: DisplayedSurface[];
     readonly rakePoints: Vec3[];
     readonly rakes: readonly DrawnRake[];
     readonly bounds: readonly number[] | null;
@@ -86,6 +88,9 @@ export function installTestHook({ state, scene, latency, canvas }: TestHookParts
         },
         get displayed() {
             return displayed() ?? null;
+        },
+        get allDisplayed() {
+            return [...state.displayed.value.values()];
         },
         get rakePoints() {
             return scene.rakes.shape.points.map((point) => [...point] as Vec3);
