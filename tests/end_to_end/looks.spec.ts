@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { encodeLinkState } from '../../web-client/src/session/linkState.ts';
+import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { stripePeriodPx } from '../../web-client/src/scene/surface/patternShader.ts';
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
 import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
@@ -334,9 +335,7 @@ describe('what is shown of a surface', () => {
     });
 
     it('is what belongs to parts that are not hidden', async () => {
-        await page.waitForFunction(
-            () => document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('wakesurf-panel') !== null,
-        );
+        await openGroup('#paint-group');
         const first = page.getByRole('checkbox', { name: /^Part 1:/ });
         expect(await first.isChecked()).toBe(true);
         await page.getByRole('button', { name: 'Hide by clicking' }).click();
@@ -352,56 +351,55 @@ describe('what is shown of a surface', () => {
 });
 
 describe('transparency', () => {
-    /** Two sheets one behind the other, made in the order of `shifts`; places where both are seen, and their pixels. */
-    async function sheets(shifts: readonly number[]) {
-        const { session } = (await server.call('session.create', {})) as { session: string };
-        const ids: string[] = [];
-        for (const shift of shifts) {
-            const rake = { session, kind: 'line', seeds: 8, name: `at ${shift}` };
+    const front = -1;
+    const behind = 1;
+
+    /** A long red sheet, and a short blue one behind it, made in this order; pixels where both are seen, and where only the red one is. */
+    async function sheets(order: readonly number[]): Promise<{ both: Rgb[]; alone: Rgb[] }> {
+        const { session } = await server.call('session.create', {});
+        const { datasets } = (await server.call('dataset.list', {})) as { datasets: { dataset: string }[] };
+        const looks: Record<string, Partial<SurfaceLook>> = {};
+        for (const y of order) {
             const points = [
-                [4, shift, 0.5],
-                [4, shift, 5],
+                [4, y, 0.5],
+                [4, y, 5],
             ];
-            const made = await server.call('rake.set', { ...rake, points });
-            const dataset = ((await server.call('dataset.list', {})) as { datasets: { dataset: string }[] }).datasets[0]!.dataset;
-            const setting = { session, rake: made['rake'], dataset, kind: 'stream', from: 8.5, to: 12, separation: 0.5 };
+            const { rake } = await server.call('rake.set', { session, kind: 'line', seeds: 8, name: 'Sheet', points });
+            const times = { from: 8.5, to: y === front ? 12.5 : 10 };
+            const setting = { session, rake, dataset: datasets[0]!.dataset, kind: 'stream', separation: 0.5, ...times };
             const { surface } = await server.call('surface.set', setting);
-            await server.call('surface.wait', { session, surface: surface, timeoutMs: 30_000 });
-            ids.push(String(surface));
+            looks[String(surface)] = { colourBy: 'constant', colour: y === front ? '#ff2020' : '#2020ff', opacity: 0.5 };
         }
-        const front = shifts.indexOf(Math.min(...shifts));
-        const look = (colour: string): Partial<SurfaceLook> => ({ colourBy: 'constant', colour, opacity: 0.5 });
-        const looks = Object.fromEntries(ids.map((id, i) => [id, look(i === front ? '#ff2020' : '#2020ff')]));
-        const camera = { position: [6, -18, 3] as [number, number, number], target: [6, 0, 3] as [number, number, number], orthographic: false };
-        const state = encodeLinkState({ view: { camera, looks }, rakes: [], surfaces: [] });
+        const camera = { position: [6, -18, 3] as Vec3, target: [6, 0, 3] as Vec3, orthographic: false };
         const link = new URL(server.link);
-        link.hash = `session=${session}&token=${server.token}&state=${state}`;
+        const state = encodeLinkState({ view: { camera, looks }, rakes: [], surfaces: [] });
+        link.hash = `session=${session as string}&token=${server.token}&state=${state}`;
         const opened = await openPage(context, link.href);
-        await finalSurface(opened.page);
-        await opened.page.waitForFunction(
-            (count) => window.wakesurf!.allDisplayed.filter(({ phase }) => phase === 'final').length === count,
-            shifts.length,
-        );
-        await drawn(opened.page);
-        const places = await opened.page.evaluate(() => {
-            const hook = window.wakesurf!;
-            return [4.6, 5, 5.4, 5.8].flatMap((x) => [1.5, 2.5, 3.5].map((z) => hook.project([x, 0, z])!));
+        await opened.page.waitForFunction(() => {
+            const finals = window.wakesurf?.allDisplayed.filter(({ phase }) => phase === 'final');
+            return finals?.length === 2;
         });
-        const pixels = await opened.page.evaluate((at) => window.wakesurf!.pixelsAt(at), places);
-        await screenshot(opened.page, `look-sheets-${shifts.join('-')}`);
+        await drawn(opened.page);
+        const pixels = await opened.page.evaluate(() => {
+            const hook = window.wakesurf!;
+            const at = (xs: number[], y: number) => xs.flatMap((x) => [1.5, 2.5, 3.5].map((z) => hook.project([x, y, z])!));
+            return hook.pixelsAt([...at([4.4, 4.6, 4.8], 0), ...at([6.2, 6.4, 6.6], -1)]);
+        });
+        await screenshot(opened.page, `look-sheets-${order.join('-')}`);
         await opened.page.close();
-        return pixels;
+        return { both: pixels.slice(0, 9), alone: pixels.slice(9) };
     }
 
     it('shows two sheets, the nearer one more, whichever was made first', async () => {
-        const alone = await sheets([-1]);
-        const both = await sheets([-1, 1]);
-        const other = await sheets([1, -1]);
+        const { both, alone } = await sheets([front, behind]);
+        const other = await sheets([behind, front]);
+        const bluest = Math.max(...alone.map(([, , blue]) => blue));
         for (const [i, pixel] of both.entries()) {
             // Through the red one in front, the blue one behind.
-            expect(pixel[2]).toBeGreaterThan(alone[i]![2] + 25);
+            expect(pixel[2]).toBeGreaterThan(bluest + 25);
             expect(pixel[0]).toBeGreaterThan(pixel[2]);
-            pixel.forEach((channel, k) => expect(Math.abs(channel - other[i]![k]!)).toBeLessThanOrEqual(1));
+            pixel.forEach((channel, k) => expect(Math.abs(channel - other.both[i]![k]!)).toBeLessThanOrEqual(1));
         }
+        expect(other.alone.every(([red, , blue]) => red > 2 * blue)).toBe(true);
     });
 });
