@@ -19,7 +19,7 @@ export class PaintPanel extends SignalElement {
         sharedStyles,
         lookStyles,
         css`
-            h3 {
+            h2 {
                 margin: 12px 0 4px;
                 padding-top: 10px;
                 border-top: 1px solid var(--line);
@@ -36,7 +36,7 @@ export class PaintPanel extends SignalElement {
         return html`
             ${checkRow('painting', 'Show only what a brush has revealed', look.painting, (on) => this.startPainting(on))}
             ${look.painting ? this.brush(look) : nothing}
-            <h3>Connected parts</h3>
+            <h2>Connected parts</h2>
             ${this.parts(look, state.parts.value.get(id ?? '') ?? [])}
         `;
     }

@@ -4,7 +4,7 @@ import { Blending } from './blending.ts';
 import { SurfaceMask, type BrushPrint } from './surfaceMask.ts';
 import { SurfaceMesh, type MeshChange, type SurfaceVertex } from './surfaceMesh.ts';
 import { noPlanes, sharedUniforms, SurfaceMaterials } from './surfaceMaterial.ts';
-import { isTransparent, plainStyle, type SurfaceStyle } from './surfaceStyle.ts';
+import { isPlain, isTransparent, plainStyle, type SurfaceStyle } from './surfaceStyle.ts';
 import { SurfaceTextures } from './surfaceTextures.ts';
 
 type Range = [number, number];
@@ -39,6 +39,7 @@ export class SurfaceLayer {
     private readonly blending = new Blending(this.shared.depthRange.value);
     private readonly surfaces = new Map<string, DrawnSurface>();
     private readonly styles = new Map<string, SurfaceStyle>();
+    private clipped = false;
 
     constructor() {
         this.object.add(this.blending.composite);
@@ -61,6 +62,8 @@ export class SurfaceLayer {
     setClip(planes: Planes, body: boolean): void {
         setPlanes(this.shared.clip.value, planes);
         setPlanes(this.bodyClip.value, body ? planes : []);
+        this.clipped = planes.some(([x, y, z]) => x !== 0 || y !== 0 || z !== 0);
+        for (const surface of this.surfaces.values()) this.restyle(surface);
     }
 
     /** Of the flow texture, by so much of t. */
@@ -157,7 +160,8 @@ export class SurfaceLayer {
         if (surface.style.painting && mesh.vertices > 0) this.maskOf(surface);
         materials.apply(surface.style, mesh);
         const transparent = isTransparent(surface.style);
-        mesh.mesh.material = transparent ? materials.blended : materials.opaque;
+        const plain = isPlain(surface.style) && !this.clipped && !mesh.hasHiddenParts;
+        mesh.mesh.material = transparent ? materials.blended : plain ? materials.plain : materials.opaque;
         if (transparent) {
             this.object.remove(mesh.mesh);
             this.blending.show(mesh.mesh);

@@ -80,6 +80,7 @@ export interface MeshFacts {
 }
 
 export class SurfaceMaterials {
+    readonly plain: ShaderMaterial;
     readonly opaque: ShaderMaterial;
     readonly blended: ShaderMaterial;
     readonly pick: ShaderMaterial;
@@ -94,6 +95,7 @@ export class SurfaceMaterials {
         this.own = ownUniforms(textures);
         const uniforms = { ...this.own, ...shared };
         const common = { glslVersion: GLSL3, vertexShader, uniforms, side: DoubleSide };
+        this.plain = new ShaderMaterial({ ...common, fragmentShader, defines: { PLAIN: 1 } });
         this.opaque = new ShaderMaterial({ ...common, fragmentShader });
         this.blended = new ShaderMaterial({
             ...common,
@@ -157,6 +159,6 @@ export class SurfaceMaterials {
     }
 
     dispose(): void {
-        for (const material of [this.opaque, this.blended, this.pick]) material.dispose();
+        for (const material of [this.plain, this.opaque, this.blended, this.pick]) material.dispose();
     }
 }

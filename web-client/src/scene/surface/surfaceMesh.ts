@@ -74,6 +74,11 @@ export class SurfaceMesh {
         this.mesh.frustumCulled = false;
     }
 
+    /** Whether some of it may be hidden because of the part it belongs to. */
+    get hasHiddenParts(): boolean {
+        return this.used.has('hiddenPart');
+    }
+
     get hasStretch(): boolean {
         return this.used.has('stretch');
     }

@@ -1,5 +1,6 @@
-// The shader of the surfaces, one text for three programs: OPAQUE draws, BLENDED adds to the targets of transparency
-// (blending.ts), PICK writes what is where (surfacePick.ts). Looks differ in uniforms alone.
+// The shader of the surfaces, one text for four programs: the first draws; PLAIN does so without cutting, painting, stripes and
+// outlines, which most surfaces have none of; BLENDED adds to the targets of transparency (blending.ts); the pick writes what is
+// where (surfacePick.ts). Looks differ in uniforms alone.
 import { patternGlsl } from './patternShader.ts';
 import { tableSize } from './colorMap.ts';
 
@@ -123,13 +124,18 @@ void main() {
     vec3 n = normalize(viewNormal);
     n = dot(n, toViewer) < 0.0 ? -n : n;
     float facing = dot(n, toViewer);
+#ifndef PLAIN
     // Differences between pixels come before anything is thrown away.
     mat2 slope = mat2(dFdx(place), dFdy(place));
     float areaPerPixel = length(cross(dFdx(worldPosition), dFdy(worldPosition)));
     float facingSlope = fwidth(facing);
     if (isCut()) discard;
+#endif
     vec3 base = baseColor();
     if (!gl_FrontFacing) base = backColor(base);
+#ifdef PLAIN
+    drawn = linearToOutputTexel(vec4(lit(base, n, toViewer), 1.0));
+#else
     base *= pattern(place, slope);
     vec3 color = lit(base, n, toViewer);
     float outlined = 0.0;
@@ -145,6 +151,7 @@ void main() {
 #else
     if (revealed() < 0.5) discard;
     drawn = linearToOutputTexel(vec4(color, 1.0));
+#endif
 #endif
 }`;
 

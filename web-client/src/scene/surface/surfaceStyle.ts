@@ -72,3 +72,8 @@ export const plainStyle: SurfaceStyle = {
 export function isTransparent({ opacity, angleOpacity, smoke, painting, faded }: SurfaceStyle): boolean {
     return opacity < 1 || angleOpacity || smoke > 0 || (painting && faded > 0);
 }
+
+/** Whether only colour and light make the picture, which is drawn more quickly then. */
+export function isPlain({ silhouettes, lines, texture, sWindow, ageWindow, painting }: SurfaceStyle): boolean {
+    return !silhouettes && lines === 'none' && !texture && sWindow === null && ageWindow === null && !painting;
+}
