@@ -160,6 +160,33 @@ describe('the picture', () => {
         expect(covered / seen.length).toBeGreaterThan(0.98);
     });
 
+    it.each(['with', 'without'])('tells what is under the pointer, %s perspective', async (perspective) => {
+        await page.evaluate(() => window.wakesurf!.setCamera([4, -26, 9], [4, 0, 3]));
+        if (perspective === 'without') await page.getByRole('button', { name: 'Parallel' }).click();
+        const found = await page.evaluate(() => {
+            const hook = window.wakesurf!;
+            const bounds = hook.bounds!;
+            const size = Math.hypot(...[0, 2, 4].map((i) => bounds[i + 1]! - bounds[i]!));
+            return hook.vertices(61).flatMap(({ point, s, t, scalar }) => {
+                const at = hook.project(point)!;
+                const hit = hook.pick(at);
+                if (hit === null || hit.surface === null) return [];
+                const apart = Math.hypot(...hit.point.map((x, i) => x - point[i]!)) / size;
+                const back = hook.project(hit.point)!;
+                const px = Math.hypot(back.x - at.x, back.y - at.y);
+                const numbers = Math.max(Math.abs(hit.s - s), Math.abs(hit.t - t) / 13, Math.abs(hit.scalar - scalar));
+                return [{ apart, px, numbers }];
+            });
+        });
+        expect(Math.max(...found.map(({ px }) => px))).toBeLessThan(0.1);
+        // Of the others a fold in front is seen.
+        const same = found.filter(({ apart }) => apart < 1e-3);
+        expect(same.length).toBeGreaterThan(40);
+        const close = same.filter(({ apart, numbers }) => apart < 1e-4 && numbers < 5e-3);
+        expect(close.length / same.length).toBeGreaterThan(0.9);
+        if (perspective === 'without') await page.getByRole('button', { name: 'Parallel' }).click();
+    });
+
     it('projects as a camera does: halfway between two points is on the line between them', async () => {
         const ends: [Vec3, Vec3] = [
             [-3, -4, 0],

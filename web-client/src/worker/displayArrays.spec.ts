@@ -110,4 +110,37 @@ describe('DisplayArrays', () => {
             expect(scalars[0]!.values[v]).toBeCloseTo(-1 + (4 * state.codes[v]![0]!) / 65535, 6);
         });
     });
+
+    it('gives an attribute whole when it is asked for, and afterwards only where it may have changed', () => {
+        const decoder = new MeshDecoder(points, lattice, ranges.length);
+        const shown = display();
+        const updates = randomUpdates(34, 40, true).flatMap(({ frames }) => frames.map((frame) => decoder.fold(frame)));
+        const applied = updates.filter((update) => update !== undefined);
+        // All of them change the one mesh, which is now the last.
+        const { mesh } = applied.at(-1)!;
+        shown.note(applied.at(-1)!);
+        expect(shown.take(mesh).scalars.map(({ name }) => name)).toEqual(['speed']);
+        expect(shown.take(mesh).scalars).toEqual([]);
+        expect(shown.show(['speed', 's'], null)).toBe(true);
+        const [only, ...others] = shown.take(mesh).scalars;
+        expect([only?.name, only?.fromVertex, only?.values.length, others.length]).toEqual(['s', 0, mesh.vertices, 0]);
+        expect(shown.show(['s'], null)).toBe(false);
+        expect(shown.show(['unknown', 's'], null)).toBe(false);
+        shown.rename(['speed', 's', 'unknown']);
+        expect(shown.take(mesh).scalars.map(({ name, values }) => [name, values.length])).toEqual([['unknown', mesh.vertices]]);
+    });
+
+    it('finds parts only when asked, and again only when cells have changed', () => {
+        const [{ frames }] = randomUpdates(35, 1) as [ReturnType<typeof randomUpdates>[0]];
+        const decoder = new MeshDecoder(points, lattice, ranges.length);
+        const update = frames.map((frame) => decoder.fold(frame)).at(-1)!;
+        const shown = display();
+        expect(shown.take(update.mesh).parts).toBeNull();
+        expect(shown.show(['speed'], { hidden: [] })).toBe(true);
+        const cells = shown.take(update.mesh).parts!.parts.reduce((sum, part) => sum + part.cells, 0);
+        expect(cells).toBe(update.mesh.cellCount);
+        expect(shown.take(update.mesh).parts).toBeNull();
+        shown.note(update);
+        expect(shown.take(update.mesh).parts).not.toBeNull();
+    });
 });

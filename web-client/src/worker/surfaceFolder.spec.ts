@@ -4,6 +4,7 @@ import { dracoPoints } from '../protocol/testing/golden.ts';
 import { lattice, randomUpdates } from '../protocol/testing/randomUpdates.ts';
 import { sealed } from '../protocol/testing/wireWriter.ts';
 import { SurfaceFolder } from './surfaceFolder.ts';
+import type { SurfaceRecord } from '../protocol/messages.ts';
 import type { SurfaceState } from './workerMessages.ts';
 
 let points: DracoPoints;
@@ -99,5 +100,29 @@ describe('SurfaceFolder', () => {
         bench.receive(1);
         expect(bench.applied).toHaveLength(1);
         expect(bench.troubles).toEqual([]);
+    });
+
+    it('sends at once what the page asks to show, and what else it wants with every state to come', () => {
+        bench.receive(0);
+        expect(bench.states.at(-1)!.scalars.map(({ name }) => name)).toEqual(['speed']);
+        bench.folder.taken('s1');
+        bench.folder.show('s1', ['t'], null);
+        expect(bench.states).toHaveLength(2);
+        expect(bench.states[1]!.scalars.map(({ name }) => name)).toEqual(['t']);
+        expect(bench.states[1]!.positions).toHaveLength(0);
+        bench.folder.show('s1', ['t'], null);
+        expect(bench.states).toHaveLength(2);
+        bench.folder.taken('s1');
+        bench.subscribe(9);
+        bench.receive(0, 9);
+        expect(bench.states.at(-1)!.scalars.map(({ name }) => name)).toEqual(['t']);
+    });
+
+    it('names attributes by the fields that the surface had at the epoch of the frames', () => {
+        bench.folder.recorded({ surface: 's1', epoch: 1, fields: ['p'] } as unknown as SurfaceRecord);
+        bench.folder.show('s1', ['p', 'speed'], null);
+        // Three attributes, and not the four that were told: only what every surface has is sure.
+        bench.receive(0);
+        expect(bench.states.at(-1)!.scalars.map(({ name }) => name)).toEqual(['speed']);
     });
 });
