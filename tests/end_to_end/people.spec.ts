@@ -104,9 +104,9 @@ describe('the others in the picture', () => {
 
     it('are shown where they look from, and their view is taken by following until the camera is moved', async () => {
         await host.evaluate(() => window.wakesurf!.setCamera([60, -60, 40], [5, 0, 3]));
-        await guest.mouse.move(300, 480);
+        await guest.mouse.move(300, 420);
         await guest.mouse.down();
-        await guest.mouse.move(330, 470, { steps: 3 });
+        await guest.mouse.move(330, 412, { steps: 3 });
         await guest.mouse.up();
         const eye = (await ask(guest, (hook) => hook.camera)).position;
         // The name stands over the eye of their camera.
@@ -123,15 +123,15 @@ describe('the others in the picture', () => {
         const together = async (): Promise<boolean> =>
             near((await ask(host, (hook) => hook.camera)).position, (await ask(guest, (hook) => hook.camera)).position, 1e-3);
         await expect.poll(together).toBe(true);
-        await guest.mouse.move(300, 480);
+        await guest.mouse.move(300, 420);
         await guest.mouse.down();
-        await guest.mouse.move(200, 440, { steps: 4 });
+        await guest.mouse.move(200, 390, { steps: 4 });
         await guest.mouse.up();
         await expect.poll(together).toBe(true);
         // Whoever moves the camera has it to themselves again.
-        await host.mouse.move(300, 480);
+        await host.mouse.move(300, 420);
         await host.mouse.down();
-        await host.mouse.move(350, 470, { steps: 3 });
+        await host.mouse.move(350, 412, { steps: 3 });
         await host.mouse.up();
         expect(await host.getByRole('button', { name: 'Follow guest 2' }).getAttribute('aria-pressed')).toBe('false');
         expect(await together()).toBe(false);

@@ -94,7 +94,7 @@ describe('the page', () => {
 describe('the keyboard', () => {
     it('moves the time with the slider, and the surface with it', async () => {
         const before = await ask(page, (hook) => hook.displayed);
-        await page.getByRole('slider', { name: 'Time', exact: true }).focus();
+        await page.getByRole('slider', { name: 'Time of the frozen field' }).focus();
         for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowRight');
         await expectNewSurface(before?.epoch ?? 0);
         const after = await ask(page, (hook) => hook.displayed);

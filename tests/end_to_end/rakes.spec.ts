@@ -330,7 +330,7 @@ describe('several rakes', () => {
         await eventually(rakes, (each) => each[0]!.colour === '#ff00ff');
         await finalSurface(page);
         const ends = await onScreen(await shown());
-        expectColor(await pixelAt({ x: 0.75 * ends[0]!.x + 0.25 * ends[1]!.x, y: 0.75 * ends[0]!.y + 0.25 * ends[1]!.y }), '#ff00ff');
+        expectColor(await pixelAt({ x: 0.3 * ends[0]!.x + 0.7 * ends[1]!.x, y: 0.3 * ends[0]!.y + 0.7 * ends[1]!.y }), '#ff00ff');
         await screenshot(page, 'two-rakes');
     });
 

@@ -115,7 +115,7 @@ export class App extends SignalElement {
             wakesurf-tour {
                 position: absolute;
                 left: 12px;
-                bottom: 12px;
+                top: 12px;
             }
             wakesurf-banner {
                 position: absolute;
