@@ -1,33 +1,23 @@
 // The life of a session on this page: connect, wait for data, join or create, mirror the server's
 // records, and do the same again after every interruption.
 import { apiLevel } from '../protocol/version.ts';
-import {
-    errorWords,
-    type DatasetDescription,
-    type DatasetEntry,
-    type Notification,
-    type Patch,
-    type RakeRecord,
-    type SessionSnapshot,
-    type SurfaceRecord,
-} from '../protocol/messages.ts';
+import type { Notification, Patch, SessionSnapshot } from '../protocol/messages.ts';
 import type { FlowScene } from '../scene/scene.ts';
-import type { AppState, ShownRake } from '../state/appState.ts';
+import type { AppState } from '../state/appState.ts';
 import { keep, recall } from '../state/browserMemory.ts';
 import { CallError, type WorkerClient, type WorkerEvent } from '../worker/workerClient.ts';
 import { defaultLength, defaultRake, defaultSeeds } from './defaults.ts';
 import type { Edits } from './edits.ts';
+import { makeAnew, rememberedOf } from './madeAnew.ts';
+import { OpenDataset } from './openDataset.ts';
 import type { People } from './people.ts';
-import { settingAnew } from './surfaceIntent.ts';
 import { adoptSnapshot, applyPatches } from './recordMirror.ts';
-import { StepStates } from './stepStates.ts';
 import type { SurfaceProgress } from './surfaceProgress.ts';
 import type { SurfaceFeed } from './surfaceFeed.ts';
 import type { UrlState } from './urlState.ts';
 import type { Views } from './views.ts';
 
 const notFound = -32004;
-const importPollMs = 1000;
 const nameKept = 'name';
 /** Notices before the server closes the connection, which the page tells in its own words. */
 const farewells: ReadonlySet<string> = new Set(['displaced', 'removed', 'linkEnded']);
@@ -44,15 +34,9 @@ export interface SessionControllerOptions {
     views: Pick<Views, 'restore'>;
 }
 
-/** What a session is rebuilt from when the server no longer knows it. */
-interface Remembered {
-    rakes: RakeRecord[];
-    surfaces: SurfaceRecord[];
-}
-
 export class SessionController {
     private readonly options: SessionControllerOptions;
-    private readonly stepStates: StepStates;
+    private readonly dataset: OpenDataset;
     private session: string | null;
     private resumeToken: string | undefined;
     /** Counts connections; what an earlier one began must not go on in the next. */
@@ -62,7 +46,7 @@ export class SessionController {
 
     constructor(options: SessionControllerOptions) {
         this.options = options;
-        this.stepStates = new StepStates(options.state, options.worker);
+        this.dataset = new OpenDataset(options);
         this.session = options.url.session;
     }
 
@@ -97,9 +81,9 @@ export class SessionController {
             const snapshot = await this.join(this.session);
             const { url } = this.options;
             const id = snapshot?.surfaces[0]?.dataset ?? url.dataset ?? url.state?.surfaces[0]?.dataset ?? null;
-            const entry = await this.waitForDataset(id, gone);
+            const entry = await this.dataset.wait(id, gone);
             if (entry === null || gone()) return;
-            await this.describe(entry.dataset);
+            await this.dataset.describe(entry.dataset);
             const own = snapshot ?? (await this.createSession(entry.dataset));
             if (own.surfaces.length === 0 && state.role.value !== 'viewer') {
                 await this.addDefaultSurface(entry.dataset);
@@ -165,50 +149,10 @@ export class SessionController {
         }
     }
 
-    private async waitForDataset(
-        id: string | null,
-        gone: () => boolean,
-    ): Promise<DatasetEntry | null> {
-        const { worker, state } = this.options;
-        while (!gone()) {
-            const { datasets } = await worker.call('dataset.list', {});
-            const entry = id === null ? datasets[0] : datasets.find(({ dataset }) => dataset === id);
-            if (entry === undefined) throw new Error(noDataset(id));
-            state.datasetEntry.value = entry;
-            if (entry.state === 'failed') throw new Error(importFailed(entry));
-            if (entry.state === 'ready' || (entry.steps?.ready ?? 0) > 0) return entry;
-            state.stage.value = 'importing';
-            await new Promise((resolve) => setTimeout(resolve, importPollMs));
-        }
-        return null;
-    }
-
-    private async describe(dataset: string): Promise<void> {
-        const { worker, state, scene } = this.options;
-        const known = state.dataset.value;
-        const description = await worker.call('dataset.describe', { dataset });
-        state.dataset.value = description;
-        void this.stepStates.load(dataset);
-        if (known?.dataset === dataset) return;
-        scene.setDomain(description.bounds);
-        if (description.obstacle) void this.loadObstacle(description);
-    }
-
-    private async loadObstacle({ dataset, lattice }: DatasetDescription): Promise<void> {
-        try {
-            const geometry = await this.options.worker.obstacle(dataset, lattice);
-            if (geometry !== null) {
-                this.options.scene.setObstacle(geometry.positions, geometry.indices);
-            }
-        } catch (error) {
-            this.options.state.notice.value = error instanceof Error ? error.message : String(error);
-        }
-    }
-
     /** A new session, with what the user had if the server has forgotten an earlier one. */
     private async createSession(dataset: string): Promise<SessionSnapshot> {
-        const { worker, state } = this.options;
-        const remembered = this.remembered(dataset);
+        const { worker, state, url } = this.options;
+        const former = rememberedOf(state, url, dataset);
         const shape = state.rakeShape.value;
         const active = state.rake.value?.rake;
         const forgotten = this.session;
@@ -216,7 +160,7 @@ export class SessionController {
         this.rebuilding = true;
         try {
             await this.enter(session);
-            await this.makeAnew(remembered, dataset, (record) =>
+            await makeAnew(worker, former, (record) =>
                 record.rake === active && shape.points.length > 0 ? shape : record,
             );
         } catch (error) {
@@ -229,35 +173,6 @@ export class SessionController {
         const snapshot = await this.join(session);
         if (snapshot === null) throw new Error('The new session disappeared at once.');
         return snapshot;
-    }
-
-    /** What this page has had, or else what its link says. */
-    private remembered(dataset: string): Remembered {
-        const { state, url } = this.options;
-        const [rakes, surfaces] = [[...state.rakes.value.values()], [...state.surfaces.value.values()]];
-        const known = rakes.length > 0 || url.state === null ? { rakes, surfaces } : url.state;
-        return { rakes: known.rakes, surfaces: known.surfaces.filter((each) => each.dataset === dataset) };
-    }
-
-    /** `seen`: the shape on the screen, which may be ahead of the record that was lost. */
-    private async makeAnew(
-        remembered: Remembered,
-        dataset: string,
-        seen: (record: RakeRecord) => ShownRake,
-    ): Promise<void> {
-        const { worker } = this.options;
-        const ids = new Map<string, string>();
-        for (const record of remembered.rakes) {
-            const { rake, seeds, name, colour } = record;
-            const { kind, points } = seen(record);
-            const tint = colour === undefined || colour === '' ? {} : { colour };
-            const made = await worker.call('rake.set', { kind, points: [...points], seeds, name, ...tint });
-            ids.set(rake, made.rake);
-        }
-        for (const record of remembered.surfaces) {
-            const setting = settingAnew({ ...record, dataset }, ids);
-            if (setting !== null) await worker.call('surface.set', setting);
-        }
     }
 
     private async addDefaultSurface(dataset: string): Promise<void> {
@@ -318,7 +233,7 @@ export class SessionController {
                 feed.done(notification.surface, notification.epoch, notification.error);
                 break;
             case 'dataset.patched':
-                this.datasetPatched(notification.dataset, notification.change);
+                this.dataset.patched(notification.dataset, notification.change);
                 break;
             case 'server.notice':
                 if (notification.text !== null && !farewells.has(notification.kind)) {
@@ -330,15 +245,13 @@ export class SessionController {
                 this.options.people.patched(notification.participants, notification.left);
                 break;
             case 'cache.patched':
-                this.stepStates.patched(notification.dataset, notification.changes);
+                this.dataset.stepsPatched(notification.dataset, notification.changes);
                 break;
             case 'surface.progress':
                 feed.progressed(notification.surface, notification.epoch, notification.seconds);
                 break;
             case '$/progress':
                 this.options.progress.progressed(notification.token, notification.fraction, notification.message);
-                break;
-            case 'cache.patched':
                 break;
         }
     }
@@ -361,16 +274,6 @@ export class SessionController {
         if (state.stage.value === 'running') for (const id of added) void feed.subscribe(id);
     }
 
-    private datasetPatched(dataset: string, change: Partial<DatasetEntry>): void {
-        const { state } = this.options;
-        const entry = state.datasetEntry.value;
-        if (entry === null || entry.dataset !== dataset) return;
-        const rest = { ...entry };
-        delete rest.error; // a patch says what is wrong now
-        state.datasetEntry.value = { ...rest, ...change };
-        // The range of the velocity is known in full only now.
-        if (change.state === 'ready') void this.describe(dataset).catch(() => undefined);
-    }
 }
 
 function isNotFound(error: unknown): boolean {
@@ -380,15 +283,4 @@ function isNotFound(error: unknown): boolean {
 function sessionGone({ state }: UrlState): string {
     const like = state !== null && state.rakes.length > 0;
     return `The session of this link no longer exists; this is a new one${like ? ' with its rakes and surfaces' : ''}.`;
-}
-
-function noDataset(id: string | null): string {
-    return id === null
-        ? 'The server has no dataset. Start it with one: wakesurf serve DATASET.'
-        : 'The server does not have the dataset of this link.';
-}
-
-function importFailed(entry: DatasetEntry): string {
-    const why = entry.error === undefined ? '' : ` ${errorWords(entry.error)}`;
-    return `${entry.name} could not be imported.${why}`;
 }

@@ -1,0 +1,88 @@
+// The dataset that the page shows: waits for its import, puts its domain and body into the picture, follows its growth.
+import { type DatasetDescription, type DatasetEntry, errorWords, type StepState } from '../protocol/messages.ts';
+import type { FlowScene } from '../scene/scene.ts';
+import type { AppState } from '../state/appState.ts';
+import type { WorkerClient } from '../worker/workerClient.ts';
+import { StepStates } from './stepStates.ts';
+
+const importPollMs = 1000;
+
+export interface OpenDatasetOptions {
+    state: AppState;
+    scene: Pick<FlowScene, 'setDomain' | 'setObstacle'>;
+    worker: Pick<WorkerClient, 'call' | 'obstacle'>;
+}
+
+export class OpenDataset {
+    private readonly options: OpenDatasetOptions;
+    private readonly stepStates: StepStates;
+
+    constructor(options: OpenDatasetOptions) {
+        this.options = options;
+        this.stepStates = new StepStates(options.state, options.worker);
+    }
+
+    /** Until some of its time-steps can be used; null when `gone`. @param id null: the first one */
+    async wait(id: string | null, gone: () => boolean): Promise<DatasetEntry | null> {
+        const { worker, state } = this.options;
+        while (!gone()) {
+            const { datasets } = await worker.call('dataset.list', {});
+            const entry = id === null ? datasets[0] : datasets.find(({ dataset }) => dataset === id);
+            if (entry === undefined) throw new Error(noDataset(id));
+            state.datasetEntry.value = entry;
+            if (entry.state === 'failed') throw new Error(importFailed(entry));
+            if (entry.state === 'ready' || (entry.steps?.ready ?? 0) > 0) return entry;
+            state.stage.value = 'importing';
+            await new Promise((resolve) => setTimeout(resolve, importPollMs));
+        }
+        return null;
+    }
+
+    async describe(dataset: string): Promise<void> {
+        const { worker, state, scene } = this.options;
+        const known = state.dataset.value;
+        const description = await worker.call('dataset.describe', { dataset });
+        state.dataset.value = description;
+        void this.stepStates.load(dataset);
+        if (known?.dataset === dataset) return;
+        scene.setDomain(description.bounds);
+        if (description.obstacle) void this.loadObstacle(description);
+    }
+
+    private async loadObstacle({ dataset, lattice }: DatasetDescription): Promise<void> {
+        try {
+            const geometry = await this.options.worker.obstacle(dataset, lattice);
+            if (geometry !== null) {
+                this.options.scene.setObstacle(geometry.positions, geometry.indices);
+            }
+        } catch (error) {
+            this.options.state.notice.value = error instanceof Error ? error.message : String(error);
+        }
+    }
+
+    patched(dataset: string, change: Partial<DatasetEntry>): void {
+        const { state } = this.options;
+        const entry = state.datasetEntry.value;
+        if (entry === null || entry.dataset !== dataset) return;
+        const rest = { ...entry };
+        delete rest.error; // a patch says what is wrong now
+        state.datasetEntry.value = { ...rest, ...change };
+        // The range of the velocity is known in full only now.
+        if (change.state === 'ready') void this.describe(dataset).catch(() => undefined);
+    }
+
+    stepsPatched(dataset: string, changes: readonly { step: number; state: StepState }[]): void {
+        this.stepStates.patched(dataset, changes);
+    }
+}
+
+function noDataset(id: string | null): string {
+    return id === null
+        ? 'The server has no dataset. Start it with one: wakesurf serve DATASET.'
+        : 'The server does not have the dataset of this link.';
+}
+
+function importFailed(entry: DatasetEntry): string {
+    const why = entry.error === undefined ? '' : ` ${errorWords(entry.error)}`;
+    return `${entry.name} could not be imported.${why}`;
+}
