@@ -256,8 +256,8 @@ TEST(MethodTable, NamesEveryMethodOfTheContractOnceAndDocumentsIt) {
     for (const char* name :
          {"rpc.discover", "server.info", "server.ping", "dataset.list", "dataset.describe",
           "session.create", "session.join", "session.state", "rake.set", "rake.list", "rake.delete",
-          "surface.set", "surface.list", "surface.delete", "surface.wait", "surface.subscribe",
-          "surface.unsubscribe", "surface.stats"})
+          "surface.set", "surface.list", "surface.delete", "surface.stop", "surface.wait",
+          "surface.subscribe", "surface.unsubscribe", "surface.stats"})
         EXPECT_TRUE(methods.contains(name)) << name;
     EXPECT_EQ(methods["surface.subscribe"]["x-websocketOnly"], true);
 }

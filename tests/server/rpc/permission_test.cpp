@@ -88,6 +88,7 @@ const std::map<std::string, Row> rows{
     {"rake.list", {Role::Viewer, About::Session}},
     {"surface.set", {Role::Editor, About::Session}},
     {"surface.delete", {Role::Editor, About::Session}},
+    {"surface.stop", {Role::Editor, About::Session}},
     {"surface.list", {Role::Viewer, About::Session}},
     {"surface.stats", {Role::Viewer, About::Session}},
     {"surface.wait", {Role::Viewer, About::Session}},
