@@ -107,7 +107,7 @@ export interface SurfaceRecord {
     rake2?: string;
 }
 
-/** A view of the picture under a name; `view` is this client's own (state/viewState.ts). */
+/** A view of the picture under a name; `view` is this client's own (state/pageView.ts). */
 export interface BookmarkRecord {
     bookmark: string;
     rev: number;

@@ -145,13 +145,19 @@ export class FlowScene {
     }
 
     setObstacle(positions: Float32Array, indices: Uint32Array): void {
-        if (this.obstacle !== null) {
-            this.scene.remove(this.obstacle);
-            this.obstacle.geometry.dispose();
-        }
+        this.removeObstacle();
         this.obstacle = createObstacleMesh(positions, indices);
         clipMaterial(this.obstacle.material, this.bodyPlanes);
         this.scene.add(this.obstacle);
+        this.loop.request();
+    }
+
+    removeObstacle(): void {
+        if (this.obstacle === null) return;
+        this.scene.remove(this.obstacle);
+        this.obstacle.geometry.dispose();
+        this.obstacle.material.dispose();
+        this.obstacle = null;
         this.loop.request();
     }
 
@@ -188,11 +194,6 @@ export class FlowScene {
     /** What of surfaces and body is seen at a canvas position. */
     pick(at: ScreenPoint): PickHit | null {
         return this.picker.at(this.view(), this.obstacle?.geometry ?? null, at);
-    }
-
-    /** All of it within some pixels, nearest to the position first. */
-    pickArea(at: ScreenPoint, radiusPx: number): PickHit[] {
-        return this.picker.area(this.view(), this.obstacle?.geometry ?? null, at, radiusPx);
     }
 
     pickGrid(at: ScreenPoint, radiusPx: number, options: PickOptions): PickGrid {

@@ -10,12 +10,12 @@ export interface LinkState {
 }
 
 /** Longer addresses are cut by mail programs and chats; the records are left out then. */
-const longest = 6000;
+const longestJson = 4500;
 const digits = 6;
 
 export function encodeLinkState({ view, rakes, surfaces }: LinkState): string {
-    const whole = base64Of({ v: view, r: rakes.map(keptOfRake), s: surfaces.map(keptOfSurface) });
-    return whole.length <= longest ? whole : base64Of({ v: view });
+    const whole = jsonOf({ v: view, r: rakes.map(keptOfRake), s: surfaces.map(keptOfSurface) });
+    return base64Of(whole.length <= longestJson ? whole : jsonOf({ v: view }));
 }
 
 /** What can be read of it; never throws. */
@@ -42,11 +42,15 @@ function withCounters(record: unknown): unknown {
     return typeof record === 'object' && record !== null ? { ...record, rev: 0, epoch: 0 } : null;
 }
 
-function base64Of(value: object): string {
-    const json = JSON.stringify(value, (_, each: unknown) =>
+function jsonOf(value: object): string {
+    return JSON.stringify(value, (_, each: unknown) =>
         typeof each === 'number' && !Number.isInteger(each) ? Number(each.toPrecision(digits)) : each,
     );
-    const bytes = String.fromCharCode(...new TextEncoder().encode(json));
+}
+
+function base64Of(json: string): string {
+    let bytes = '';
+    for (const byte of new TextEncoder().encode(json)) bytes += String.fromCharCode(byte);
     return btoa(bytes).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }
 

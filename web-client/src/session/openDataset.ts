@@ -9,7 +9,7 @@ const importPollMs = 1000;
 
 export interface OpenDatasetOptions {
     state: AppState;
-    scene: Pick<FlowScene, 'setDomain' | 'setObstacle'>;
+    scene: Pick<FlowScene, 'setDomain' | 'setObstacle' | 'removeObstacle'>;
     worker: Pick<WorkerClient, 'call' | 'obstacle'>;
 }
 
@@ -46,13 +46,15 @@ export class OpenDataset {
         void this.stepStates.load(dataset);
         if (known?.dataset === dataset) return;
         scene.setDomain(description.bounds);
+        if (known !== null) scene.removeObstacle();
         if (description.obstacle) void this.loadObstacle(description);
     }
 
     private async loadObstacle({ dataset, lattice }: DatasetDescription): Promise<void> {
         try {
             const geometry = await this.options.worker.obstacle(dataset, lattice);
-            if (geometry !== null) {
+            const stillShown = this.options.state.dataset.value?.dataset === dataset;
+            if (geometry !== null && stillShown) {
                 this.options.scene.setObstacle(geometry.positions, geometry.indices);
             }
         } catch (error) {

@@ -1,6 +1,7 @@
 // What the panels show, as the steps of a script that makes the same records anew.
 import type { RakeRecord, Vec3 } from '../protocol/messages.ts';
 import type { AppState } from '../state/appState.ts';
+import type { ViewState } from '../state/viewState.ts';
 import { type CallStep, KeptId, type MeshFormat, type ScriptStep } from './scriptStep.ts';
 
 /** The rake of the surface that is being worked on, as it is on the screen. */
@@ -46,4 +47,29 @@ export function meshSteps(state: AppState, mesh: MeshFormat): ScriptStep[] {
 function rakeStep({ kind, seeds, name, colour }: RakeRecord, points: readonly Vec3[], keep: string): CallStep {
     const shown = points.map((point) => [...point]);
     return { method: 'rake.set', params: { kind, points: shown, seeds, name, colour }, keep };
+}
+
+/** What the probe asks, where it is now. */
+export function probeSteps(state: AppState, view: ViewState): ScriptStep[] {
+    const description = state.dataset.value;
+    const reading = view.probe.value;
+    if (description === null || reading === null) return [];
+    const { point, time, values } = reading;
+    const fields = values.map(({ name }) => name);
+    const asked = fields.length === 0 ? {} : { fields };
+    return [{ method: 'probe.sample', params: { dataset: description.dataset, points: [point], time, ...asked } }];
+}
+
+export function noteSteps(state: AppState): ScriptStep[] {
+    return [...state.annotations.value.values()].map(({ text, position }) => ({
+        method: 'annotation.set',
+        params: { text, position },
+    }));
+}
+
+export function bookmarkSteps(state: AppState): ScriptStep[] {
+    return [...state.bookmarks.value.values()].map(({ name, view, time }) => ({
+        method: 'bookmark.set',
+        params: { name, view, time },
+    }));
 }

@@ -18,7 +18,7 @@ function bench(participants: Participant[]) {
     const people = new People({
         ...{ state, view, requestFrame: () => undefined },
         worker: { notify: (_, presence) => told.push(presence) },
-        controls: { pose, fov: 30, place: (to) => placed.push(to) },
+        controls: { pose, fov: 30, follow: (to) => placed.push(to) },
         later: (action) => {
             due.push(action);
             return () => undefined;

@@ -15,7 +15,7 @@ export interface PeopleOptions {
     state: AppState;
     view: ViewState;
     worker: Pick<WorkerClient, 'notify'>;
-    controls: { readonly pose: CameraPose; readonly fov: number; place: (pose: CameraPose) => void };
+    controls: { readonly pose: CameraPose; readonly fov: number; follow: (pose: CameraPose) => void };
     requestFrame: () => void;
     /** Runs an action later; returns how to prevent that. */
     later?: (action: () => void, ms: number) => () => void;
@@ -63,7 +63,7 @@ export class People {
             this.told = {};
             this.cameraMoved();
         }
-        this.follow();
+        if (changes.some(({ participant, camera }) => participant === view.following.value && camera !== undefined)) this.follow();
         requestFrame();
     }
 
@@ -109,7 +109,7 @@ export class People {
         const { state, view, controls, requestFrame } = this.options;
         const camera = state.participants.value.get(view.following.value ?? '')?.camera;
         if (camera === undefined || camera === null) return;
-        controls.place(poseOf(camera));
+        controls.follow(poseOf(camera));
         view.orthographic.value = camera.fov === undefined;
         requestFrame();
     }

@@ -61,7 +61,12 @@ describe('Probing', () => {
     it('in the open stays as far away as it was', async () => {
         const { probing, pageView, asked, answer } = bench();
         pageView.tool.value = 'probe';
-        probing.probe([1, 2, 8]);
+        probing.probeThere([1, 2, 8]);
+        await answer();
+        probing.hover(at(200));
+        probing.flush();
+        expect(asked).toHaveLength(1);
+        probing.click(at(250));
         await answer();
         probing.hover(at(300));
         probing.flush();
@@ -70,7 +75,7 @@ describe('Probing', () => {
 
     it('asks for the newest place only, however fast the pointer is', async () => {
         const { probing, asked, answer } = bench();
-        for (const x of [1, 2, 3]) probing.probe([x, 0, 0]);
+        for (const x of [1, 2, 3]) probing.probeThere([x, 0, 0]);
         expect(asked).toHaveLength(1);
         await answer();
         expect(asked.map(({ points }) => points[0]![0])).toEqual([1, 3]);

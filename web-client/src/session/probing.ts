@@ -37,7 +37,10 @@ export class Probing implements PointerTool {
     }
 
     hover(pointer: Pointer | null): string | null {
-        if (this.options.pageView.tool.value !== 'probe') return null;
+        if (this.options.pageView.tool.value !== 'probe') {
+            this.held = false;
+            return null;
+        }
         if (!this.held && pointer !== null) {
             this.under = pointer;
             this.options.requestFrame();
@@ -53,7 +56,14 @@ export class Probing implements PointerTool {
         this.probeAt(pointer);
     }
 
-    probe(point: Vec3): void {
+    /** Where numbers say: the pointer does not take it away before the next click. */
+    probeThere(point: Vec3): void {
+        this.held = true;
+        this.under = null;
+        this.probe(point);
+    }
+
+    private probe(point: Vec3): void {
         this.next = point;
         if (!this.asking) void this.ask();
     }
@@ -82,7 +92,6 @@ export class Probing implements PointerTool {
             const { inside, values } = await worker.call('probe.sample', asked);
             const at = ([name, [value]]: [string, (number | Vec3 | null)[]]): ProbeReading['values'][number] => ({ name, value: value ?? null });
             pageView.probe.value = { point, time, inside: inside[0] === true, values: Object.entries(values).map(at) };
-            state.editError.value = null;
         } catch (error) {
             state.editError.value = error instanceof Error ? error.message : String(error);
         } finally {

@@ -80,12 +80,16 @@ export class SessionController {
             await this.checkServer();
             const snapshot = await this.join(this.session);
             const { url } = this.options;
-            const id = snapshot?.surfaces[0]?.dataset ?? url.dataset ?? url.state?.surfaces[0]?.dataset ?? null;
+            const shown = state.dataset.value?.dataset;
+            const linked = url.dataset ?? url.state?.surfaces[0]?.dataset ?? null;
+            const id = snapshot?.surfaces[0]?.dataset ?? shown ?? linked;
             const entry = await this.dataset.wait(id, gone);
             if (entry === null || gone()) return;
             await this.dataset.describe(entry.dataset);
             const own = snapshot ?? (await this.createSession(entry.dataset));
-            if (own.surfaces.length === 0 && state.role.value !== 'viewer') {
+            // Whoever has taken everything away wants it so; a session without anything is a new one.
+            const empty = own.surfaces.length + own.rakes.length === 0;
+            if (empty && (snapshot === null || connection === 1) && state.role.value !== 'viewer') {
                 await this.addDefaultSurface(entry.dataset);
             }
             if (gone()) return;
@@ -216,6 +220,17 @@ export class SessionController {
         }
     }
 
+    /** One that somebody has added since. */
+    private async subscribeLate(surface: string): Promise<void> {
+        try {
+            await this.subscribe(surface);
+        } catch (error) {
+            // A lost connection is told of elsewhere, and all are subscribed again after it.
+            if (error instanceof CallError && error.failure.kind === 'disconnected') return;
+            this.options.state.notice.value = error instanceof Error ? error.message : String(error);
+        }
+    }
+
     private adopt(snapshot: SessionSnapshot): void {
         adoptSnapshot(this.options.state, snapshot);
         this.options.edits.recordsChanged();
@@ -271,7 +286,7 @@ export class SessionController {
         for (const surface of removed) feed.removed(surface);
         for (const { surface, epoch } of asked) feed.requested(surface, epoch);
         this.options.edits.recordsChanged();
-        if (state.stage.value === 'running') for (const id of added) void feed.subscribe(id);
+        if (state.stage.value === 'running') for (const id of added) void this.subscribeLate(id);
     }
 
 }

@@ -32,7 +32,10 @@ export class SurfaceFeed {
     async subscribe(surface: string): Promise<void> {
         const { worker, state } = this.options;
         this.subscribed.add(surface);
-        const { resumed } = await worker.call('surface.subscribe', { surface });
+        const { resumed } = await worker.call('surface.subscribe', { surface }).catch((error: unknown) => {
+            this.subscribed.delete(surface);
+            throw error;
+        });
         // What is on the screen is of an epoch that the server may number anew.
         if (resumed !== true) state.displayed.value = withoutEntry(state.displayed.value, surface);
     }

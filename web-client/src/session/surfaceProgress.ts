@@ -1,5 +1,5 @@
 // How far a surface that takes long has come, and how to stop it. Short ones come and go without a word.
-import { effect } from '@preact/signals-core';
+import { computed, effect } from '@preact/signals-core';
 import type { AppState } from '../state/appState.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
 import type { Calls } from './calls.ts';
@@ -25,12 +25,18 @@ export class SurfaceProgress {
     constructor(options: SurfaceProgressOptions) {
         this.options = options;
         const { state } = options;
-        effect(() => {
+        // As one text, so that what happens to other surfaces is no change.
+        const busy = computed(() => {
             const surface = state.activeSurface.value;
             const epoch = state.requestedEpochs.value.get(surface ?? '') ?? 0;
-            const busy = surface !== null && unfinished.has(state.phase.value);
+            return surface !== null && unfinished.has(state.phase.value) ? JSON.stringify([surface, epoch]) : null;
+        });
+        effect(() => {
+            const now = busy.value;
             this.forget();
-            if (busy) this.timer = setTimeout(() => void this.wait(surface, epoch), patienceMs);
+            if (now === null) return;
+            const [surface, epoch] = JSON.parse(now) as [string, number];
+            this.timer = setTimeout(() => void this.wait(surface, epoch), patienceMs);
         });
     }
 

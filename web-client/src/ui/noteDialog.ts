@@ -1,5 +1,6 @@
 // Asks for the words of a note.
 import { css, html, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
 import { SignalElement } from './signalElement.ts';
@@ -10,6 +11,7 @@ const longest = 1000;
 export class NoteDialog extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: AppModel;
+    private saving = false;
 
     static override styles = [
         sharedStyles,
@@ -55,7 +57,7 @@ export class NoteDialog extends SignalElement {
             <form @submit=${this.save}>
                 <label
                     >${note.value?.annotation == null ? 'A note for everybody here' : 'Change the note'}
-                    <textarea required maxlength=${longest} .value=${note.value?.text ?? ''}></textarea>
+                    <textarea required maxlength=${longest} .value=${live(note.value?.text ?? '')}></textarea>
                 </label>
                 <div class="row">
                     <button type="button" @click=${() => this.dialog?.close()}>Cancel</button>
@@ -80,12 +82,14 @@ export class NoteDialog extends SignalElement {
         const { view, calls } = this.model;
         const draft = view.note.value;
         const text = this.renderRoot.querySelector('textarea')?.value.trim() ?? '';
-        if (draft === null || text === '') return;
+        if (draft === null || text === '' || this.saving) return;
+        this.saving = true;
         const saved = await calls.try('annotation.set', {
             ...{ text, position: draft.position },
             ...(draft.annotation === null ? {} : { annotation: draft.annotation }),
             ...(draft.surface === null ? {} : { surface: draft.surface }),
         });
+        this.saving = false;
         // What the server refuses can be corrected.
         if (saved === null) return;
         view.note.value = null;

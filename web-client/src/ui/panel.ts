@@ -2,7 +2,7 @@
 // server has come.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
-import { rakeSteps, surfaceSteps } from '../session/panelSteps.ts';
+import { bookmarkSteps, noteSteps, probeSteps, rakeSteps, surfaceSteps } from '../session/panelSteps.ts';
 import type { AppModel } from './appModel.ts';
 import './bookmarksPanel.ts';
 import './copyAs.ts';
@@ -63,10 +63,12 @@ const tabs: readonly Tab[] = [
             <section aria-labelledby="bookmarks-head">
                 <h2 id="bookmarks-head">Views to come back to</h2>
                 <wakesurf-bookmarks .model=${model}></wakesurf-bookmarks>
+                <wakesurf-copy-as .model=${model} .calls=${() => bookmarkSteps(model.state)}></wakesurf-copy-as>
             </section>
             <section aria-labelledby="probe-head">
                 <h2 id="probe-head">Probe and measure</h2>
                 <wakesurf-probe .model=${model}></wakesurf-probe>
+                <wakesurf-copy-as .model=${model} .calls=${() => probeSteps(model.state, model.view)}></wakesurf-copy-as>
             </section>
             <section aria-labelledby="surroundings-head">
                 <h2 id="surroundings-head">Surroundings</h2>
@@ -85,10 +87,15 @@ const tabs: readonly Tab[] = [
             <section aria-labelledby="links-head">
                 <h2 id="links-head">Invite</h2>
                 <wakesurf-links .model=${model}></wakesurf-links>
+                <wakesurf-copy-as
+                    .model=${model}
+                    .calls=${() => [{ method: 'session.share', params: { role: 'editor' } }]}
+                ></wakesurf-copy-as>
             </section>
             <section aria-labelledby="notes-head">
                 <h2 id="notes-head">Notes</h2>
                 <wakesurf-notes .model=${model}></wakesurf-notes>
+                <wakesurf-copy-as .model=${model} .calls=${() => noteSteps(model.state)}></wakesurf-copy-as>
             </section>
         `,
     },

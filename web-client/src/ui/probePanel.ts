@@ -63,7 +63,7 @@ export class ProbePanel extends SignalElement {
         return html`
             ${vectorInput('Probe', reading?.point ?? centreOf(bounds), (point) => {
                 view.tool.value = 'probe';
-                probing.probe(point);
+                probing.probeThere(point);
             })}
             ${reading === null
                 ? html`<p class="quiet">Choose Probe over the picture and point at something, or type where.</p>`

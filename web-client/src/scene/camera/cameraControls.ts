@@ -36,7 +36,8 @@ export class CameraControls {
     private readonly moved: (() => void)[] = [];
     private bounds: Bounds = [-1, 1, -1, 1, -1, 1];
     private orthographic = false;
-    private placing = false;
+    /** The camera follows somebody else's just now. */
+    private led = false;
 
     /** @param onHold the view has been taken or let go */
     constructor(requestFrame: () => void, onHold: (held: boolean) => void) {
@@ -44,7 +45,7 @@ export class CameraControls {
         this.orbit = new OrbitControls(this.perspective);
         this.orbit.zoomToCursor = true;
         this.orbit.addEventListener('change', () => {
-            if (!this.placing) for (const listener of this.moved) listener();
+            if (!this.led) for (const listener of this.moved) listener();
             requestFrame();
         });
         this.orbit.addEventListener('start', () => onHold(true));
@@ -80,7 +81,7 @@ export class CameraControls {
         this.orbit.connect(canvas);
     }
 
-    /** Called when the user, not a program, has moved the camera. */
+    /** Called when the camera has been moved, but for `follow`. */
     onMove(listener: () => void): void {
         this.moved.push(listener);
     }
@@ -125,10 +126,16 @@ export class CameraControls {
         this.orbit.minDistance = size * 0.005;
         if (orthographic) this.scaleParallel(camera.position.distanceTo(this.orbit.target), size);
         camera.updateProjectionMatrix();
-        this.placing = true;
-        this.orbit.update();
-        this.placing = false;
+        // Tells of itself where the orbit sees a change; a change of projection it does not see.
+        if (!this.orbit.update() && !this.led) for (const listener of this.moved) listener();
         camera.updateMatrixWorld();
+    }
+
+    /** As somebody else looks: nobody is told that this camera has moved. */
+    follow(pose: CameraPose): void {
+        this.led = true;
+        this.place(pose);
+        this.led = false;
     }
 
     /** As large as the perspective shows what is at `distance`. */

@@ -72,18 +72,6 @@ export class SurfacePick {
         return this.grid(view, body, at, 0, options).hits[0] ?? null;
     }
 
-    /** Everything in the pixels within `radiusPx`, nearest to `at` first. */
-    area(view: View, body: BufferGeometry | null, at: ScreenPoint, radiusPx: number, options: PickOptions = {}): PickHit[] {
-        const radius = Math.ceil(radiusPx);
-        const { size, hits } = this.grid(view, body, at, radius, options);
-        const apart = (i: number): number => Math.hypot((i % size) - radius, Math.floor(i / size) - radius);
-        return hits
-            .map((hit, i) => ({ hit, px: apart(i) }))
-            .filter(({ hit, px }) => hit !== null && px <= radiusPx)
-            .sort((a, b) => a.px - b.px)
-            .flatMap(({ hit }) => hit ?? []);
-    }
-
     grid(view: View, body: BufferGeometry | null, at: ScreenPoint, radius: number, options: PickOptions = {}): PickGrid {
         const size = 2 * radius + 1;
         const corner = { x: at.x - radius, y: at.y - radius };
