@@ -1,5 +1,6 @@
 // How long the newest edit took until it was on the screen, and where that time went.
-import { css, html, type TemplateResult } from 'lit';
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { signal } from '@preact/signals-core';
 import { type LatencyPart, latencyParts } from '../state/latency.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
@@ -19,6 +20,7 @@ const partWords: Record<LatencyPart, string> = {
 export class LatencyPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: AppModel;
+    private readonly open = signal(false);
 
     static override styles = [
         sharedStyles,
@@ -69,13 +71,15 @@ export class LatencyPanel extends SignalElement {
     override render(): TemplateResult {
         const sample = this.model.state.latency.value;
         const roundTrip = this.model.state.roundTripMs.value;
-        return html`<details id="latency">
+        return html`<details id="latency" @toggle=${(event: Event) => (this.open.value = (event.target as HTMLDetailsElement).open)}>
             <summary>
                 <span>Edit to picture</span>
                 <span id="latency-total">${sample === null ? '–' : `${Math.round(sample.milliseconds)} ms`}</span>
             </summary>
             <dl>
-                ${sample === null
+                ${!this.open.value
+                    ? nothing
+                    : sample === null
                     ? html`<dt>There and back</dt>
                           <dd></dd>
                           <dd>${roundTrip === null ? '–' : words(roundTrip)}</dd>`

@@ -13,6 +13,7 @@ export class ScalarBar extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: AppModel;
     private span: SurfaceSpan | null = null;
+    private painted: { canvas: HTMLCanvasElement; table: string } | null = null;
 
     static override styles = [
         sharedStyles,
@@ -96,8 +97,12 @@ export class ScalarBar extends SignalElement {
         if (this.span === null) return;
         const { map, inverted } = this.span.style;
         const canvas = this.renderRoot.querySelector('canvas');
+        const table = `${map} ${inverted}`;
+        // Ranges change with every state, colours seldom.
+        if (canvas === null || (this.painted?.canvas === canvas && this.painted.table === table)) return;
+        this.painted = { canvas, table };
         const pixels = new Uint8ClampedArray(colorTable(map, inverted).buffer);
-        canvas?.getContext('2d')?.putImageData(new ImageData(pixels, tableSize, 1), 0, 0);
+        canvas.getContext('2d')?.putImageData(new ImageData(pixels, tableSize, 1), 0, 0);
     }
 }
 

@@ -23,6 +23,8 @@ export class ViewButtons extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: AppModel;
     private listening = false;
+    /** The camera that the marker is drawn for. */
+    private turned = '';
 
     static override styles = [
         sharedStyles,
@@ -140,6 +142,10 @@ export class ViewButtons extends SignalElement {
     private turn({ camera }: View): void {
         const drawing = this.renderRoot.querySelector('svg');
         if (drawing === null) return;
+        // Most frames are not of a turning camera, and drawing this again costs as much as a small surface does.
+        const turned = camera.quaternion.toArray().join();
+        if (turned === this.turned) return;
+        this.turned = turned;
         const inverse = camera.quaternion.clone().invert();
         const placed = ends.map(({ view, direction }) => {
             const { x, y } = new Vector3(...direction).applyQuaternion(inverse);
