@@ -128,6 +128,8 @@ describe('the others in the picture', () => {
         await guest.mouse.move(200, 390, { steps: 4 });
         await guest.mouse.up();
         await expect.poll(together).toBe(true);
+        await guest.getByRole('button', { name: 'Fit the whole domain' }).click();
+        await expect.poll(together).toBe(true);
         // Whoever moves the camera has it to themselves again.
         await host.mouse.move(300, 420);
         await host.mouse.down();
