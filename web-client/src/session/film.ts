@@ -9,7 +9,7 @@ import type { WorkerClient } from '../worker/workerClient.ts';
 import type { Edits } from './edits.ts';
 import type { Figure } from './figure.ts';
 import type { Playback } from './playback.ts';
-import { clampTo } from './timeSteps.ts';
+import { clampTo, type Span } from './timeSteps.ts';
 import { withUnit } from './unitsInPicture.ts';
 import { canEncode, VideoEncoding } from './videoEncoding.ts';
 
@@ -51,6 +51,12 @@ export function frameTimes(
 ): number[] {
     const frames = Math.min(framesAtMost, Math.max(2, Math.round(fps * seconds)));
     return Array.from({ length: frames }, (_, i) => from + ((to - from) * i) / (frames - 1));
+}
+
+/** Whether a surface that moves is drawn as it is at a time, or at its end that is nearer; backward ones end before `from`. */
+export function isShownAt({ from, to }: { from: number; to: number }, shown: number, time: number): boolean {
+    const span: Span = [Math.min(from, to), Math.max(from, to)];
+    return Math.abs(shown - clampTo(span, time)) <= 1e-6 * (span[1] - span[0]);
 }
 
 class Cancelled extends Error {}
@@ -143,7 +149,7 @@ export class FilmMaker {
             if (state.surfaceErrors.value.has(surface)) return true;
             if (displayed === undefined || displayed.phase !== 'final') return false;
             if (displayed.epoch < (state.requestedEpochs.value.get(surface) ?? 0)) return false;
-            return kind === 'stream' || Math.abs(displayed.time - clampTo([from, to], time)) <= 1e-6 * (to - from);
+            return kind === 'stream' || isShownAt({ from, to }, displayed.time, time);
         });
     }
 

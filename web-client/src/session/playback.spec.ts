@@ -9,10 +9,10 @@ import { intentOf, type SurfaceIntent } from './surfaceIntent.ts';
 
 const times = [0, 1, 2, 3, 4, 5];
 
-function bench(kind: 'stream' | 'streak') {
+function bench(kind: 'stream' | 'streak', rest: Partial<SurfaceRecord> = {}) {
     const state = new AppState();
     const calls: unknown[] = [];
-    const record = { surface: 's', rake: 'r', kind, from: 1, to: 5, separation: 1 } as unknown as SurfaceRecord;
+    const record = { surface: 's', rake: 'r', kind, from: 1, to: 5, separation: 1, ...rest } as unknown as SurfaceRecord;
     const intent = signal<SurfaceIntent | null>(intentOf(record));
     const edits = {
         intent,
@@ -86,6 +86,18 @@ describe('Playback of a surface that moves', () => {
         const { playback, intent } = bench('streak');
         intent.value = { ...intent.value!, from: 2, length: 40 };
         expect(playback.span.value).toEqual([2, 5]);
+    });
+
+    it('plays a backward one from its earlier end, and shows where it ends until somebody sets the clock', async () => {
+        const { playback, calls, state, intent } = bench('streak', { from: 5, to: 1, direction: 'backward' });
+        expect([playback.span.value, playback.time.value]).toEqual([[1, 5], 1]);
+        playback.goTo(2.3);
+        await playback.step(1);
+        expect(state.clock.value?.time).toBe(3);
+        await playback.play();
+        expect(calls).toEqual([{ speed: 0.4, loop: true, from: 1, to: 5 }]);
+        intent.value = { ...intent.value!, from: 3, length: 40 };
+        expect(playback.span.value).toEqual([0, 3]);
     });
 
     it('stops to step by a stored time-step', async () => {

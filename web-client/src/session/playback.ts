@@ -50,20 +50,32 @@ export class Playback {
         return state.times.value.length > 1 ? 'frozen' : 'none';
     });
 
-    /** From the release of the surface to its end; of a stream surface all time-steps. */
+    /** Of the surface, or of all time-steps for a stream surface: the earlier end first, also where time runs backward. */
     readonly span = computed((): Span => {
+        const [a, b] = this.ends.value;
+        return [Math.min(a, b), Math.max(a, b)];
+    });
+
+    /** From the release of the surface to where it ends, which is earlier for a backward one. */
+    private readonly ends = computed((): readonly [number, number] => {
         const { state, edits } = this.options;
         const intent = edits.intent.value;
         if (intent === null || intent.kind === 'stream') {
             return [state.times.value[0] ?? 0, state.times.value.at(-1) ?? 0];
         }
         const record = state.surface.value;
-        const same = record !== undefined && record.kind === intent.kind && record.from === intent.from;
+        const same =
+            record !== undefined &&
+            record.kind === intent.kind &&
+            record.from === intent.from &&
+            record.direction === intent.direction;
         if (same) return [record.from, record.to];
         // Until the server has it: what it will be asked for (settingOf).
-        const asked = intent.from + intent.length;
+        const asked = intent.from + (intent.direction === 'backward' ? -1 : 1) * intent.length;
+        const times = state.times.value;
         const steady = state.dataset.value?.steady ?? false;
-        return [intent.from, steady ? asked : Math.min(asked, state.times.value.at(-1) ?? asked)];
+        const free = steady || times.length === 0;
+        return [intent.from, free ? asked : clampTo([times[0]!, times.at(-1)!], asked)];
     });
 
     /** Of the picture. */
@@ -73,7 +85,7 @@ export class Playback {
         const record = state.clock.value!;
         const displayed = state.displayed.value.get(state.activeSurface.value ?? '');
         if (record.playing && displayed !== undefined) return displayed.time;
-        return record.time === null ? this.span.value[1] : clampTo(this.span.value, record.time);
+        return record.time === null ? this.ends.value[1] : clampTo(this.span.value, record.time);
     });
 
     readonly playing = computed((): boolean =>

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { StepState } from '../protocol/messages.ts';
-import { clampTo, nearestStep, residentWords, stepFrom, stepMarks, timelineSpan } from './timeSteps.ts';
+import { clampTo, nearestStep, releasedSpan, residentWords, stepFrom, stepMarks, timelineSpan } from './timeSteps.ts';
 
 const times = [8.5, 9, 10, 10.25, 16];
 
@@ -33,6 +33,14 @@ describe('time-steps', () => {
     it('are found by time', () => {
         expect(times.map((t) => nearestStep(times, t + 0.1))).toEqual([0, 1, 2, 3, 4]);
         expect(clampTo([1, 2], 3)).toBe(2);
+    });
+
+    it('of a streak surface in which it is released begin at its release, whichever way it runs', () => {
+        expect(releasedSpan([1, 5], 'streak', false)).toEqual([1, 5]);
+        expect(releasedSpan([1, 5], 'streak', false, 2)).toEqual([1, 2]);
+        expect(releasedSpan([1, 5], 'streak', true)).toEqual([1, 5]);
+        expect(releasedSpan([1, 5], 'streak', true, 4)).toEqual([4, 5]);
+        expect([releasedSpan([1, 5], 'path', false), releasedSpan([1, 5], 'time', true)]).toEqual([[1, 1], [5, 5]]);
     });
 
     it('and the surface fit on the timeline', () => {

@@ -1,5 +1,5 @@
 // Arithmetic of the time-steps: the nearest, the next, what the timeline spans, and the marks on it.
-import type { StepState } from '../protocol/messages.ts';
+import type { StepState, SurfaceKind } from '../protocol/messages.ts';
 
 export type Span = readonly [low: number, high: number];
 
@@ -29,6 +29,13 @@ function twentieths(low: number, high: number): number[] {
 
 export function clampTo([low, high]: Span, time: number): number {
     return Math.min(high, Math.max(low, time));
+}
+
+/** The part of a surface's time in which it is released; of all but streak surfaces none. @param until where it ends, if earlier */
+export function releasedSpan([low, high]: Span, kind: SurfaceKind, backward: boolean, until?: number): Span {
+    const from = backward ? high : low;
+    const to = kind === 'streak' ? (until ?? (backward ? low : high)) : from;
+    return [Math.min(from, to), Math.max(from, to)];
 }
 
 /** All time-steps, and all of the surface; never empty. */

@@ -3,9 +3,9 @@
 import { html, noChange, nothing, svg, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { signal } from '@preact/signals-core';
-import type { StepState, SurfaceRecord } from '../protocol/messages.ts';
+import type { StepState } from '../protocol/messages.ts';
 import { niceTicks, shortNumber } from '../scene/ticks.ts';
-import { type Span, type StepMark, stepMarks, timelineSpan } from '../session/timeSteps.ts';
+import { releasedSpan, type Span, type StepMark, stepMarks, timelineSpan } from '../session/timeSteps.ts';
 import { withUnit } from '../session/unitsInPicture.ts';
 import type { AppModel } from './appModel.ts';
 import { sharedStyles } from './sharedStyles.ts';
@@ -70,15 +70,18 @@ export class Timeline extends SignalElement {
 
     /** Released in the full part; in the pale one what was released moves on. */
     private surfaceBand(surface: Span, at: (time: number) => string): TemplateResult {
-        const released = releaseEnd(this.model.state.surface.value, surface);
+        const record = this.model.state.surface.value;
+        const backward = record !== undefined && record.to < record.from;
+        const released = releasedSpan(surface, record?.kind ?? 'path', backward, record?.releaseUntil);
+        const end = released[backward ? 0 : 1];
         const width = (low: number, high: number): string =>
             `${Math.max(0, parseFloat(at(high)) - parseFloat(at(low)))}%`;
         return svg`
             <rect class="shown" x=${at(surface[0])} width=${width(...surface)} y="6" height="8" rx="2" />
-            <rect class="released" x=${at(surface[0])} width=${width(surface[0], released)} y="6" height="8" rx="2" />
+            <rect class="released" x=${at(released[0])} width=${width(...released)} y="6" height="8" rx="2" />
             ${
-                released < surface[1] && released > surface[0]
-                    ? svg`<line class="release-end" x1=${at(released)} x2=${at(released)} y1="3" y2="17" />`
+                end < surface[1] && end > surface[0]
+                    ? svg`<line class="release-end" x1=${at(end)} x2=${at(end)} y1="3" y2="17" />`
                     : nothing
             }`;
     }
@@ -219,11 +222,6 @@ export class Timeline extends SignalElement {
 }
 
 const fills: Record<StepState, number> = { resident: 10, loading: 5, cold: 0 };
-
-function releaseEnd(record: SurfaceRecord | undefined, [from, to]: Span): number {
-    if (record?.kind !== 'streak') return from;
-    return record.releaseUntil ?? to;
-}
 
 function stepsOf(key: string): number {
     const steps: Record<string, number> = {
