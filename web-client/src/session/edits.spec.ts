@@ -174,8 +174,64 @@ describe('what is chosen', () => {
     });
 });
 
+describe('an edit of a surface', () => {
+    it('is what the controls show again after undo and redo, and what the next edit goes on from', async () => {
+        const bench = new Bench();
+        const before = bench.state.surfaces.value;
+        bench.edits.changeSurface({ separation: 0.5 });
+        bench.edits.flush();
+        await bench.answer(2, { surface: 's1', epoch: 2 });
+        const after = [...before.values()].map((each) => (each.surface === 's1' ? { ...each, separation: 0.5 } : each));
+        const rakes = [rakeOf('r1'), rakeOf('r2')];
+        const shown = [after, [...before.values()], after].map((surfaces) => {
+            bench.records(rakes, surfaces);
+            return bench.edits.intent.value?.separation;
+        });
+        expect(shown).toEqual([0.5, 0.2, 0.5]);
+        bench.edits.changeSurface({ length: 3 });
+        bench.edits.flush();
+        expect(bench.calls.at(-1)![1]).toMatchObject({ to: 3, separation: 0.5 });
+    });
+});
+
 describe('undo', () => {
     const undone = { undo: 0, redo: 0, skipped: [] };
+
+    it('of several calls that fails on the way leaves the rest to undo, and the first part to redo', async () => {
+        const bench = new Bench();
+        for (const length of [5, 6, 7]) {
+            bench.edits.changeSurface({ length });
+            bench.edits.flush();
+            await bench.answer(2, { surface: 's1', epoch: 2 });
+        }
+        bench.calls = [];
+        const failing = bench.edits.undo();
+        await settled();
+        await bench.answer(0, undone);
+        await bench.refuse(leased);
+        await failing;
+        const { history } = bench.edits;
+        expect([history.undoable.value, history.redoable.value]).toEqual([1, 1]);
+        void bench.edits.undo();
+        for (let i = 0; i < 3; ++i) await bench.answer(0, undone);
+        void bench.edits.redo();
+        await settled();
+        expect(bench.calls.map(([method]) => method)).toEqual([
+            ...Array<string>(4).fill('history.undo'),
+            'history.redo',
+        ]);
+    });
+
+    it('has nothing left once it is cleared', async () => {
+        const bench = new Bench();
+        bench.edits.changeRake('r1', { seeds: 20 });
+        bench.edits.flush();
+        await bench.answer();
+        bench.edits.history.clear();
+        await bench.edits.undo();
+        expect(bench.calls.map(([method]) => method)).toEqual(['rake.set']);
+        expect(bench.edits.history.undoable.value).toBe(0);
+    });
 
     it('takes back a drag with one call, and several edits of one slider with as many as they were', async () => {
         const bench = new Bench();

@@ -22,6 +22,9 @@ class Bench {
     refusals = new Map<string, CallError>();
     beforeSubscribed: (surface: string) => void = () => undefined;
     controller: SessionController;
+    token = 't';
+    /** So many calls had been made when the undo history was cleared. */
+    clearedAfter = 0;
     private created = 1;
 
     constructor(session: string | null = 'session-1') {
@@ -39,7 +42,8 @@ class Bench {
                 this.subscribed.push(surface);
             },
         };
-        const edits = { reconnected: () => undefined, recordsChanged: () => undefined };
+        const history = { clear: () => (this.clearedAfter = this.calls.length) };
+        const edits = { reconnected: () => undefined, recordsChanged: () => undefined, history };
         const people = { joined: () => undefined, patched: () => undefined };
         const scene = { setDomain: () => undefined };
         const url = { token: null, session, dataset: null, state: null };
@@ -80,7 +84,7 @@ class Bench {
         }
         if (method === 'session.join') {
             if (params['session'] !== this.records.session) throw notFound;
-            return { snapshot: structuredClone(this.records), resumeToken: 't', you: 'p1' };
+            return { snapshot: structuredClone(this.records), resumeToken: this.token, you: 'p1' };
         }
         if (method === 'rake.set') {
             const rake = `r${this.records.rakes.length + 1}`;
@@ -145,5 +149,19 @@ describe('the session on a page', () => {
         expect(bench.state.stage.value).toBe('running');
         expect(bench.records.rakes.map(({ name }) => name)).toEqual(['r1', 'r2']);
         expect(bench.records.surfaces).toHaveLength(1);
+        // The records that were made anew are nobody's to undo.
+        expect(bench.clearedAfter).toBeGreaterThan(bench.calls.lastIndexOf('surface.set'));
+    });
+
+    it('forgets what could be undone when the server has begun another life, and not when only the line broke', async () => {
+        const bench = new Bench();
+        bench.records.surfaces = [surfaceOf('s1')];
+        await bench.connect();
+        bench.clearedAfter = 0;
+        await bench.connect();
+        expect(bench.clearedAfter).toBe(0);
+        bench.token = 'renewed';
+        await bench.connect();
+        expect(bench.clearedAfter).toBeGreaterThan(0);
     });
 });

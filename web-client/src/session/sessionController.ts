@@ -135,6 +135,7 @@ export class SessionController {
         const asked = { session, ...resume, ...(name === null ? {} : { name }) };
         const joined = await this.options.worker.call('session.join', asked);
         this.session = session;
+        if (joined.resumeToken !== this.resumeToken) this.options.edits.history.clear();
         this.resumeToken = joined.resumeToken;
         this.options.state.role.value = joined.role ?? 'host';
         this.options.state.session.value = session;
@@ -167,6 +168,8 @@ export class SessionController {
             await makeAnew(worker, former, (record) =>
                 record.rake === active && shape.points.length > 0 ? shape : record,
             );
+            // An edit of meanwhile lies below what was made anew, for the server.
+            this.options.edits.history.clear();
         } catch (error) {
             // What is on the page is not all in the new session: the next connection begins again with another.
             this.session = forgotten;

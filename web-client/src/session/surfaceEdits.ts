@@ -80,6 +80,8 @@ export class SurfaceEdits {
         else if (another || one === undefined) this.intent.value = intentOf(record);
         // A record that is what was asked for brings no news of other people, and less than the intent says.
         else if (!one.window.busy && !(one.last !== null && fulfils(record, one.last))) {
+            // Overtaken: should it come back, by a redo, it is news again.
+            one.last = null;
             this.intent.value = intentOf(record);
         }
     }

@@ -45,6 +45,14 @@ export class UndoHistory {
         this.count();
     }
 
+    /** Another session, or another life of the server: what was counted here is not what it would turn. */
+    clear(): void {
+        this.stacks.undo = [];
+        this.stacks.redo = [];
+        this.words.value = '';
+        this.count();
+    }
+
     undo(): Promise<void> {
         return this.turn('undo');
     }
@@ -66,18 +74,22 @@ export class UndoHistory {
             this.words.value = `Nothing of yours is left to ${way}.`;
             return;
         }
+        const results: HistoryDepth[] = [];
         try {
-            const results: HistoryDepth[] = [];
             for (let i = 0; i < step.calls; ++i) results.push(await this.worker.call(`history.${way}`, {}));
-            const skipped = results.flatMap((result) => result.skipped);
-            const calls = step.calls - results.filter((result) => result.skipped.length > 0).length;
-            // A gesture of its own from here on: what comes next is no part of it.
-            if (calls > 0) this.stacks[way === 'undo' ? 'redo' : 'undo'].push({ ...step, calls, gesture: '' });
-            this.tell(way, skipped);
+            this.tell(way, results.flatMap((result) => result.skipped));
         } catch (error) {
+            // The rest is still to be turned, what was turned can be turned back.
+            this.keep(way, step, step.calls - results.length);
             tellFailure(this.state, error);
         }
+        this.keep(way === 'undo' ? 'redo' : 'undo', step, results.filter(({ skipped }) => skipped.length === 0).length);
         this.count();
+    }
+
+    /** A gesture of its own from here on: what comes next is no part of it. */
+    private keep(way: Way, step: Step, calls: number): void {
+        if (calls > 0) this.stacks[way].push({ ...step, calls, gesture: '' });
     }
 
     private tell(way: Way, skipped: HistoryDepth['skipped']): void {
