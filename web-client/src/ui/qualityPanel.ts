@@ -23,6 +23,7 @@ export class QualityPanel extends SignalElement {
     private readonly stats = signal<SurfaceStats | null>(null);
     /** The state that the statistics were last asked for. */
     private askedFor = '';
+    private asking = false;
 
     static override styles = [
         sharedStyles,
@@ -81,15 +82,19 @@ export class QualityPanel extends SignalElement {
         </dl>`;
     }
 
-    /** Once a state; while a surface plays, with the answer to the last question. */
+    /** Once a state, and one question at a time: while a surface plays, the next comes with the answer to the last. */
     private ask(surface: string, stateCrc: number): void {
         const wanted = `${surface} ${stateCrc}`;
-        if (this.askedFor === wanted) return;
+        if (this.asking || this.askedFor === wanted) return;
         this.askedFor = wanted;
-        this.model.worker.call('surface.stats', { surface }).then(
-            (stats) => (this.stats.value = stats),
-            () => (this.stats.value = null),
-        );
+        this.asking = true;
+        const answered = (stats: SurfaceStats | null): void => {
+            this.asking = false;
+            this.stats.value = stats;
+            // Another state may be there by now.
+            if (this.isConnected) this.requestUpdate();
+        };
+        this.model.worker.call('surface.stats', { surface }).then(answered, () => answered(null));
     }
 }
 
