@@ -85,10 +85,12 @@ export class FilmMaker {
         this.cancelled = false;
         this.progress.value = { state: 'recording', done: 0, frames: times.length, words: '' };
         let encoding: VideoEncoding | null = null;
+        let begun = false;
         try {
             encoding = await VideoEncoding.begin({ ...size, fps: setting.fps });
             if (encoding === null)
                 return this.fail('No encoder of this browser takes films of this size. Choose a smaller one.');
+            begun = true;
             await playback.pause();
             for (const [i, time] of times.entries()) {
                 await this.show(time);
@@ -108,7 +110,7 @@ export class FilmMaker {
             else this.fail(error instanceof Error ? error.message : String(error));
             return null;
         } finally {
-            await this.putBack(before, frozenAt).catch(() => undefined);
+            if (begun) await this.putBack(before, frozenAt).catch(() => undefined);
         }
     }
 

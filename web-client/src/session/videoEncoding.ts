@@ -29,6 +29,8 @@ export class VideoEncoding {
     private readonly codec: Film['codec'];
     private readonly frames: EncodedFrame[] = [];
     private failure: Error | null = null;
+    /** Ends the waiting of `add`; an encoder that has failed takes nothing more out of its queue. */
+    private wake: () => void = () => undefined;
     private count = 0;
 
     private constructor(setting: VideoSetting, config: VideoEncoderConfig, codec: Film['codec']) {
@@ -36,7 +38,10 @@ export class VideoEncoding {
         this.codec = codec;
         this.encoder = new VideoEncoder({
             output: (chunk) => this.encoded(chunk),
-            error: (error) => (this.failure = error),
+            error: (error) => {
+                this.failure = error;
+                this.wake();
+            },
         });
         this.encoder.configure(config);
     }
@@ -55,6 +60,7 @@ export class VideoEncoding {
 
     /** Waits while the encoder has enough to do. */
     async add(picture: HTMLCanvasElement): Promise<void> {
+        this.demandRunning();
         const { fps } = this.setting;
         const microseconds = (count: number): number => Math.round((1e6 * count) / fps);
         const frame = new VideoFrame(picture, {
@@ -64,15 +70,21 @@ export class VideoEncoding {
         this.encoder.encode(frame, { keyFrame: this.count % Math.round(keyEverySeconds * fps) === 0 });
         frame.close();
         this.count += 1;
-        while (this.encoder.encodeQueueSize > queueAtMost && this.failure === null) {
-            await new Promise((resolve) => this.encoder.addEventListener('dequeue', resolve, { once: true }));
+        while (this.running && this.encoder.encodeQueueSize > queueAtMost) {
+            await new Promise<void>((resolve) => {
+                this.wake = resolve;
+                this.encoder.addEventListener('dequeue', () => resolve(), { once: true });
+            });
         }
-        if (this.failure !== null) throw this.failure;
+        this.demandRunning();
     }
 
     async finish(): Promise<Blob> {
-        await this.encoder.flush();
-        if (this.failure !== null) throw this.failure;
+        this.demandRunning();
+        await this.encoder.flush().catch((error: unknown) => {
+            throw this.failure ?? error;
+        });
+        this.demandRunning();
         this.encoder.close();
         const { width, height, fps } = this.setting;
         const duration = (1000 * this.count) / fps;
@@ -81,6 +93,14 @@ export class VideoEncoding {
 
     abandon(): void {
         if (this.encoder.state !== 'closed') this.encoder.close();
+    }
+
+    private get running(): boolean {
+        return this.failure === null && this.encoder.state !== 'closed';
+    }
+
+    private demandRunning(): void {
+        if (!this.running) throw this.failure ?? new Error('The encoder of this browser has stopped. Record again.');
     }
 
     private encoded(chunk: EncodedVideoChunk): void {
