@@ -183,9 +183,10 @@ export class ColourPanel extends SignalElement {
     }
 
     private centreChanged(event: Event): void {
-        const { valueAsNumber } = event.target as HTMLInputElement;
-        if (Number.isFinite(valueAsNumber)) this.change({ centre: valueAsNumber });
-        else this.requestUpdate();
+        const { state, view } = this.model;
+        const field = event.target as HTMLInputElement;
+        if (Number.isFinite(field.valueAsNumber)) this.change({ centre: field.valueAsNumber });
+        else field.value = String(view.lookOf(state.activeSurface.value).centre ?? 0);
     }
 
     protected override updated(): void {

@@ -99,9 +99,10 @@ export class FilmExport extends SignalElement {
     }
 
     private lengthTyped(event: Event): void {
-        const value = (event.target as HTMLInputElement).valueAsNumber;
+        const field = event.target as HTMLInputElement;
+        const value = field.valueAsNumber;
         if (value > 0) seconds.value = Math.min(value, framesAtMost / fps.value);
-        this.requestUpdate();
+        field.value = String(seconds.value);
     }
 
     private async record(): Promise<void> {

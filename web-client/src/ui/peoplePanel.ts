@@ -88,7 +88,7 @@ export class PeoplePanel extends SignalElement {
         if (you || this.model.state.role.value !== 'host') return html`<span class="quiet">${roleWords[role]}</span>`;
         return html`<select
             aria-label=${`What ${name} may do`}
-            @change=${(event: Event) => this.setRole(participant, (event.target as HTMLSelectElement).value)}
+            @change=${(event: Event) => this.setRole(participant, event.target as HTMLSelectElement)}
         >
             ${roles.map((each) => html`<option value=${each} .selected=${each === role}>${roleWords[each]}</option>`)}
             <option value="remove">send away</option>
@@ -109,11 +109,15 @@ export class PeoplePanel extends SignalElement {
         </button>`;
     }
 
-    private setRole(participant: string, chosen: string): void {
-        const { calls } = this.model;
-        const role = roles.find((each) => each === chosen);
-        if (role === undefined) void calls.try('session.kick', { participant });
-        else void calls.try('session.setRole', { participant, role });
+    private async setRole(participant: string, choice: HTMLSelectElement): Promise<void> {
+        const { calls, state } = this.model;
+        const role = roles.find((each) => each === choice.value);
+        const taken =
+            role === undefined
+                ? await calls.try('session.kick', { participant })
+                : await calls.try('session.setRole', { participant, role });
+        // Refused: nothing has changed, so nothing else puts the choice back.
+        if (taken === null) choice.value = state.participants.value.get(participant)?.role ?? choice.value;
     }
 }
 

@@ -119,7 +119,7 @@ export class RakePanel extends SignalElement {
     }
 
     private pointRow(handle: Handle, name: string): TemplateResult {
-        const at = handle === 'middle' ? gripOf(this.model.state.rakeShape.value) : (this.points[handle as number] ?? [0, 0, 0]);
+        const at = this.placeOf(handle);
         return html`<div class="point" role="group" aria-label=${`${name} point`}>
             ${this.handleButton(handle, name)}
             ${axes.map(
@@ -128,11 +128,15 @@ export class RakePanel extends SignalElement {
                         type="number"
                         step="any"
                         aria-label=${`${name} ${axis}`}
-                        .value=${String(Number((at[k] ?? 0).toPrecision(4)))}
-                        @change=${(event: Event) => this.numberChanged(event, handle, k as Axis, at[k] ?? 0)}
+                        .value=${numberText(at[k] ?? 0)}
+                        @change=${(event: Event) => this.numberChanged(event, handle, k as Axis)}
                     />`,
             )}
         </div>`;
+    }
+
+    private placeOf(handle: Handle): Vec3 {
+        return handle === 'middle' ? gripOf(this.model.state.rakeShape.value) : (this.points[handle as number] ?? [0, 0, 0]);
     }
 
     private handleButton(handle: Handle, name: string): TemplateResult {
@@ -172,9 +176,10 @@ export class RakePanel extends SignalElement {
             <input type="number" id="point-number" min="2" max=${count - 1} step="1"
                 .value=${String(this.shownPoint.value + 1)}
                 @change=${(event: Event) => {
-                    const wanted = Math.round((event.target as HTMLInputElement).valueAsNumber) - 1;
+                    const field = event.target as HTMLInputElement;
+                    const wanted = Math.round(field.valueAsNumber) - 1;
                     if (wanted > 0 && wanted < count - 1) this.shownPoint.value = wanted;
-                    else this.requestUpdate();
+                    field.value = String(this.shownPoint.value + 1);
                 }} />
         </label>`;
     }
@@ -183,13 +188,14 @@ export class RakePanel extends SignalElement {
         const { state, edits } = this.model;
         const circle = circleOf(state.rakeShape.value);
         const change = (event: Event): void => {
-            const radius = (event.target as HTMLInputElement).valueAsNumber;
+            const field = event.target as HTMLInputElement;
+            const radius = field.valueAsNumber;
             if (radius > 0) edits.setShape(circleShape({ ...circle, radius }));
-            else this.requestUpdate();
+            field.value = numberText(circleOf(state.rakeShape.value).radius);
         };
         return html`<label class="pair-row">${this.inUnits('Radius')}
             <input type="number" id="radius" min="0" step="any"
-                .value=${String(Number(circle.radius.toPrecision(4)))} @change=${change} />
+                .value=${numberText(circle.radius)} @change=${change} />
         </label>`;
     }
 
@@ -299,13 +305,15 @@ export class RakePanel extends SignalElement {
         view.tool.value = placing ? 'none' : 'place';
     }
 
-    private numberChanged(event: Event, handle: Handle, axis: Axis, before: number): void {
+    /** What is refused, or does not fit into the domain, does not stay in the field: no signal changes that would tell it. */
+    private numberChanged(event: Event, handle: Handle, axis: Axis): void {
+        const field = event.target as HTMLInputElement;
+        if (Number.isFinite(field.valueAsNumber)) this.moveTo(field.valueAsNumber, handle, axis);
+        field.value = numberText(this.placeOf(handle)[axis]);
+    }
+
+    private moveTo(value: number, handle: Handle, axis: Axis): void {
         const { state, edits } = this.model;
-        const value = (event.target as HTMLInputElement).valueAsNumber;
-        if (!Number.isFinite(value)) {
-            this.requestUpdate();
-            return;
-        }
         if (typeof handle === 'number' && state.rakeShape.value.kind !== 'circle') {
             // As typed, not as before plus the difference.
             const points = this.points.map((point) => [...point] as Vec3);
@@ -314,16 +322,21 @@ export class RakePanel extends SignalElement {
             return;
         }
         const by: Vec3 = [0, 0, 0];
-        by[axis] = value - before;
+        by[axis] = value - this.placeOf(handle)[axis];
         edits.setShape(movedHandle(state.rakeShape.value, handle, by));
     }
 
     private seedsChanged(event: Event): void {
         const { state, edits } = this.model;
-        const seeds = Math.round((event.target as HTMLInputElement).valueAsNumber);
+        const field = event.target as HTMLInputElement;
+        const seeds = Math.round(field.valueAsNumber);
         if (seeds >= 2 && seeds <= 4096) edits.changeRake(state.activeRake.value ?? '', { seeds });
-        else this.requestUpdate();
+        field.value = String(edits.seeds.value);
     }
+}
+
+function numberText(value: number): string {
+    return String(Number(value.toPrecision(4)));
 }
 
 /** Most flows go along the longest side of their domain. */

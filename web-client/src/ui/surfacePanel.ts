@@ -315,7 +315,7 @@ export class SurfacePanel extends SignalElement {
                         step="any"
                         aria-label=${`Sweep along ${axis}`}
                         title=${`Sweep along ${axis}`}
-                        .value=${String(Number((sweep[k] ?? 0).toPrecision(4)))}
+                        .value=${sweepText(sweep[k] ?? 0)}
                         @change=${(event: Event) => this.sweepChanged(event, sweep, k)}
                     />`,
             )}
@@ -349,18 +349,22 @@ export class SurfacePanel extends SignalElement {
     }
 
     private sweepChanged(event: Event, before: Vec3, axis: number): void {
-        const value = (event.target as HTMLInputElement).valueAsNumber;
+        const field = event.target as HTMLInputElement;
         const sweep: Vec3 = [...before];
-        sweep[axis] = value;
+        sweep[axis] = field.valueAsNumber;
         if (sweep.every(Number.isFinite) && sweep.some((each) => each !== 0)) {
             this.model.edits.changeSurface({ sweep });
-        } else this.requestUpdate();
+        } else field.value = sweepText(before[axis] ?? 0);
     }
 
     private separationChanged(event: Event): void {
         const separation = Number((event.target as HTMLSelectElement).value);
         if (separation > 0) this.model.edits.changeSurface({ separation });
     }
+}
+
+function sweepText(value: number): string {
+    return String(Number(value.toPrecision(4)));
 }
 
 function surfaceWords({ kind, direction }: SurfaceRecord, index: number): string {

@@ -4,7 +4,9 @@ import type { Vec3 } from '../protocol/messages.ts';
 
 const axes = ['x', 'y', 'z'] as const;
 
-/** Fields for a point; what is no number is not told. @param name of the point, before the axis */
+const shown = (value: number): string => String(Number(value.toPrecision(5)));
+
+/** Fields for a point; what is no number is not told, and not kept. @param name of the point, before the axis */
 export function vectorInput(name: string, point: Vec3, changed: (point: Vec3) => void): TemplateResult {
     return html`<div class="vector" role="group" aria-label=${name}>
         ${axes.map(
@@ -13,12 +15,13 @@ export function vectorInput(name: string, point: Vec3, changed: (point: Vec3) =>
                     type="number"
                     step="any"
                     aria-label=${`${name} ${axis}`}
-                    .value=${String(Number((point[k] ?? 0).toPrecision(5)))}
+                    .value=${shown(point[k] ?? 0)}
                     @change=${(event: Event) => {
-                        const value = (event.target as HTMLInputElement).valueAsNumber;
+                        const field = event.target as HTMLInputElement;
                         const moved: Vec3 = [...point];
-                        moved[k] = value;
-                        if (Number.isFinite(value)) changed(moved);
+                        moved[k] = field.valueAsNumber;
+                        if (Number.isFinite(moved[k])) changed(moved);
+                        else field.value = shown(point[k] ?? 0);
                     }}
                 />`,
         )}
