@@ -56,7 +56,13 @@ describe.each(cameras)('a %s view', (_, camera) => {
         expect(along).toBeCloseTo(0, 8);
     });
 
-    it('projects nothing that is behind it', () => {
-        expect(view.project([-20, -31, 15])).toBeNull();
+    it('projects what is behind the camera where it is drawn: without perspective only', () => {
+        const seen = view.project([-23, -34, 17.6]);
+        if (camera instanceof PerspectiveCamera) expect(seen).toBeNull();
+        else {
+            // Along the line of sight through the middle.
+            expect(seen?.x).toBeCloseTo(size.width / 2, 6);
+            expect(seen?.y).toBeCloseTo(size.height / 2, 6);
+        }
     });
 });

@@ -1,5 +1,5 @@
 // The camera and the canvas together: between places in space and places on the screen.
-import { type Camera, type Object3D, type OrthographicCamera, type PerspectiveCamera, Vector3 } from 'three';
+import { type Object3D, type OrthographicCamera, type PerspectiveCamera, Vector3 } from 'three';
 import type { Vec3 } from '../protocol/messages.ts';
 
 /** Canvas position in CSS pixels, from the top left. */
@@ -37,7 +37,7 @@ export class View {
         return this.camera.position.toArray() as Vec3;
     }
 
-    /** Null behind the camera. */
+    /** Null behind a camera with perspective. */
     project(point: Vec3): ScreenPoint | null {
         return projectToScreen(point, this.camera, this.size);
     }
@@ -68,10 +68,10 @@ export class View {
     }
 }
 
-/** Canvas position of a point in world coordinates; null behind the camera. */
-export function projectToScreen(point: Vec3, camera: Camera, size: ScreenSize): ScreenPoint | null {
+/** Canvas position of a point in world coordinates; null behind the camera, which without perspective sees there too. */
+export function projectToScreen(point: Vec3, camera: SceneCamera, size: ScreenSize): ScreenPoint | null {
     const view = new Vector3(...point).applyMatrix4(camera.matrixWorldInverse);
-    if (view.z >= 0) return null;
+    if (view.z >= 0 && !isOrthographic(camera)) return null;
     const clip = view.applyMatrix4(camera.projectionMatrix);
     return { x: (clip.x * 0.5 + 0.5) * size.width, y: (0.5 - clip.y * 0.5) * size.height };
 }
