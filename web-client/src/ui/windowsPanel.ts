@@ -33,7 +33,8 @@ export class WindowsPanel extends SignalElement {
     }
 
     private window(name: Window, id: string, words: string, window: Span | null, whole: Span): TemplateResult {
-        if (!(whole[1] > whole[0])) return html``;
+        // Of a surface without vertices there is no age.
+        if (!whole.every(Number.isFinite) || !(whole[1] > whole[0])) return html``;
         const [low, high] = window ?? whole;
         const step = (whole[1] - whole[0]) / 200;
         const slider = (end: 'from' | 'to', value: number): TemplateResult =>

@@ -123,17 +123,19 @@ export class SurfaceLayer {
     /** Reveals or hides what the brush touches of the surfaces that are painted. */
     paint(print: BrushPrint, reveal: boolean): void {
         for (const surface of this.surfaces.values()) {
-            if (surface.style.painting) this.maskOf(surface).stamp(surface.id, print, reveal);
+            if (surface.style.painting) this.maskOf(surface)?.stamp(surface.id, print, reveal);
         }
     }
 
     /** All of a surface. */
     revealAll(id: string, reveal: boolean): void {
         const surface = this.surfaces.get(id);
-        if (surface !== undefined) this.maskOf(surface).fill(reveal);
+        if (surface !== undefined) this.maskOf(surface)?.fill(reveal);
     }
 
-    private maskOf(surface: DrawnSurface): SurfaceMask {
+    /** Null for a surface that is empty so far: a mask could not tell where its t is. */
+    private maskOf(surface: DrawnSurface): SurfaceMask | null {
+        if (surface.mesh.vertices === 0) return null;
         surface.mask ??= new SurfaceMask(surface.mesh.tRange);
         this.showMask(surface);
         return surface.mask;
@@ -157,7 +159,7 @@ export class SurfaceLayer {
         // The colours change over when what they show is here.
         const here = wanted.source !== 'scalar' || mesh.shownScalar === wanted.scalar;
         surface.style = here ? wanted : { ...wanted, ...coloursOf(surface.style) };
-        if (surface.style.painting && mesh.vertices > 0) this.maskOf(surface);
+        if (surface.style.painting) this.maskOf(surface);
         materials.apply(surface.style, mesh);
         const transparent = isTransparent(surface.style);
         const plain = isPlain(surface.style) && !this.clipped && !mesh.hasHiddenParts;
