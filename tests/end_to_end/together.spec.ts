@@ -6,7 +6,7 @@ import WebSocket from 'ws';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { subprotocol } from '../../web-client/src/protocol/version.ts';
 import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
-import { dragHandle } from './support/rake_drag.ts';
+import { dragHandle, takeHandle } from './support/rake_drag.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
 
@@ -100,18 +100,22 @@ function sameRakes(mine: readonly Vec3[], theirs: readonly Vec3[]): void {
 }
 
 describe('a link for looking on', () => {
-    it('sees what an editor drags, and is refused in words when it drags itself', async () => {
+    it('sees what an editor drags, and has handles and numbers that do not move, and words that say why', async () => {
         const viewer = await visit((await share('viewer')).link);
         await viewer.getByText(/for looking on/).waitFor();
         expect(viewer.url()).not.toContain('token');
         const before = await recordedRake();
 
-        await dragHandle(viewer, 1, 30, 20, 6);
-        await viewer.getByRole('alert').filter({ hasText: /viewer/i }).waitFor();
-        await viewer.waitForFunction((y) => window.wakesurf!.rakePoints[1]![1] === y, before.points[1]![1]);
+        const handle = await takeHandle(viewer, 1);
+        await viewer.mouse.move(handle.x + 30, handle.y + 20, { steps: 6 });
+        await viewer.mouse.up();
+        for (const name of ['Start x', 'Seeds']) {
+            expect(await viewer.getByRole('spinbutton', { name }).isDisabled()).toBe(true);
+        }
+        expect(await viewer.getByRole('slider', { name: 'Integration time' }).isDisabled()).toBe(true);
         sameRakes(before.points, await ask(viewer, (hook) => hook.rakePoints));
         expect(await recordedRake()).toEqual(before);
-        await screenshot(viewer, 'viewer-refused');
+        await screenshot(viewer, 'viewer-looks-on');
 
         const epoch = await ask(viewer, (hook) => hook.displayed!.epoch);
         await dragHandle(page, 1, 30, 20, 6);

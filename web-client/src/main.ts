@@ -58,6 +58,8 @@ function start(app: App): void {
         canvas,
         labels,
         graphics,
+        mayMoveRake: () => !state.locked.value,
+        rakesHavePointer: () => view.tool.value === 'none' || view.tool.value === 'place',
         onRakeMove: (move) => {
             edits.moveRake(move);
             people.tell({ dragging: edits.draggedNow(move) });

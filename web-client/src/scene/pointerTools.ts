@@ -95,7 +95,10 @@ export class PointerTools {
     private hover(pointer: Pointer): void {
         let cursor: string | null = null;
         // All of them, because each may have something to take back.
-        for (const tool of this.tools) cursor = cursor ?? tool.hover?.(pointer) ?? null;
+        for (const tool of this.tools) {
+            const wish = tool.hover?.(pointer) ?? null;
+            cursor ??= wish;
+        }
         this.canvas.style.cursor = cursor ?? '';
     }
 

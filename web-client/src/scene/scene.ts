@@ -27,6 +27,8 @@ export interface FlowSceneOptions {
     /** Lies over the canvas and takes the text of the axes. */
     labels: HTMLElement;
     graphics: Graphics;
+    mayMoveRake: () => boolean;
+    rakesHavePointer: () => boolean;
     onRakeMove: (move: RakeMove) => void;
     onRakeChosen: (rake: string) => void;
     onRakePlaced: () => void;
@@ -73,6 +75,8 @@ export class FlowScene {
             view: () => this.view(),
             pick: (at) => this.pick(at)?.point ?? null,
             requestFrame: this.loop.request,
+            mayMove: options.mayMoveRake,
+            hasPointer: options.rakesHavePointer,
             onMove: options.onRakeMove,
             onChoose: options.onRakeChosen,
             onPlaced: options.onRakePlaced,

@@ -89,6 +89,8 @@ export class AppState {
     /** Null where the server has none. */
     readonly clock = signal<ClockRecord | null>(null);
     readonly role = signal<Role>('host');
+    /** Nothing of the session can be changed from here: it is for looking on, or the server does not hear. */
+    readonly locked = computed(() => this.role.value === 'viewer' || this.stage.value !== 'running');
     readonly editsPending = signal(false);
     readonly editError = signal<string | null>(null);
     readonly notice = signal<string | null>(null);

@@ -100,7 +100,7 @@ export class RakeList extends SignalElement {
         const rakes = [...state.rakes.value.values()];
         const chosen = state.rake.value;
         const { history, actions } = edits;
-        const locked = state.role.value === 'viewer' || state.stage.value !== 'running';
+        const locked = state.locked.value;
         return html`
             ${rakes.length === 0 ? html`<p>No rake: nothing is released into the flow.</p>` : nothing}
             <ul aria-label="Rakes">

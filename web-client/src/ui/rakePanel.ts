@@ -58,7 +58,7 @@ export class RakePanel extends SignalElement {
         const shape = state.rakeShape.value;
         if (state.rake.value === undefined || state.dataset.value === null || shape.points.length === 0) return html``;
         const rows = handleRows(shape, this.shownPoint.value);
-        return html`
+        return html`<fieldset ?disabled=${state.locked.value}>
             ${this.shapeAndSeeds(shape.kind)}
             <div class="point heads" aria-hidden="true">
                 <span></span>${axes.map((axis) => html`<span>${this.inUnits(axis)}</span>`)}
@@ -71,7 +71,7 @@ export class RakePanel extends SignalElement {
                 longer steps.
             </p>
             ${this.buttons()} ${this.snapChoice()}
-        `;
+        </fieldset>`;
     }
 
     private get points(): readonly Vec3[] {

@@ -2,6 +2,9 @@
 import { css } from 'lit';
 
 export const rakePanelStyles = css`
+    fieldset {
+        display: contents;
+    }
     .pair {
         display: grid;
         grid-template-columns: 1fr 1fr;

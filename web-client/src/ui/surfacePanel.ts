@@ -41,7 +41,11 @@ export class SurfacePanel extends SignalElement {
     static override styles = [
         sharedStyles,
         css`
-            fieldset {
+            /* Only there to be disabled as a whole. */
+            .edits {
+                display: contents;
+            }
+            .kinds {
                 display: grid;
                 grid-template-columns: 1fr 1fr;
                 margin: 0 0 10px;
@@ -145,39 +149,41 @@ export class SurfacePanel extends SignalElement {
         const followed = Math.abs(to - from);
         const cut = intent.kind !== 'stream' && followed < intent.length * 0.999;
         return html`
-            <fieldset>
-                <legend>Kind of surface</legend>
-                ${this.kindChoice('stream', 'Stream', dataset)}
-                ${this.kindChoice('path', 'Path', dataset)}
-                ${this.kindChoice('streak', 'Streak', dataset)}
-                ${this.kindChoice('time', 'Time', dataset)}
+            <fieldset class="edits" ?disabled=${state.locked.value}>
+                <fieldset class="kinds">
+                    <legend>Kind of surface</legend>
+                    ${this.kindChoice('stream', 'Stream', dataset)}
+                    ${this.kindChoice('path', 'Path', dataset)}
+                    ${this.kindChoice('streak', 'Streak', dataset)}
+                    ${this.kindChoice('time', 'Time', dataset)}
+                </fieldset>
+                <label class="row" for="length">
+                    <span>Integration time</span>
+                    <span class="value">${this.time(intent.length)}</span>
+                </label>
+                <input
+                    id="length"
+                    type="range"
+                    min=${step}
+                    max=${longest}
+                    step=${step}
+                    .value=${String(intent.length)}
+                    @input=${this.lengthChanged}
+                />
+                <p class="quiet" ?hidden=${!cut}>
+                    Followed for ${this.time(followed)}: there the data end.
+                </p>
+                ${intent.kind === 'streak' ? this.release(intent, cut ? followed : intent.length) : ''}
+                ${intent.kind === 'time' ? this.secondCurve(intent) : ''}
+                <label class="row" for="separation">
+                    <span>Separation</span>
+                    <select id="separation" @change=${this.separationChanged}>
+                        ${this.separationChoices(dataset.finestSpacing, intent.separation)}
+                    </select>
+                </label>
+                ${this.choice('direction', 'Direction', directions, intent.direction, (direction) => ({ direction }))}
+                ${this.choice('accuracy', 'Accuracy', accuracies, intent.accuracy, (accuracy) => ({ accuracy }))}
             </fieldset>
-            <label class="row" for="length">
-                <span>Integration time</span>
-                <span class="value">${this.time(intent.length)}</span>
-            </label>
-            <input
-                id="length"
-                type="range"
-                min=${step}
-                max=${longest}
-                step=${step}
-                .value=${String(intent.length)}
-                @input=${this.lengthChanged}
-            />
-            <p class="quiet" ?hidden=${!cut}>
-                Followed for ${this.time(followed)}: there the data end.
-            </p>
-            ${intent.kind === 'streak' ? this.release(intent, cut ? followed : intent.length) : ''}
-            ${intent.kind === 'time' ? this.secondCurve(intent) : ''}
-            <label class="row" for="separation">
-                <span>Separation</span>
-                <select id="separation" @change=${this.separationChanged}>
-                    ${this.separationChoices(dataset.finestSpacing, intent.separation)}
-                </select>
-            </label>
-            ${this.choice('direction', 'Direction', directions, intent.direction, (direction) => ({ direction }))}
-            ${this.choice('accuracy', 'Accuracy', accuracies, intent.accuracy, (accuracy) => ({ accuracy }))}
             ${this.several()}
         `;
     }
@@ -208,7 +214,7 @@ export class SurfacePanel extends SignalElement {
         const rake = state.activeRake.value ?? '';
         const active = state.activeSurface.value;
         const own = surfacesOf(state, rake).map((id) => state.surfaces.value.get(id)!);
-        const locked = state.role.value === 'viewer';
+        const locked = state.locked.value;
         const choose = (event: Event): void => edits.chooseSurface((event.target as HTMLSelectElement).value);
         return html`<div class="several" role="group" aria-label="Surfaces of this rake">
             ${own.length > 1

@@ -23,6 +23,10 @@ export interface RakeInteractionOptions {
     /** What is under a canvas position: a place on a surface or a body. */
     pick: (at: ScreenPoint) => Vec3 | null;
     requestFrame: () => void;
+    /** Whether this user can change rakes, now. */
+    mayMove: () => boolean;
+    /** Whether the pointer is for rakes: no other tool is chosen. */
+    hasPointer: () => boolean;
     onMove: (move: RakeMove) => void;
     onChoose: (rake: string) => void;
     /** The point has been put, or will not be. */
@@ -83,7 +87,7 @@ export class RakeInteraction implements PointerTool {
     press({ at }: Pointer): boolean {
         const { layer } = this.options;
         const view = this.options.view();
-        const handle = this.placing === null ? layer.handleAt(at, view) : null;
+        const handle = this.placing === null && this.movable ? layer.handleAt(at, view) : null;
         if (handle === null) return false;
         this.endNudge();
         this.drag = beginDrag(handle, layer.shape, at, view);
@@ -97,10 +101,11 @@ export class RakeInteraction implements PointerTool {
         if (this.placing !== null) return 'crosshair';
         const { layer } = this.options;
         const view = this.options.view();
-        const handle = pointer === null ? null : layer.handleAt(pointer.at, view);
+        const handle = pointer === null || !this.movable ? null : layer.handleAt(pointer.at, view);
         this.highlight(handle);
         if (handle !== null) return 'grab';
-        return pointer !== null && layer.otherAt(pointer.at, view) !== null ? 'pointer' : null;
+        if (pointer === null || !this.options.hasPointer()) return null;
+        return layer.otherAt(pointer.at, view) === null ? null : 'pointer';
     }
 
     move(pointer: Pointer): void {
@@ -132,11 +137,15 @@ export class RakeInteraction implements PointerTool {
     }
 
     click({ at, time }: Pointer): boolean {
-        if (this.placing !== null) {
+        if (this.placing !== null && this.movable) {
             this.put(this.placing, at, this.options.view(), time);
             return true;
         }
-        return this.chooseAt(at);
+        return this.options.hasPointer() && this.chooseAt(at);
+    }
+
+    private get movable(): boolean {
+        return this.options.mayMove() && this.options.hasPointer();
     }
 
     private chooseAt(at: ScreenPoint): boolean {
