@@ -27,7 +27,9 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
     effect(() => {
         // A worker that has taken the place of another knows nothing of this.
         if (state.stage.value !== 'running') told.clear();
-        const listed = view.partsListed.value;
+        const listed = view.partsListed.value ? state.activeSurface.value : null;
+        // One that comes back is new to the worker.
+        for (const id of told.keys()) if (!state.surfaces.value.has(id)) told.delete(id);
         for (const id of state.surfaces.value.keys()) {
             const look = view.lookOf(id);
             const parts = look.hiddenParts.length > 0 || listed === id ? { hidden: look.hiddenParts } : null;

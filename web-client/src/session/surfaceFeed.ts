@@ -136,5 +136,6 @@ export class SurfaceFeed {
         worker.forget(surface);
         scene.removeSurface(surface);
         state.displayed.value = withoutEntry(state.displayed.value, surface);
+        state.parts.value = withoutEntry(state.parts.value, surface);
     }
 }

@@ -53,8 +53,8 @@ export class ViewState {
     /** By surface; those that are not in it look as usual. */
     readonly looks = signal<ReadonlyMap<string, SurfaceLook>>(new Map());
     readonly clip = signal<ClipPlanes>(noClip);
-    /** The surface whose parts are listed. */
-    readonly partsListed = signal<string | null>(null);
+    /** The parts of the selected surface are listed. */
+    readonly partsListed = signal(false);
     readonly brush = signal<Brush>({ does: 'reveal', radiusPx: 24 });
     /** Where the tour is; null: there is none. */
     readonly tourStep = signal<number | null>(null);

@@ -69,14 +69,15 @@ export class LookPanel extends SignalElement {
 
     override disconnectedCallback(): void {
         super.disconnectedCallback();
-        this.model.view.partsListed.value = null;
+        const { view } = this.model;
+        view.partsListed.value = false;
+        // Nothing on the page would say that the brush is still in hand.
+        if (view.tool.value === 'paint') view.tool.value = 'none';
     }
 
     /** Parts are looked for only while somebody sees the list. */
     private listParts(event: Event): void {
-        const { state, view } = this.model;
-        const { open } = event.target as HTMLDetailsElement;
-        view.partsListed.value = open ? state.activeSurface.value : null;
+        this.model.view.partsListed.value = (event.target as HTMLDetailsElement).open;
     }
 }
 
