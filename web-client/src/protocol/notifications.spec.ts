@@ -110,7 +110,10 @@ describe('readNotification', () => {
     });
 
     it('takes streak and time surfaces, and drops records whose parts are not what they say', () => {
-        const record = { surface: 's1', rake: 'r1', kind: 'time', epoch: 2, from: 0, to: 1 };
+        const record = {
+            ...{ surface: 's1', rake: 'r1', dataset: 'd', kind: 'time', epoch: 2, from: 0, to: 1 },
+            ...{ separation: 0.1, fields: ['p'] },
+        };
         const patched = (more: object): number => {
             const patches = [{ op: 'put', type: 'surface', id: 's1', record: { ...record, ...more } }];
             const read = readNotification('session.patched', { session: 'main', seq: 1, patches });
@@ -122,6 +125,9 @@ describe('readNotification', () => {
         expect(patched({ sweep: [0, 1] })).toBe(0);
         expect(patched({ rake2: 2 })).toBe(0);
         expect(patched({ releaseUntil: '1' })).toBe(0);
+        expect(patched({ kind: 'steam' })).toBe(0);
+        expect(patched({ dataset: undefined })).toBe(0);
+        expect(patched({ fields: [1] })).toBe(0);
     });
 
     it('ignores what it does not know', () => {

@@ -60,7 +60,8 @@ export interface LatticeDescription {
     bits: number;
 }
 
-export type RakeKind = 'line' | 'polyline' | 'circle' | 'points';
+const rakeKinds = ['line', 'polyline', 'circle', 'points'] as const;
+export type RakeKind = (typeof rakeKinds)[number];
 
 export interface RakeRecord {
     rake: string;
@@ -80,7 +81,8 @@ export interface RakeRecord {
     leasedBy?: string;
 }
 
-export type SurfaceKind = 'stream' | 'path' | 'streak' | 'time';
+const surfaceKinds = ['stream', 'path', 'streak', 'time'] as const;
+export type SurfaceKind = (typeof surfaceKinds)[number];
 export type Direction = 'forward' | 'backward' | 'both';
 export type Accuracy = 'fast' | 'balanced' | 'exact';
 
@@ -183,6 +185,10 @@ export function isVec3(value: unknown): value is Vec3 {
     return Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
 }
 
+function isTexts(value: unknown): value is string[] {
+    return Array.isArray(value) && value.every((each) => typeof each === 'string');
+}
+
 type Members = Record<string, unknown>;
 
 export function isRakeRecord(value: unknown): value is RakeRecord & Members {
@@ -190,6 +196,7 @@ export function isRakeRecord(value: unknown): value is RakeRecord & Members {
         isObject(value) &&
         typeof value['rake'] === 'string' &&
         typeof value['rev'] === 'number' &&
+        rakeKinds.some((kind) => kind === value['kind']) &&
         typeof value['seeds'] === 'number' &&
         Array.isArray(value['points']) &&
         value['points'].every(isVec3)
@@ -214,9 +221,13 @@ export function isSurfaceRecord(value: unknown): value is SurfaceRecord & Member
         isObject(value) &&
         typeof value['surface'] === 'string' &&
         typeof value['rake'] === 'string' &&
+        typeof value['dataset'] === 'string' &&
+        surfaceKinds.some((kind) => kind === value['kind']) &&
         typeof value['epoch'] === 'number' &&
         typeof value['from'] === 'number' &&
         typeof value['to'] === 'number' &&
+        typeof value['separation'] === 'number' &&
+        isTexts(value['fields']) &&
         ['undefined', 'number'].includes(typeof value['releaseUntil']) &&
         ['undefined', 'string'].includes(typeof value['rake2']) &&
         (value['sweep'] === undefined || isVec3(value['sweep']))

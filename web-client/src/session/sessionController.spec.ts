@@ -48,7 +48,7 @@ class Bench {
         const scene = { setDomain: () => undefined };
         const url = { token: null, session, dataset: null, state: null };
         const progress = { progressed: () => undefined };
-        const views = { restore: () => undefined };
+        const views = { restore: () => undefined, madeAnew: () => undefined };
         const parts = { state: this.state, worker, feed, edits, people, progress, scene, url, views };
         this.controller = new SessionController(parts as unknown as SessionControllerOptions);
     }

@@ -31,7 +31,7 @@ export interface SessionControllerOptions {
     people: People;
     progress: Pick<SurfaceProgress, 'progressed'>;
     url: UrlState;
-    views: Pick<Views, 'restore'>;
+    views: Pick<Views, 'restore' | 'madeAnew'>;
 }
 
 export class SessionController {
@@ -156,7 +156,7 @@ export class SessionController {
 
     /** A new session, with what the user had if the server has forgotten an earlier one. */
     private async createSession(dataset: string): Promise<SessionSnapshot> {
-        const { worker, state, url } = this.options;
+        const { worker, state, url, views } = this.options;
         const former = rememberedOf(state, url, dataset);
         const shape = state.rakeShape.value;
         const active = state.rake.value?.rake;
@@ -165,11 +165,13 @@ export class SessionController {
         this.rebuilding = true;
         try {
             await this.enter(session);
-            await makeAnew(worker, former, (record) =>
+            const made = await makeAnew(worker, former, (record) =>
                 record.rake === active && shape.points.length > 0 ? shape : record,
             );
             // An edit of meanwhile lies below what was made anew, for the server.
             this.options.edits.history.clear();
+            views.madeAnew(made);
+            if (made.missing !== null) state.notice.value = made.missing;
         } catch (error) {
             // What is on the page is not all in the new session: the next connection begins again with another.
             this.session = forgotten;

@@ -101,9 +101,16 @@ export function settingAnew(
     record: SurfaceRecord,
     rakes: ReadonlyMap<string, string>,
 ): SurfaceSetting | null {
-    const { surface: _surface, rev: _rev, epoch: _epoch, ...asked } = record;
     const rake = rakes.get(record.rake);
     if (rake === undefined) return null;
+    const { kind, dataset, from, to, direction, separation, accuracy, merge, angle, maxQuads, fields } = record;
+    const { releaseUntil, sweep } = record;
+    // A link may have anything else in it, which is not the server's to hear.
+    const asked = {
+        ...{ kind, dataset, from, to, direction, separation, accuracy, merge, angle, maxQuads, fields },
+        ...(releaseUntil === undefined ? {} : { releaseUntil }),
+        ...(sweep === undefined ? {} : { sweep }),
+    };
     if (record.rake2 === undefined) return { ...asked, rake };
     const rake2 = rakes.get(record.rake2);
     return rake2 === undefined ? null : { ...asked, rake, rake2 };

@@ -1,5 +1,5 @@
 // The page's view as a value: taken for links and bookmarks, and shown again. Keeps the address of the page up to date.
-import { effect } from '@preact/signals-core';
+import { batch, effect } from '@preact/signals-core';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
 import { noClip } from '../state/clipPlanes.ts';
@@ -7,6 +7,7 @@ import type { PageView } from '../state/pageView.ts';
 import { decodeLook, encodeLook, type SurfaceLook } from '../state/surfaceLook.ts';
 import type { ViewState } from '../state/viewState.ts';
 import { encodeLinkState } from './linkState.ts';
+import type { MadeAnew } from './madeAnew.ts';
 import { showFragment, type UrlState, writeFragment } from './urlState.ts';
 
 /** Browsers refuse more than 100 changes of the address in 30 s. */
@@ -76,6 +77,29 @@ export class Views {
         if (this.restored) return;
         this.restored = true;
         if (state !== null) this.show(state.view);
+    }
+
+    /** The same records have other names now: the view goes on with them. */
+    madeAnew({ rakes, surfaces }: Pick<MadeAnew, 'rakes' | 'surfaces'>): void {
+        const { state, view, url } = this.options;
+        const renamed = <Value>(each: Iterable<[string, Value]>): [string, Value][] =>
+            [...each].flatMap(([id, value]): [string, Value][] => {
+                const now = surfaces.get(id);
+                return now === undefined ? [] : [[now, value]];
+            });
+        batch(() => {
+            view.looks.value = new Map(renamed(view.looks.value));
+            state.activeRake.value = rakes.get(state.activeRake.value ?? '') ?? null;
+            state.activeSurface.value = surfaces.get(state.activeSurface.value ?? '') ?? null;
+        });
+        if (url.state === null) return;
+        const { surface: _, looks, ...kept } = url.state.view;
+        const surface = surfaces.get(url.state.view.surface ?? '');
+        url.state.view = {
+            ...kept,
+            ...(surface === undefined ? {} : { surface }),
+            ...(looks === undefined ? {} : { looks: Object.fromEntries(renamed(Object.entries(looks))) }),
+        };
     }
 
     /** The address of this page as it is now. */
