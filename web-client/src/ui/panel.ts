@@ -196,7 +196,8 @@ export class Panel extends SignalElement {
                     ? nothing
                     : html`<p>${dataset.name}</p>
                           <p class="quiet">
-                              ${countWords(dataset.points)} points, ${dataset.times.length}
+                              ${dataset.points > 0 ? `${countWords(dataset.points)} points` : 'a flow by formula'},
+                              ${dataset.times.length}
                               ${dataset.times.length === 1 ? 'time-step' : 'time-steps'}
                           </p>`}
                 ${state.role.value === 'viewer'
