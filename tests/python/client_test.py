@@ -160,8 +160,8 @@ class ClientTest(unittest.TestCase):
         with self.assertRaises(wakesurf.InvalidParameters):
             self.session.rake(line=LINE, seeds=1)
         with self.assertRaises(wakesurf.InvalidParameters) as raised:
-            self.session.call("rake.set", colour="red")
-        self.assertIn("colour", str(raised.exception))
+            self.session.call("rake.set", shade="red")
+        self.assertIn("shade", str(raised.exception))
         with self.assertRaises(wakesurf.MethodNotFound):
             self.client.call("no.such")
         with self.assertRaises(wakesurf.InvalidRequest):
