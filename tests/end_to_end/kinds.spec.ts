@@ -1,31 +1,18 @@
 // Every kind of surface from the panel: what a person chooses is what the server builds and the page shows.
-import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { BrowserContext, Page } from 'playwright-core';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, launchBrowser, newContext, openPage } from './support/browser_page.ts';
-import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { ask, finalSurface, newContext, openPage } from './support/browser_page.ts';
+import { useStand } from './support/stand.ts';
 
-const store = temporaryFolder();
-let server: ServerProcess;
-let browser: Browser;
+const stand = useStand();
 let context: BrowserContext;
 let page: Page;
 let complaints: string[];
 
-beforeAll(async () => {
-    server = await ServerProcess.start({ store: store.path });
-    browser = await launchBrowser();
-});
-
-afterAll(async () => {
-    await browser?.close();
-    await server?.stop();
-    store.remove();
-});
-
 beforeEach(async () => {
-    context = await newContext(browser, { height: 900 });
-    ({ page, complaints } = await openPage(context, server.link));
+    context = await newContext(stand.browser, { height: 900 });
+    ({ page, complaints } = await openPage(context, stand.server.link));
     await finalSurface(page);
 });
 
@@ -41,7 +28,7 @@ async function edited(edit: () => Promise<unknown>): Promise<SurfaceRecord> {
     await page.waitForFunction((old) => (window.wakesurf?.displayed?.epoch ?? 0) > old, before);
     await finalSurface(page);
     const session = await ask(page, (hook) => hook.session);
-    const { surfaces } = (await server.call('surface.list', { session })) as { surfaces: SurfaceRecord[] };
+    const { surfaces } = (await stand.server.call('surface.list', { session })) as { surfaces: SurfaceRecord[] };
     expect(await ask(page, (hook) => hook.displayed?.cells ?? 0)).toBeGreaterThan(100);
     return surfaces[0]!;
 }

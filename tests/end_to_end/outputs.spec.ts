@@ -4,37 +4,26 @@ import { execFile } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
-import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { BrowserContext, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { ClockRecord, RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { projectRoot } from './support/project_root.ts';
-import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { temporaryFolder } from './support/server_process.ts';
+import { useStand } from './support/stand.ts';
 
 const run = promisify(execFile);
-const store = temporaryFolder();
+const stand = useStand();
 const work = temporaryFolder();
-let server: ServerProcess;
-let browser: Browser;
 let context: BrowserContext;
 let page: Page;
 
-beforeAll(async () => {
-    server = await ServerProcess.start({ store: store.path });
-    browser = await launchBrowser();
-});
-
-afterAll(async () => {
-    await browser?.close();
-    await server?.stop();
-    store.remove();
-    work.remove();
-});
+afterAll(() => work.remove());
 
 beforeEach(async () => {
-    context = await newContext(browser, { width: 900, height: 480 });
+    context = await newContext(stand.browser, { width: 900, height: 480 });
     await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-    ({ page } = await openPage(context, server.link));
+    ({ page } = await openPage(context, stand.server.link));
     await finalSurface(page);
 });
 
@@ -96,7 +85,7 @@ async function streak(): Promise<void> {
 
 async function records(): Promise<{ clock: ClockRecord; rakes: RakeRecord[]; surfaces: SurfaceRecord[] }> {
     const session = await ask(page, (hook) => hook.session);
-    return (await server.call('session.state', { session })) as never;
+    return (await stand.server.call('session.state', { session })) as never;
 }
 
 describe('a picture', () => {
@@ -175,7 +164,7 @@ describe('a film', () => {
     it('has every frame of the playback; it and one that is cancelled leave the clock as it was', async () => {
         await streak();
         const session = await ask(page, (hook) => hook.session);
-        await server.call('time.set', { session, time: 10 });
+        await stand.server.call('time.set', { session, time: 10 });
         await page.waitForFunction(() => window.wakesurf!.displayed!.time === 10);
         await toExport();
         await chooseSize('film', 320, 240);
@@ -236,12 +225,12 @@ describe('a mesh', () => {
         await toExport();
         const session = await ask(page, (hook) => hook.session);
         const { surface } = await ask(page, (hook) => hook.displayed!);
-        const headers = { Authorization: `Bearer ${server.token}` };
+        const headers = { Authorization: `Bearer ${stand.server.token}` };
         for (const format of ['vtp', 'glb', 'ply', 'obj', 'drc']) {
             await page.locator('#mesh-format').selectOption(format);
             const { name, bytes } = await saved('#download-mesh');
             const reply = await fetch(
-                new URL(`/api/v1/sessions/${session}/surfaces/${surface}/mesh.${format}`, server.link),
+                new URL(`/api/v1/sessions/${session}/surfaces/${surface}/mesh.${format}`, stand.server.link),
                 { headers },
             );
             expect(name).toBe(`sqcyl-stream.${format}`);
@@ -254,7 +243,7 @@ describe('a mesh', () => {
 describe('a script', () => {
     const environment = (): NodeJS.ProcessEnv => ({
         ...process.env,
-        WAKESURF_TOKEN: server.token,
+        WAKESURF_TOKEN: stand.server.token,
         PYTHONPATH: join(projectRoot, 'protocol/python'),
     });
     const runPython = (text: string) =>
@@ -264,7 +253,7 @@ describe('a script', () => {
         await page.locator(`${within} wakesurf-copy-as`).getByRole('button', { name: language }).click();
         await page.locator(within).getByText(`Copied as ${language}`).waitFor();
         const text = await page.evaluate(() => navigator.clipboard.readText());
-        expect(text).not.toContain(server.token);
+        expect(text).not.toContain(stand.server.token);
         return text;
     };
     /** Without what the server gives to each record. */
@@ -287,7 +276,7 @@ describe('a script', () => {
             expect(asked(made)).toEqual(asked(before.surfaces[0]!));
             const rake = after.rakes.find((each) => each.rake === made.rake)!;
             expect(placed(rake)).toEqual(placed(before.rakes[0]!));
-            await server.call('rake.delete', {
+            await stand.server.call('rake.delete', {
                 session: await ask(page, (hook) => hook.session),
                 rake: made.rake,
             });
@@ -301,14 +290,14 @@ describe('a script', () => {
             ['Python', runPython, 11.5],
             ['curl', runShell, 12],
         ] as const) {
-            await server.call('time.set', { session, time });
+            await stand.server.call('time.set', { session, time });
             await page.waitForFunction((at) => window.wakesurf!.displayed!.time === at, time);
             const text = await copied('wakesurf-time-bar', language);
-            await server.call('time.set', { session, time: 9 });
+            await stand.server.call('time.set', { session, time: 9 });
             await runs(text);
             expect((await records()).clock.time).toBe(time);
         }
-        await server.call('time.set', { session, time: null });
+        await stand.server.call('time.set', { session, time: null });
         await toExport();
         await page.locator('#mesh-format').selectOption('ply');
         const { bytes } = await saved('#download-mesh');

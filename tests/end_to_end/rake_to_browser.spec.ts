@@ -1,34 +1,21 @@
-// The whole path: real data, real server, real browser, real mouse. What is on the screen must be
+// The whole path: real data, real stand.server, real stand.browser, real mouse. What is on the screen must be
 // what the server computed for the rake as it was left.
-import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { BrowserContext, Page } from 'playwright-core';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { dragHandle } from './support/rake_drag.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { useStand } from './support/stand.ts';
 
-const store = temporaryFolder();
-let server: ServerProcess;
-let browser: Browser;
+const stand = useStand();
 let context: BrowserContext;
 let page: Page;
 let complaints: string[];
 
-beforeAll(async () => {
-    server = await ServerProcess.start({ store: store.path });
-    browser = await launchBrowser();
-});
-
-afterAll(async () => {
-    await browser?.close();
-    await server?.stop();
-    store.remove();
-});
-
 beforeEach(async () => {
-    context = await newContext(browser);
-    ({ page, complaints } = await openPage(context, server.link));
+    context = await newContext(stand.browser);
+    ({ page, complaints } = await openPage(context, stand.server.link));
     await finalSurface(page);
 });
 
@@ -45,12 +32,12 @@ function epochNow(): Promise<number> {
 /** The surface of an edit made after `epoch` is on the screen, and is the server's. */
 async function expectNewSurface(epoch: number): Promise<void> {
     await page.waitForFunction((old) => (window.wakesurf?.displayed?.epoch ?? 0) > old, epoch);
-    await expectServersMesh(server, page);
+    await expectServersMesh(stand.server, page);
 }
 
 describe('the page', () => {
     it('shows the final surface of the default rake and hides the token', async () => {
-        await expectServersMesh(server, page);
+        await expectServersMesh(stand.server, page);
         expect(page.url()).not.toContain('token');
         expect(page.url()).toContain('session=');
         await screenshot(page, 'first-surface');
@@ -67,7 +54,7 @@ describe('the page', () => {
         const updates = (shown: typeof after): number => shown!.keys + shown!.deltas;
         expect(updates(after) - updates(before)).toBeGreaterThan(2);
         const session = await ask(page, (hook) => hook.session);
-        const { rakes } = (await server.call('rake.list', { session })) as { rakes: { points: Vec3[] }[] };
+        const { rakes } = (await stand.server.call('rake.list', { session })) as { rakes: { points: Vec3[] }[] };
         const shown = await ask(page, (hook) => hook.rakePoints);
         rakes[0]?.points.flat().forEach((value, i) => expect(value).toBeCloseTo(shown.flat()[i]!, 9));
         expect(await ask(page, (hook) => hook.latencySamples.length)).toBeGreaterThan(0);
@@ -100,7 +87,7 @@ describe('the keyboard', () => {
         const after = await ask(page, (hook) => hook.displayed);
         expect(after?.stateCrc).not.toBe(before?.stateCrc);
         const session = await ask(page, (hook) => hook.session);
-        const list = await server.call('surface.list', { session });
+        const list = await stand.server.call('surface.list', { session });
         expect((list['surfaces'] as { from: number }[])[0]?.from).toBeCloseTo(11);
     });
 

@@ -1,37 +1,24 @@
 // Rakes as people work with them: by mouse, by keyboard alone, by clicks alone, by touch; several of them, of every kind. What
 // is done must be under the pointer at once and in the server's records afterwards.
-import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { BrowserContext, Page } from 'playwright-core';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { Guest } from './support/guest.ts';
 import { dragHandle, type HandleName, takeHandle } from './support/rake_drag.ts';
 import { takeScriptTimes, timeScripts } from './support/script_time.ts';
-import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { useStand } from './support/stand.ts';
 
-const store = temporaryFolder();
-let server: ServerProcess;
-let browser: Browser;
+const stand = useStand();
 let context: BrowserContext;
 let page: Page;
 let complaints: string[];
 let session: string;
 
-beforeAll(async () => {
-    server = await ServerProcess.start({ store: store.path });
-    browser = await launchBrowser();
-});
-
-afterAll(async () => {
-    await browser?.close();
-    await server?.stop();
-    store.remove();
-});
-
 beforeEach(async () => {
-    context = await newContext(browser, { width: 900, height: 560 });
+    context = await newContext(stand.browser, { width: 900, height: 560 });
     await timeScripts(context);
-    ({ page, complaints } = await openPage(context, server.link));
+    ({ page, complaints } = await openPage(context, stand.server.link));
     await finalSurface(page);
     session = (await ask(page, (hook) => hook.session))!;
 });
@@ -42,11 +29,11 @@ afterEach(async () => {
 });
 
 async function rakes(): Promise<RakeRecord[]> {
-    return (await server.call('rake.list', { session }))['rakes'] as RakeRecord[];
+    return (await stand.server.call('rake.list', { session }))['rakes'] as RakeRecord[];
 }
 
 async function surfaces(): Promise<SurfaceRecord[]> {
-    return (await server.call('surface.list', { session }))['surfaces'] as SurfaceRecord[];
+    return (await stand.server.call('surface.list', { session }))['surfaces'] as SurfaceRecord[];
 }
 
 /** Asks the server until it says what is expected. */
@@ -182,7 +169,7 @@ describe('a handle under the mouse', () => {
         const few = await takeScriptTimes(page);
         const points = Array.from({ length: 900 }, (_, i) => [-2, Math.sin(i / 20), 1 + (4 * i) / 900] as Vec3);
         const [{ rake }] = (await eventually(rakes, (each) => !each[0]!.dragging)) as [RakeRecord];
-        await server.call('rake.set', { session, rake, kind: 'points', points, seeds: 100 });
+        await stand.server.call('rake.set', { session, rake, kind: 'points', points, seeds: 100 });
         await page.waitForFunction(() => window.wakesurf!.rakePoints.length === 900);
         await finalSurface(page);
         await screenshot(page, 'rake-of-points');
@@ -354,7 +341,7 @@ describe('several rakes', () => {
 
         await dragHandle(page, 1, 15, 10, 4);
         const { rake, kind, points, seeds } = await recorded();
-        await server.call('rake.set', { session, rake, kind, points, seeds: seeds + 1, name: 'Theirs' });
+        await stand.server.call('rake.set', { session, rake, kind, points, seeds: seeds + 1, name: 'Theirs' });
         await page.waitForFunction(() => window.wakesurf!.rakes[0]!.shape !== undefined);
         await eventually(() => page.getByRole('list', { name: 'Rakes' }).textContent(), (text) => text!.includes('Theirs'));
         await page.keyboard.press('Control+Z');
@@ -417,7 +404,7 @@ describe('a polyline and a circle', () => {
 
 describe('a rake that somebody else moves', () => {
     it('says who does, moves before the eyes, and cannot be taken meanwhile', async () => {
-        const ann = await Guest.join(server, session, { name: 'Ann', colour: '#cc79a7' });
+        const ann = await Guest.join(stand.server, session, { name: 'Ann', colour: '#cc79a7' });
         const { rake, kind, points, seeds } = (await rakes())[0]!;
         const moved = (by: number): Vec3[] => points.map(([x, y, z]) => [x + by, y, z]);
         const handle = (await ask(page, (hook) => hook.handleOnScreen(0)))!;

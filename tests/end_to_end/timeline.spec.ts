@@ -1,32 +1,19 @@
 // The timeline: what of the data is in memory, and one time that mouse, keys and other people move. What the page says is
 // compared with the server's records, and where it stops with the server's mesh.
-import type { Browser, BrowserContext, Locator, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { BrowserContext, Locator, Page } from 'playwright-core';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { ClockRecord, SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { useStand } from './support/stand.ts';
 
-const store = temporaryFolder();
-let server: ServerProcess;
-let browser: Browser;
+const stand = useStand();
 let context: BrowserContext;
 let page: Page;
 
-beforeAll(async () => {
-    server = await ServerProcess.start({ store: store.path });
-    browser = await launchBrowser();
-});
-
-afterAll(async () => {
-    await browser?.close();
-    await server?.stop();
-    store.remove();
-});
-
 beforeEach(async () => {
-    context = await newContext(browser, { width: 900, height: 480 });
-    ({ page } = await openPage(context, server.link));
+    context = await newContext(stand.browser, { width: 900, height: 480 });
+    ({ page } = await openPage(context, stand.server.link));
     await finalSurface(page);
 });
 
@@ -34,7 +21,7 @@ afterEach(() => context.close());
 
 async function records(): Promise<{ clock: ClockRecord; surface: SurfaceRecord }> {
     const session = await ask(page, (hook) => hook.session);
-    const state = await server.call('session.state', { session });
+    const state = await stand.server.call('session.state', { session });
     const { clock, surfaces } = state as unknown as { clock: ClockRecord; surfaces: SurfaceRecord[] };
     return { clock, surface: surfaces[0]! };
 }
@@ -88,8 +75,8 @@ async function lineOf(handle: Locator): Promise<{ x: (time: number) => number; y
 describe('the timeline', () => {
     it('shows which time-steps are in memory, each at its time, as the server has it', async () => {
         const status = async () =>
-            (await server.call('cache.status', { dataset: 'sqcyl' })) as unknown as { steps: string[] };
-        const { times } = (await server.call('dataset.describe', { dataset: 'sqcyl' })) as unknown as {
+            (await stand.server.call('cache.status', { dataset: 'sqcyl' })) as unknown as { steps: string[] };
+        const { times } = (await stand.server.call('dataset.describe', { dataset: 'sqcyl' })) as unknown as {
             times: number[];
         };
         const { steps } = await status();
@@ -187,22 +174,22 @@ describe('the timeline', () => {
         expect(clock.time).toBe(12.5);
         const { surface: _surface, rev: _rev, epoch: _epoch, fields: _fields, ...setting } = record;
         const session = await ask(page, (hook) => hook.session);
-        const { surface } = await server.call('surface.set', { ...setting, session, to: 12.5 });
-        const fresh = await server.call('surface.wait', { session, surface, timeoutMs: 20_000 });
+        const { surface } = await stand.server.call('surface.set', { ...setting, session, to: 12.5 });
+        const fresh = await stand.server.call('surface.wait', { session, surface, timeoutMs: 20_000 });
         const shown = await ask(page, (hook) => hook.displayed!);
         expect(fresh).toMatchObject({ complete: true, vertices: shown.vertices, quads: shown.cells });
         expect(scrubbed).toBeLessThan(3000);
         await page.keyboard.press('End');
         await shownAt(16);
-        await expectServersMesh(server, page);
+        await expectServersMesh(stand.server, page);
     });
 
     it('follows whoever else moves the clock, and lets nobody play who only looks on', async () => {
         await streak();
         const session = await ask(page, (hook) => hook.session);
-        const { link } = (await server.call('session.share', { session, role: 'viewer' })) as { link: string };
-        const other = await newContext(browser, { width: 900, height: 480, colorScheme: 'light' });
-        const { page: viewer } = await openPage(other, new URL(link, server.link).href);
+        const { link } = (await stand.server.call('session.share', { session, role: 'viewer' })) as { link: string };
+        const other = await newContext(stand.browser, { width: 900, height: 480, colorScheme: 'light' });
+        const { page: viewer } = await openPage(other, new URL(link, stand.server.link).href);
         await finalSurface(viewer);
         expect(await viewer.getByRole('button', { name: 'Play' }).isDisabled()).toBe(true);
         const line = await lineOf(page.locator('#clock'));
@@ -211,7 +198,7 @@ describe('the timeline', () => {
         expect(Math.abs(clock.time! - 10)).toBeLessThan(0.03);
         await viewer.waitForFunction((at) => Math.abs(window.wakesurf!.displayed!.time - at) < 1e-6, clock.time!);
         expect(Number(await viewer.locator('#clock').inputValue())).toBeCloseTo(clock.time!);
-        await server.call('time.set', { session, time: 13 });
+        await stand.server.call('time.set', { session, time: 13 });
         await shownAt(13);
         expect(await page.locator('#go-to').inputValue()).toBe('13');
         await screenshot(viewer, 'timeline-light');
@@ -233,7 +220,7 @@ describe('the timeline', () => {
         expect(from).toBeLessThan(16);
         await page.getByRole('button', { name: 'Next time-step' }).click();
         await becomes(records, ({ surface }) => expect(surface.from).toBe(from + 0.5));
-        await expectServersMesh(server, page);
+        await expectServersMesh(stand.server, page);
     });
 
     it('has a handle for the release, which goes from time-step to time-step', async () => {

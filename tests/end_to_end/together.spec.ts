@@ -1,35 +1,22 @@
 // Several people in one session: links that let look on, and the ends of a connection
 // after which a page must not come back by itself.
-import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { BrowserContext, Page } from 'playwright-core';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import WebSocket from 'ws';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { subprotocol } from '../../web-client/src/protocol/version.ts';
-import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { dragHandle, takeHandle } from './support/rake_drag.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { useStand } from './support/stand.ts';
 
-const store = temporaryFolder();
+const stand = useStand();
 const contexts: BrowserContext[] = [];
-let server: ServerProcess;
-let browser: Browser;
 let page: Page;
 let session: string;
 
-beforeAll(async () => {
-    server = await ServerProcess.start({ store: store.path });
-    browser = await launchBrowser();
-});
-
-afterAll(async () => {
-    await browser?.close();
-    await server?.stop();
-    store.remove();
-});
-
 beforeEach(async () => {
-    page = await visit(server.link);
+    page = await visit(stand.server.link);
     session = (await ask(page, (hook) => hook.session))!;
 });
 
@@ -39,7 +26,7 @@ afterEach(async () => {
 
 /** A browser of its own: cookies are not shared. */
 async function visit(link: string): Promise<Page> {
-    const context = await newContext(browser);
+    const context = await newContext(stand.browser);
     contexts.push(context);
     await context.addInitScript(keepResumeToken);
     const { page: visited } = await openPage(context, link);
@@ -68,17 +55,17 @@ function keepResumeToken(): void {
 }
 
 async function share(role: string): Promise<{ grant: string; link: string }> {
-    const { grant, link } = await server.call('session.share', { session, role });
-    return { grant: String(grant), link: new URL(String(link), server.link).href };
+    const { grant, link } = await stand.server.call('session.share', { session, role });
+    return { grant: String(grant), link: new URL(String(link), stand.server.link).href };
 }
 
 async function recordedRake(): Promise<{ rake: string; kind: string; points: Vec3[]; seeds: number }> {
-    const { rakes } = await server.call('rake.list', { session });
+    const { rakes } = await stand.server.call('rake.list', { session });
     return (rakes as Awaited<ReturnType<typeof recordedRake>>[])[0]!;
 }
 
 async function participants(): Promise<string[]> {
-    const state = await server.call('session.state', { session });
+    const state = await stand.server.call('session.state', { session });
     return (state['participants'] as { participant: string }[]).map(({ participant }) => participant);
 }
 
@@ -120,15 +107,15 @@ describe('a link for looking on', () => {
         const epoch = await ask(viewer, (hook) => hook.displayed!.epoch);
         await dragHandle(page, 1, 30, 20, 6);
         await viewer.waitForFunction((old) => window.wakesurf!.displayed!.epoch > old, epoch);
-        await expectServersMesh(server, page);
-        await expectServersMesh(server, viewer);
+        await expectServersMesh(stand.server, page);
+        await expectServersMesh(stand.server, viewer);
         sameRakes((await recordedRake()).points, await ask(viewer, (hook) => hook.rakePoints));
     });
 
     it('ends in words when it is taken back, and the page does not come back', async () => {
         const { grant, link } = await share('viewer');
         const viewer = await visit(link);
-        await server.call('session.unshare', { session, grant });
+        await stand.server.call('session.unshare', { session, grant });
         await expectEnded(viewer, /expired or was taken back/);
         await screenshot(viewer, 'link-ended');
         expect(await ask(page, (hook) => hook.connection)).toBe('open');
@@ -138,9 +125,9 @@ describe('a link for looking on', () => {
 describe('a page whose place is gone', () => {
     it('leaves it to the newer connection with the same resume token', async () => {
         const resumeToken = await page.evaluate(() => window.resumeToken);
-        const address = new URL('/ws', server.link);
+        const address = new URL('/ws', stand.server.link);
         address.protocol = 'ws:';
-        const headers = { Authorization: `Bearer ${server.token}` };
+        const headers = { Authorization: `Bearer ${stand.server.token}` };
         const newer = new WebSocket(address, subprotocol, { headers });
         let closed = false;
         newer.on('close', () => (closed = true));
@@ -165,7 +152,7 @@ describe('a page whose place is gone', () => {
         const editor = await visit((await share('editor')).link);
         const all = await participants();
         expect(all).toHaveLength(2);
-        await server.call('session.kick', { session, participant: all.at(-1) });
+        await stand.server.call('session.kick', { session, participant: all.at(-1) });
         await expectEnded(editor, /host has ended your stay/);
         expect(await participants()).toHaveLength(1);
     });
