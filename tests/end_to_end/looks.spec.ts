@@ -48,6 +48,13 @@ async function drawn(on: Page = page): Promise<void> {
     await on.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 }
 
+/** Frames that come within a third of a second, in which a moving picture has several however slow it is drawn. */
+async function framesInAWhile(): Promise<number> {
+    const before = await ask(page, (hook) => hook.framesDrawn);
+    for (let i = 0; i < 10; ++i) await drawn();
+    return (await ask(page, (hook) => hook.framesDrawn)) - before;
+}
+
 async function setSlider(id: string, value: number): Promise<void> {
     await page.locator(id).fill(String(value));
     await drawn();
@@ -218,19 +225,13 @@ describe('stripes', () => {
         await openGroup('#lines-group');
         await page.getByLabel('Flow texture').check();
         await page.getByLabel('Moving with the flow').check();
-        await drawn();
+        // Those that were under way when the box was ticked come first.
+        await expect.poll(framesInAWhile).toBe(0);
         const still = await ask(page, (hook) => hook.framesDrawn);
-        await drawn();
-        await drawn();
-        expect(await ask(page, (hook) => hook.framesDrawn)).toBe(still);
         await page.emulateMedia({ reducedMotion: 'no-preference' });
         await page.waitForFunction((count) => window.wakesurf!.framesDrawn > count + 3, still);
         await page.getByLabel('Moving with the flow').uncheck();
-        await drawn();
-        const stopped = await ask(page, (hook) => hook.framesDrawn);
-        await drawn();
-        await drawn();
-        expect(await ask(page, (hook) => hook.framesDrawn)).toBe(stopped);
+        await expect.poll(framesInAWhile).toBe(0);
         await page.emulateMedia({ reducedMotion: 'reduce' });
         await screenshot(page, 'look-texture');
         await page.getByLabel('Flow texture').uncheck();
