@@ -338,6 +338,8 @@ describe('several rakes', () => {
         expect(await rakes()).toHaveLength(1);
         await page.getByRole('button', { name: 'Undo' }).click();
         await page.getByRole('radio', { name: 'Path' }).waitFor();
+        // With the surface the time bar comes back, and the picture has another height then.
+        await finalSurface(page);
 
         await dragHandle(page, 1, 15, 10, 4);
         const { rake, kind, points, seeds } = await recorded();
