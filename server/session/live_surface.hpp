@@ -151,8 +151,9 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::shared_ptr<SurfaceWaiters> waiters_;
 
     std::uint32_t epoch_ = 0;
-    bool building_ = false;      ///< there is a wanted surface, and it has neither failed nor been stopped
-    bool held_ = false;          ///< its turn has not come
+    bool building_ =
+        false;          ///< there is a wanted surface, and it has neither failed nor been stopped
+    bool held_ = false; ///< its turn has not come
     std::shared_ptr<void> turn_; ///< while it is built in its turn
     SurfaceJob wanted_;
     std::optional<core::Error> error_;
