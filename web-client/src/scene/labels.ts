@@ -17,13 +17,14 @@ export class Labels {
         this.used = 0;
     }
 
-    /** Centred at a canvas position. */
-    place(at: ScreenPoint, text: string, className: string): HTMLElement {
+    /** At a canvas position: centred on it, or beginning there. */
+    place(at: ScreenPoint, text: string, className: string, how: 'centred' | 'beside' = 'centred'): HTMLElement {
         const label = this.next();
         if (label.textContent !== text) label.textContent = text;
         if (label.className !== className) label.className = className;
         const [x, y] = [at.x.toFixed(1), at.y.toFixed(1)];
-        label.style.transform = `translate(-50%, -50%) translate(${x}px, ${y}px)`;
+        const centring = how === 'centred' ? 'translate(-50%, -50%) ' : '';
+        label.style.transform = `${centring}translate(${x}px, ${y}px)`;
         label.hidden = false;
         return label;
     }

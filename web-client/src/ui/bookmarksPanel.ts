@@ -19,13 +19,6 @@ export class BookmarksPanel extends SignalElement {
                 grid-template-columns: minmax(0, 1fr) auto;
                 gap: 6px;
             }
-            input {
-                min-height: 28px;
-                padding: 3px 8px;
-                border: 1px solid var(--line);
-                border-radius: 6px;
-                background: var(--raised);
-            }
             ul {
                 margin: 6px 0 0;
                 padding: 0;

@@ -43,10 +43,6 @@ export class LinksPanel extends SignalElement {
             }
             input {
                 min-width: 0;
-                padding: 3px 8px;
-                border: 1px solid var(--line);
-                border-radius: 6px;
-                background: var(--raised);
             }
             ul {
                 margin: 8px 0 0;

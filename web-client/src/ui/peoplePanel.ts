@@ -39,10 +39,6 @@ export class PeoplePanel extends SignalElement {
             }
             input {
                 min-width: 0;
-                padding: 3px 8px;
-                border: 1px solid var(--line);
-                border-radius: 6px;
-                background: var(--raised);
             }
             .away {
                 opacity: 0.6;

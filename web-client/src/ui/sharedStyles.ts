@@ -29,7 +29,8 @@ export const sharedStyles = css`
     }
     button,
     select,
-    input[type='number'] {
+    input[type='number'],
+    input:not([type]) {
         min-height: 28px;
         padding: 3px 8px;
         border: 1px solid var(--line);

@@ -20,11 +20,6 @@ export class SurroundingsPanel extends SignalElement {
         css`
             input {
                 width: 90px;
-                min-height: 28px;
-                padding: 3px 8px;
-                border: 1px solid var(--line);
-                border-radius: 6px;
-                background: var(--raised);
             }
             label + label {
                 margin-top: 6px;
