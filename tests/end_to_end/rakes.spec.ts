@@ -49,10 +49,13 @@ function shown(): Promise<Vec3[]> {
     return ask(page, (hook) => hook.rakePoints);
 }
 
-/** What is on the screen of the chosen rake is in its record. */
-async function recorded(index = 0): Promise<RakeRecord> {
+/** What is on the screen of the chosen rake is in its record, whoever dragged it has let go, and it is not what it was. */
+async function recorded(index = 0, was: Vec3[] = []): Promise<RakeRecord> {
     const both = async () => ({ seen: await shown(), rake: (await rakes())[index]! });
-    const same = await eventually(both, ({ seen, rake }) => JSON.stringify(seen) === JSON.stringify(rake.points));
+    const same = await eventually(both, ({ seen, rake }) => {
+        const points = JSON.stringify(rake.points);
+        return !rake.dragging && JSON.stringify(seen) === points && points !== JSON.stringify(was);
+    });
     return same.rake;
 }
 
@@ -261,7 +264,7 @@ describe('without dragging', () => {
         const [at] = await onScreen([vertex]);
         await click('Place End with a click');
         await page.mouse.click(at!.x, at!.y);
-        const placed = await recorded();
+        const placed = await recorded(0, nudged.points);
         const [seen] = await onScreen([placed.points[1]!]);
         expect(Math.hypot(seen!.x - at!.x, seen!.y - at!.y)).toBeLessThan(1.5);
 
