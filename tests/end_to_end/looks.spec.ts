@@ -4,7 +4,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { encodeLinkState } from '../../web-client/src/session/linkState.ts';
+import { encodeLinkState } from '../../web-client/src/session/view/linkState.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { stripePeriodPx } from '../../web-client/src/scene/surface/patternShader.ts';
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';

@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { readFragment } from '../../web-client/src/session/urlState.ts';
+import { readFragment } from '../../web-client/src/session/view/urlState.ts';
 import { ask, finalSurface, screenshot } from './support/browser_page.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { useStand } from './support/stand.ts';

@@ -27,6 +27,11 @@ function roomOf(file: string, imported: string): string | null {
     return relative(root, join(dirname(file), imported)).split('/')[0] ?? null;
 }
 
+/** The folder of a room that a file is in; the room itself is '.'. */
+function folderOf(room: string, file: string): string {
+    return dirname(relative(join(root, room), file)).split('/')[0]!;
+}
+
 describe('imports', () => {
     it.each(Object.entries(allowed))('of %s/ stay within its rooms', (room, rooms) => {
         const files = sourcesOf(room);
@@ -37,6 +42,27 @@ describe('imports', () => {
             const wrong = led.filter((to) => to !== null && to !== room && !rooms.includes(to));
             expect(wrong, relative(root, file)).toEqual([]);
         }
+    });
+
+    it.each(['scene', 'session', 'ui'])('between the folders of %s/ go one way', (room) => {
+        const leadsTo = new Map<string, Set<string>>();
+        for (const file of sourcesOf(room)) {
+            const from = folderOf(room, file);
+            for (const [, imported] of readFileSync(file, 'utf8').matchAll(/(?:from|import) '(\.[^']+)'/g)) {
+                const to = join(dirname(file), imported!);
+                if (roomOf(file, imported!) !== room || folderOf(room, to) === from) continue;
+                leadsTo.set(from, (leadsTo.get(from) ?? new Set()).add(folderOf(room, to)));
+            }
+        }
+        const ends = new Set<string>();
+        const follow = (folder: string, way: readonly string[]): void => {
+            expect(way, [...way, folder].join(' → ')).not.toContain(folder);
+            if (ends.has(folder)) return;
+            for (const next of leadsTo.get(folder) ?? []) follow(next, [...way, folder]);
+            ends.add(folder);
+        };
+        expect(leadsTo.size).toBeGreaterThan(3);
+        for (const folder of leadsTo.keys()) follow(folder, []);
     });
 
     it('never build markup from text', () => {

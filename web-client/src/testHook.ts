@@ -2,7 +2,7 @@
 // reads; the only things it sets are the camera's place.
 import type { Vec3 } from './protocol/messages.ts';
 import type { FlowScene } from './scene/scene.ts';
-import type { ScreenPoint } from './scene/view.ts';
+import type { ScreenPoint } from './scene/base/view.ts';
 import type { PickGrid, PickHit } from './scene/surface/surfacePick.ts';
 import type { SurfaceVertex } from './scene/surface/surfaceMesh.ts';
 import type { Handle } from './scene/rake/rakeHandles.ts';

@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import type { PickHit } from '../../../web-client/src/scene/surface/surfacePick.ts';
 import type { SurfaceVertex } from '../../../web-client/src/scene/surface/surfaceMesh.ts';
-import type { ScreenPoint } from '../../../web-client/src/scene/view.ts';
+import type { ScreenPoint } from '../../../web-client/src/scene/base/view.ts';
 import { type ColorMapName, colorTable, fractionOf } from '../../../web-client/src/scene/surface/colorMap.ts';
 
 export type Rgb = [number, number, number];

@@ -4,7 +4,7 @@ import { Color } from 'three';
 import { DomainOutline } from './domain/domainOutline.ts';
 import { paintElement } from './elementPainter.ts';
 import type { FlowScene } from './scene.ts';
-import type { Layer, ScreenSize } from './view.ts';
+import type { Layer, ScreenSize } from './base/view.ts';
 
 /** shown: as on the page. clear: none. */
 export type FigureBackground = 'shown' | 'white' | 'clear';

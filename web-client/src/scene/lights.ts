@@ -1,6 +1,6 @@
 // The light on bodies: from over the viewer's shoulder, like the light of the surfaces, and a little from the sky.
 import { DirectionalLight, Group, HemisphereLight } from 'three';
-import type { Layer, View } from './view.ts';
+import type { Layer, View } from './base/view.ts';
 
 export class Lights implements Layer {
     readonly object = new Group();

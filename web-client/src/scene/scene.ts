@@ -10,7 +10,7 @@ import { FrameLoop } from './frameLoop.ts';
 import { whenDrawn } from './gpuFence.ts';
 import type { Graphics } from './graphics.ts';
 import { Lights } from './lights.ts';
-import { PointerTools } from './pointerTools.ts';
+import { PointerTools } from './base/pointerTools.ts';
 import { RakeInteraction, type RakeMove } from './rake/rakeInteraction.ts';
 import { RakeLayer } from './rake/rakeLayer.ts';
 import { clipMaterial } from './surface/bodyClip.ts';
@@ -18,7 +18,7 @@ import { SurfaceLayer } from './surface/surfaceLayer.ts';
 import type { MeshChange } from './surface/surfaceMesh.ts';
 import { type PickGrid, type PickHit, type PickOptions, SurfacePick } from './surface/surfacePick.ts';
 import { pictureColours } from './theme.ts';
-import { type Layer, type ScreenPoint, type ScreenSize, View } from './view.ts';
+import { type Layer, type ScreenPoint, type ScreenSize, View } from './base/view.ts';
 
 const movingPixelRatio = 0.5;
 

@@ -3,7 +3,7 @@ import { type DatasetDescription, type DatasetEntry, errorWords, type StepState 
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
-import { StepStates } from './stepStates.ts';
+import { StepStates } from './time/stepStates.ts';
 
 const importPollMs = 1000;
 

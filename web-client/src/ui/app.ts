@@ -2,17 +2,17 @@
 // can be shown, the reason in words.
 import { css, html, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
-import type { AppModel } from './appModel.ts';
-import './banner.ts';
+import type { AppModel } from './base/appModel.ts';
+import './status/banner.ts';
 import './panel.ts';
-import './scalarBar.ts';
-import { sharedStyles } from './sharedStyles.ts';
-import { SignalElement } from './signalElement.ts';
-import './noteDialog.ts';
-import './timeBar.ts';
-import './toolButtons.ts';
-import './tour.ts';
-import './viewButtons.ts';
+import './look/scalarBar.ts';
+import { sharedStyles } from './base/sharedStyles.ts';
+import { SignalElement } from './base/signalElement.ts';
+import './share/noteDialog.ts';
+import './time/timeBar.ts';
+import './view/toolButtons.ts';
+import './help/tour.ts';
+import './view/viewButtons.ts';
 
 export class App extends SignalElement {
     readonly canvas = document.createElement('canvas');

@@ -2,25 +2,25 @@
 // server has come.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
-import { bookmarkSteps, noteSteps, probeSteps, rakeSteps, surfaceSteps } from '../session/panelSteps.ts';
-import type { AppModel } from './appModel.ts';
-import './bookmarksPanel.ts';
-import './copyAs.ts';
-import { exportBody } from './exportPanel.ts';
-import './helpDialog.ts';
-import './linksPanel.ts';
-import './notesPanel.ts';
-import './lookPanel.ts';
-import './peoplePanel.ts';
-import './probePanel.ts';
-import './rakeList.ts';
-import './rakePanel.ts';
-import { sharedStyles } from './sharedStyles.ts';
-import { SignalElement } from './signalElement.ts';
-import './statusPanel.ts';
-import { countWords } from './statusWords.ts';
-import './surfacePanel.ts';
-import './surroundingsPanel.ts';
+import { bookmarkSteps, noteSteps, probeSteps, rakeSteps, surfaceSteps } from '../session/out/panelSteps.ts';
+import type { AppModel } from './base/appModel.ts';
+import './view/bookmarksPanel.ts';
+import './out/copyAs.ts';
+import { exportBody } from './out/exportPanel.ts';
+import './help/helpDialog.ts';
+import './share/linksPanel.ts';
+import './share/notesPanel.ts';
+import './look/lookPanel.ts';
+import './share/peoplePanel.ts';
+import './view/probePanel.ts';
+import './rake/rakeList.ts';
+import './rake/rakePanel.ts';
+import { sharedStyles } from './base/sharedStyles.ts';
+import { SignalElement } from './base/signalElement.ts';
+import './status/statusPanel.ts';
+import { countWords } from './base/statusWords.ts';
+import './surface/surfacePanel.ts';
+import './view/surroundingsPanel.ts';
 
 interface Tab {
     id: string;

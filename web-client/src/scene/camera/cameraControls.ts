@@ -3,7 +3,7 @@ import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { type Bounds, centreOf } from '../domain/domainAxes.ts';
-import type { SceneCamera } from '../view.ts';
+import type { SceneCamera } from '../base/view.ts';
 import { diagonal, fittingDistance } from './fitting.ts';
 
 /** From the domain towards the camera. */

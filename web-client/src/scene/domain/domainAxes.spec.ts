@@ -2,7 +2,7 @@ import { PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { type Bounds, centreOf, labelledEdges } from './domainAxes.ts';
-import { projectToScreen } from '../view.ts';
+import { projectToScreen } from '../base/view.ts';
 
 const bounds: Bounds = [-3, 13, -4, 4, 0, 6];
 const size = { width: 800, height: 600 };

@@ -2,7 +2,7 @@
 // the four parallel edges that lie on the outline of the box as seen, so that no number covers the
 // inside. Pure geometry; domainOutline.ts draws.
 import type { Vec3 } from '../../protocol/messages.ts';
-import type { ScreenPoint } from '../view.ts';
+import type { ScreenPoint } from '../base/view.ts';
 
 export type Bounds = readonly [number, number, number, number, number, number];
 

@@ -3,9 +3,9 @@
 import { BoxGeometry, type Color, EdgesGeometry, LineBasicMaterial, LineSegments } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { type AxisEdge, type Bounds, centreOf, labelledEdges } from './domainAxes.ts';
-import { Labels } from '../labels.ts';
-import type { Layer, ScreenPoint, View } from '../view.ts';
-import { niceTicks } from '../ticks.ts';
+import { Labels } from '../base/labels.ts';
+import type { Layer, ScreenPoint, View } from '../base/view.ts';
+import { niceTicks } from '../base/ticks.ts';
 
 const axisNames = ['x', 'y', 'z'];
 const pxPerTick = 52;

@@ -1,7 +1,7 @@
 import { PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { CameraPlace, Vec3 } from '../../protocol/messages.ts';
-import { View } from '../view.ts';
+import { View } from '../base/view.ts';
 import { frustumSegments } from './frustum.ts';
 
 const place: CameraPlace = { position: [3, -8, 2], target: [0, 0, 0], up: [0, 0, 1], fov: 30 };

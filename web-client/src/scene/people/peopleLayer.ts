@@ -2,8 +2,8 @@
 // and with their name.
 import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 import type { Participant, Vec3 } from '../../protocol/messages.ts';
-import { Labels } from '../labels.ts';
-import type { Layer, View } from '../view.ts';
+import { Labels } from '../base/labels.ts';
+import type { Layer, View } from '../base/view.ts';
 import { frustumSegments } from './frustum.ts';
 
 const pointerRadiusPx = 6;

@@ -1,7 +1,7 @@
 import { OrthographicCamera, PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { type SceneCamera, type ScreenPoint, View } from '../view.ts';
+import { type SceneCamera, type ScreenPoint, View } from '../base/view.ts';
 import { beginDrag, dragged, type Dragged, type Snap } from './rakeDrag.ts';
 import { type Handle, handleUnder, hitRadiusPx, placedHandles, positionOf } from './rakeHandles.ts';
 import { circleOf, circleShape, middleOf, type RakeShape } from './rakeShape.ts';

@@ -1,7 +1,7 @@
 // What dragging a handle does to a rake: from where the pointer was and is to the new shape, held to an axis or a grid if asked.
 import { Vector3 } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
-import type { ScreenPoint, View } from '../view.ts';
+import type { ScreenPoint, View } from '../base/view.ts';
 import { type Handle, positionOf } from './rakeHandles.ts';
 import {
     circleOf,

@@ -1,6 +1,6 @@
 // Which handles a rake has, where they are, and which of them is under the pointer.
 import type { Vec3 } from '../../protocol/messages.ts';
-import type { ScreenPoint, View } from '../view.ts';
+import type { ScreenPoint, View } from '../base/view.ts';
 import { curveOf, middleOf, type RakeShape } from './rakeShape.ts';
 import { between, plus, times } from './vec3.ts';
 

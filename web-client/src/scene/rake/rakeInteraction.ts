@@ -1,8 +1,8 @@
 // Pointer and keyboard on the rakes: handles of the chosen one are dragged, others are chosen by a click, and a point can be
 // put where the next click is, for those who cannot drag.
 import type { Vec3 } from '../../protocol/messages.ts';
-import type { Pointer, PointerTool } from '../pointerTools.ts';
-import type { ScreenPoint, View } from '../view.ts';
+import type { Pointer, PointerTool } from '../base/pointerTools.ts';
+import type { ScreenPoint, View } from '../base/view.ts';
 import { beginDrag, type Drag, type Dragged, dragged, type Snap, towardsViewer } from './rakeDrag.ts';
 import { gripOf, type Handle } from './rakeHandles.ts';
 import type { RakeLayer } from './rakeLayer.ts';

@@ -1,6 +1,6 @@
 // Words beside rakes: who holds one, what a dragged handle is held to.
-import { Labels } from '../labels.ts';
-import type { ScreenPoint } from '../view.ts';
+import { Labels } from '../base/labels.ts';
+import type { ScreenPoint } from '../base/view.ts';
 
 export interface RakeLabel {
     at: ScreenPoint;

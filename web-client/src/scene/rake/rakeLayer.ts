@@ -1,7 +1,7 @@
 // All rakes of the session in the scene; one of them is chosen and has handles.
 import { Group } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
-import type { Layer, ScreenPoint, View } from '../view.ts';
+import type { Layer, ScreenPoint, View } from '../base/view.ts';
 import { RakeCurve } from './rakeCurve.ts';
 import { axisLine, curveUnder, type Handle, handleUnder, labelPlace, positionOf } from './rakeHandles.ts';
 import type { RakeShape } from './rakeShape.ts';

@@ -1,7 +1,7 @@
 // One rake in the scene: its curve and, where it is the chosen one, its handles.
 import { Group } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
-import type { View } from '../view.ts';
+import type { View } from '../base/view.ts';
 import { HandleSprites, type HandleSprite, markOf } from './handleSprites.ts';
 import { RakeCurve } from './rakeCurve.ts';
 import { type Handle, handlesOf, hasPointHandles, positionOf } from './rakeHandles.ts';

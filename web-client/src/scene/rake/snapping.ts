@@ -1,7 +1,7 @@
 // Holds a dragged point to an axis or to a grid.
 import type { Vec3 } from '../../protocol/messages.ts';
-import { niceStep } from '../ticks.ts';
-import type { ScreenPoint, View } from '../view.ts';
+import { niceStep } from '../base/ticks.ts';
+import type { ScreenPoint, View } from '../base/view.ts';
 import { cross, dot, minus, plus, times } from './vec3.ts';
 
 export type Axis = 0 | 1 | 2;

@@ -1,5 +1,5 @@
 // Where the numbers of a scalar bar go: round ones, evenly or by powers of ten.
-import { niceTicks, shortNumber, type Tick } from '../ticks.ts';
+import { niceTicks, shortNumber, type Tick } from '../base/ticks.ts';
 
 const steps: readonly (readonly number[])[] = [[1, 2, 5], [1, 3], [1]];
 

@@ -1,6 +1,6 @@
 // The brush on the picture: drag to reveal or erase, click to hide a part. Takes the pointer only while it is the chosen tool.
-import type { Pointer, PointerTool } from '../pointerTools.ts';
-import type { ScreenPoint } from '../view.ts';
+import type { Pointer, PointerTool } from '../base/pointerTools.ts';
+import type { ScreenPoint } from '../base/view.ts';
 
 export interface PaintToolOptions {
     /** Of the brush; null: another tool is chosen. */

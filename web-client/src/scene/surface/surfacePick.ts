@@ -16,7 +16,7 @@ import {
     type WebGLRenderer,
 } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { isOrthographic, type ScreenPoint, type View } from '../view.ts';
+import { isOrthographic, type ScreenPoint, type View } from '../base/view.ts';
 import type { SurfaceLayer } from './surfaceLayer.ts';
 
 export interface PickHit {

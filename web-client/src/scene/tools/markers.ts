@@ -2,8 +2,8 @@
 // screen and show through what is before them.
 import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { Labels } from '../labels.ts';
-import type { Layer, View } from '../view.ts';
+import { Labels } from '../base/labels.ts';
+import type { Layer, View } from '../base/view.ts';
 
 export interface Marker {
     at: Vec3;

@@ -1,0 +1,81 @@
+// The camera and the canvas together: between places in space and places on the screen.
+import { type Object3D, type OrthographicCamera, type PerspectiveCamera, Vector3 } from 'three';
+import type { Vec3 } from '../../protocol/messages.ts';
+
+/** Canvas position in CSS pixels, from the top left. */
+export interface ScreenPoint {
+    x: number;
+    y: number;
+}
+
+export interface ScreenSize {
+    width: number;
+    height: number;
+}
+
+export type SceneCamera = PerspectiveCamera | OrthographicCamera;
+
+/** What is drawn beside the surfaces: brought in line with camera and canvas before every frame. */
+export interface Layer {
+    readonly object: Object3D;
+    /** True of what people work with, as pointers of others: no part of a figure. */
+    readonly notForFigures?: boolean;
+    update(view: View): void;
+}
+
+/** As it is for one frame or one event; a snapshot of neither. REQUIRES: the camera's matrices are up to date. */
+export class View {
+    readonly camera: SceneCamera;
+    readonly size: ScreenSize;
+
+    constructor(camera: SceneCamera, size: ScreenSize) {
+        this.camera = camera;
+        this.size = size;
+    }
+
+    get eye(): Vec3 {
+        return this.camera.position.toArray() as Vec3;
+    }
+
+    /** Null behind a camera with perspective. */
+    project(point: Vec3): ScreenPoint | null {
+        return projectToScreen(point, this.camera, this.size);
+    }
+
+    /** The point under a canvas position at the depth of `anchor`: on the plane through it that faces the camera. */
+    pointAtDepth(pointer: ScreenPoint, anchor: Vec3): Vec3 {
+        const depth = new Vector3(...anchor).project(this.camera).z;
+        return this.unproject(pointer, depth);
+    }
+
+    /** Two points of the line of sight through a canvas position: on the near plane, and further away. */
+    sightLine(pointer: ScreenPoint): [Vec3, Vec3] {
+        return [this.unproject(pointer, -1), this.unproject(pointer, 0.5)];
+    }
+
+    /** How long a CSS pixel is at a place in space. */
+    worldPerPx(at: Vec3): number {
+        const { camera } = this;
+        if (isOrthographic(camera)) return (camera.top - camera.bottom) / camera.zoom / this.size.height;
+        const depth = -new Vector3(...at).applyMatrix4(camera.matrixWorldInverse).z;
+        return (Math.max(depth, camera.near) * 2 * Math.tan((camera.fov * Math.PI) / 360)) / this.size.height;
+    }
+
+    private unproject(pointer: ScreenPoint, depth: number): Vec3 {
+        const { width, height } = this.size;
+        const clip = new Vector3((pointer.x / width) * 2 - 1, 1 - (pointer.y / height) * 2, depth);
+        return clip.unproject(this.camera).toArray() as Vec3;
+    }
+}
+
+/** Canvas position of a point in world coordinates; null behind the camera, which without perspective sees there too. */
+export function projectToScreen(point: Vec3, camera: SceneCamera, size: ScreenSize): ScreenPoint | null {
+    const view = new Vector3(...point).applyMatrix4(camera.matrixWorldInverse);
+    if (view.z >= 0 && !isOrthographic(camera)) return null;
+    const clip = view.applyMatrix4(camera.projectionMatrix);
+    return { x: (clip.x * 0.5 + 0.5) * size.width, y: (0.5 - clip.y * 0.5) * size.height };
+}
+
+export function isOrthographic(camera: SceneCamera): camera is OrthographicCamera {
+    return 'isOrthographicCamera' in camera;
+}

@@ -1,0 +1,26 @@
+// Calls that a control makes for its user: what the server refuses is said over the picture, in words.
+import type { MethodName, ParamsOf, ResultOf } from '../../protocol/messages.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+
+export class Calls {
+    private readonly state: AppState;
+    private readonly worker: Pick<WorkerClient, 'call'>;
+
+    constructor(state: AppState, worker: Pick<WorkerClient, 'call'>) {
+        this.state = state;
+        this.worker = worker;
+    }
+
+    /** Null when it failed; why is on the screen by then. */
+    async try<M extends MethodName>(method: M, params: ParamsOf<M>): Promise<ResultOf<M> | null> {
+        try {
+            const result = await this.worker.call(method, params);
+            this.state.editError.value = null;
+            return result;
+        } catch (error) {
+            this.state.editError.value = error instanceof Error ? error.message : String(error);
+            return null;
+        }
+    }
+}

@@ -1,0 +1,153 @@
+// The user's edits, whatever of: what is chosen, the rakes and surfaces on their way to the server, and the way back.
+import { effect, untracked } from '@preact/signals-core';
+import { type AppState, withEntry } from '../../state/appState.ts';
+import type { SurfaceEpoch, Vec3 } from '../../protocol/messages.ts';
+import type { RakeMove } from '../../scene/rake/rakeInteraction.ts';
+import type { RakeShape } from '../../scene/rake/rakeShape.ts';
+import type { LatencyLog } from '../../state/latency.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+import { type RakeChange, RakeEdits } from './rakeEdits.ts';
+import { RecordActions } from './recordActions.ts';
+import { Selection } from './selection.ts';
+import { SurfaceEdits } from './surfaceEdits.ts';
+import type { SurfaceIntent } from './surfaceIntent.ts';
+import { UndoHistory } from './undoHistory.ts';
+
+/** The server tells others of no more. */
+const mostToldPoints = 64;
+
+export interface EditsOptions {
+    state: AppState;
+    worker: WorkerClient;
+    latency: LatencyLog;
+    requestFrame: () => void;
+    /** Whether a handle is held at the moment. */
+    dragging: () => boolean;
+}
+
+export class Edits {
+    readonly history: UndoHistory;
+    readonly actions: RecordActions;
+    private readonly state: AppState;
+    private readonly rakes: RakeEdits;
+    private readonly surfaces: SurfaceEdits;
+    private readonly selection: Selection;
+    /** Made by this user, and chosen once its record is here. */
+    private awaited: { rake: string } | { surface: string } | null = null;
+
+    constructor(options: EditsOptions) {
+        const { state, worker } = options;
+        this.state = state;
+        this.history = new UndoHistory(state, worker);
+        this.selection = new Selection(state);
+        const shared = {
+            ...options,
+            history: this.history,
+            onChange: () => (state.editsPending.value = this.rakes.busy || this.surfaces.busy),
+            requested: (surface: SurfaceEpoch) => this.requested(surface),
+        };
+        this.rakes = new RakeEdits(shared);
+        this.surfaces = new SurfaceEdits(shared);
+        this.actions = new RecordActions(state, worker, this.history, (made) => {
+            this.awaited = made;
+            this.recordsChanged();
+        });
+        effect(() => {
+            if (this.selection.overtaken) untracked(() => this.recordsChanged());
+        });
+    }
+
+    /** What the controls show of the active surface: ahead of the record while edits are on their way. */
+    get intent(): SurfaceEdits['intent'] {
+        return this.surfaces.intent;
+    }
+
+    get seeds(): RakeEdits['seeds'] {
+        return this.rakes.seeds;
+    }
+
+    /** Called at the start of every frame. */
+    flush(): void {
+        this.rakes.flush();
+        this.surfaces.flush();
+    }
+
+    moveRake(move: RakeMove): void {
+        this.rakes.move(move);
+    }
+
+    /** What others are told of a move while it lasts. */
+    draggedNow({ shape, dragging }: RakeMove): { rake: string; points: Vec3[] } | null {
+        const rake = this.state.activeRake.value;
+        if (!dragging || rake === null || shape.points.length > mostToldPoints) return null;
+        return { rake, points: shape.points.map((point) => [...point] as Vec3) };
+    }
+
+    /** Of the active rake. */
+    setShape(shape: RakeShape): void {
+        this.changeRake(this.state.activeRake.value ?? '', { shape });
+    }
+
+    changeRake(rake: string, change: RakeChange): void {
+        this.rakes.change(rake, change);
+    }
+
+    changeSurface(change: Partial<SurfaceIntent>): void {
+        this.surfaces.change(change);
+    }
+
+    chooseRake(rake: string): void {
+        if (rake === this.state.activeRake.value) return;
+        this.selection.chooseRake(rake);
+        this.recordsChanged();
+    }
+
+    chooseSurface(surface: string): void {
+        this.selection.chooseSurface(surface);
+        this.recordsChanged();
+    }
+
+    undo(): Promise<void> {
+        // What waits for the next frame was done before.
+        this.flush();
+        return this.history.undo();
+    }
+
+    redo(): Promise<void> {
+        this.flush();
+        return this.history.redo();
+    }
+
+    /** Takes over the server's records wherever no edit of ours is ahead of them. */
+    recordsChanged(): void {
+        this.chooseAwaited();
+        this.selection.settle();
+        this.surfaces.recordsChanged();
+        this.rakes.recordsChanged();
+    }
+
+    /** The connection was lost: what was not sent is what the user sees, and is sent again. */
+    reconnected(): void {
+        this.rakes.reconnected();
+        this.surfaces.reconnected();
+    }
+
+    private chooseAwaited(): void {
+        const { awaited, state, selection } = this;
+        if (awaited === null) return;
+        if ('rake' in awaited) {
+            if (!state.rakes.value.has(awaited.rake)) return;
+            selection.chooseRake(awaited.rake);
+        } else {
+            if (!state.surfaces.value.has(awaited.surface)) return;
+            selection.chooseSurface(awaited.surface);
+        }
+        this.awaited = null;
+    }
+
+    private requested({ surface, epoch }: SurfaceEpoch): void {
+        const epochs = this.state.requestedEpochs;
+        if (epoch <= (epochs.value.get(surface) ?? 0)) return;
+        epochs.value = withEntry(epochs.value, surface, epoch);
+    }
+}

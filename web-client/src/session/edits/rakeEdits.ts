@@ -1,0 +1,192 @@
+// The user's edits of rakes on their way to the server: of each rake only the newest counts, and what is on the screen stays
+// ahead of the record until it is answered.
+import { signal } from '@preact/signals-core';
+import { EditWindow } from '../../connection/editWindow.ts';
+import type { RakeRecord, SurfaceEpoch } from '../../protocol/messages.ts';
+import type { RakeMove } from '../../scene/rake/rakeInteraction.ts';
+import { fitted, type RakeShape } from '../../scene/rake/rakeShape.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { LatencyLog } from '../../state/latency.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+import { tellFailure } from './editFailures.ts';
+import type { UndoHistory } from './undoHistory.ts';
+
+const numbersEveryMs = 200;
+
+/** All of a rake that people set. */
+interface RakeEdit {
+    rake: string;
+    shape: RakeShape;
+    seeds: number;
+    name: string;
+    colour: string | undefined;
+    dragging: boolean;
+    editedAt: number;
+    gesture: string;
+}
+
+export type RakeChange = Partial<Pick<RakeEdit, 'shape' | 'seeds' | 'name' | 'colour'>>;
+
+interface OneRake {
+    window: EditWindow<RakeEdit>;
+    newest: RakeEdit;
+    /** Of the record that the newest answer spoke of; 0 after a refusal. */
+    answeredRev: number;
+    refused: boolean;
+}
+
+export interface RakeEditsOptions {
+    state: AppState;
+    worker: WorkerClient;
+    latency: LatencyLog;
+    history: UndoHistory;
+    requestFrame: () => void;
+    onChange: () => void;
+    requested: (surface: SurfaceEpoch) => void;
+    /** Whether a handle is held at the moment. */
+    dragging: () => boolean;
+}
+
+export class RakeEdits {
+    /** Of the active rake, ahead of its record. */
+    readonly seeds = signal(0);
+    private readonly options: RakeEditsOptions;
+    private readonly edited = new Map<string, OneRake>();
+    private numbersShownAt = 0;
+    private drags = 0;
+    private inDrag = false;
+
+    constructor(options: RakeEditsOptions) {
+        this.options = options;
+    }
+
+    get busy(): boolean {
+        return [...this.edited.values()].some(({ window }) => window.busy);
+    }
+
+    flush(): void {
+        for (const { window } of this.edited.values()) window.flush();
+    }
+
+    /** The active rake, moved in the scene. */
+    move({ shape, dragging, movedAt }: RakeMove): void {
+        const { state } = this.options;
+        const rake = state.activeRake.value;
+        if (rake === null) return;
+        if (!this.inDrag) this.drags += 1;
+        this.inDrag = dragging;
+        const kept = dragging ? shape : this.inDomain(shape);
+        // The numbers in the panel need not follow every frame: drawing text costs as much as the surface.
+        if (!dragging || movedAt - this.numbersShownAt > numbersEveryMs) {
+            this.numbersShownAt = movedAt;
+            state.rakeShape.value = kept;
+        }
+        this.submit(rake, { shape: kept }, { dragging, editedAt: movedAt, gesture: `drag ${this.drags}` });
+    }
+
+    change(rake: string, change: RakeChange): void {
+        const editedAt = performance.now();
+        const kept = change.shape === undefined ? change : { ...change, shape: this.inDomain(change.shape) };
+        if (rake === this.options.state.activeRake.value) {
+            if (kept.shape !== undefined) this.options.state.rakeShape.value = kept.shape;
+            if (kept.seeds !== undefined) this.seeds.value = kept.seeds;
+        }
+        this.submit(rake, kept, { dragging: false, editedAt, gesture: `rake ${rake} ${editedAt}` });
+    }
+
+    /** Takes over the active rake's record unless an edit of ours is ahead of it. */
+    recordsChanged(): void {
+        const { state, dragging } = this.options;
+        for (const rake of this.edited.keys()) if (!state.rakes.value.has(rake)) this.edited.delete(rake);
+        const record = state.rake.value;
+        const own = this.edited.get(record?.rake ?? '');
+        if (dragging() || own?.window.busy === true) return;
+        // The record that the answer spoke of is still on its way.
+        if (record !== undefined && own !== undefined && own.answeredRev > record.rev) return;
+        this.seeds.value = record?.seeds ?? 0;
+        state.rakeShape.value = record ?? { kind: 'line', points: [] };
+    }
+
+    /** A new connection, perhaps to a server that counts anew. */
+    reconnected(): void {
+        for (const one of this.edited.values()) one.answeredRev = 0;
+    }
+
+    private submit(rake: string, change: RakeChange, how: Pick<RakeEdit, 'dragging' | 'editedAt' | 'gesture'>): void {
+        const { state } = this.options;
+        const record = state.rakes.value.get(rake);
+        if (record === undefined) return;
+        const own = this.edited.get(rake);
+        const base = own?.window.busy === true ? own.newest : settingsOf(record);
+        const edit: RakeEdit = { ...base, rake, ...change, ...how };
+        // Letting go where the last move was brings nothing new, unless it ends a lease.
+        if (!edit.dragging && !this.leases && own?.window.busy !== true && sameRake(edit, record)) return;
+        const one = own ?? this.track(edit);
+        one.newest = edit;
+        one.window.submit(edit);
+    }
+
+    private track(newest: RakeEdit): OneRake {
+        const window = new EditWindow<RakeEdit>({
+            requestFlush: this.options.requestFrame,
+            onChange: () => this.settled(newest.rake),
+            send: (edit) => this.send(edit),
+        });
+        const one: OneRake = { window, newest, answeredRev: 0, refused: false };
+        this.edited.set(newest.rake, one);
+        return one;
+    }
+
+    private settled(rake: string): void {
+        this.options.onChange();
+        const one = this.edited.get(rake);
+        if (one === undefined || one.window.busy || this.options.dragging()) return;
+        // What may not be changed goes back to where everybody else sees it. Other mistakes stay, to be corrected.
+        if (one.answeredRev > 0 || one.refused) this.recordsChanged();
+        one.refused = false;
+    }
+
+    private async send({ shape, dragging, editedAt, gesture, colour, ...edit }: RakeEdit): Promise<void> {
+        const { state, worker, latency, history, requested } = this.options;
+        const one = this.edited.get(edit.rake);
+        // The flag takes the lease on the rake, and ends it after the drag.
+        const lease = this.leases ? { dragging } : {};
+        const tint = colour === undefined ? {} : { colour };
+        try {
+            const points = shape.points.map((point) => [...point] as [number, number, number]);
+            const reply = await worker.call('rake.set', { ...edit, kind: shape.kind, points, ...tint, ...lease });
+            state.editError.value = null;
+            history.noted(gesture, editedAt, true);
+            if (one !== undefined) one.answeredRev = reply.rev;
+            for (const { surface, epoch } of reply.surfaces) {
+                latency.answered(surface, epoch, editedAt);
+                requested({ surface, epoch });
+            }
+        } catch (error) {
+            const refused = tellFailure(state, error);
+            if (one === undefined) return;
+            one.answeredRev = 0;
+            one.refused ||= refused;
+        }
+    }
+
+    private inDomain(shape: RakeShape): RakeShape {
+        const bounds = this.options.state.dataset.value?.bounds;
+        return bounds === undefined ? shape : fitted(shape, bounds);
+    }
+
+    private get leases(): boolean {
+        return this.options.state.capabilities.value.includes('lease');
+    }
+}
+
+function settingsOf(record: RakeRecord): Omit<RakeEdit, 'dragging' | 'editedAt' | 'gesture'> {
+    const { rake, kind, points, seeds, name } = record;
+    // What is left out of a colour stays as it is.
+    return { rake, shape: { kind, points }, seeds, name, colour: undefined };
+}
+
+function sameRake({ shape, seeds, name, colour }: RakeEdit, record: RakeRecord): boolean {
+    if (seeds !== record.seeds || name !== record.name || (colour ?? record.colour) !== record.colour) return false;
+    return shape.kind === record.kind && JSON.stringify(shape.points) === JSON.stringify(record.points);
+}

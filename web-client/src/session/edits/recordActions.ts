@@ -1,0 +1,117 @@
+// What makes, copies and deletes rakes and surfaces: buttons, one call or a few each.
+import type { RakeRecord, SurfaceSetting } from '../../protocol/messages.ts';
+import { type RakeShape, translated } from '../../scene/rake/rakeShape.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+import { besideRake, defaultLength, defaultSeeds, freeRake } from './defaults.ts';
+import { tellFailure } from './editFailures.ts';
+import { surfacesOf } from './selection.ts';
+import type { UndoHistory } from './undoHistory.ts';
+
+type Choose = (what: { rake: string } | { surface: string }) => void;
+
+export class RecordActions {
+    private readonly state: AppState;
+    private readonly worker: WorkerClient;
+    private readonly history: UndoHistory;
+    /** Called with what has been made, whose record may still be on its way. */
+    private readonly choose: Choose;
+
+    constructor(state: AppState, worker: WorkerClient, history: UndoHistory, choose: Choose) {
+        this.state = state;
+        this.worker = worker;
+        this.history = history;
+        this.choose = choose;
+    }
+
+    newRake(): Promise<void> {
+        return this.attempt('new rake', async (noted) => {
+            const { rakes, dataset } = this.state;
+            if (dataset.value === null) return;
+            const others = [...rakes.value.values()].map(({ points }) => points);
+            const shape: RakeShape = { kind: 'line', points: freeRake(dataset.value.bounds, others) };
+            const rake = await this.make(shape, { seeds: defaultSeeds, name: this.freeName('Rake') });
+            noted();
+            await this.worker.call('surface.set', this.likeActive(rake));
+            noted();
+            this.choose({ rake });
+        });
+    }
+
+    /** A little beside the first, with surfaces like its own. */
+    duplicate(id: string): Promise<void> {
+        return this.attempt('duplicate', async (noted) => {
+            const { rakes, surfaces, dataset } = this.state;
+            const record = rakes.value.get(id);
+            if (record === undefined || dataset.value === null) return;
+            const { kind, points, seeds, name } = record;
+            const shape = translated({ kind, points }, besideRake(dataset.value.bounds, points));
+            const rake = await this.make(shape, { seeds, name: this.freeName(`${name} copy`) });
+            noted();
+            for (const surface of surfacesOf(this.state, id)) {
+                const { surface: _surface, rev: _rev, epoch: _epoch, ...asked } = surfaces.value.get(surface)!;
+                await this.worker.call('surface.set', { ...asked, rake });
+                noted();
+            }
+            this.choose({ rake });
+        });
+    }
+
+    deleteRake(rake: string): Promise<void> {
+        return this.attempt('delete', async (noted) => {
+            await this.worker.call('rake.delete', { rake });
+            noted();
+        });
+    }
+
+    addSurface(rake: string): Promise<void> {
+        return this.attempt('add surface', async (noted) => {
+            const { surface } = await this.worker.call('surface.set', this.likeActive(rake));
+            noted();
+            this.choose({ surface });
+        });
+    }
+
+    deleteSurface(surface: string): Promise<void> {
+        return this.attempt('delete surface', async (noted) => {
+            await this.worker.call('surface.delete', { surface });
+            noted();
+        });
+    }
+
+    private async make(shape: RakeShape, rest: Pick<RakeRecord, 'seeds' | 'name'>): Promise<string> {
+        const points = shape.points.map((point) => [...point] as [number, number, number]);
+        // The server gives it a colour that few others have.
+        const { rake } = await this.worker.call('rake.set', { kind: shape.kind, points, ...rest });
+        return rake;
+    }
+
+    /** A surface with the settings of the one the panel shows, or usual ones. */
+    private likeActive(rake: string): SurfaceSetting {
+        const { surface, dataset, times, speedRange } = this.state;
+        const like = surface.value;
+        if (like !== undefined && like.kind !== 'time') {
+            const { surface: _surface, rev: _rev, epoch: _epoch, ...asked } = like;
+            return { ...asked, rake };
+        }
+        const from = times.value[0] ?? 0;
+        const { dataset: id, bounds } = dataset.value!;
+        return { rake, dataset: id, kind: 'stream', from, to: from + defaultLength(bounds, speedRange.value[1]) };
+    }
+
+    private freeName(stem: string): string {
+        const taken = new Set([...this.state.rakes.value.values()].map(({ name }) => name));
+        if (stem !== 'Rake' && !taken.has(stem)) return stem;
+        for (let i = stem === 'Rake' ? 1 : 2; ; ++i) if (!taken.has(`${stem} ${i}`)) return `${stem} ${i}`;
+    }
+
+    private async attempt(what: string, action: (noted: () => void) => Promise<void>): Promise<void> {
+        const gesture = `${what} ${performance.now()}`;
+        try {
+            await action(() => this.history.noted(gesture, performance.now(), false));
+            this.state.editError.value = null;
+        } catch (error) {
+            tellFailure(this.state, error);
+        }
+    }
+}

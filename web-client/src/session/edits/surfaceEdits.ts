@@ -1,0 +1,133 @@
+// The user's edits of surfaces on their way to the server; what the controls show stays ahead of the record meanwhile.
+import { signal } from '@preact/signals-core';
+import { EditWindow } from '../../connection/editWindow.ts';
+import type { SurfaceEpoch, SurfaceSetting } from '../../protocol/messages.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { LatencyLog } from '../../state/latency.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+import { tellFailure } from './editFailures.ts';
+import { fulfils, intentOf, settingOf, type SurfaceIntent, withSecondCurve } from './surfaceIntent.ts';
+import type { UndoHistory } from './undoHistory.ts';
+
+interface SurfaceEdit {
+    setting: SurfaceSetting;
+    editedAt: number;
+}
+
+interface OneSurface {
+    window: EditWindow<SurfaceEdit>;
+    last: SurfaceSetting | null;
+    refused: boolean;
+}
+
+export interface SurfaceEditsOptions {
+    state: AppState;
+    worker: WorkerClient;
+    latency: LatencyLog;
+    history: UndoHistory;
+    requestFrame: () => void;
+    onChange: () => void;
+    requested: (surface: SurfaceEpoch) => void;
+}
+
+export class SurfaceEdits {
+    /** Of the active surface: what the controls show. */
+    readonly intent = signal<SurfaceIntent | null>(null);
+    private readonly options: SurfaceEditsOptions;
+    private readonly edited = new Map<string, OneSurface>();
+    private intentOf = '';
+
+    constructor(options: SurfaceEditsOptions) {
+        this.options = options;
+    }
+
+    get busy(): boolean {
+        return [...this.edited.values()].some(({ window }) => window.busy);
+    }
+
+    flush(): void {
+        for (const { window } of this.edited.values()) window.flush();
+    }
+
+    change(change: Partial<SurfaceIntent>): void {
+        const { state } = this.options;
+        const record = state.surface.value;
+        const before = this.intent.value;
+        if (record === undefined || before === null) return;
+        const dataset = state.dataset.value;
+        let intent = { ...before, ...change };
+        if (dataset !== null) intent = withSecondCurve(intent, dataset.bounds, state.rakePoints.value);
+        this.intent.value = intent;
+        const setting = settingOf(intent, record, state.times.value, dataset?.steady ?? false);
+        if (setting === null) {
+            state.editError.value = noTimeLeft(intent);
+            return;
+        }
+        const one = this.edited.get(record.surface) ?? this.track(record.surface);
+        one.last = setting;
+        one.window.submit({ setting, editedAt: performance.now() });
+    }
+
+    /** Takes over the active surface's record unless an edit of ours is ahead of it. */
+    recordsChanged(): void {
+        const { surfaces, surface } = this.options.state;
+        for (const id of this.edited.keys()) if (!surfaces.value.has(id)) this.edited.delete(id);
+        const record = surface.value;
+        const one = this.edited.get(record?.surface ?? '');
+        const another = this.intentOf !== (record?.surface ?? '');
+        this.intentOf = record?.surface ?? '';
+        if (record === undefined) this.intent.value = null;
+        else if (another || one === undefined) this.intent.value = intentOf(record);
+        // A record that is what was asked for brings no news of other people, and less than the intent says.
+        else if (!one.window.busy && !(one.last !== null && fulfils(record, one.last))) {
+            // Overtaken: should it come back, by a redo, it is news again.
+            one.last = null;
+            this.intent.value = intentOf(record);
+        }
+    }
+
+    reconnected(): void {
+        for (const one of this.edited.values()) one.last = null;
+    }
+
+    private track(surface: string): OneSurface {
+        const window = new EditWindow<SurfaceEdit>({
+            requestFlush: this.options.requestFrame,
+            onChange: () => this.settled(surface),
+            send: (edit) => this.send(surface, edit),
+        });
+        const one: OneSurface = { window, last: null, refused: false };
+        this.edited.set(surface, one);
+        return one;
+    }
+
+    private settled(surface: string): void {
+        this.options.onChange();
+        const one = this.edited.get(surface);
+        if (one === undefined || one.window.busy || !one.refused) return;
+        one.refused = false;
+        one.last = null;
+        this.recordsChanged();
+    }
+
+    private async send(id: string, { setting, editedAt }: SurfaceEdit): Promise<void> {
+        const { state, worker, latency, history, requested } = this.options;
+        try {
+            const { surface, epoch } = await worker.call('surface.set', setting);
+            state.editError.value = null;
+            history.noted(`surface ${id}`, editedAt, false);
+            latency.answered(surface, epoch, editedAt);
+            requested({ surface, epoch });
+        } catch (error) {
+            const refused = tellFailure(state, error);
+            const one = this.edited.get(id);
+            if (one !== undefined) one.refused ||= refused;
+        }
+    }
+}
+
+function noTimeLeft({ kind, direction }: SurfaceIntent): string {
+    const side = direction === 'backward' ? 'before' : direction === 'both' ? 'on both sides of' : 'after';
+    const choose = direction === 'backward' ? 'a later' : direction === 'both' ? 'another' : 'an earlier';
+    return `No time is left in the data ${side} this moment to follow a ${kind} surface. Choose ${choose} time.`;
+}

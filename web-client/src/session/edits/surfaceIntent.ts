@@ -1,0 +1,133 @@
+// What the user wants of a surface, and the setting of the server that comes nearest to it.
+import type {
+    Accuracy,
+    DatasetDescription,
+    Direction,
+    SurfaceKind,
+    SurfaceRecord,
+    SurfaceSetting,
+    Vec3,
+} from '../../protocol/messages.ts';
+import { defaultSweep } from './defaults.ts';
+
+export interface SurfaceIntent {
+    kind: SurfaceKind;
+    /** Time at which a stream surface's field is frozen, or the (first) release of the others. */
+    from: number;
+    /** Integration time; all but stream surfaces get less where the data end. */
+    length: number;
+    separation: number;
+    direction: Direction;
+    accuracy: Accuracy;
+    /** What is carried along for colouring, beside the speed. */
+    fields: readonly string[];
+    /** How long a streak surface is released for; null: until it is shown. */
+    released: number | null;
+    /** Where the patch of a time surface ends: the rake swept along this, or another rake. */
+    sweep: Vec3 | null;
+    rake2: string | null;
+}
+
+export function intentOf(record: SurfaceRecord): SurfaceIntent {
+    const { kind, from, to, separation, direction, accuracy, fields, releaseUntil, sweep = null, rake2 = null } = record;
+    const released = releaseUntil === undefined ? null : Math.abs(releaseUntil - from);
+    const length = Math.abs(to - from);
+    return { kind, from, length, separation, direction, accuracy, fields, released, sweep, rake2 };
+}
+
+/** A time surface needs a second curve: where none was chosen, the rake is swept across the domain. */
+export function withSecondCurve(
+    intent: SurfaceIntent,
+    bounds: DatasetDescription['bounds'],
+    rake: readonly Vec3[],
+): SurfaceIntent {
+    if (intent.kind !== 'time' || intent.sweep !== null || intent.rake2 !== null) return intent;
+    return { ...intent, sweep: defaultSweep(bounds, rake) };
+}
+
+/** Null when no time would be left after the release. */
+export function settingOf(
+    intent: SurfaceIntent,
+    record: SurfaceRecord,
+    times: readonly number[],
+    steady: boolean,
+): SurfaceSetting | null {
+    const free = intent.kind === 'stream' || steady;
+    const length = free ? intent.length : Math.min(intent.length, timeLeft(intent, times));
+    if (!(length > 0)) return null;
+    const sign = intent.direction === 'backward' ? -1 : 1;
+    const to = intent.from + sign * length;
+    return {
+        surface: record.surface,
+        rake: record.rake,
+        dataset: record.dataset,
+        kind: intent.kind,
+        from: intent.from,
+        to,
+        separation: intent.separation,
+        direction: intent.direction,
+        accuracy: intent.accuracy,
+        fields: [...intent.fields],
+        merge: record.merge,
+        angle: record.angle,
+        maxQuads: record.maxQuads,
+        ...releaseOf(intent, sign * length),
+        ...secondCurveOf(intent),
+    };
+}
+
+/** How long particles can be followed before the data end, in every direction in which they are. */
+function timeLeft({ from, direction }: SurfaceIntent, times: readonly number[]): number {
+    const after = (times[times.length - 1] ?? from) - from;
+    const before = from - (times[0] ?? from);
+    if (direction === 'both') return Math.min(after, before);
+    return direction === 'backward' ? before : after;
+}
+
+/** @param duration negative where time runs backward */
+function releaseOf({ kind, from, released }: SurfaceIntent, duration: number): Partial<SurfaceSetting> {
+    if (kind !== 'streak' || released === null || released >= Math.abs(duration)) return {};
+    return { releaseUntil: from + Math.sign(duration) * released };
+}
+
+function secondCurveOf({ kind, sweep, rake2 }: SurfaceIntent): Partial<SurfaceSetting> {
+    if (kind !== 'time') return {};
+    if (sweep !== null) return { sweep };
+    return rake2 === null ? {} : { rake2 };
+}
+
+/** What makes a lost surface anew, on the rakes that have taken the place of its own. */
+export function settingAnew(
+    record: SurfaceRecord,
+    rakes: ReadonlyMap<string, string>,
+): SurfaceSetting | null {
+    const rake = rakes.get(record.rake);
+    if (rake === undefined) return null;
+    const { kind, dataset, from, to, direction, separation, accuracy, merge, angle, maxQuads, fields } = record;
+    const { releaseUntil, sweep } = record;
+    // A link may have anything else in it, which is not the server's to hear.
+    const asked = {
+        ...{ kind, dataset, from, to, direction, separation, accuracy, merge, angle, maxQuads, fields },
+        ...(releaseUntil === undefined ? {} : { releaseUntil }),
+        ...(sweep === undefined ? {} : { sweep }),
+    };
+    if (record.rake2 === undefined) return { ...asked, rake };
+    const rake2 = rakes.get(record.rake2);
+    return rake2 === undefined ? null : { ...asked, rake, rake2 };
+}
+
+/** Whether a record is what a setting asked for, so that it brings no news of other people. */
+export function fulfils(record: SurfaceRecord, setting: SurfaceSetting): boolean {
+    return (
+        record.kind === setting.kind &&
+        record.from === setting.from &&
+        record.to === setting.to &&
+        record.releaseUntil === setting.releaseUntil &&
+        record.rake2 === setting.rake2 &&
+        String(record.sweep) === String(setting.sweep) &&
+        record.direction === (setting.direction ?? record.direction) &&
+        record.accuracy === (setting.accuracy ?? record.accuracy) &&
+        String(record.fields) === String(setting.fields ?? record.fields) &&
+        (setting.separation === undefined || record.separation === setting.separation)
+    );
+}

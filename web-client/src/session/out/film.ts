@@ -1,0 +1,201 @@
+// A film of a playback: for every frame the time is set, the surfaces of that time are waited for, and the picture is drawn. It
+// takes as long as it takes; no frame is left out. Afterwards the time is what it was.
+import { effect, signal } from '@preact/signals-core';
+import type { ClockRecord } from '../../protocol/messages.ts';
+import { shortNumber } from '../../scene/base/ticks.ts';
+import type { ScreenSize } from '../../scene/base/view.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+import type { Edits } from '../edits/edits.ts';
+import type { Figure } from './figure.ts';
+import type { Playback } from '../time/playback.ts';
+import { clampTo, type Span } from '../time/timeSteps.ts';
+import { withUnit } from '../picture/unitsInPicture.ts';
+import { canEncode, VideoEncoding } from './videoEncoding.ts';
+
+const patienceMs = 60_000;
+const askAgainMs = 5000;
+export const framesAtMost = 3600;
+
+export interface FilmSetting extends ScreenSize {
+    fps: number;
+    seconds: number;
+    /** Writes the time into the picture. */
+    time: boolean;
+    /** Of the time; empty: none. */
+    unit: string;
+}
+
+export interface FilmProgress {
+    state: 'idle' | 'recording' | 'failed';
+    done: number;
+    frames: number;
+    /** Why it failed. */
+    words: string;
+}
+
+const idle: FilmProgress = { state: 'idle', done: 0, frames: 0, words: '' };
+
+export interface FilmOptions {
+    state: AppState;
+    worker: Pick<WorkerClient, 'call'>;
+    edits: Pick<Edits, 'intent'>;
+    playback: Playback;
+    figure: Figure;
+}
+
+/** The times of the frames: the first and the last are the ends. */
+export function frameTimes(
+    [from, to]: readonly [number, number],
+    { fps, seconds }: { fps: number; seconds: number },
+): number[] {
+    const frames = Math.min(framesAtMost, Math.max(2, Math.round(fps * seconds)));
+    return Array.from({ length: frames }, (_, i) => from + ((to - from) * i) / (frames - 1));
+}
+
+/** Whether a surface that moves is drawn as it is at a time, or at its end that is nearer; backward ones end before `from`. */
+export function isShownAt({ from, to }: { from: number; to: number }, shown: number, time: number): boolean {
+    const span: Span = [Math.min(from, to), Math.max(from, to)];
+    return Math.abs(shown - clampTo(span, time)) <= 1e-6 * (span[1] - span[0]);
+}
+
+class Cancelled extends Error {}
+
+export class FilmMaker {
+    readonly progress = signal<FilmProgress>(idle);
+    private readonly options: FilmOptions;
+    private cancelled = false;
+
+    constructor(options: FilmOptions) {
+        this.options = options;
+    }
+
+    /** Null where it was cancelled or failed; why is in `progress`. */
+    async record(setting: FilmSetting): Promise<Blob | null> {
+        const { playback, state, figure } = this.options;
+        if (this.progress.value.state === 'recording') return null;
+        if (!canEncode())
+            return this.fail(
+                'This browser encodes no films here: it needs a current browser, and https or localhost.',
+            );
+        const size = { width: 2 * Math.floor(setting.width / 2), height: 2 * Math.floor(setting.height / 2) };
+        const times = frameTimes(playback.span.value, setting);
+        const before = state.clock.value;
+        const frozenAt = this.options.edits.intent.value?.from ?? 0;
+        this.cancelled = false;
+        this.progress.value = { state: 'recording', done: 0, frames: times.length, words: '' };
+        let encoding: VideoEncoding | null = null;
+        let begun = false;
+        try {
+            encoding = await VideoEncoding.begin({ ...size, fps: setting.fps });
+            if (encoding === null)
+                return this.fail('No encoder of this browser takes films of this size. Choose a smaller one.');
+            begun = true;
+            await playback.pause();
+            for (const [i, time] of times.entries()) {
+                await this.show(time);
+                const background = figure.background.value === 'clear' ? 'white' : figure.background.value;
+                const caption = setting.time
+                    ? `t = ${withUnit(shortNumber(playback.time.value), setting.unit)}`
+                    : null;
+                await encoding.add(figure.draw(size, caption, background));
+                this.progress.value = { ...this.progress.value, done: i + 1 };
+            }
+            const film = await encoding.finish();
+            this.progress.value = idle;
+            return film;
+        } catch (error) {
+            encoding?.abandon();
+            if (error instanceof Cancelled) this.progress.value = idle;
+            else this.fail(error instanceof Error ? error.message : String(error));
+            return null;
+        } finally {
+            if (begun) await this.putBack(before, frozenAt).catch(() => undefined);
+        }
+    }
+
+    cancel(): void {
+        this.cancelled = true;
+        // Wakes whoever waits for a surface.
+        if (this.progress.value.state === 'recording') this.progress.value = { ...this.progress.value };
+    }
+
+    private fail(words: string): null {
+        this.progress.value = { ...idle, state: 'failed', words };
+        return null;
+    }
+
+    private async show(time: number): Promise<void> {
+        const { playback, worker, state } = this.options;
+        const moving = playback.mode.value === 'clock';
+        if (moving) await worker.call('time.set', { time });
+        else playback.release(time);
+        // Somebody else may have moved the clock since.
+        const again = moving
+            ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), askAgainMs)
+            : undefined;
+        try {
+            await this.until(() =>
+                moving ? this.surfacesAt(time) : ['final', 'empty'].includes(state.phase.value),
+            );
+        } finally {
+            clearInterval(again);
+        }
+    }
+
+    /** All that move are drawn as they are at this time, within their own. */
+    private surfacesAt(time: number): boolean {
+        const { state } = this.options;
+        return [...state.surfaces.value.values()].every(({ surface, kind, from, to }) => {
+            const displayed = state.displayed.value.get(surface);
+            if (state.surfaceErrors.value.has(surface)) return true;
+            if (displayed === undefined || displayed.phase !== 'final') return false;
+            if (displayed.epoch < (state.requestedEpochs.value.get(surface) ?? 0)) return false;
+            return kind === 'stream' || isShownAt({ from, to }, displayed.time, time);
+        });
+    }
+
+    private until(met: () => boolean): Promise<void> {
+        return new Promise((resolve, reject) => {
+            let stop: (() => void) | null = null;
+            let settled = false;
+            const settle = (act: () => void): void => {
+                if (settled) return;
+                settled = true;
+                clearTimeout(timer);
+                act();
+                stop?.();
+            };
+            const timer = setTimeout(
+                () =>
+                    settle(() =>
+                        reject(
+                            new Error(
+                                'The surface of the next frame has not come for a minute. Is the server busy, or this page hidden?',
+                            ),
+                        ),
+                    ),
+                patienceMs,
+            );
+            stop = effect(() => {
+                void this.progress.value;
+                if (this.cancelled) settle(() => reject(new Cancelled()));
+                else if (this.options.state.stage.value === 'running' && met()) settle(resolve);
+            });
+            if (settled) stop();
+        });
+    }
+
+    private async putBack(clock: ClockRecord | null, frozenAt: number): Promise<void> {
+        const { playback, worker } = this.options;
+        if (playback.mode.value !== 'clock') {
+            playback.release(frozenAt);
+            return;
+        }
+        if (clock === null) return;
+        await worker.call('time.set', { time: clock.time });
+        if (!clock.playing || clock.from === null || clock.to === null) return;
+        const { speed, loop, from, to } = clock;
+        await worker.call('time.play', { speed, loop, from, to });
+    }
+}

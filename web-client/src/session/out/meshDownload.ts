@@ -1,0 +1,65 @@
+// The whole mesh of a surface as a file, in full precision. The server answers when the surface is final.
+import { signal } from '@preact/signals-core';
+import { isObject } from '../../protocol/jsonRpc.ts';
+import { errorWords, readError } from '../../protocol/messages.ts';
+import type { MeshFormat } from './scriptStep.ts';
+
+export interface DownloadProgress {
+    state: 'idle' | 'waiting' | 'failed';
+    words: string;
+}
+
+export class MeshDownload {
+    readonly progress = signal<DownloadProgress>({ state: 'idle', words: '' });
+    private readonly base: string;
+    private current: AbortController | null = null;
+
+    /** `base`: address of the server, as urlState.ts has it. */
+    constructor(base: string) {
+        this.base = base;
+    }
+
+    /** Null where it was cancelled or failed; why is in `progress`. */
+    async fetch(session: string, surface: string, format: MeshFormat): Promise<Blob | null> {
+        this.current?.abort();
+        const current = new AbortController();
+        this.current = current;
+        this.progress.value = { state: 'waiting', words: 'Waits until the surface is final, then loads it …' };
+        const [of, id] = [encodeURIComponent(session), encodeURIComponent(surface)];
+        try {
+            const url = new URL(`api/v1/sessions/${of}/surfaces/${id}/mesh.${format}`, this.base);
+            const reply = await fetch(url, { signal: current.signal });
+            if (!reply.ok) throw new Error(await wordsOf(reply));
+            const mesh = await reply.blob();
+            this.progress.value = { state: 'idle', words: '' };
+            return mesh;
+        } catch (error) {
+            if (this.current === current) this.failed(error, current.signal.aborted);
+            return null;
+        } finally {
+            if (this.current === current) this.current = null;
+        }
+    }
+
+    cancel(): void {
+        this.current?.abort();
+    }
+
+    private failed(error: unknown, cancelled: boolean): void {
+        const words =
+            error instanceof TypeError
+                ? 'The server cannot be reached.'
+                : error instanceof Error
+                  ? error.message
+                  : String(error);
+        this.progress.value = cancelled ? { state: 'idle', words: '' } : { state: 'failed', words };
+    }
+}
+
+async function wordsOf(reply: Response): Promise<string> {
+    const body: unknown = await reply.json().catch(() => null);
+    const fault = isObject(body) && isObject(body['error']) ? body['error'] : null;
+    const data = fault !== null && isObject(fault['data']) ? fault['data'] : {};
+    const read = readError({ message: fault?.['message'], hint: data['hint'] });
+    return read === null ? `The server answered with status ${reply.status}.` : errorWords(read);
+}

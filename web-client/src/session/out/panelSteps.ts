@@ -1,0 +1,75 @@
+// What the panels show, as the steps of a script that makes the same records anew.
+import type { RakeRecord, Vec3 } from '../../protocol/messages.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import { type CallStep, KeptId, type MeshFormat, type ScriptStep } from './scriptStep.ts';
+
+/** The rake of the surface that is being worked on, as it is on the screen. */
+export function rakeSteps(state: AppState): ScriptStep[] {
+    const rake = state.rake.value;
+    return rake === undefined ? [] : [rakeStep(rake, state.rakePoints.value, 'rake')];
+}
+
+/** The surface that is being worked on, with what it hangs on. */
+export function surfaceSteps(state: AppState): ScriptStep[] {
+    const record = state.surface.value;
+    const second = state.rakes.value.get(record?.rake2 ?? '');
+    if (record === undefined || state.rake.value === undefined) return [];
+    const { surface: _surface, rev: _rev, epoch: _epoch, fields, ...asked } = record;
+    const params = {
+        ...asked,
+        rake: new KeptId('rake'),
+        ...(second === undefined ? {} : { rake2: new KeptId('rake2') }),
+        ...(fields === undefined || fields.length === 0 ? {} : { fields }),
+    };
+    return [
+        ...rakeSteps(state),
+        ...(second === undefined ? [] : [rakeStep(second, second.points, 'rake2')]),
+        { method: 'surface.set', params, keep: 'surface' },
+    ];
+}
+
+/** When the picture is of. */
+export function timeSteps(state: AppState): ScriptStep[] {
+    const clock = state.clock.value;
+    const record = state.surface.value;
+    if (clock === null || record === undefined || record.kind === 'stream') return surfaceSteps(state);
+    if (!clock.playing) return [{ method: 'time.set', params: { time: clock.time } }];
+    const { speed, loop, from, to } = clock;
+    return [{ method: 'time.play', params: { speed, loop, from: from ?? undefined, to: to ?? undefined } }];
+}
+
+export function meshSteps(state: AppState, mesh: MeshFormat): ScriptStep[] {
+    const surface = state.activeSurface.value;
+    return surface === null ? [] : [{ mesh, surface }];
+}
+
+function rakeStep({ kind, seeds, name, colour }: RakeRecord, points: readonly Vec3[], keep: string): CallStep {
+    const shown = points.map((point) => [...point]);
+    return { method: 'rake.set', params: { kind, points: shown, seeds, name, colour }, keep };
+}
+
+/** What the probe asks, where it is now. */
+export function probeSteps(state: AppState, view: ViewState): ScriptStep[] {
+    const description = state.dataset.value;
+    const reading = view.probe.value;
+    if (description === null || reading === null) return [];
+    const { point, time, values } = reading;
+    const fields = values.map(({ name }) => name);
+    const asked = fields.length === 0 ? {} : { fields };
+    return [{ method: 'probe.sample', params: { dataset: description.dataset, points: [point], time, ...asked } }];
+}
+
+export function noteSteps(state: AppState): ScriptStep[] {
+    return [...state.annotations.value.values()].map(({ text, position }) => ({
+        method: 'annotation.set',
+        params: { text, position },
+    }));
+}
+
+export function bookmarkSteps(state: AppState): ScriptStep[] {
+    return [...state.bookmarks.value.values()].map(({ name, view, time }) => ({
+        method: 'bookmark.set',
+        params: { name, view, time },
+    }));
+}

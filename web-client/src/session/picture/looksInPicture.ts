@@ -1,0 +1,75 @@
+// The looks on their way to the picture: as styles to the scene, and as what is needed to the worker.
+import { effect } from '@preact/signals-core';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { AppState } from '../../state/appState.ts';
+import { planeNumbers } from '../../state/clipPlanes.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+import { attributesOf, styleOf } from './surfaceStyleOf.ts';
+
+export interface LooksOptions {
+    state: AppState;
+    view: ViewState;
+    scene: FlowScene;
+    worker: Pick<WorkerClient, 'show'>;
+}
+
+export function showLooks({ state, view, scene, worker }: LooksOptions): void {
+    const told = new Map<string, string>();
+    effect(() => {
+        for (const [id, record] of state.surfaces.value) {
+            const rake = state.rakes.value.get(record.rake);
+            const facts = { record, rake, dataset: state.dataset.value, speedRange: state.speedRange.value };
+            scene.surfaces.setStyle(id, styleOf({ look: view.lookOf(id), ...facts }));
+        }
+        scene.loop.request();
+    });
+    effect(() => {
+        // A worker that has taken the place of another knows nothing of this.
+        if (state.stage.value !== 'running') told.clear();
+        const listed = view.partsListed.value ? state.activeSurface.value : null;
+        // One that comes back is new to the worker.
+        for (const id of told.keys()) if (!state.surfaces.value.has(id)) told.delete(id);
+        for (const id of state.surfaces.value.keys()) {
+            const look = view.lookOf(id);
+            const parts = look.hiddenParts.length > 0 || listed === id ? { hidden: look.hiddenParts } : null;
+            const wish = { attributes: attributesOf(look), parts };
+            const text = JSON.stringify(wish);
+            if (told.get(id) === text) continue;
+            told.set(id, text);
+            worker.show(id, wish.attributes, wish.parts);
+        }
+    });
+    effect(() => {
+        const bounds = state.dataset.value?.bounds;
+        if (bounds === undefined) return;
+        const clip = view.clip.value;
+        scene.setClip(planeNumbers(clip, bounds), clip.body);
+    });
+    flowTexture({ state, view, scene });
+}
+
+const secondsAcross = 14;
+
+/** The flow texture moves while it is switched on, and stands still for those who have asked their system for that. */
+function flowTexture({ state, view, scene }: Pick<LooksOptions, 'state' | 'view' | 'scene'>): void {
+    const calm = matchMedia('(prefers-reduced-motion: reduce)');
+    let before: number | null = null;
+    scene.loop.beforeFrame(() => {
+        const moving = [...state.surfaces.value.keys()].filter((id) => {
+            const look = view.lookOf(id);
+            return look.texture && look.animated;
+        });
+        const now = performance.now();
+        if (moving.length === 0 || calm.matches) {
+            before = null;
+            return;
+        }
+        const spans = moving.map((id) => scene.surfaces.spanOf(id)?.t ?? ([0, 0] as const)).map(([low, high]) => high - low);
+        const step = Math.min(0.1, (now - (before ?? now)) / 1000);
+        before = now;
+        scene.surfaces.moveTexture((step * Math.max(0, ...spans.filter(Number.isFinite))) / secondsAcross);
+        scene.loop.request();
+    });
+    calm.addEventListener('change', scene.loop.request);
+}

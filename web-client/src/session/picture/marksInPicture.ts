@@ -1,0 +1,51 @@
+// Shows in the picture what was probed, measured and noted.
+import { effect } from '@preact/signals-core';
+import type { FlowScene } from '../../scene/scene.ts';
+import { shortNumber } from '../../scene/base/ticks.ts';
+import { type MarkedLine, type Marker, MarkerLayer } from '../../scene/tools/markers.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ProbeReading, ViewState } from '../../state/viewState.ts';
+import { distance } from '../tools/measuring.ts';
+import { withUnit } from './unitsInPicture.ts';
+
+const probeColour = '#f0e442';
+const measureColour = '#56b4e9';
+const noteColour = '#cc79a7';
+const wordsOfNote = 40;
+
+export function showMarks(state: AppState, view: ViewState, scene: FlowScene): void {
+    const layer = new MarkerLayer(scene.labels);
+    scene.add(layer);
+    effect(() => {
+        const markers: Marker[] = [];
+        const probe = view.tool.value === 'probe' ? view.probe.value : null;
+        if (probe !== null) markers.push({ at: probe.point, colour: probeColour, words: probeWords(probe) });
+        const [a, b] = view.measured.value;
+        for (const at of view.measured.value) markers.push({ at, colour: measureColour, words: '' });
+        for (const { position: at, text, author } of state.annotations.value.values()) {
+            markers.push({ at, colour: noteColour, words: `${shortened(text)} – ${author}` });
+        }
+        const lines: MarkedLine[] = [];
+        if (a !== undefined && b !== undefined) {
+            lines.push({ from: a, to: b, colour: measureColour, words: withUnit(shortNumber(distance(a, b)), view.units.value.length) });
+        }
+        layer.set(markers, lines);
+        scene.loop.request();
+    });
+}
+
+function probeWords({ inside, values }: ProbeReading): string {
+    if (!inside) return 'nothing flows here';
+    return values.map(({ name, value }) => `${name} ${valueWords(value)}`).join(', ');
+}
+
+/** Of a vector its length. */
+function valueWords(value: ProbeReading['values'][number]['value']): string {
+    if (value === null) return '–';
+    return shortNumber(typeof value === 'number' ? value : Math.hypot(...value));
+}
+
+function shortened(text: string): string {
+    const [line = ''] = text.split('\n');
+    return line.length > wordsOfNote || line.length < text.length ? `${line.slice(0, wordsOfNote)} …` : line;
+}

@@ -1,0 +1,33 @@
+import { describe, expect, it } from 'vitest';
+import type { Participant, RakeRecord, Vec3 } from '../../protocol/messages.ts';
+import { AppState } from '../../state/appState.ts';
+import { holderOf } from './rakeScene.ts';
+
+const record = { rake: 'r1', kind: 'line', points: [[0, 0, 0], [1, 0, 0]], dragging: true, leasedBy: 'p2' } as unknown as RakeRecord;
+
+function stateWith(ann: Partial<Participant> = {}): AppState {
+    const state = new AppState();
+    const person: Participant = { participant: 'p2', name: 'Ann', colour: '#009e73', role: 'editor', connected: true, ...ann };
+    state.you.value = 'p1';
+    state.participants.value = new Map([['p2', person]]);
+    return state;
+}
+
+describe('who holds a rake', () => {
+    it('is told by name and colour, and where they have it if they say so of this rake', () => {
+        expect(holderOf(stateWith(), record)).toEqual({ name: 'Ann', color: '#009e73' });
+        const points: Vec3[] = [[0, 2, 0], [1, 2, 0]];
+        expect(holderOf(stateWith({ dragging: { rake: 'r1', points } }), record)).toMatchObject({ points });
+        expect(holderOf(stateWith({ dragging: { rake: 'r2', points } }), record)).not.toHaveProperty('points');
+    });
+
+    it('is nobody else where it is this page’s user, or nobody', () => {
+        expect(holderOf(stateWith(), { ...record, leasedBy: 'p1' })).toBeNull();
+        expect(holderOf(stateWith(), { ...record, dragging: false })).toBeNull();
+    });
+
+    it('may be a script, or somebody who has just left', () => {
+        expect(holderOf(stateWith(), { ...record, leasedBy: 'script' })?.name).toBe('A script');
+        expect(holderOf(stateWith(), { ...record, leasedBy: 'p9' })?.name).toBe('Somebody');
+    });
+});

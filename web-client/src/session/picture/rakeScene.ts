@@ -1,0 +1,43 @@
+// Shows the session's rakes in the scene: each as its record says, the active one as the user has it, those that others move
+// with their name and colour and, where their page says so, where they have it at the moment.
+import { effect } from '@preact/signals-core';
+import type { RakeRecord } from '../../protocol/messages.ts';
+import type { DrawnRake, RakeHolder } from '../../scene/rake/rakeLayer.ts';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import { rakeColor } from './palette.ts';
+
+const ofNobody = '#ffffff';
+
+export function showRakes(state: AppState, view: ViewState, scene: FlowScene): void {
+    effect(() => {
+        const { rakes, activeRake } = state;
+        // Read in any case, or this would not be run again when it changes.
+        const settled = state.rakeShape.value;
+        if (scene.rakes.chosenId !== activeRake.value) scene.interaction.abandon();
+        const own = scene.interaction.dragging ? scene.rakes.shape : settled;
+        const drawn = [...rakes.value.values()].map((record): DrawnRake => {
+            const chosen = record.rake === activeRake.value;
+            const color = rakeColor(record, rakes.value);
+            return { rake: record.rake, shape: chosen ? own : record, color, chosen, holder: holderOf(state, record) };
+        });
+        scene.rakes.setRakes(drawn);
+        scene.loop.request();
+    });
+    // Another tool takes the click that would have placed a point.
+    effect(() => {
+        if (view.tool.value !== 'place') scene.interaction.place(null);
+    });
+}
+
+/** Null where nobody else holds it. */
+export function holderOf(state: AppState, record: RakeRecord): RakeHolder | null {
+    const by = record.dragging ? record.leasedBy : undefined;
+    if (by === undefined || by === state.you.value) return null;
+    const participant = state.participants.value.get(by);
+    if (participant === undefined) return { name: by.startsWith('script') ? 'A script' : 'Somebody', color: ofNobody };
+    const { name, colour, dragging } = participant;
+    const points = dragging?.rake === record.rake ? { points: dragging.points } : {};
+    return { name, color: colour, ...points };
+}

@@ -1,0 +1,53 @@
+import { describe, expect, it } from 'vitest';
+import type { DatasetDescription, RakeRecord, SurfaceRecord } from '../../protocol/messages.ts';
+import { usualLook } from '../../state/surfaceLook.ts';
+import { attributesOf, colourFields, styleOf, withField } from './surfaceStyleOf.ts';
+
+const dataset = {
+    velocity: 'U',
+    fields: [
+        { name: 'U', components: 3, range: [0, 9] },
+        { name: 'p', components: 1, range: [-2, 5] },
+        { name: 'mask', components: 1, range: [0, 1] },
+    ],
+    surfaceFields: ['U', 'p', 'deformation', 'approximated'],
+} as unknown as DatasetDescription;
+const record = { surface: 's1', kind: 'stream', from: 3, fields: [] } as unknown as SurfaceRecord;
+const rake = { points: [[0, 0, 0], [3, 4, 0], [3, 4, 2]], colour: '#123456' } as unknown as RakeRecord;
+const facts = { record, rake, dataset, speedRange: [1, 3] as const };
+
+describe('styleOf', () => {
+    it('takes the range of the dataset where that has one, and the locked one before it', () => {
+        const of = (colourBy: string) => styleOf({ ...facts, look: { ...usualLook, colourBy } });
+        expect(of('speed')).toMatchObject({ source: 'scalar', scalar: 'speed', range: [1, 3] });
+        expect(of('field:p')).toMatchObject({ source: 'scalar', scalar: 'p', range: [-2, 5] });
+        expect(of('deformation')).toMatchObject({ source: 'scalar', scalar: 'deformation', range: null });
+        expect(of('age')).toMatchObject({ source: 'age', range: null });
+        expect(of('constant')).toMatchObject({ source: 'constant', color: '#123456' });
+        const locked = styleOf({ ...facts, look: { ...usualLook, range: [0, 1] } });
+        expect(locked.range).toEqual([0, 1]);
+    });
+
+    it('measures age of streak surfaces from their release, and stretching by what the rake sweeps', () => {
+        expect(styleOf({ ...facts, look: usualLook })).toMatchObject({ tIsRelease: false, tOrigin: 0, areaPerSeed: 7 * 2 });
+        const streak = styleOf({ ...facts, look: usualLook, record: { ...record, kind: 'streak' } });
+        expect(streak).toMatchObject({ tIsRelease: true, tOrigin: 3 });
+        const patch = styleOf({ ...facts, look: usualLook, record: { ...record, kind: 'time', sweep: [0, 3, 4] } });
+        expect(patch.areaPerSeed).toBe(35);
+    });
+});
+
+describe('what is asked of the server', () => {
+    it('is what colours and what smoke needs, once', () => {
+        expect(attributesOf(usualLook)).toEqual(['speed']);
+        expect(attributesOf({ ...usualLook, colourBy: 's' })).toEqual([]);
+        expect(attributesOf({ ...usualLook, colourBy: 'field:p', smoke: 1 })).toEqual(['p', 'deformation']);
+        expect(attributesOf({ ...usualLook, colourBy: 'deformation', smoke: 1 })).toEqual(['deformation']);
+    });
+
+    it('is only what it can send, and no more than there is room for', () => {
+        expect(colourFields(dataset).map(({ name }) => name)).toEqual(['p']);
+        expect(withField(['a', 'b', 'c', 'd'], 'e')).toEqual(['b', 'c', 'd', 'e']);
+        expect(withField(['a'], 'a')).toEqual(['a']);
+    });
+});

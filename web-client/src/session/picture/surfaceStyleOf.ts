@@ -1,0 +1,116 @@
+// From the look that somebody wants to what the picture needs: names become attributes, ranges those of the dataset.
+import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
+import type { ColorSource, SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
+import type { SurfaceLook } from '../../state/surfaceLook.ts';
+
+export const deformation = 'deformation';
+const fieldMark = 'field:';
+const usualColour = '#8fb8de';
+
+export interface StyleFacts {
+    look: SurfaceLook;
+    record: SurfaceRecord;
+    rake: RakeRecord | undefined;
+    dataset: DatasetDescription | null;
+    speedRange: readonly [number, number];
+}
+
+/** As many further attributes as a surface may have (limits::fields of the server). */
+const fieldsAtMost = 4;
+
+/** Whether the server can send it with a surface; one that does not say what it can is asked for anything. */
+export function canCome(dataset: DatasetDescription | null, field: string): boolean {
+    return dataset?.surfaceFields?.includes(field) ?? true;
+}
+
+/** Fields that a surface can be coloured by: one number each. */
+export function colourFields(dataset: DatasetDescription | null): FieldDescription[] {
+    return dataset?.fields.filter(({ name, components }) => components === 1 && canCome(dataset, name)) ?? [];
+}
+
+/** One more of a surface's fields; where there is no room, the one longest there goes. */
+export function withField(fields: readonly string[], field: string): string[] {
+    return fields.includes(field) ? [...fields] : [...fields, field].slice(-fieldsAtMost);
+}
+
+export function colourByField(name: string): string {
+    return fieldMark + name;
+}
+
+/** The name of what the server has to send; null for what it always sends or what is made here. */
+export function fieldOf(colourBy: string): string | null {
+    if (colourBy.startsWith(fieldMark)) return colourBy.slice(fieldMark.length);
+    return [deformation, 'approximated'].includes(colourBy) ? colourBy : null;
+}
+
+/** The attribute on the wire; null for what is made from s and t, or is constant. */
+export function attributeOf(colourBy: string): string | null {
+    return colourBy === 'speed' ? 'speed' : fieldOf(colourBy);
+}
+
+/** All attributes that a look needs. */
+export function attributesOf(look: SurfaceLook): string[] {
+    const names = [attributeOf(look.colourBy), look.smoke > 0 ? deformation : null];
+    return [...new Set(names.filter((name) => name !== null))];
+}
+
+export function styleOf({ look, record, rake, dataset, speedRange }: StyleFacts): SurfaceStyle {
+    const { colourBy, colour, range, invert, log, ...same } = look;
+    const isStreak = record.kind === 'streak';
+    return {
+        ...pick(same),
+        source: sourceOf(colourBy),
+        scalar: attributeOf(colourBy) ?? '',
+        color: colour ?? rake?.colour ?? usualColour,
+        inverted: invert,
+        logarithmic: log,
+        range: range ?? knownRange(colourBy, dataset, speedRange),
+        tIsRelease: isStreak,
+        tOrigin: isStreak ? record.from : 0,
+        areaPerSeed: lengthOf(rake?.points ?? []) * sweepOf(record, speedRange),
+    };
+}
+
+type Same = 'map' | 'centre' | 'backSide' | 'opacity' | 'angleOpacity' | 'smoke' | 'silhouettes' | 'lines';
+type AlsoSame = 'density' | 'texture' | 'sWindow' | 'ageWindow' | 'painting' | 'faded';
+
+function pick(look: Pick<SurfaceLook, Same | AlsoSame>): Pick<SurfaceStyle, Same | AlsoSame> {
+    const { map, centre, backSide, opacity, angleOpacity, smoke, silhouettes, lines } = look;
+    const { density, texture, sWindow, ageWindow, painting, faded } = look;
+    return {
+        ...{ map, centre, backSide, opacity, angleOpacity, smoke, silhouettes, lines },
+        ...{ density, texture, sWindow, ageWindow, painting, faded },
+    };
+}
+
+function sourceOf(colourBy: string): ColorSource {
+    if (attributeOf(colourBy) !== null) return 'scalar';
+    if (colourBy === 's' || colourBy === 'age') return colourBy;
+    return 'constant';
+}
+
+/** Null: only what has been seen tells. */
+function knownRange(
+    colourBy: string,
+    dataset: DatasetDescription | null,
+    speedRange: readonly [number, number],
+): readonly [number, number] | null {
+    if (colourBy === 'speed') return speedRange;
+    if (colourBy === 'approximated' || colourBy === 's') return [0, 1];
+    const field = dataset?.fields.find(({ name }) => colourByField(name) === colourBy);
+    return field?.range ?? null;
+}
+
+function lengthOf(points: readonly Vec3[]): number {
+    let length = 0;
+    for (let i = 1; i < points.length; i += 1) {
+        length += Math.hypot(...points[i]!.map((x, axis) => x - points[i - 1]![axis]!));
+    }
+    return length > 0 ? length : 1;
+}
+
+/** How far one unit of t carries, as the surface is released. */
+function sweepOf({ kind, sweep }: SurfaceRecord, [slow, fast]: readonly [number, number]): number {
+    if (kind === 'time' && sweep !== undefined) return Math.hypot(...sweep);
+    return (slow + fast) / 2 || 1;
+}

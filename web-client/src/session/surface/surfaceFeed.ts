@@ -1,0 +1,141 @@
+// The surfaces as they arrive: subscriptions, and what is new in each surface, put on the screen at the next frame.
+import { errorWords, type PassSeconds, type ReportedError } from '../../protocol/messages.ts';
+import type { FlowScene } from '../../scene/scene.ts';
+import { type AppState, withEntry, withoutEntry } from '../../state/appState.ts';
+import type { LatencyLog } from '../../state/latency.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+import type { SurfaceState } from '../../worker/workerMessages.ts';
+
+const firstPauseMs = 500;
+const troublesAtMost = 4;
+
+export interface SurfaceFeedOptions {
+    state: AppState;
+    scene: FlowScene;
+    worker: WorkerClient;
+    latency: LatencyLog;
+}
+
+export class SurfaceFeed {
+    private readonly options: SurfaceFeedOptions;
+    private readonly subscribed = new Set<string>();
+    /** Each builds on the one before, so all are drawn; the worker keeps them few. */
+    private readonly waiting = new Map<string, SurfaceState[]>();
+    /** How often in a row the frames of a surface did not fit together. */
+    private readonly troubles = new Map<string, number>();
+
+    constructor(options: SurfaceFeedOptions) {
+        this.options = options;
+    }
+
+    /** The mesh on the screen stays, and goes on if the server still has what follows. */
+    async subscribe(surface: string): Promise<void> {
+        const { worker, state } = this.options;
+        this.subscribed.add(surface);
+        const { resumed } = await worker.call('surface.subscribe', { surface }).catch((error: unknown) => {
+            this.subscribed.delete(surface);
+            throw error;
+        });
+        // What is on the screen is of an epoch that the server may number anew.
+        if (resumed !== true) state.displayed.value = withoutEntry(state.displayed.value, surface);
+    }
+
+    /**
+     * Starts afresh after frames that did not fit together. Each time later than before: if page and server
+     * do not understand each other, asking again at once would keep both busy for ever.
+     */
+    async troubled(surface: string, subscription: number, reason: string): Promise<void> {
+        const { worker, state } = this.options;
+        if (!this.subscribed.has(surface)) return;
+        const troubles = (this.troubles.get(surface) ?? 0) + 1;
+        this.troubles.set(surface, troubles);
+        if (troubles > troublesAtMost) {
+            state.notice.value = `The surface cannot be shown: ${reason}. Reload the page.`;
+            return;
+        }
+        await new Promise((resolve) => setTimeout(resolve, firstPauseMs * 2 ** (troubles - 1)));
+        await worker.call('surface.unsubscribe', { subscription }).catch(() => null);
+        if (this.subscribed.has(surface)) await this.subscribe(surface).catch(() => undefined);
+    }
+
+    /** A new connection: old subscriptions are void. */
+    reset(): void {
+        const { state } = this.options;
+        this.troubles.clear();
+        for (const surface of this.subscribed) if (!state.surfaces.value.has(surface)) this.removed(surface);
+    }
+
+    receive(arrived: SurfaceState): void {
+        const { surface, fromVertex, fromSeed, fromIndex } = arrived;
+        const { worker, scene } = this.options;
+        if (!this.subscribed.has(surface)) {
+            worker.taken(surface);
+            return;
+        }
+        this.troubles.delete(surface);
+        const before = this.waiting.get(surface) ?? [];
+        const whole = fromVertex + fromSeed + fromIndex === 0;
+        // Drawn unseen it would cost as much as seen.
+        if (whole) for (const _ of before) worker.taken(surface);
+        this.waiting.set(surface, whole ? [arrived] : [...before, arrived]);
+        scene.loop.request();
+    }
+
+    /** Called at the start of every frame. */
+    apply(): void {
+        const { state, scene, latency, worker } = this.options;
+        const applied = performance.now();
+        for (const [surface, arrived] of this.waiting) {
+            for (const change of arrived) {
+                scene.setSurface(surface, change);
+                if (change.parts !== null) state.parts.value = withEntry(state.parts.value, surface, change.parts.parts);
+                worker.taken(surface);
+            }
+            const { epoch, vertices, cells, triangles, stateCrc, phase, time, keys, deltas } = arrived.at(-1)!;
+            const decodeMs = arrived.reduce((sum, each) => sum + each.decodeMs, 0);
+            scene.whenDrawn((at) => {
+                const drawn = { decodeMs, drawMs: at - applied, roundTripMs: state.roundTripMs.value };
+                latency.shown(surface, epoch, at, drawn);
+                state.latency.value = latency.samples.at(-1) ?? null;
+            });
+            const shown = {
+                ...{ surface, epoch, vertices, cells, triangles, stateCrc, phase, time, keys, deltas },
+            };
+            state.displayed.value = withEntry(state.displayed.value, surface, shown);
+            this.requested(surface, epoch);
+        }
+        this.waiting.clear();
+    }
+
+    requested(surface: string, epoch: number): void {
+        const { requestedEpochs } = this.options.state;
+        if (epoch <= (requestedEpochs.value.get(surface) ?? 0)) return;
+        requestedEpochs.value = withEntry(requestedEpochs.value, surface, epoch);
+    }
+
+    /** What the pass behind a state took on the server. */
+    progressed(surface: string, epoch: number, seconds: PassSeconds | null): void {
+        if (seconds !== null) this.options.latency.passed(surface, epoch, seconds);
+    }
+
+    done(surface: string, epoch: number, error: ReportedError | null): void {
+        const { surfaceErrors } = this.options.state;
+        if (error !== null) {
+            surfaceErrors.value = withEntry(surfaceErrors.value, surface, {
+                ...{ epoch, text: errorWords(error), stopped: error.kind === 'cancelled' },
+            });
+        } else if (surfaceErrors.value.has(surface)) {
+            surfaceErrors.value = withoutEntry(surfaceErrors.value, surface);
+        }
+    }
+
+    removed(surface: string): void {
+        const { state, scene, worker } = this.options;
+        this.subscribed.delete(surface);
+        this.waiting.delete(surface);
+        worker.forget(surface);
+        scene.removeSurface(surface);
+        state.displayed.value = withoutEntry(state.displayed.value, surface);
+        state.parts.value = withoutEntry(state.parts.value, surface);
+    }
+}

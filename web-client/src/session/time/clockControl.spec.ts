@@ -1,0 +1,46 @@
+import { describe, expect, it } from 'vitest';
+import { settled } from '../../connection/fakeClock.ts';
+import { AppState } from '../../state/appState.ts';
+import { ClockControl, type ClockControlOptions } from './clockControl.ts';
+
+function bench(refusal: Error | null = null) {
+    const state = new AppState();
+    state.clock.value = { time: null, playing: false, speed: 1, loop: false, from: null, to: null };
+    const calls: unknown[] = [];
+    const call = (method: string, params: object): Promise<unknown> => {
+        calls.push([method, params]);
+        return refusal === null ? Promise.resolve({}) : Promise.reject(refusal);
+    };
+    const worker = { call } as unknown as ClockControlOptions['worker'];
+    return { state, calls, clock: new ClockControl({ state, worker, requestFrame: () => undefined }) };
+}
+
+describe('ClockControl', () => {
+    it('sends the newest time of a frame, and shows each at once', () => {
+        const { state, calls, clock } = bench();
+        clock.set(1);
+        clock.set(2);
+        expect(state.clock.value?.time).toBe(2);
+        clock.flush();
+        clock.flush();
+        expect(calls).toEqual([['time.set', { time: 2 }]]);
+    });
+
+    it('plays and pauses', async () => {
+        const { calls, clock } = bench();
+        await clock.play({ speed: 0.5, loop: true });
+        await clock.pause();
+        expect(calls).toEqual([
+            ['time.play', { speed: 0.5, loop: true }],
+            ['time.pause', {}],
+        ]);
+    });
+
+    it('says why it was refused', async () => {
+        const { state, clock } = bench(new Error('your role may not do this'));
+        clock.set(1);
+        clock.flush();
+        await settled();
+        expect(state.editError.value).toBe('your role may not do this');
+    });
+});

@@ -1,0 +1,142 @@
+import { signal } from '@preact/signals-core';
+import { describe, expect, it } from 'vitest';
+import { FakeClock } from '../../connection/fakeClock.ts';
+import type { ClockRecord, DatasetDescription, SurfaceRecord } from '../../protocol/messages.ts';
+import { AppState, type DisplayedSurface } from '../../state/appState.ts';
+import type { ClockControl } from './clockControl.ts';
+import { Playback } from './playback.ts';
+import { intentOf, type SurfaceIntent } from '../edits/surfaceIntent.ts';
+
+const times = [0, 1, 2, 3, 4, 5];
+
+function bench(kind: 'stream' | 'streak', rest: Partial<SurfaceRecord> = {}) {
+    const state = new AppState();
+    const calls: unknown[] = [];
+    const record = { surface: 's', rake: 'r', kind, from: 1, to: 5, separation: 1, ...rest } as unknown as SurfaceRecord;
+    const intent = signal<SurfaceIntent | null>(intentOf(record));
+    const edits = {
+        intent,
+        changeSurface: (change: Partial<SurfaceIntent>) => {
+            calls.push(change);
+            intent.value = { ...intent.value!, ...change };
+        },
+    };
+    const told = (change: Partial<ClockRecord>): void => {
+        state.clock.value = { ...state.clock.value!, ...change };
+    };
+    const clock = {
+        set: (time: number) => told({ time }),
+        play: (how: Partial<ClockRecord>) => {
+            calls.push(how);
+            told({ ...how, playing: true });
+            return Promise.resolve();
+        },
+        pause: () => {
+            told({ playing: false });
+            return Promise.resolve();
+        },
+    } as unknown as ClockControl;
+    state.clock.value = { time: null, playing: false, speed: 1, loop: false, from: null, to: null };
+    state.dataset.value = { dataset: 'd', times } as unknown as DatasetDescription;
+    state.surfaces.value = new Map([['s', record]]);
+    state.activeSurface.value = 's';
+    state.stage.value = 'running';
+    const shown = { surface: 's', epoch: 1, phase: 'final', cells: 1 } as unknown as DisplayedSurface;
+    state.displayed.value = new Map([['s', shown]]);
+    const time = new FakeClock();
+    return { state, calls, time, intent, playback: new Playback({ state, edits, clock, time }) };
+}
+
+describe('Playback of a surface that moves', () => {
+    it('shows the end until somebody sets the clock, and stays within the surface', () => {
+        const { playback, state } = bench('streak');
+        expect(playback.time.value).toBe(5);
+        playback.goTo(9);
+        expect(state.clock.value?.time).toBe(5);
+        playback.goTo(0);
+        expect(playback.time.value).toBe(1);
+    });
+
+    it('plays its whole time in ten seconds, until another speed is chosen or told', async () => {
+        const { playback, calls, state } = bench('streak');
+        await playback.play();
+        expect(calls).toEqual([{ speed: 0.4, loop: true, from: 1, to: 5 }]);
+        await playback.setSpeed(2);
+        await playback.setLoop(false);
+        expect(calls.slice(1)).toEqual([
+            { speed: 0.8, loop: true, from: 1, to: 5 },
+            { speed: 0.8, loop: false, from: 1, to: 5 },
+        ]);
+        state.clock.value = { ...state.clock.value!, speed: 3, loop: true };
+        expect([playback.speed.value, playback.loop.value]).toEqual([3, true]);
+    });
+
+    it('does not forget a speed that is chosen before the clock has started', async () => {
+        const { playback, calls } = bench('streak');
+        const starting = playback.play();
+        await playback.setSpeed(2);
+        await starting;
+        expect(calls).toEqual([
+            { speed: 0.4, loop: true, from: 1, to: 5 },
+            { speed: 0.8, loop: true, from: 1, to: 5 },
+        ]);
+    });
+
+    it('ends with the data also while an edit is on its way', () => {
+        const { playback, intent } = bench('streak');
+        intent.value = { ...intent.value!, from: 2, length: 40 };
+        expect(playback.span.value).toEqual([2, 5]);
+    });
+
+    it('plays a backward one from its earlier end, and shows where it ends until somebody sets the clock', async () => {
+        const { playback, calls, state, intent } = bench('streak', { from: 5, to: 1, direction: 'backward' });
+        expect([playback.span.value, playback.time.value]).toEqual([[1, 5], 1]);
+        playback.goTo(2.3);
+        await playback.step(1);
+        expect(state.clock.value?.time).toBe(3);
+        await playback.play();
+        expect(calls).toEqual([{ speed: 0.4, loop: true, from: 1, to: 5 }]);
+        intent.value = { ...intent.value!, from: 3, length: 40 };
+        expect(playback.span.value).toEqual([0, 3]);
+    });
+
+    it('stops to step by a stored time-step', async () => {
+        const { playback, state } = bench('streak');
+        playback.goTo(2.3);
+        await playback.step(1);
+        expect(state.clock.value).toMatchObject({ time: 3, playing: false });
+        await playback.step(-1);
+        expect(playback.time.value).toBe(2);
+    });
+});
+
+describe('Playback of a stream surface', () => {
+    it('freezes the field at one time-step after the other, as fast as asked', async () => {
+        const { playback, intent, time } = bench('stream');
+        await playback.setSpeed(4); // 2 a second
+        await playback.play();
+        await time.pass(400);
+        expect(intent.value?.from).toBe(1);
+        await time.pass(200);
+        expect(intent.value?.from).toBe(2);
+        await time.pass(4 * 560);
+        expect(intent.value?.from).toBe(0); // began again
+        await playback.pause();
+        await time.pass(5000);
+        expect(intent.value?.from).toBe(0);
+    });
+
+    it('waits for the picture, and stops at the end without loop', async () => {
+        const { playback, intent, time, state } = bench('stream');
+        await playback.setLoop(false);
+        await playback.setSpeed(4);
+        await playback.play();
+        state.editsPending.value = true;
+        await time.pass(5000);
+        expect(intent.value?.from).toBe(1);
+        state.editsPending.value = false;
+        await time.pass(5000);
+        expect(intent.value?.from).toBe(5);
+        expect(playback.playing.value).toBe(false);
+    });
+});

@@ -1,0 +1,235 @@
+// What play, pause, step and scrub mean for the surface that is being worked on. One that moves is shown at the session's
+// clock, which runs on the server for everybody; of a stream surface the field is frozen at a time-step, and this page
+// moves that on, one time-step after the other, when the picture of the last one is there.
+import { computed, effect, signal } from '@preact/signals-core';
+import { type Clock, systemClock, type Timer } from '../../connection/clock.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ClockControl } from './clockControl.ts';
+import type { Edits } from '../edits/edits.ts';
+import { clampTo, nearestStep, type Span, stepFrom } from './timeSteps.ts';
+
+/** The whole in this time at normal speed. */
+const secondsForAll = 10;
+const lookEveryMs = 30;
+
+export interface PlaybackOptions {
+    state: AppState;
+    edits: Pick<Edits, 'intent' | 'changeSurface'>;
+    clock: ClockControl;
+    time?: Clock;
+}
+
+/** none: nothing that time could change. */
+export type PlaybackMode = 'none' | 'frozen' | 'clock';
+
+export class Playback {
+    private readonly options: PlaybackOptions;
+    private readonly timer: Clock;
+    private readonly frozenPlaying = signal(false);
+    /** Chosen here and not told to the server yet. */
+    private readonly chosenFactor = signal<number | null>(null);
+    private readonly chosenLoop = signal<boolean | null>(null);
+    private waiting: Timer | null = null;
+    /** The clock has been asked to run, and has not answered. */
+    private telling = false;
+
+    constructor(options: PlaybackOptions) {
+        this.options = options;
+        this.timer = options.time ?? systemClock;
+        // Another kind of surface, or none: nothing of this page goes on by itself.
+        effect(() => {
+            if (this.mode.value !== 'frozen' || options.state.stage.value !== 'running') this.stopFrozen();
+        });
+    }
+
+    readonly mode = computed((): PlaybackMode => {
+        const { state, edits } = this.options;
+        const intent = edits.intent.value;
+        if (intent === null) return 'none';
+        if (intent.kind !== 'stream') return state.clock.value === null ? 'none' : 'clock';
+        return state.times.value.length > 1 ? 'frozen' : 'none';
+    });
+
+    /** Of the surface, or of all time-steps for a stream surface: the earlier end first, also where time runs backward. */
+    readonly span = computed((): Span => {
+        const [a, b] = this.ends.value;
+        return [Math.min(a, b), Math.max(a, b)];
+    });
+
+    /** From the release of the surface to where it ends, which is earlier for a backward one. */
+    private readonly ends = computed((): readonly [number, number] => {
+        const { state, edits } = this.options;
+        const intent = edits.intent.value;
+        if (intent === null || intent.kind === 'stream') {
+            return [state.times.value[0] ?? 0, state.times.value.at(-1) ?? 0];
+        }
+        const record = state.surface.value;
+        const same =
+            record !== undefined &&
+            record.kind === intent.kind &&
+            record.from === intent.from &&
+            record.direction === intent.direction;
+        if (same) return [record.from, record.to];
+        // Until the server has it: what it will be asked for (settingOf).
+        const asked = intent.from + (intent.direction === 'backward' ? -1 : 1) * intent.length;
+        const times = state.times.value;
+        const steady = state.dataset.value?.steady ?? false;
+        const free = steady || times.length === 0;
+        return [intent.from, free ? asked : clampTo([times[0]!, times.at(-1)!], asked)];
+    });
+
+    /** Of the picture. */
+    readonly time = computed((): number => {
+        const { state, edits } = this.options;
+        if (this.mode.value !== 'clock') return edits.intent.value?.from ?? Number.NaN;
+        const record = state.clock.value!;
+        const displayed = state.displayed.value.get(state.activeSurface.value ?? '');
+        if (record.playing && displayed !== undefined) return displayed.time;
+        return record.time === null ? this.ends.value[1] : clampTo(this.span.value, record.time);
+    });
+
+    readonly playing = computed((): boolean =>
+        this.mode.value === 'clock' ? this.options.state.clock.value!.playing : this.frozenPlaying.value,
+    );
+
+    /** Simulation time a second at normal speed. */
+    readonly normalSpeed = computed((): number => (this.span.value[1] - this.span.value[0]) / secondsForAll);
+
+    /** Simulation time a second. */
+    readonly speed = computed((): number => {
+        if (this.chosenFactor.value !== null) return this.chosenFactor.value * this.normalSpeed.value;
+        const record = this.options.state.clock.value;
+        const told = this.mode.value === 'clock' && record !== null && record.from !== null;
+        return told ? record.speed : this.normalSpeed.value;
+    });
+
+    readonly loop = computed((): boolean => {
+        if (this.chosenLoop.value !== null) return this.chosenLoop.value;
+        const record = this.options.state.clock.value;
+        return this.mode.value === 'clock' && record !== null && record.from !== null ? record.loop : true;
+    });
+
+    async toggle(): Promise<void> {
+        if (this.playing.value) await this.pause();
+        else await this.play();
+    }
+
+    async play(): Promise<void> {
+        if (this.mode.value === 'frozen') {
+            this.frozenPlaying.value = true;
+            const { span } = this;
+            if (!this.loop.value && this.time.value >= span.value[1]) this.goTo(span.value[0]);
+            this.playFrozen();
+        } else if (this.mode.value === 'clock') await this.playClock();
+    }
+
+    async pause(): Promise<void> {
+        this.stopFrozen();
+        if (this.mode.value === 'clock' && this.playing.value) await this.options.clock.pause();
+    }
+
+    /** By one stored time-step; the end of the surface's time counts as one. */
+    async step(sign: 1 | -1): Promise<void> {
+        const at = this.time.value;
+        await this.pause();
+        this.goTo(stepFrom(this.options.state.times.value, at, sign, this.span.value));
+    }
+
+    async toEnd(sign: 1 | -1): Promise<void> {
+        if (sign > 0) await this.pause();
+        this.goTo(this.span.value[sign > 0 ? 1 : 0]);
+    }
+
+    /** As a slider moves: the newest of a frame counts. */
+    goTo(time: number): void {
+        if (!Number.isFinite(time)) return;
+        if (this.mode.value === 'clock') this.options.clock.set(clampTo(this.span.value, time));
+        else if (this.mode.value === 'frozen') this.release(time);
+    }
+
+    /** When the surface is released, or its field frozen: at the time-step nearest to a time. */
+    release(time: number): void {
+        const { state, edits } = this.options;
+        const times = state.times.value;
+        const from = times[nearestStep(times, time)];
+        if (from !== undefined && from !== edits.intent.value?.from) edits.changeSurface({ from });
+    }
+
+    /** A multiple of the normal speed. */
+    async setSpeed(factor: number): Promise<void> {
+        this.chosenFactor.value = factor;
+        await this.tellIfRunning();
+    }
+
+    async setLoop(loop: boolean): Promise<void> {
+        this.chosenLoop.value = loop;
+        await this.tellIfRunning();
+    }
+
+    private async tellIfRunning(): Promise<void> {
+        if (this.mode.value === 'clock') {
+            // What is chosen before the clock has started is told when it has.
+            if (this.playing.value && !this.telling) await this.playClock();
+        } else if (this.playing.value) this.playFrozen();
+    }
+
+    private async playClock(): Promise<void> {
+        const [factor, loop] = [this.chosenFactor.value, this.chosenLoop.value];
+        const [from, to] = this.span.value;
+        this.telling = true;
+        await this.options.clock.play({ speed: this.speed.value, loop: this.loop.value, from, to });
+        this.telling = false;
+        if (this.chosenFactor.value !== factor || this.chosenLoop.value !== loop) {
+            await this.playClock();
+            return;
+        }
+        // From here on the record says it, whoever changes it.
+        this.chosenFactor.value = null;
+        this.chosenLoop.value = null;
+    }
+
+    private playFrozen(): void {
+        if (this.waiting !== null) this.timer.cancel(this.waiting);
+        const since = this.timer.now();
+        const at = this.time.value;
+        const next = this.nextFrozen(at);
+        if (next === null) {
+            this.stopFrozen();
+            return;
+        }
+        const due = since + (1000 * this.frozenPause(at, next)) / this.speed.value;
+        const look = (): void => {
+            if (this.timer.now() < due || !this.pictureIsThere()) {
+                this.waiting = this.timer.after(lookEveryMs, look);
+                return;
+            }
+            this.release(next);
+            this.waiting = null;
+            this.playFrozen();
+        };
+        this.waiting = this.timer.after(lookEveryMs, look);
+    }
+
+    private nextFrozen(at: number): number | null {
+        const times = this.options.state.times.value;
+        const next = times[nearestStep(times, at) + 1];
+        if (next !== undefined) return next;
+        return this.loop.value && times.length > 1 ? times[0]! : null;
+    }
+
+    /** The last time-step stays as long as the one before it. */
+    private frozenPause(at: number, next: number): number {
+        const times = this.options.state.times.value;
+        return next > at ? next - at : (times.at(-1) ?? 0) - (times.at(-2) ?? 0);
+    }
+
+    private pictureIsThere(): boolean {
+        return !['updating', 'none', 'waiting'].includes(this.options.state.phase.value);
+    }
+
+    private stopFrozen(): void {
+        if (this.waiting !== null) this.timer.cancel(this.waiting);
+        this.waiting = null;
+        this.frozenPlaying.value = false;
+    }
+}

@@ -1,0 +1,27 @@
+import { describe, expect, it } from 'vitest';
+import type { DatasetDescription, StepState } from '../../protocol/messages.ts';
+import { AppState } from '../../state/appState.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+import { StepStates } from './stepStates.ts';
+
+function bench(steps: StepState[]) {
+    const state = new AppState();
+    state.dataset.value = { dataset: 'd', times: [0, 1, 2] } as unknown as DatasetDescription;
+    const call = (): Promise<unknown> => Promise.resolve({ dataset: 'd', steps, bytes: 0, budget: 1 });
+    return { state, states: new StepStates(state, { call } as unknown as Pick<WorkerClient, 'call'>) };
+}
+
+describe('StepStates', () => {
+    it('are the answer, changed by what is told afterwards', async () => {
+        const { state, states } = bench(['resident', 'cold', 'cold']);
+        states.patched('d', [{ step: 2, state: 'resident' }]); // older than the answer
+        await states.load('d');
+        expect(state.stepStates.value).toEqual(['resident', 'cold', 'cold']);
+        states.patched('another', [{ step: 0, state: 'cold' }]);
+        states.patched('d', [
+            { step: 1, state: 'loading' },
+            { step: 4, state: 'resident' },
+        ]);
+        expect(state.stepStates.value).toEqual(['resident', 'loading', 'cold', 'cold', 'resident']);
+    });
+});

@@ -1,0 +1,80 @@
+import { describe, expect, it } from 'vitest';
+import type { StepState } from '../../protocol/messages.ts';
+import { clampTo, nearestStep, releasedSpan, residentWords, stepFrom, stepMarks, timelineSpan } from './timeSteps.ts';
+
+const times = [8.5, 9, 10, 10.25, 16];
+
+describe('time-steps', () => {
+    it('step on and back over every one, and stop at the ends', () => {
+        const on = [8.5];
+        while (on.at(-1)! < 16) on.push(stepFrom(times, on.at(-1)!, 1, [8.5, 16]));
+        expect(on).toEqual(times);
+        const back = [16];
+        while (back.at(-1)! > 8.5) back.push(stepFrom(times, back.at(-1)!, -1, [8.5, 16]));
+        expect(back).toEqual([...times].reverse());
+        expect(stepFrom(times, 16, 1, [8.5, 16])).toBe(16);
+        expect(stepFrom(times, 8.5, -1, [8.5, 16])).toBe(8.5);
+    });
+
+    it('step from between two to either, within the span of the surface', () => {
+        expect(stepFrom(times, 9.3, 1, [8.5, 16])).toBe(10);
+        expect(stepFrom(times, 9.3, -1, [8.5, 16])).toBe(9);
+        expect(stepFrom(times, 10.1, 1, [9, 10.2])).toBe(10.2);
+        expect(stepFrom(times, 9.5, -1, [9.2, 10.2])).toBe(9.2);
+        // Not from a rounding error to the same time again.
+        expect(stepFrom(times, 10 - 1e-9, 1, [8.5, 16])).toBe(10.25);
+    });
+
+    it('are twentieths where the data have only one', () => {
+        expect(stepFrom([0], 0, 1, [0, 10])).toBeCloseTo(0.5);
+        expect(stepFrom([0], 9.9, 1, [0, 10])).toBe(10);
+    });
+
+    it('are found by time', () => {
+        expect(times.map((t) => nearestStep(times, t + 0.1))).toEqual([0, 1, 2, 3, 4]);
+        expect(clampTo([1, 2], 3)).toBe(2);
+    });
+
+    it('of a streak surface in which it is released begin at its release, whichever way it runs', () => {
+        expect(releasedSpan([1, 5], 'streak', false)).toEqual([1, 5]);
+        expect(releasedSpan([1, 5], 'streak', false, 2)).toEqual([1, 2]);
+        expect(releasedSpan([1, 5], 'streak', true)).toEqual([1, 5]);
+        expect(releasedSpan([1, 5], 'streak', true, 4)).toEqual([4, 5]);
+        expect([releasedSpan([1, 5], 'path', false), releasedSpan([1, 5], 'time', true)]).toEqual([[1, 1], [5, 5]]);
+    });
+
+    it('and the surface fit on the timeline', () => {
+        expect(timelineSpan(times, null)).toEqual([8.5, 16]);
+        expect(timelineSpan([0], [0, 40])).toEqual([0, 40]);
+        expect(timelineSpan([], null)).toEqual([0, 1]);
+    });
+
+    it('have a mark each, or a run a mark that says the least of them', () => {
+        const states: StepState[] = ['resident', 'resident', 'loading', 'cold', 'resident'];
+        expect(stepMarks(states, 10).map(({ state }) => state)).toEqual(states);
+        const marks = stepMarks(states, 3);
+        expect(marks).toEqual([
+            { first: 0, last: 1, state: 'resident' },
+            { first: 2, last: 3, state: 'loading' },
+            { first: 4, last: 4, state: 'resident' },
+        ]);
+        for (const count of [1, 7, 239, 240, 241, 5000]) {
+            const many = Array.from({ length: count }, (_, i) => states[Math.floor(i / 50) % 5]!);
+            const drawn = stepMarks(many, 240);
+            expect(drawn.length).toBeLessThanOrEqual(240);
+            expect(drawn.reduce((sum, { first, last }) => sum + last - first + 1, 0)).toBe(count);
+            for (const { first, last, state } of drawn) {
+                if (state === 'resident')
+                    expect(many.slice(first, last + 1).every((each) => each === 'resident')).toBe(true);
+            }
+        }
+        expect(stepMarks(Array<StepState>(5000).fill('cold'), 240)).toEqual([
+            { first: 0, last: 4999, state: 'cold' },
+        ]);
+    });
+
+    it('are counted in words', () => {
+        expect(residentWords(['resident', 'cold', 'loading'])).toBe('1 of 3 time-steps in memory, 1 loading');
+        expect(residentWords(['cold'])).toBe('0 of 1 time-step in memory');
+    });
+});

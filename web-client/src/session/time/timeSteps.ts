@@ -1,0 +1,79 @@
+// Arithmetic of the time-steps: the nearest, the next, what the timeline spans, and the marks on it.
+import type { StepState, SurfaceKind } from '../../protocol/messages.ts';
+
+export type Span = readonly [low: number, high: number];
+
+export function nearestStep(times: readonly number[], time: number): number {
+    let nearest = 0;
+    times.forEach((t, i) => {
+        if (Math.abs(t - time) < Math.abs((times[nearest] ?? 0) - time)) nearest = i;
+    });
+    return nearest;
+}
+
+/**
+ * The time-step after (sign 1) or before (-1) a time, as one presses "step": the end of the span where none is left in it.
+ * Data of one time-step have none in between: there it is a twentieth of the span.
+ */
+export function stepFrom(times: readonly number[], time: number, sign: 1 | -1, [low, high]: Span): number {
+    const nearby = 1e-6 * Math.max(high - low, Math.abs(time) * 1e-6);
+    const stops = times.length > 1 ? [low, ...times, high] : twentieths(low, high);
+    const ahead = stops.filter((t) => sign * (t - time) > nearby && t >= low && t <= high);
+    if (ahead.length === 0) return sign > 0 ? high : low;
+    return sign > 0 ? Math.min(...ahead) : Math.max(...ahead);
+}
+
+function twentieths(low: number, high: number): number[] {
+    return Array.from({ length: 21 }, (_, i) => low + ((high - low) * i) / 20);
+}
+
+export function clampTo([low, high]: Span, time: number): number {
+    return Math.min(high, Math.max(low, time));
+}
+
+/** The part of a surface's time in which it is released; of all but streak surfaces none. @param until where it ends, if earlier */
+export function releasedSpan([low, high]: Span, kind: SurfaceKind, backward: boolean, until?: number): Span {
+    const from = backward ? high : low;
+    const to = kind === 'streak' ? (until ?? (backward ? low : high)) : from;
+    return [Math.min(from, to), Math.max(from, to)];
+}
+
+/** All time-steps, and all of the surface; never empty. */
+export function timelineSpan(times: readonly number[], surface: Span | null): Span {
+    const all = [...times, ...(surface ?? [])].filter(Number.isFinite);
+    const low = all.length === 0 ? 0 : Math.min(...all);
+    const high = all.length === 0 ? 1 : Math.max(...all);
+    return high > low ? [low, high] : [low, low + 1];
+}
+
+/** One time-step on the timeline, or a run of neighbours where there are too many to draw. */
+export interface StepMark {
+    first: number;
+    last: number;
+    state: StepState;
+}
+
+/**
+ * A mark for each time-step; where they are more than `atMost`, one for each run of the same state, for which neighbours count
+ * as far as the least of them: resident only if all are.
+ */
+export function stepMarks(states: readonly StepState[], atMost: number): StepMark[] {
+    const width = Math.max(1, Math.ceil(states.length / Math.max(1, atMost)));
+    const marks: StepMark[] = [];
+    for (let first = 0; first < states.length; first += width) {
+        const run = states.slice(first, first + width);
+        const state = run.includes('loading') ? 'loading' : run.includes('cold') ? 'cold' : 'resident';
+        const [last, before] = [first + run.length - 1, marks.at(-1)];
+        if (width > 1 && before?.state === state) before.last = last;
+        else marks.push({ first, last, state });
+    }
+    return marks;
+}
+
+/** "12 of 40 time-steps in memory, 2 loading". */
+export function residentWords(states: readonly StepState[]): string {
+    const count = (wanted: StepState): number => states.filter((state) => state === wanted).length;
+    const loading = count('loading');
+    const steps = states.length === 1 ? 'time-step' : 'time-steps';
+    return `${count('resident')} of ${states.length} ${steps} in memory${loading === 0 ? '' : `, ${loading} loading`}`;
+}

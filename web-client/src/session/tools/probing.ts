@@ -1,0 +1,103 @@
+// The probe: what the flow does at a point, on a surface or in the open, under the pointer or where numbers say.
+import { centreOf } from '../../scene/domain/domainAxes.ts';
+import type { Pointer, PointerTool } from '../../scene/base/pointerTools.ts';
+import type { Vec3 } from '../../protocol/messages.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ProbeReading, ViewState } from '../../state/viewState.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+import { aim, type Sight } from './aiming.ts';
+import { shownTime } from '../time/shownTime.ts';
+
+export interface ProbingOptions extends Sight {
+    state: AppState;
+    pageView: ViewState;
+    worker: Pick<WorkerClient, 'call'>;
+    requestFrame: () => void;
+}
+
+export class Probing implements PointerTool {
+    private readonly options: ProbingOptions;
+    /** While an answer is awaited only the newest place waits. */
+    private asking = false;
+    private next: Vec3 | null = null;
+    private under: Pointer | null = null;
+    private held = false;
+
+    constructor(options: ProbingOptions) {
+        this.options = options;
+    }
+
+    /** Stays there until the pointer is over the picture again after the next click. */
+    click(pointer: Pointer): boolean {
+        if (this.options.pageView.tool.value !== 'probe') return false;
+        this.held = !this.held;
+        this.under = this.held ? null : pointer;
+        this.probeAt(pointer);
+        return true;
+    }
+
+    hover(pointer: Pointer | null): string | null {
+        if (this.options.pageView.tool.value !== 'probe') {
+            this.held = false;
+            return null;
+        }
+        if (!this.held && pointer !== null) {
+            this.under = pointer;
+            this.options.requestFrame();
+        }
+        return 'crosshair';
+    }
+
+    /** Called at the start of every frame: of the places of a frame the newest counts. */
+    flush(): void {
+        if (this.under === null || this.asking) return;
+        const pointer = this.under;
+        this.under = null;
+        this.probeAt(pointer);
+    }
+
+    /** Where numbers say: the pointer does not take it away before the next click. */
+    probeThere(point: Vec3): void {
+        this.held = true;
+        this.under = null;
+        this.probe(point);
+    }
+
+    private probe(point: Vec3): void {
+        this.next = point;
+        if (!this.asking) void this.ask();
+    }
+
+    private probeAt({ at }: Pointer): void {
+        const { state, pageView } = this.options;
+        const bounds = state.dataset.value?.bounds;
+        if (bounds === undefined) return;
+        this.probe(aim(this.options, at, pageView.probe.value?.point ?? centreOf(bounds)).point);
+    }
+
+    private async ask(): Promise<void> {
+        const { state, pageView, worker, requestFrame } = this.options;
+        const description = state.dataset.value;
+        const point = this.next;
+        if (point === null || description === null) return;
+        this.next = null;
+        this.asking = true;
+        const time = shownTime(state);
+        // Masks and vectors that were left out at the import are listed, but are not there to be sampled.
+        const fields = description.fields
+            .map(({ name }) => name)
+            .filter((name) => name === description.velocity || description.surfaceFields?.includes(name));
+        const asked = { dataset: description.dataset, points: [point], time, fields };
+        try {
+            const { inside, values } = await worker.call('probe.sample', asked);
+            const at = ([name, [value]]: [string, (number | Vec3 | null)[]]): ProbeReading['values'][number] => ({ name, value: value ?? null });
+            pageView.probe.value = { point, time, inside: inside[0] === true, values: Object.entries(values).map(at) };
+        } catch (error) {
+            state.editError.value = error instanceof Error ? error.message : String(error);
+        } finally {
+            this.asking = false;
+            requestFrame();
+            if (this.next !== null) void this.ask();
+        }
+    }
+}

@@ -1,0 +1,38 @@
+import { describe, expect, it } from 'vitest';
+import type { RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
+import { decodeLinkState, encodeLinkState } from './linkState.ts';
+
+const rake: RakeRecord = {
+    ...{ rake: 'r1', rev: 4, kind: 'line', seeds: 8, name: 'Zulauf – größer', colour: '#0072b2' },
+    ...{ points: [[0, 0.123456789, 0], [1, 0, 0]] as Vec3[], clipped: false, dragging: false },
+};
+const surface = {
+    ...{ surface: 's1', rev: 2, epoch: 9, rake: 'r1', kind: 'streak', dataset: 'd', from: 0, to: 3 },
+    ...{ separation: 0.1, fields: ['p'] },
+} as SurfaceRecord;
+const camera = { position: [1, 2, 3] as Vec3, target: [0, 0, 0] as Vec3, orthographic: true };
+
+describe('a state in a link', () => {
+    it('comes back as it was, to six digits and without revisions', () => {
+        const text = encodeLinkState({ view: { camera, surface: 's1' }, rakes: [rake], surfaces: [surface] });
+        expect(text).toMatch(/^[\w-]+$/);
+        const back = decodeLinkState(text);
+        expect(back.view).toEqual({ camera, surface: 's1' });
+        expect(back.rakes).toMatchObject([{ rake: 'r1', name: rake.name, rev: 0, points: [[0, 0.123457, 0], [1, 0, 0]] }]);
+        expect(back.surfaces).toMatchObject([{ ...surface, rev: 0, epoch: 0 }]);
+    });
+
+    it('leaves the records out where it would grow too long, and keeps the view', () => {
+        const points = Array.from({ length: 500 }, (_, i): Vec3 => [i / 7, i / 11, i / 13]);
+        const text = encodeLinkState({ view: { camera }, rakes: [{ ...rake, points }], surfaces: [] });
+        expect(text.length).toBeLessThan(6000);
+        expect(decodeLinkState(text)).toEqual({ view: { camera }, rakes: [], surfaces: [] });
+    });
+
+    it('is nothing where somebody has damaged it', () => {
+        const nothing = { view: {}, rakes: [], surfaces: [] };
+        for (const text of ['', '!', 'bm9uc2Vuc2U', btoa('7'), btoa('{"v":{"camera":{"position":[1,2]}},"r":[{}],"s":7}')]) {
+            expect(decodeLinkState(text)).toEqual(nothing);
+        }
+    });
+});

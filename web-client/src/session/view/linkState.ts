@@ -1,0 +1,66 @@
+// The state of a page as a part of its address: view and records, as JSON in base64url. A link opens the same view of the
+// same session, and, where the server has forgotten the session, the same rakes and surfaces in a new one.
+import { isRakeRecord, isSurfaceRecord, type RakeRecord, type SurfaceRecord } from '../../protocol/messages.ts';
+import { type PageView, readPageView } from '../../state/pageView.ts';
+
+export interface LinkState {
+    view: PageView;
+    rakes: RakeRecord[];
+    surfaces: SurfaceRecord[];
+}
+
+/** Longer addresses are cut by mail programs and chats; the records are left out then. */
+const longestJson = 4500;
+const digits = 6;
+
+export function encodeLinkState({ view, rakes, surfaces }: LinkState): string {
+    const whole = jsonOf({ v: view, r: rakes.map(keptOfRake), s: surfaces.map(keptOfSurface) });
+    return base64Of(whole.length <= longestJson ? whole : jsonOf({ v: view }));
+}
+
+/** What can be read of it; never throws. */
+export function decodeLinkState(text: string): LinkState {
+    const value = valueOf(text);
+    const list = (name: string): unknown[] => (Array.isArray(value[name]) ? value[name] : []);
+    return {
+        view: readPageView(value['v']),
+        rakes: list('r').map(withCounters).filter(isRakeRecord),
+        surfaces: list('s').map(withCounters).filter(isSurfaceRecord),
+    };
+}
+
+function keptOfRake({ rake, kind, points, seeds, name, colour }: RakeRecord): object {
+    return { rake, kind, points, seeds, name, colour };
+}
+
+function keptOfSurface({ rev: _rev, epoch: _epoch, ...setting }: SurfaceRecord): object {
+    return setting;
+}
+
+/** Revisions are the server's; a link has none. */
+function withCounters(record: unknown): unknown {
+    return typeof record === 'object' && record !== null ? { ...record, rev: 0, epoch: 0 } : null;
+}
+
+function jsonOf(value: object): string {
+    return JSON.stringify(value, (_, each: unknown) =>
+        typeof each === 'number' && !Number.isInteger(each) ? Number(each.toPrecision(digits)) : each,
+    );
+}
+
+function base64Of(json: string): string {
+    let bytes = '';
+    for (const byte of new TextEncoder().encode(json)) bytes += String.fromCharCode(byte);
+    return btoa(bytes).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+}
+
+function valueOf(text: string): Record<string, unknown> {
+    try {
+        const bytes = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
+        const json = new TextDecoder().decode(Uint8Array.from(bytes, (each) => each.charCodeAt(0)));
+        const value: unknown = JSON.parse(json);
+        return typeof value === 'object' && value !== null ? (value as Record<string, unknown>) : {};
+    } catch {
+        return {};
+    }
+}

@@ -1,0 +1,44 @@
+import { describe, expect, it } from 'vitest';
+import type { RakeRecord, SurfaceRecord } from '../../protocol/messages.ts';
+import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
+import { makeAnew } from './madeAnew.ts';
+
+const rake = (id: string, seeds = 8): RakeRecord =>
+    ({ rake: id, rev: 0, kind: 'line', points: [[0, 0, 0], [1, 0, 0]], seeds, name: id }) as RakeRecord;
+const surface = (id: string, of: string, more: object = {}): SurfaceRecord =>
+    ({ surface: id, rev: 0, epoch: 0, rake: of, kind: 'stream', dataset: 'd', from: 0, to: 1, fields: [], ...more }) as unknown as SurfaceRecord;
+
+/** Names what it makes n1, n2, ...; takes no rake with fewer than two seeds. */
+function serverThat(fails: CallError) {
+    const asked: Record<string, unknown>[] = [];
+    const call = (method: string, params: Record<string, unknown>): Promise<unknown> => {
+        if (method === 'rake.set' && Number(params['seeds']) < 2) return Promise.reject(fails);
+        asked.push(params);
+        return Promise.resolve({ [method.split('.')[0]!]: `n${asked.length}` });
+    };
+    return { asked, worker: { call } as unknown as Pick<WorkerClient, 'call'> };
+}
+
+const refused = new CallError({ kind: 'rpc', code: -32602, message: 'seeds: too few', hint: '' });
+const lost = new CallError({ kind: 'disconnected', code: 0, message: 'gone', hint: '' });
+const former = {
+    rakes: [rake('r1', 1), rake('r2')],
+    surfaces: [surface('s1', 'r1'), surface('s2', 'r2', { session: 'another', hostile: true })],
+};
+
+describe('a session made anew', () => {
+    it('has all that the server takes, says what is missing, and knows the new names', async () => {
+        const { asked, worker } = serverThat(refused);
+        const made = await makeAnew(worker, former, (record) => record);
+        expect([...made.rakes]).toEqual([['r2', 'n1']]);
+        expect([...made.surfaces]).toEqual([['s2', 'n2']]);
+        expect(made.missing).toBe('Not made again: 1 rake and 1 surface. seeds: too few');
+        expect(asked[1]).toMatchObject({ rake: 'n1', kind: 'stream', from: 0, to: 1 });
+        expect(asked[1]).not.toHaveProperty('session');
+        expect(asked[1]).not.toHaveProperty('hostile');
+    });
+
+    it('is given up when the connection is lost', async () => {
+        await expect(makeAnew(serverThat(lost).worker, former, (record) => record)).rejects.toBe(lost);
+    });
+});

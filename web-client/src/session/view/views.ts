@@ -1,0 +1,128 @@
+// The page's view as a value: taken for links and bookmarks, and shown again. Keeps the address of the page up to date.
+import { batch, effect } from '@preact/signals-core';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { AppState } from '../../state/appState.ts';
+import { noClip } from '../../state/clipPlanes.ts';
+import type { PageView } from '../../state/pageView.ts';
+import { decodeLook, encodeLook, type SurfaceLook } from '../../state/surfaceLook.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import { encodeLinkState } from './linkState.ts';
+import type { MadeAnew } from './madeAnew.ts';
+import { showFragment, type UrlState, writeFragment } from './urlState.ts';
+
+/** Browsers refuse more than 100 changes of the address in 30 s. */
+const addressRestMs = 500;
+
+export interface ViewsOptions {
+    state: AppState;
+    view: ViewState;
+    scene: Pick<FlowScene, 'controls' | 'loop' | 'onDraw'>;
+    url: UrlState;
+}
+
+export class Views {
+    private readonly options: ViewsOptions;
+    private pending: ReturnType<typeof setTimeout> | null = null;
+    private drawnPose = '';
+    private restored = false;
+    /** The session that is in the address. */
+    private written: string | null = null;
+
+    constructor(options: ViewsOptions) {
+        this.options = options;
+        const { state, view, scene } = options;
+        scene.onDraw(() => {
+            const pose = JSON.stringify(scene.controls.pose);
+            if (pose !== this.drawnPose) this.changed();
+            this.drawnPose = pose;
+        });
+        effect(() => {
+            // Whatever of these changes, the address does.
+            void [state.session.value, state.rakes.value, state.surfaces.value, state.activeSurface.value];
+            void [view.looks.value, view.clip.value];
+            this.changed();
+        });
+    }
+
+    current(): PageView {
+        const { state, view, scene } = this.options;
+        const surface = state.activeSurface.value;
+        const [clip, known] = [view.clip.value, state.surfaces.value];
+        const looks = [...view.looks.value].filter(([id]) => known.has(id)).map(([id, look]) => [id, encodeLook(look)]);
+        return {
+            camera: scene.controls.pose,
+            ...(surface === null ? {} : { surface }),
+            looks: Object.fromEntries(looks) as Record<string, Partial<SurfaceLook>>,
+            ...(clip === noClip ? {} : { clip }),
+        };
+    }
+
+    show({ camera, surface, looks, clip }: PageView): void {
+        const { state, view, scene } = this.options;
+        if (camera !== undefined) {
+            view.orthographic.value = camera.orthographic;
+            scene.controls.place(camera);
+            scene.loop.request();
+        }
+        if (looks !== undefined) {
+            view.looks.value = new Map(Object.entries(looks).map(([id, look]) => [id, decodeLook(look)]));
+            view.clip.value = clip ?? noClip;
+        }
+        if (surface !== undefined && state.surfaces.value.has(surface)) state.activeSurface.value = surface;
+    }
+
+    /** The view of the link that opened the page; once, when there is something to look at. */
+    restore(): void {
+        const { state } = this.options.url;
+        if (this.restored) return;
+        this.restored = true;
+        if (state !== null) this.show(state.view);
+    }
+
+    /** The same records have other names now: the view goes on with them. */
+    madeAnew({ rakes, surfaces }: Pick<MadeAnew, 'rakes' | 'surfaces'>): void {
+        const { state, view, url } = this.options;
+        const renamed = <Value>(each: Iterable<[string, Value]>): [string, Value][] =>
+            [...each].flatMap(([id, value]): [string, Value][] => {
+                const now = surfaces.get(id);
+                return now === undefined ? [] : [[now, value]];
+            });
+        batch(() => {
+            view.looks.value = new Map(renamed(view.looks.value));
+            state.activeRake.value = rakes.get(state.activeRake.value ?? '') ?? null;
+            state.activeSurface.value = surfaces.get(state.activeSurface.value ?? '') ?? null;
+        });
+        if (url.state === null) return;
+        const { surface: _, looks, ...kept } = url.state.view;
+        const surface = surfaces.get(url.state.view.surface ?? '');
+        url.state.view = {
+            ...kept,
+            ...(surface === undefined ? {} : { surface }),
+            ...(looks === undefined ? {} : { looks: Object.fromEntries(renamed(Object.entries(looks))) }),
+        };
+    }
+
+    /** The address of this page as it is now. */
+    link(): string {
+        const { state, url } = this.options;
+        const records = { rakes: [...state.rakes.value.values()], surfaces: [...state.surfaces.value.values()] };
+        const encoded = encodeLinkState({ view: this.current(), ...records });
+        const address = new URL(location.href);
+        address.hash = writeFragment(state.session.value, url.dataset, encoded);
+        return address.href;
+    }
+
+    private changed(): void {
+        const { state, url } = this.options;
+        if (state.session.value !== this.written) {
+            // At once: whoever reloads the page must come back to the session.
+            this.written = state.session.value;
+            const former = url.state === null ? null : encodeLinkState(url.state);
+            if (!this.restored) showFragment(writeFragment(this.written, url.dataset, former));
+        }
+        this.pending ??= setTimeout(() => {
+            this.pending = null;
+            if (this.written !== null && this.restored) showFragment(new URL(this.link()).hash);
+        }, addressRestMs);
+    }
+}

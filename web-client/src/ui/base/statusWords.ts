@@ -1,0 +1,19 @@
+// The state of the picture in words: what is coarse or old must not pass for the result.
+import type { SurfacePhase } from '../../state/appState.ts';
+
+export const phaseWords: Record<SurfacePhase, string> = {
+    waiting: 'Waiting for the server …',
+    ended: 'No longer connected',
+    none: 'Computing the first surface …',
+    updating: 'Updating …',
+    coarse: 'Coarse, refining …',
+    live: 'Playing',
+    final: 'Final',
+    empty: 'Final: no surface grows from this rake',
+    stopped: 'Stopped before it was final',
+    error: 'Not computed',
+};
+
+export function countWords(count: number): string {
+    return count.toLocaleString('en').replaceAll(',', '\u202f');
+}

@@ -1,0 +1,111 @@
+// What mouse and keys do, and the tour again.
+import { css, html, type TemplateResult } from 'lit';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+import { isTyping } from '../base/typing.ts';
+
+const hints: readonly [keys: string, words: string][] = [
+    ['Drag a handle', 'move the rake; Shift keeps to an axis'],
+    ['Drag elsewhere', 'turn the view; right button shifts it'],
+    ['Wheel, pinch', 'come nearer'],
+    ['Arrows, Page Up/Down', 'move the handle whose button has the focus'],
+    ['Ctrl Z, Ctrl Shift Z', 'undo and redo your own edits'],
+    ['Space', 'play and pause'],
+    [', and .', 'a time-step back and on'],
+    ['F', 'fit the whole domain'],
+    ['Esc', 'put the tool away, follow nobody'],
+    ['?', 'this help'],
+];
+
+export class HelpDialog extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            dialog {
+                max-width: 460px;
+                padding: 18px 22px;
+                border: 1px solid var(--line);
+                border-radius: 10px;
+                background: var(--ground);
+                color: var(--text);
+            }
+            dialog::backdrop {
+                background: rgb(0 0 0 / 0.4);
+            }
+            h2 {
+                margin: 0 0 10px;
+                font-size: 16px;
+            }
+            dl {
+                display: grid;
+                grid-template-columns: auto 1fr;
+                gap: 5px 16px;
+                margin: 0 0 14px;
+            }
+            dt {
+                font-weight: 600;
+            }
+            dd {
+                margin: 0;
+            }
+            .row {
+                display: flex;
+                justify-content: flex-end;
+                gap: 8px;
+            }
+            .open {
+                min-width: 28px;
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        return html`<button type="button" class="open" aria-label="Help" title="Help (?)" @click=${() => this.show()}>?</button>
+            <dialog aria-labelledby="help-head">
+                <h2 id="help-head">Mouse and keys</h2>
+                <dl>
+                    ${hints.map(
+                        ([keys, words]) => html`<dt>${keys}</dt>
+                            <dd>${words}</dd>`,
+                    )}
+                </dl>
+                <div class="row">
+                    <button type="button" @click=${this.tour}>Show the tour</button>
+                    <button type="button" autofocus @click=${() => this.dialog?.close()}>Close</button>
+                </div>
+            </dialog>`;
+    }
+
+    override connectedCallback(): void {
+        super.connectedCallback();
+        addEventListener('keydown', this.pressed);
+    }
+
+    override disconnectedCallback(): void {
+        super.disconnectedCallback();
+        removeEventListener('keydown', this.pressed);
+    }
+
+    private readonly pressed = (event: KeyboardEvent): void => {
+        if (event.key === '?' && !isTyping(event)) this.show();
+    };
+
+    private get dialog(): HTMLDialogElement | null {
+        return this.renderRoot.querySelector('dialog');
+    }
+
+    private show(): void {
+        if (this.dialog?.open === false) this.dialog.showModal();
+    }
+
+    private tour(): void {
+        this.dialog?.close();
+        this.model.view.tourStep.value = 0;
+    }
+}
+
+customElements.define('wakesurf-help', HelpDialog);

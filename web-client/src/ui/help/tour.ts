@@ -1,0 +1,94 @@
+// Leads a first visit through the page, one card at a time, without standing in the way: whatever it speaks of can be done
+// while it is there, and it can be sent away.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { keep, recall } from '../../state/browserMemory.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+import { type TourStart, tourStart, tourSteps } from './tourSteps.ts';
+
+const kept = 'tour';
+
+export class Tour extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    private start: { step: number; before: TourStart } | null = null;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            section {
+                width: 300px;
+                padding: 12px 14px;
+                border: 1px solid var(--line);
+                border-left: 4px solid var(--accent);
+                border-radius: 8px;
+                background: var(--ground);
+                box-shadow: 0 6px 24px rgb(0 0 0 / 0.35);
+            }
+            h2 {
+                margin: 0 0 4px;
+                font-size: 14px;
+            }
+            p {
+                margin: 0 0 10px;
+            }
+            .row {
+                display: flex;
+                align-items: center;
+                gap: 8px;
+            }
+            .quiet {
+                flex: 1;
+                color: var(--quiet);
+            }
+        `,
+    ];
+
+    override connectedCallback(): void {
+        super.connectedCallback();
+        const { view } = this.model;
+        if (recall(kept) === null && view.tourStep.value === null) view.tourStep.value = 0;
+    }
+
+    override render(): TemplateResult | typeof nothing {
+        const { state, view } = this.model;
+        const at = view.tourStep.value;
+        const step = tourSteps[at ?? -1];
+        const mayEdit = state.role.value !== 'viewer';
+        if (at === null || step === undefined || state.stage.value !== 'running' || !mayEdit) return nothing;
+        if (this.start?.step !== at) this.start = { step: at, before: tourStart(this.model) };
+        if (step.done(this.model, this.start.before)) queueMicrotask(() => this.goTo(at + 1));
+        const last = at === tourSteps.length - 1;
+        return html`<section aria-label="Tour" data-step=${step.id}>
+            <div aria-live="polite">
+                <h2>${step.title}</h2>
+                <p>${step.words(this.model)}</p>
+            </div>
+            <div class="row">
+                <span class="quiet">${at + 1} of ${tourSteps.length}</span>
+                ${last ? nothing : html`<button type="button" @click=${() => this.end()}>Skip the tour</button>`}
+                <button type="button" @click=${() => this.goTo(at + 1)}>${last ? 'Done' : 'Next'}</button>
+            </div>
+        </section>`;
+    }
+
+    protected override firstUpdated(): void {
+        // Turning the view is no signal.
+        this.model.scene.onDraw(() => {
+            if (this.model.view.tourStep.value !== null) this.requestUpdate();
+        });
+    }
+
+    private goTo(step: number): void {
+        if (step >= tourSteps.length) this.end();
+        else this.model.view.tourStep.value = step;
+    }
+
+    private end(): void {
+        this.model.view.tourStep.value = null;
+        keep(kept, 'done');
+    }
+}
+
+customElements.define('wakesurf-tour', Tour);

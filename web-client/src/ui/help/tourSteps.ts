@@ -1,0 +1,70 @@
+// What a first visit is led through: from dragging the rake to showing the result to somebody else.
+import type { AppModel } from '../base/appModel.ts';
+
+export interface TourStep {
+    id: string;
+    title: string;
+    words: (model: AppModel) => string;
+    /** Whether the user has done it; the tour goes on by itself then. */
+    done: (model: AppModel, before: TourStart) => boolean;
+}
+
+/** How things stood when the step began. */
+export interface TourStart {
+    rakeRevisions: string;
+    pose: string;
+}
+
+export function tourStart({ state, scene }: AppModel): TourStart {
+    const revisions = [...state.rakes.value.values()].map(({ rake, rev }) => `${rake} ${rev}`);
+    return { rakeRevisions: revisions.join(), pose: JSON.stringify(scene.controls.pose) };
+}
+
+export const tourSteps: readonly TourStep[] = [
+    {
+        id: 'drag',
+        title: 'Drag the rake',
+        words: () =>
+            'The line with the round handles releases particles; the sheet is where they go. ' +
+            'Drag a handle: the surface follows, coarse at first, then final.',
+        done: (model, before) => tourStart(model).rakeRevisions !== before.rakeRevisions,
+    },
+    {
+        id: 'turn',
+        title: 'Look round',
+        words: () => 'Drag beside the rake to turn the view, with the right button to shift it, and scroll to come nearer.',
+        done: (model, before) => tourStart(model).pose !== before.pose,
+    },
+    {
+        id: 'streak',
+        title: 'Choose a streak surface',
+        words: ({ state }) =>
+            state.dataset.value?.steady === true || state.times.value.length < 2
+                ? 'This flow does not change with time. Where one does, a streak surface shows what is released one after another, like smoke.'
+                : 'On the right, under Flow, choose Streak: particles released one after another, like smoke. It moves with the flow.',
+        done: ({ edits }) => edits.intent.value?.kind === 'streak',
+    },
+    {
+        id: 'play',
+        title: 'Let it move',
+        words: ({ state }) =>
+            'Press play at the bottom' +
+            (state.dataset.value?.obstacle === true ? ' and watch the sheet tear round the body' : '') +
+            '. Everybody in the session sees the same time.',
+        done: ({ state }) => state.clock.value?.playing === true,
+    },
+    {
+        id: 'look',
+        title: 'Make it readable',
+        words: () => 'Under Look, colour the surface by another field, make it see-through, or draw lines on it.',
+        done: () => false,
+    },
+    {
+        id: 'share',
+        title: 'Show it to somebody',
+        words: () =>
+            'Under Share, make a link: whoever opens it sees this view and may drag rakes too. ' +
+            'Under Export there are pictures, films and meshes.',
+        done: ({ state }) => state.participants.value.size > 1,
+    },
+];

@@ -1,0 +1,58 @@
+// What a surface can be coloured by, and the colour maps, in words.
+import type { DatasetDescription, SurfaceKind } from '../../protocol/messages.ts';
+import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
+import { canCome, colourByField, colourFields, deformation } from '../../session/picture/surfaceStyleOf.ts';
+import type { ColourMap } from '../../state/surfaceLook.ts';
+import type { Choice } from './lookStyles.ts';
+
+export const mapNames: Record<ColourMap, string> = {
+    viridis: 'Viridis',
+    cividis: 'Cividis',
+    inferno: 'Inferno',
+    plasma: 'Plasma',
+    coolToWarm: 'Cool to warm',
+    grey: 'Grey',
+    turbo: 'Turbo',
+};
+
+export function ageName(kind: SurfaceKind | undefined): string {
+    return kind === 'time' ? 'Place across the patch' : 'Age';
+}
+
+/** Those that others have to compute are not for people who may only look on, unless they are there already. */
+export function colourChoices(
+    dataset: DatasetDescription | null,
+    kind: SurfaceKind | undefined,
+    isThere: (field: string) => boolean,
+): Choice<string>[] {
+    const fields = colourFields(dataset).map(({ name }) => ({
+        value: colourByField(name),
+        words: name,
+        disabled: !isThere(name),
+    }));
+    const derived = [
+        { value: deformation, words: 'Stretching' },
+        { value: 'approximated', words: 'Approximated' },
+    ];
+    return [
+        { value: 'speed', words: 'Speed' },
+        { value: 'age', words: ageName(kind) },
+        { value: 's', words: 'Place on the rake' },
+        ...derived
+            .filter(({ value }) => canCome(dataset, value))
+            .map((each) => ({ ...each, disabled: !isThere(each.value) })),
+        ...fields,
+        { value: 'constant', words: 'One colour' },
+    ];
+}
+
+/** The name and unit of what colours a surface now. */
+export function colourTitle({ source, scalar }: SurfaceStyle, dataset: DatasetDescription | null, kind: SurfaceKind | undefined): string {
+    if (source === 's') return 'Place on the rake';
+    if (source === 'age') return ageName(kind);
+    if (scalar === deformation) return 'Stretching (log₂ of area)';
+    if (scalar === 'approximated') return 'Approximated (0: no, 1: yes)';
+    const field = dataset?.fields.find(({ name }) => name === (scalar === 'speed' ? dataset.velocity : scalar));
+    const name = scalar === 'speed' ? 'Speed' : scalar;
+    return field?.unit === undefined ? name : `${name} (${field.unit})`;
+}

@@ -1,0 +1,203 @@
+// What the selected surface is coloured by, with which colours, over which range.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { colorTable, tableSize } from '../../scene/surface/colorMap.ts';
+import { attributeOf, deformation, fieldOf, withField } from '../../session/picture/surfaceStyleOf.ts';
+import { colourMaps, type SurfaceLook } from '../../state/surfaceLook.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { colourChoices, mapNames } from './colourNames.ts';
+import { checkRow, lookStyles, pairRow, selectRow } from './lookStyles.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+export class ColourPanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        lookStyles,
+        css`
+            fieldset {
+                display: grid;
+                grid-template-columns: 1fr 1fr;
+                gap: 4px;
+                margin: 6px 0 8px;
+                padding: 0;
+                border: 0;
+            }
+            legend {
+                padding: 0;
+                margin-bottom: 4px;
+            }
+            .map {
+                position: relative;
+                display: grid;
+                gap: 2px;
+                padding: 4px 6px;
+                border: 1px solid var(--line);
+                border-radius: 6px;
+                background: var(--raised);
+                font-size: 12px;
+                cursor: pointer;
+            }
+            .map input {
+                position: absolute;
+                opacity: 0;
+                inset: 0;
+                margin: 0;
+                cursor: pointer;
+            }
+            .map:has(:checked) {
+                border-color: var(--accent);
+                box-shadow: inset 0 0 0 1px var(--accent);
+            }
+            .map:has(:focus-visible) {
+                outline: 2px solid var(--accent);
+                outline-offset: 2px;
+            }
+            canvas {
+                width: 100%;
+                height: 10px;
+                border-radius: 3px;
+            }
+            .checks {
+                display: grid;
+                grid-template-columns: 1fr 1fr;
+            }
+            .centre {
+                width: 80px;
+                text-align: right;
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { state, view, scene } = this.model;
+        const id = state.activeSurface.value;
+        const record = state.surface.value;
+        // Again with every state on the screen: automatic ranges follow it.
+        void state.displayed.value;
+        if (id === null || record === undefined) return html``;
+        const look = view.lookOf(id);
+        const isThere = (field: string): boolean => state.role.value !== 'viewer' || record.fields.includes(field);
+        const choices = colourChoices(state.dataset.value, record.kind, isThere);
+        const range = look.range ?? scene.surfaces.spanOf(id)?.colors ?? ([0, 1] as const);
+        return html`
+            ${selectRow('colour-by', 'Colour by', choices, look.colourBy, (colourBy) => this.colourBy(colourBy))}
+            ${this.waiting(id, look)}
+            ${look.colourBy === 'constant' ? this.constant(look) : html`${this.maps(look)} ${this.range(look, range)}`}
+        `;
+    }
+
+    private change(change: Partial<SurfaceLook>): void {
+        const { state, view } = this.model;
+        const id = state.activeSurface.value;
+        if (id !== null) view.changeLook(id, change);
+    }
+
+    private colourBy(colourBy: string): void {
+        const { state, view, edits } = this.model;
+        const before = view.lookOf(state.activeSurface.value);
+        const field = fieldOf(colourBy);
+        const fields = state.surface.value?.fields ?? [];
+        if (field !== null && !fields.includes(field)) edits.changeSurface({ fields: withField(fields, field) });
+        // Stretched or gathered: a quantity with a sign.
+        const signed = colourBy === deformation;
+        const wasSigned = before.map === 'coolToWarm' && before.centre !== null;
+        const map = signed ? 'coolToWarm' : wasSigned ? 'viridis' : before.map;
+        this.change({ colourBy, range: null, log: false, centre: signed ? 0 : null, map });
+    }
+
+    private waiting(id: string, look: SurfaceLook): TemplateResult | typeof nothing {
+        const wanted = attributeOf(look.colourBy);
+        const style = this.model.scene.surfaces.spanOf(id)?.style;
+        if (wanted === null || style === undefined || style.scalar === wanted) return nothing;
+        const { state } = this.model;
+        const asked = wanted === 'speed' || state.editsPending.value || state.surface.value?.fields.includes(wanted);
+        const words = asked
+            ? 'The colours change when the values have come from the server.'
+            : 'The server does not send this with the surface. Choose it again, or another.';
+        return html`<p class="quiet" role="status">${words}</p>`;
+    }
+
+    private constant(look: SurfaceLook): TemplateResult {
+        const colour = look.colour ?? this.model.state.rake.value?.colour ?? '#8fb8de';
+        const own = look.colour !== null;
+        return html`${checkRow('own-colour', 'Another colour than the rake’s', own, (on) => this.change({ colour: on ? colour : null }))}
+            <label class="row" for="surface-colour"
+                ><span>Colour</span>
+                <input
+                    id="surface-colour"
+                    type="color"
+                    .value=${colour}
+                    ?disabled=${!own}
+                    @input=${(event: Event) => this.change({ colour: (event.target as HTMLInputElement).value })}
+                />
+            </label>`;
+    }
+
+    private maps(look: SurfaceLook): TemplateResult {
+        return html`<fieldset>
+            <legend>Colours</legend>
+            ${colourMaps.map(
+                (map) =>
+                    html`<label class="map"
+                        ><canvas data-map=${map} width=${tableSize} height="1" aria-hidden="true"></canvas>
+                        <input
+                            type="radio"
+                            name="map"
+                            value=${map}
+                            .checked=${look.map === map}
+                            @change=${() => this.change({ map })}
+                        />${mapNames[map]}</label
+                    >`,
+            )}
+        </fieldset>`;
+    }
+
+    private range(look: SurfaceLook, range: readonly [number, number]): TemplateResult {
+        const locked = look.range !== null;
+        return html`
+            ${checkRow('lock-range', locked ? 'Range locked at' : 'Lock the range', locked, (on) =>
+                this.change({ range: on ? range : null }),
+            )}
+            ${pairRow('range', 'Range', range, false, (pair) => this.change({ range: pair }))}
+            <div class="checks">
+                ${checkRow('invert', 'Inverted', look.invert, (invert) => this.change({ invert }))}
+                ${checkRow('log', 'Logarithmic', look.log, (log) => this.change({ log, centre: log ? null : look.centre }))}
+                ${checkRow('centred', 'Symmetric round', look.centre !== null, (on) =>
+                    this.change({ centre: on ? 0 : null, log: on ? false : look.log }),
+                )}
+                <input
+                    class="centre"
+                    type="number"
+                    step="any"
+                    aria-label="Value in the middle"
+                    .value=${String(look.centre ?? 0)}
+                    ?disabled=${look.centre === null}
+                    @change=${this.centreChanged}
+                />
+            </div>
+            <p class="quiet">Values outside have the colours of the ends${look.log ? '; those without a logarithm are grey' : ''}.</p>
+        `;
+    }
+
+    private centreChanged(event: Event): void {
+        const { state, view } = this.model;
+        const field = event.target as HTMLInputElement;
+        if (Number.isFinite(field.valueAsNumber)) this.change({ centre: field.valueAsNumber });
+        else field.value = String(view.lookOf(state.activeSurface.value).centre ?? 0);
+    }
+
+    protected override updated(): void {
+        for (const canvas of this.renderRoot.querySelectorAll('canvas')) {
+            const map = colourMaps.find((each) => each === canvas.dataset['map']);
+            if (map === undefined || canvas.dataset['drawn'] === map) continue;
+            canvas.dataset['drawn'] = map;
+            const pixels = new Uint8ClampedArray(colorTable(map).buffer);
+            canvas.getContext('2d')?.putImageData(new ImageData(pixels, tableSize, 1), 0, 0);
+        }
+    }
+}
+
+customElements.define('wakesurf-colour', ColourPanel);

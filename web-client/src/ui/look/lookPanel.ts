@@ -1,0 +1,84 @@
+// How the selected surface looks: the colours first, everything else in groups that open.
+import { css, html, type TemplateResult } from 'lit';
+import type { AppModel } from '../base/appModel.ts';
+import './clipPanel.ts';
+import './colourPanel.ts';
+import './linesPanel.ts';
+import './opacityPanel.ts';
+import './paintPanel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+import './windowsPanel.ts';
+
+export class LookPanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            :host {
+                display: block;
+                padding-top: 10px;
+            }
+            details {
+                border-top: 1px solid var(--line);
+            }
+            wakesurf-colour {
+                display: block;
+                margin-bottom: 10px;
+            }
+            summary {
+                padding: 7px 0;
+                font-weight: 600;
+                cursor: pointer;
+            }
+            details[open] > :last-child {
+                display: block;
+                padding-bottom: 10px;
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { model } = this;
+        return html`
+            <wakesurf-colour .model=${model}></wakesurf-colour>
+            <details id="opacity-group">
+                <summary>Opacity and outlines</summary>
+                <wakesurf-opacity .model=${model}></wakesurf-opacity>
+            </details>
+            <details id="lines-group">
+                <summary>Stripes and texture</summary>
+                <wakesurf-lines .model=${model}></wakesurf-lines>
+            </details>
+            <details id="windows-group">
+                <summary>Part shown</summary>
+                <wakesurf-windows .model=${model}></wakesurf-windows>
+            </details>
+            <details id="clip-group">
+                <summary>Cutting planes</summary>
+                <wakesurf-clip .model=${model}></wakesurf-clip>
+            </details>
+            <details id="paint-group" @toggle=${this.listParts}>
+                <summary>Painting and connected parts</summary>
+                <wakesurf-paint .model=${model}></wakesurf-paint>
+            </details>
+        `;
+    }
+
+    override disconnectedCallback(): void {
+        super.disconnectedCallback();
+        const { view } = this.model;
+        view.partsListed.value = false;
+        // Nothing on the page would say that the brush is still in hand.
+        if (view.tool.value === 'paint') view.tool.value = 'none';
+    }
+
+    /** Parts are looked for only while somebody sees the list. */
+    private listParts(event: Event): void {
+        this.model.view.partsListed.value = (event.target as HTMLDetailsElement).open;
+    }
+}
+
+customElements.define('wakesurf-look', LookPanel);

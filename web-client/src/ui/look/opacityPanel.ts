@@ -1,0 +1,57 @@
+// How much of what is behind the selected surface is seen through it, its outlines and its other side.
+import { html, type TemplateResult } from 'lit';
+import type { BackSide, SurfaceLook } from '../../state/surfaceLook.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { checkRow, type Choice, lookStyles, selectRow, sliderRow } from './lookStyles.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+const sides: readonly Choice<BackSide>[] = [
+    { value: 'shaded', words: 'A little darker' },
+    { value: 'tinted', words: 'Tinted orange' },
+    { value: 'same', words: 'The same' },
+];
+
+export class OpacityPanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    static override styles = [sharedStyles, lookStyles];
+
+    override render(): TemplateResult {
+        const { state, view } = this.model;
+        const look = view.lookOf(state.activeSurface.value);
+        const percent = (part: number): string => `${Math.round(100 * part)} %`;
+        const slider = { low: 0, high: 1, step: 0.05 };
+        return html`
+            ${sliderRow({
+                ...{ ...slider, low: 0.05, id: 'opacity', words: 'Opacity', value: look.opacity },
+                shown: percent(look.opacity),
+                change: (opacity) => this.change({ opacity }),
+            })}
+            ${checkRow('angle-opacity', 'Denser where seen edge-on', look.angleOpacity, (angleOpacity) =>
+                this.change({ angleOpacity, ...dimmed(look, angleOpacity) }),
+            )}
+            ${sliderRow({
+                ...{ ...slider, id: 'smoke', words: 'Smoke', value: look.smoke },
+                shown: look.smoke === 0 ? 'off' : percent(look.smoke),
+                change: (smoke) => this.change({ smoke, ...dimmed(look, smoke > 0, 0.9) }),
+            })}
+            <p class="quiet">Smoke thins out where the surface has been stretched, and with age.</p>
+            ${checkRow('silhouettes', 'Outlines', look.silhouettes, (silhouettes) => this.change({ silhouettes }))}
+            ${selectRow('back-side', 'Other side', sides, look.backSide, (backSide) => this.change({ backSide }))}
+        `;
+    }
+
+    private change(change: Partial<SurfaceLook>): void {
+        const { state, view } = this.model;
+        const id = state.activeSurface.value;
+        if (id !== null) view.changeLook(id, change);
+    }
+}
+
+/** What does not let anything through at all cannot do so more or less. */
+function dimmed({ opacity }: SurfaceLook, on: boolean, to = 0.6): Partial<SurfaceLook> {
+    return on && opacity > 0.95 ? { opacity: to } : {};
+}
+
+customElements.define('wakesurf-opacity', OpacityPanel);

@@ -1,0 +1,109 @@
+// What the colours of the selected surface mean: the colour table with numbers, as text that can be read aloud.
+import { css, html, type TemplateResult } from 'lit';
+import { colorTable, fractionOf, tableSize } from '../../scene/surface/colorMap.ts';
+import { colorTicks } from '../../scene/surface/colorTicks.ts';
+import type { SurfaceSpan } from '../../scene/surface/surfaceLayer.ts';
+import { shortNumber } from '../../scene/base/ticks.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { colourTitle } from './colourNames.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+export class ScalarBar extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    private span: SurfaceSpan | null = null;
+    private painted: { canvas: HTMLCanvasElement; table: string } | null = null;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            :host([hidden]) {
+                display: none;
+            }
+            :host {
+                display: block;
+                width: 260px;
+                padding: 8px 14px 6px;
+                border-radius: 8px;
+                background: light-dark(rgb(246 248 251 / 0.86), rgb(11 16 24 / 0.82));
+                font-size: 12px;
+                pointer-events: none;
+            }
+            figure {
+                margin: 0;
+            }
+            canvas {
+                display: block;
+                width: 100%;
+                height: 12px;
+                border-radius: 3px;
+            }
+            figcaption {
+                display: flex;
+                justify-content: space-between;
+                gap: 8px;
+                margin-bottom: 4px;
+            }
+            .range {
+                color: var(--quiet);
+                white-space: nowrap;
+                font-variant-numeric: tabular-nums;
+            }
+            .ticks {
+                position: relative;
+                height: 18px;
+                margin-top: 3px;
+                font-variant-numeric: tabular-nums;
+            }
+            .ticks span {
+                position: absolute;
+                transform: translateX(-50%);
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { state, view, scene } = this.model;
+        // Whenever one of these changes, what is drawn may.
+        void [state.displayed.value, view.looks.value, state.surfaces.value, state.speedRange.value];
+        this.span = scene.surfaces.spanOf(state.activeSurface.value ?? '');
+        this.hidden = this.span === null || this.span.style.source === 'constant';
+        if (this.span === null) return html``;
+        const { colors, style } = this.span;
+        const [low, high] = colors;
+        const name = colourTitle(style, state.dataset.value, state.surface.value?.kind);
+        const scale = style.logarithmic ? ', logarithmic' : '';
+        return html`<figure aria-label=${`Colours: ${name} from ${shortNumber(low)} to ${shortNumber(high)}${scale}`}>
+            <figcaption>
+                <span>${name}</span>
+                <span class="range">${shortNumber(low)} to ${shortNumber(high)}${style.logarithmic ? ', log' : ''}</span>
+            </figcaption>
+            <canvas width=${tableSize} height="1" aria-hidden="true"></canvas>
+            <div class="ticks" aria-hidden="true">
+                ${colorTicks(low, high, style.logarithmic, 5).map(
+                    ({ value, label }) =>
+                        html`<span data-at=${fractionOf(value, colors, style.logarithmic)}>${label}</span>`,
+                )}
+            </div>
+        </figure>`;
+    }
+
+    protected override updated(): void {
+        // Positions through the object model: the content security policy forbids style attributes.
+        for (const tick of this.renderRoot.querySelectorAll<HTMLElement>('.ticks span')) {
+            tick.style.left = `${Number(tick.dataset['at']) * 100}%`;
+        }
+        if (this.span === null) return;
+        const { map, inverted } = this.span.style;
+        const canvas = this.renderRoot.querySelector('canvas');
+        const table = `${map} ${inverted}`;
+        // Ranges change with every state, colours seldom.
+        if (canvas === null || (this.painted?.canvas === canvas && this.painted.table === table)) return;
+        this.painted = { canvas, table };
+        const pixels = new Uint8ClampedArray(colorTable(map, inverted).buffer);
+        canvas.getContext('2d')?.putImageData(new ImageData(pixels, tableSize, 1), 0, 0);
+    }
+}
+
+customElements.define('wakesurf-scalar-bar', ScalarBar);

@@ -1,0 +1,66 @@
+// Which part of the selected surface is shown: from some seeds only, or of some age only.
+import { html, nothing, type TemplateResult } from 'lit';
+import { shortNumber } from '../../scene/base/ticks.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { ageName } from './colourNames.ts';
+import { lookStyles, sliderRow } from './lookStyles.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+type Window = 'sWindow' | 'ageWindow';
+type Span = readonly [number, number];
+
+export class WindowsPanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    static override styles = [sharedStyles, lookStyles];
+
+    override render(): TemplateResult {
+        const { state, view, scene } = this.model;
+        void state.displayed.value;
+        const id = state.activeSurface.value ?? '';
+        const look = view.lookOf(id);
+        const span = scene.surfaces.spanOf(id);
+        if (span === null) return html`<p class="quiet">There is no surface yet.</p>`;
+        const shown = look.sWindow !== null || look.ageWindow !== null;
+        return html`
+            ${this.window('sWindow', 's-window', 'Place on the rake', look.sWindow, [0, 1])}
+            ${this.window('ageWindow', 'age-window', ageName(state.surface.value?.kind), look.ageWindow, span.age)}
+            ${shown
+                ? html`<div class="buttons"><button id="show-whole" type="button" @click=${this.reset}>Show all of it</button></div>`
+                : nothing}
+        `;
+    }
+
+    private window(name: Window, id: string, words: string, window: Span | null, whole: Span): TemplateResult {
+        // Of a surface without vertices there is no age.
+        if (!whole.every(Number.isFinite) || !(whole[1] > whole[0])) return html``;
+        const [low, high] = window ?? whole;
+        const step = (whole[1] - whole[0]) / 200;
+        const slider = (end: 'from' | 'to', value: number): TemplateResult =>
+            sliderRow({
+                ...{ id: `${id}-${end}`, words: `${words}, ${end}`, value, shown: shortNumber(value) },
+                ...{ low: whole[0], high: whole[1], step },
+                change: (at) => this.change(name, end === 'from' ? [at, Math.max(at, high)] : [Math.min(at, low), at], whole),
+            });
+        return html`${slider('from', low)} ${slider('to', high)}`;
+    }
+
+    /** A window that holds everything is none, and goes on to do so. */
+    private change(name: Window, [low, high]: Span, whole: Span): void {
+        const { state, view } = this.model;
+        const id = state.activeSurface.value;
+        if (id === null) return;
+        const slack = (whole[1] - whole[0]) / 400;
+        const open = low <= whole[0] + slack && high >= whole[1] - slack;
+        view.changeLook(id, { [name]: open ? null : [low, high] });
+    }
+
+    private reset(): void {
+        const { state, view } = this.model;
+        const id = state.activeSurface.value;
+        if (id !== null) view.changeLook(id, { sWindow: null, ageWindow: null });
+    }
+}
+
+customElements.define('wakesurf-windows', WindowsPanel);

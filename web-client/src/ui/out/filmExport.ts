@@ -1,0 +1,124 @@
+// A film of the playback, frame by frame.
+import { html, nothing, type TemplateResult } from 'lit';
+import { signal } from '@preact/signals-core';
+import { sizeFault } from '../../scene/capture.ts';
+import { shortNumber } from '../../scene/base/ticks.ts';
+import { framesAtMost, frameTimes } from '../../session/out/film.ts';
+import { canEncode } from '../../session/out/videoEncoding.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { exportStyles } from './exportStyles.ts';
+import { fileName, saveFile } from '../base/saveFile.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+import { SizeChoice } from './sizeChoice.ts';
+
+const rates = [12, 24, 25, 30, 60];
+// Kept while the panel shows another tab.
+const choice = new SizeChoice('film', [
+    { width: 1280, height: 720 },
+    { width: 1920, height: 1080 },
+    { width: 3840, height: 2160 },
+]);
+const fps = signal(25);
+const seconds = signal(10);
+const time = signal(true);
+
+export class FilmExport extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    private readonly fault = signal('');
+
+    static override styles = [sharedStyles, exportStyles];
+
+    override render(): TemplateResult {
+        const { film, figure, playback, state } = this.model;
+        const reason = this.whyNot();
+        if (reason !== null) return html`<p>${reason}</p>`;
+        const progress = film.progress.value;
+        if (progress.state === 'recording') return this.recording(progress.done, progress.frames);
+        const [from, to] = playback.span.value;
+        const frames = frameTimes([from, to], { fps: fps.value, seconds: seconds.value }).length;
+        const words = this.fault.value === '' ? progress.words : this.fault.value;
+        const others = state.participants.value.size > 1 && playback.mode.value === 'clock';
+        return html`
+            ${choice.render(figure.shownSize)}
+            <label
+                >Frames per second
+                <select
+                    id="film-fps"
+                    @change=${(event: Event) => (fps.value = Number((event.target as HTMLSelectElement).value))}
+                >
+                    ${rates.map((rate) => html`<option value=${rate} .selected=${rate === fps.value}>${rate}</option>`)}
+                </select>
+            </label>
+            <label
+                >Length in seconds
+                <input
+                    id="film-seconds"
+                    type="number"
+                    min="0.1"
+                    step="any"
+                    .value=${String(seconds.value)}
+                    @change=${this.lengthTyped}
+                />
+            </label>
+            <label class="check"
+                ><input
+                    type="checkbox"
+                    .checked=${time.value}
+                    @change=${(event: Event) => (time.value = (event.target as HTMLInputElement).checked)}
+                />Time in the picture</label
+            >
+            <div class="row">
+                <button type="button" id="record-film" @click=${this.record}>Record WebM</button>
+            </div>
+            ${words === '' ? nothing : html`<p role="alert">${words}</p>`}
+            <p>
+                From t = ${shortNumber(from)} to ${shortNumber(to)} in ${frames} frames, each drawn when its
+                surface is there. Background, bar, axes and rake as above.
+                ${others ? 'The others in this session see the time move while it is recorded.' : ''}
+            </p>
+        `;
+    }
+
+    private recording(done: number, frames: number): TemplateResult {
+        return html`<label for="film-progress">Frame ${done} of ${frames}</label>
+            <progress id="film-progress" max=${frames} .value=${done}></progress>
+            <div class="row"><button type="button" @click=${() => this.model.film.cancel()}>Cancel</button></div>
+            <p>Keep this page in sight: browsers stop drawing hidden ones.</p>`;
+    }
+
+    private whyNot(): string | null {
+        const { playback, state } = this.model;
+        if (!canEncode()) {
+            return 'This browser encodes no films here. It takes a current browser, and a page that comes over https or from localhost.';
+        }
+        if (state.role.value === 'viewer')
+            return 'This link is for looking on: a film would have to move the time.';
+        return playback.mode.value === 'none' ? 'There is nothing to play: the data have one time-step.' : null;
+    }
+
+    private lengthTyped(event: Event): void {
+        const field = event.target as HTMLInputElement;
+        const value = field.valueAsNumber;
+        if (value > 0) seconds.value = Math.min(value, framesAtMost / fps.value);
+        field.value = String(seconds.value);
+    }
+
+    private async record(): Promise<void> {
+        const { film, figure, state, view } = this.model;
+        const size = choice.size(figure.shownSize);
+        this.fault.value = sizeFault(size, figure.longestSide) ?? '';
+        if (this.fault.value !== '') return;
+        const file = await film.record({
+            ...size,
+            fps: fps.value,
+            seconds: seconds.value,
+            time: time.value,
+            unit: view.units.value.time,
+        });
+        if (file !== null) saveFile(file, fileName(state.dataset.value?.name, 'film.webm'));
+    }
+}
+
+customElements.define('wakesurf-film-export', FilmExport);

@@ -1,0 +1,85 @@
+// The picture as a file: at any size, with or without what lies over it, before any ground or none.
+import { html, nothing, type TemplateResult } from 'lit';
+import { type Signal, signal } from '@preact/signals-core';
+import { type FigureBackground, sizeFault } from '../../scene/capture.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { exportStyles } from './exportStyles.ts';
+import { fileName, saveFile } from '../base/saveFile.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+import { SizeChoice } from './sizeChoice.ts';
+
+const backgrounds: readonly { value: FigureBackground; words: string }[] = [
+    { value: 'shown', words: 'as shown' },
+    { value: 'white', words: 'white' },
+    { value: 'clear', words: 'transparent' },
+];
+// Kept while the panel shows another tab.
+const choice = new SizeChoice('picture', [
+    { width: 1920, height: 1080 },
+    { width: 3840, height: 2160 },
+]);
+
+export class PictureExport extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    private readonly fault = signal('');
+
+    static override styles = [sharedStyles, exportStyles];
+
+    override render(): TemplateResult {
+        const { figure } = this.model;
+        return html`
+            ${choice.render(figure.shownSize)}
+            <label
+                >Background
+                <select id="background" @change=${this.backgroundChosen}>
+                    ${backgrounds.map(
+                        ({ value, words }) =>
+                            html`<option value=${value} .selected=${value === figure.background.value}>
+                                ${words}
+                            </option>`,
+                    )}
+                </select>
+            </label>
+            <div class="checks">
+                ${this.check('Scalar bar', figure.bar)} ${this.check('Box and axes', figure.axes)}
+                ${this.check('Rake', figure.rake)}
+            </div>
+            <div class="row"><button type="button" id="save-picture" @click=${this.save}>Save PNG</button></div>
+            ${this.fault.value === '' ? nothing : html`<p role="alert">${this.fault.value}</p>`}
+        `;
+    }
+
+    private check(label: string, on: Signal<boolean>): TemplateResult {
+        return html`<label class="check"
+            ><input
+                type="checkbox"
+                .checked=${on.value}
+                @change=${(event: Event) => (on.value = (event.target as HTMLInputElement).checked)}
+            />${label}</label
+        >`;
+    }
+
+    private backgroundChosen(event: Event): void {
+        const { value } = event.target as HTMLSelectElement;
+        this.model.figure.background.value = backgrounds.find((each) => each.value === value)?.value ?? 'shown';
+    }
+
+    private async save(): Promise<void> {
+        const { figure, state } = this.model;
+        const size = choice.size(figure.shownSize);
+        this.fault.value = sizeFault(size, figure.longestSide) ?? '';
+        if (this.fault.value !== '') return;
+        try {
+            const picture = figure.draw(size, null);
+            const file = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, 'image/png'));
+            if (file === null) throw new Error('This browser has no memory for a picture of this size.');
+            saveFile(file, fileName(state.dataset.value?.name, `${size.width}x${size.height}.png`));
+        } catch (error) {
+            this.fault.value = error instanceof Error ? error.message : String(error);
+        }
+    }
+}
+
+customElements.define('wakesurf-picture-export', PictureExport);

@@ -1,0 +1,218 @@
+// The rakes of the session: choose one, give it a name and a colour, make, copy and delete, undo and redo.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import type { RakeRecord } from '../../protocol/messages.ts';
+import { rakeColor } from '../../session/picture/palette.ts';
+import { holderOf } from '../../session/picture/rakeScene.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+const kindWords = { line: 'line', polyline: 'polyline', circle: 'circle', points: 'points' } as const;
+
+export class RakeList extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            ul {
+                display: grid;
+                gap: 2px;
+                max-height: 168px;
+                margin: 0 -6px;
+                padding: 0;
+                overflow-y: auto;
+                list-style: none;
+            }
+            .rake {
+                display: grid;
+                grid-template-columns: 16px minmax(0, 1fr) auto;
+                gap: 8px;
+                align-items: center;
+                width: 100%;
+                border-color: transparent;
+                background: none;
+                text-align: left;
+            }
+            .rake[aria-pressed='true'] {
+                border-color: var(--line);
+                background: var(--raised);
+                font-weight: 600;
+            }
+            svg {
+                display: block;
+            }
+            .name,
+            .about {
+                overflow: hidden;
+                text-overflow: ellipsis;
+                white-space: nowrap;
+            }
+            .about {
+                max-width: 130px;
+                color: var(--quiet);
+                font-size: 12px;
+                font-weight: 400;
+            }
+            .row {
+                display: grid;
+                gap: 6px;
+                margin-top: 8px;
+            }
+            .actions {
+                grid-template-columns: auto auto auto 1fr auto auto;
+            }
+            .actions button {
+                padding-inline: 7px;
+            }
+            .own {
+                grid-template-columns: 34px 1fr;
+            }
+            input[type='color'] {
+                width: 34px;
+                height: 28px;
+                padding: 2px;
+                border: 1px solid var(--line);
+                border-radius: 6px;
+                background: var(--raised);
+                cursor: pointer;
+            }
+            input[type='text'] {
+                width: 100%;
+                min-width: 0;
+                min-height: 28px;
+                padding: 3px 8px;
+                border: 1px solid var(--line);
+                border-radius: 6px;
+                background: var(--raised);
+            }
+            p {
+                margin: 6px 0 0;
+                color: var(--quiet);
+                font-size: 12px;
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { state, edits } = this.model;
+        const rakes = [...state.rakes.value.values()];
+        const chosen = state.rake.value;
+        const { history, actions } = edits;
+        const locked = state.locked.value;
+        return html`
+            ${rakes.length === 0 ? html`<p>No rake: nothing is released into the flow.</p>` : nothing}
+            <ul aria-label="Rakes">
+                ${rakes.map((record) => this.entry(record, record === chosen))}
+            </ul>
+            ${chosen === undefined ? nothing : this.own(chosen, locked)}
+            <div class="row actions" role="group" aria-label="Edit rakes">
+                <button
+                    type="button"
+                    aria-label="New rake"
+                    title="New rake, clear of the others"
+                    ?disabled=${locked}
+                    @click=${() => actions.newRake()}
+                >
+                    New
+                </button>
+                <button
+                    type="button"
+                    ?disabled=${locked || chosen === undefined}
+                    @click=${() => actions.duplicate(chosen!.rake)}
+                >
+                    Duplicate
+                </button>
+                <button
+                    type="button"
+                    ?disabled=${locked || chosen === undefined}
+                    title="Delete the chosen rake and its surfaces"
+                    @click=${() => actions.deleteRake(chosen!.rake)}
+                >
+                    Delete
+                </button>
+                <span></span>
+                ${this.turn('Undo', '↶', 'Ctrl+Z', history.undoable.value, () => edits.undo())}
+                ${this.turn('Redo', '↷', 'Ctrl+Shift+Z', history.redoable.value, () => edits.redo())}
+            </div>
+            <p role="status" ?hidden=${history.words.value === ''}>${history.words.value}</p>
+        `;
+    }
+
+    private entry(record: RakeRecord, chosen: boolean): TemplateResult {
+        const { state, edits } = this.model;
+        const holder = holderOf(state, record);
+        const you = state.participants.value.get(state.you.value ?? '')?.name;
+        const { author = '' } = record;
+        const made = author === '' ? '' : `, ${author === you ? 'yours' : `by ${author}`}`;
+        const about = holder === null ? `${kindWords[record.kind]}${made}` : `${holder.name} moves it`;
+        return html`<li>
+            <button
+                type="button"
+                class="rake"
+                data-rake=${record.rake}
+                aria-pressed=${chosen ? 'true' : 'false'}
+                title=${`${nameOf(record)}: ${about}`}
+                @click=${() => edits.chooseRake(record.rake)}
+            >
+                ${swatch(rakeColor(record, state.rakes.value))}
+                <span class="name">${nameOf(record)}</span>
+                <span class="about">${about}</span>
+            </button>
+        </li>`;
+    }
+
+    /** Name and colour of the chosen one. */
+    private own(record: RakeRecord, locked: boolean): TemplateResult {
+        const { state, edits } = this.model;
+        const change = (event: Event): string => (event.target as HTMLInputElement).value;
+        // A server that knows no colours would refuse the edit.
+        const colours = record.colour !== undefined;
+        return html`<div class="row own" role="group" aria-label="Chosen rake">
+            <input
+                type="color"
+                id="rake-colour"
+                aria-label="Colour of the rake"
+                title=${colours ? 'Colour of the rake' : 'This server keeps no colours'}
+                ?disabled=${locked || !colours}
+                .value=${rakeColor(record, state.rakes.value)}
+                @change=${(event: Event) => edits.changeRake(record.rake, { colour: change(event) })}
+            />
+            <input
+                type="text"
+                id="rake-name"
+                aria-label="Name of the rake"
+                maxlength="60"
+                ?disabled=${locked}
+                .value=${record.name}
+                @change=${(event: Event) => edits.changeRake(record.rake, { name: change(event).trim() })}
+            />
+        </div>`;
+    }
+
+    private turn(label: string, sign: string, keys: string, steps: number, action: () => void): TemplateResult {
+        return html`<button
+            type="button"
+            aria-label=${label}
+            title=${`${label} (${keys})`}
+            ?disabled=${steps === 0}
+            @click=${action}
+        >
+            ${sign}
+        </button>`;
+    }
+}
+
+function nameOf({ name, rake }: RakeRecord): string {
+    return name === '' ? `Rake ${rake}` : name;
+}
+
+/** Presentation attributes, because style attributes are not allowed. */
+function swatch(color: string): TemplateResult {
+    return html`<svg width="16" height="16" viewBox="0 0 16 16" aria-hidden="true">
+        <circle cx="8" cy="8" r="6.5" fill=${color} stroke="#0b1018" stroke-width="1.5" />
+    </svg>`;
+}
+
+customElements.define('wakesurf-rake-list', RakeList);

@@ -1,0 +1,348 @@
+// The chosen rake in numbers, by buttons and by keys: everything a pointer can do to it, without dragging.
+import { html, nothing, type TemplateResult } from 'lit';
+import { signal } from '@preact/signals-core';
+import type { RakeKind, Vec3 } from '../../protocol/messages.ts';
+import { diagonal } from '../../scene/camera/fitting.ts';
+import { movedHandle } from '../../scene/rake/rakeInteraction.ts';
+import { gripOf, type Handle } from '../../scene/rake/rakeHandles.ts';
+import { asKind, circleOf, circleShape, withoutPoint, withPointAfter } from '../../scene/rake/rakeShape.ts';
+import { gridStep, unitAxis } from '../../scene/rake/snapping.ts';
+import { niceStep } from '../../scene/base/ticks.ts';
+import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { handleNameOf, handleRows } from './rakeRows.ts';
+import { rakePanelStyles } from './rakePanelStyles.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+type Axis = 0 | 1 | 2;
+
+const nudgeKeys: Record<string, [axis: Axis, sign: 1 | -1]> = {
+    ArrowRight: [0, 1],
+    ArrowLeft: [0, -1],
+    PageUp: [1, 1],
+    PageDown: [1, -1],
+    ArrowUp: [2, 1],
+    ArrowDown: [2, -1],
+};
+const turnKeys: Record<string, 1 | -1> = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: -1, ArrowDown: -1 };
+/** Of the domain's diagonal; ten times as much with Shift. */
+const stepFractions = [0.002, 0.01, 0.05];
+const turnDegrees = 5;
+const axes = ['x', 'y', 'z'] as const;
+const shapes: [RakeKind, string][] = [
+    ['line', 'Line'],
+    ['polyline', 'Polyline'],
+    ['circle', 'Circle'],
+];
+
+export class RakePanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    /** What the buttons act on. */
+    private readonly chosen = signal<Handle>(0);
+    /** Of a rake with many points, the one whose numbers are shown. */
+    private readonly shownPoint = signal(1);
+    private readonly stepIndex = signal(0);
+    private readonly snapping = signal(false);
+
+    static override styles = [sharedStyles, rakePanelStyles];
+
+    override connectedCallback(): void {
+        super.connectedCallback();
+        this.snapping.value = this.model.scene.interaction.step !== null;
+    }
+
+    override render(): TemplateResult {
+        const { state } = this.model;
+        const shape = state.rakeShape.value;
+        if (state.rake.value === undefined || state.dataset.value === null || shape.points.length === 0) return html``;
+        const rows = handleRows(shape, this.shownPoint.value);
+        return html`<fieldset ?disabled=${state.locked.value}>
+            ${this.shapeAndSeeds(shape.kind)}
+            <div class="point heads" aria-hidden="true">
+                <span></span>${axes.map((axis) => html`<span>${this.inUnits(axis)}</span>`)}
+            </div>
+            ${rows.map((row) => this.pointRow(row.handle, row.name))}
+            ${shape.points.length > 12 ? this.pointChoice(shape.points.length) : nothing}
+            ${shape.kind === 'circle' ? this.radius() : nothing} ${this.turnRow()}
+            <p class="hint" id="nudge-hint">
+                Drag a handle, or focus a button and press ← → for x, ↑ ↓ for z, Page Up/Down for y; Shift for
+                longer steps.
+            </p>
+            ${this.buttons()} ${this.snapChoice()}
+        </fieldset>`;
+    }
+
+    private get points(): readonly Vec3[] {
+        return this.model.state.rakePoints.value;
+    }
+
+    /** The chosen handle, or one that this rake has. */
+    private get target(): Handle {
+        const chosen = this.chosen.value;
+        const { kind, points } = this.model.state.rakeShape.value;
+        if (chosen === 'middle' || (kind === 'circle' && chosen === 0)) return 'middle';
+        return typeof chosen === 'number' && chosen < points.length ? chosen : 0;
+    }
+
+    private get step(): number {
+        const { state, scene } = this.model;
+        const size = diagonal(state.dataset.value!.bounds);
+        return scene.interaction.step ?? niceStep(size * (stepFractions[this.stepIndex.value] ?? 0.01));
+    }
+
+    private inUnits(words: string | number): string {
+        return withUnit(String(words), this.model.view.units.value.length);
+    }
+
+    private shapeAndSeeds(kind: RakeKind): TemplateResult {
+        const { edits, state } = this.model;
+        const choices: [RakeKind, string][] = kind === 'points' ? [...shapes, ['points', 'Points']] : shapes;
+        const change = (event: Event): void => {
+            const chosen = (event.target as HTMLSelectElement).value as RakeKind;
+            edits.setShape(asKind(state.rakeShape.value, chosen, longestAxis(state.dataset.value!.bounds)));
+        };
+        return html`<div class="pair">
+            <label>Shape
+                <select id="shape" @change=${change}>
+                    ${choices.map(
+                        ([value, words]) => html`<option value=${value} .selected=${value === kind}>${words}</option>`,
+                    )}
+                </select>
+            </label>
+            <label>Seeds
+                <input id="seeds" type="number" min="2" max="4096" step="1"
+                    .value=${String(edits.seeds.value)} @change=${this.seedsChanged} />
+            </label>
+        </div>`;
+    }
+
+    private pointRow(handle: Handle, name: string): TemplateResult {
+        const at = this.placeOf(handle);
+        return html`<div class="point" role="group" aria-label=${`${name} point`}>
+            ${this.handleButton(handle, name)}
+            ${axes.map(
+                (axis, k) =>
+                    html`<input
+                        type="number"
+                        step="any"
+                        aria-label=${`${name} ${axis}`}
+                        .value=${numberText(at[k] ?? 0)}
+                        @change=${(event: Event) => this.numberChanged(event, handle, k as Axis)}
+                    />`,
+            )}
+        </div>`;
+    }
+
+    private placeOf(handle: Handle): Vec3 {
+        return handle === 'middle' ? gripOf(this.model.state.rakeShape.value) : (this.points[handle as number] ?? [0, 0, 0]);
+    }
+
+    private handleButton(handle: Handle, name: string): TemplateResult {
+        const { interaction } = this.model.scene;
+        const pressed = handle !== 'rotate' && handle === this.target;
+        return html`<button
+            type="button"
+            class="handle"
+            data-handle=${String(handle)}
+            aria-describedby="nudge-hint"
+            aria-pressed=${pressed ? 'true' : 'false'}
+            @click=${() => (this.chosen.value = handle)}
+            @focus=${() => interaction.highlight(handle)}
+            @blur=${() => {
+                interaction.endNudge();
+                interaction.highlight(null);
+            }}
+            @keydown=${(event: KeyboardEvent) => this.key(event, handle)}
+            @keyup=${() => interaction.endNudge()}
+        >
+            ${name}
+        </button>`;
+    }
+
+    private turnRow(): TemplateResult {
+        const { interaction } = this.model.scene;
+        const turn = (sign: 1 | -1) => () => interaction.turn((sign * turnDegrees * Math.PI) / 180);
+        return html`<div class="point turn" role="group" aria-label="Turn about the middle">
+            ${this.handleButton('rotate', 'Turn')}
+            <button type="button" aria-label="Turn left" @click=${turn(1)}>↺ ${turnDegrees}°</button>
+            <button type="button" aria-label="Turn right" @click=${turn(-1)}>↻ ${turnDegrees}°</button>
+        </div>`;
+    }
+
+    private pointChoice(count: number): TemplateResult {
+        return html`<label class="pair-row">Point (1 to ${count})
+            <input type="number" id="point-number" min="2" max=${count - 1} step="1"
+                .value=${String(this.shownPoint.value + 1)}
+                @change=${(event: Event) => {
+                    const field = event.target as HTMLInputElement;
+                    const wanted = Math.round(field.valueAsNumber) - 1;
+                    if (wanted > 0 && wanted < count - 1) this.shownPoint.value = wanted;
+                    field.value = String(this.shownPoint.value + 1);
+                }} />
+        </label>`;
+    }
+
+    private radius(): TemplateResult {
+        const { state, edits } = this.model;
+        const circle = circleOf(state.rakeShape.value);
+        const change = (event: Event): void => {
+            const field = event.target as HTMLInputElement;
+            const radius = field.valueAsNumber;
+            if (radius > 0) edits.setShape(circleShape({ ...circle, radius }));
+            field.value = numberText(circleOf(state.rakeShape.value).radius);
+        };
+        return html`<label class="pair-row">${this.inUnits('Radius')}
+            <input type="number" id="radius" min="0" step="any"
+                .value=${numberText(circle.radius)} @change=${change} />
+        </label>`;
+    }
+
+    /** For whoever neither drags nor types. */
+    private buttons(): TemplateResult {
+        const { state, scene, view } = this.model;
+        const { kind, points } = state.rakeShape.value;
+        const target = this.target;
+        const name = handleNameOf(target, state.rakeShape.value);
+        const placing = view.tool.value === 'place';
+        const nudge = (axis: Axis, sign: 1 | -1) => () => scene.interaction.nudge(target, this.along(axis, sign));
+        return html`<div class="tools" role="group" aria-label=${`Move ${name}`}>
+            <div class="pair-row">
+                <span>Move <strong>${name}</strong> by</span>
+                <select id="nudge-step" aria-label="Length of a step" ?disabled=${this.snapping.value}
+                    @change=${(event: Event) => (this.stepIndex.value = Number((event.target as HTMLSelectElement).value))}>
+                    ${this.snapping.value ? html`<option .selected=${true}>${this.inUnits(this.step)}</option>` : this.stepChoices()}
+                </select>
+            </div>
+            <div class="nudges">
+                ${axes.flatMap((axis, k) =>
+                    ([-1, 1] as const).map(
+                        (sign) =>
+                            html`<button type="button" class=${`axis-${axis}`}
+                                aria-label=${`${name} ${sign < 0 ? 'minus' : 'plus'} ${axis}`}
+                                @click=${nudge(k as Axis, sign)}>${sign < 0 ? '−' : '+'}${axis}</button>`,
+                    ),
+                )}
+            </div>
+            <button type="button" class="wide" id="place" aria-pressed=${placing ? 'true' : 'false'}
+                @click=${() => this.place(target, placing)}>
+                ${placing ? 'Click on the picture (Esc: leave it)' : `Place ${name} with a click`}
+            </button>
+            ${(kind === 'polyline' || kind === 'line') && target !== 'middle'
+                ? this.pointButtons(target as number, points.length)
+                : nothing}
+        </div>`;
+    }
+
+    private stepChoices(): TemplateResult[] {
+        const size = diagonal(this.model.state.dataset.value!.bounds);
+        return stepFractions.map(
+            (fraction, i) =>
+                html`<option value=${i} .selected=${i === this.stepIndex.value}>
+                    ${this.inUnits(niceStep(size * fraction))}
+                </option>`,
+        );
+    }
+
+    private pointButtons(index: number, count: number): TemplateResult {
+        const { state, edits } = this.model;
+        const add = (): void => {
+            edits.setShape(withPointAfter(state.rakeShape.value, index));
+            this.chosen.value = index + 1;
+            this.shownPoint.value = Math.max(1, index + 1);
+        };
+        const remove = (): void => {
+            const less = withoutPoint(state.rakeShape.value, index);
+            if (less !== null) edits.setShape(less);
+            this.chosen.value = Math.max(0, index - 1);
+        };
+        return html`<div class="nudges two">
+            <button type="button" @click=${add}>Add point after</button>
+            <button type="button" ?disabled=${count <= 2} @click=${remove}>Remove point</button>
+        </div>`;
+    }
+
+    private snapChoice(): TemplateResult {
+        const { state, scene } = this.model;
+        const step = gridStep(state.dataset.value!.bounds);
+        const change = (event: Event): void => {
+            this.snapping.value = (event.target as HTMLInputElement).checked;
+            scene.interaction.step = this.snapping.value ? step : null;
+        };
+        return html`<label class="check">
+                <input type="checkbox" id="snap" .checked=${this.snapping.value} @change=${change} />
+                Snap to a grid of ${this.inUnits(step)}
+            </label>
+            <p class="hint">Shift while dragging keeps to an axis.</p>`;
+    }
+
+    private key(event: KeyboardEvent, handle: Handle): void {
+        const { interaction } = this.model.scene;
+        if (handle === 'rotate') {
+            const sign = turnKeys[event.key];
+            if (sign === undefined) return;
+            event.preventDefault();
+            interaction.turn((sign * turnDegrees * (event.shiftKey ? 3 : 1) * Math.PI) / 180, true);
+            return;
+        }
+        const key = nudgeKeys[event.key];
+        if (key === undefined) return;
+        event.preventDefault();
+        const by = this.along(...key).map((each) => each * (event.shiftKey ? 10 : 1)) as Vec3;
+        interaction.nudge(handle, by, true);
+    }
+
+    private along(axis: Axis, sign: 1 | -1): Vec3 {
+        const by: Vec3 = [0, 0, 0];
+        by[axis] = sign * this.step;
+        return by;
+    }
+
+    private place(handle: Handle, placing: boolean): void {
+        const { view, scene } = this.model;
+        scene.interaction.place(placing ? null : handle);
+        view.tool.value = placing ? 'none' : 'place';
+    }
+
+    /** What is refused, or does not fit into the domain, does not stay in the field: no signal changes that would tell it. */
+    private numberChanged(event: Event, handle: Handle, axis: Axis): void {
+        const field = event.target as HTMLInputElement;
+        if (Number.isFinite(field.valueAsNumber)) this.moveTo(field.valueAsNumber, handle, axis);
+        field.value = numberText(this.placeOf(handle)[axis]);
+    }
+
+    private moveTo(value: number, handle: Handle, axis: Axis): void {
+        const { state, edits } = this.model;
+        if (typeof handle === 'number' && state.rakeShape.value.kind !== 'circle') {
+            // As typed, not as before plus the difference.
+            const points = this.points.map((point) => [...point] as Vec3);
+            points[handle]![axis] = value;
+            edits.setShape({ kind: state.rakeShape.value.kind, points });
+            return;
+        }
+        const by: Vec3 = [0, 0, 0];
+        by[axis] = value - this.placeOf(handle)[axis];
+        edits.setShape(movedHandle(state.rakeShape.value, handle, by));
+    }
+
+    private seedsChanged(event: Event): void {
+        const { state, edits } = this.model;
+        const field = event.target as HTMLInputElement;
+        const seeds = Math.round(field.valueAsNumber);
+        if (seeds >= 2 && seeds <= 4096) edits.changeRake(state.activeRake.value ?? '', { seeds });
+        field.value = String(edits.seeds.value);
+    }
+}
+
+function numberText(value: number): string {
+    return String(Number(value.toPrecision(4)));
+}
+
+/** Most flows go along the longest side of their domain. */
+function longestAxis(bounds: readonly number[]): Vec3 {
+    const sides = ([0, 1, 2] as const).map((axis) => bounds[2 * axis + 1]! - bounds[2 * axis]!);
+    return unitAxis(sides.indexOf(Math.max(...sides)) as Axis);
+}
+
+customElements.define('wakesurf-rake', RakePanel);

@@ -1,8 +1,0 @@
-// What the roles are called on the page.
-import type { Role } from '../protocol/messages.ts';
-
-export const roleWords: Record<Role, string> = {
-    viewer: 'looks on',
-    editor: 'edits',
-    host: 'hosts',
-};

@@ -1,0 +1,100 @@
+// Asks for the words of a note.
+import { css, html, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+/** The server takes 4 KiB; letters of other alphabets take up to four bytes. */
+const longest = 1000;
+
+export class NoteDialog extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    private saving = false;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            dialog {
+                width: 340px;
+                padding: 16px 20px;
+                border: 1px solid var(--line);
+                border-radius: 10px;
+                background: var(--ground);
+                color: var(--text);
+            }
+            dialog::backdrop {
+                background: rgb(0 0 0 / 0.4);
+            }
+            label {
+                display: grid;
+                gap: 6px;
+                font-weight: 600;
+            }
+            textarea {
+                min-height: 90px;
+                padding: 6px 8px;
+                border: 1px solid var(--line);
+                border-radius: 6px;
+                background: var(--raised);
+                color: inherit;
+                font: inherit;
+                font-weight: 400;
+            }
+            .row {
+                display: flex;
+                justify-content: flex-end;
+                gap: 8px;
+                margin-top: 12px;
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { note } = this.model.view;
+        return html`<dialog @close=${() => (note.value = null)}>
+            <form @submit=${this.save}>
+                <label
+                    >${note.value?.annotation == null ? 'A note for everybody here' : 'Change the note'}
+                    <textarea required maxlength=${longest} .value=${live(note.value?.text ?? '')}></textarea>
+                </label>
+                <div class="row">
+                    <button type="button" @click=${() => this.dialog?.close()}>Cancel</button>
+                    <button type="submit">Save</button>
+                </div>
+            </form>
+        </dialog>`;
+    }
+
+    protected override updated(): void {
+        const asked = this.model.view.note.value !== null;
+        if (asked && this.dialog?.open === false) this.dialog.showModal();
+        else if (!asked && this.dialog?.open === true) this.dialog.close();
+    }
+
+    private get dialog(): HTMLDialogElement | null {
+        return this.renderRoot.querySelector('dialog');
+    }
+
+    private async save(event: Event): Promise<void> {
+        event.preventDefault();
+        const { view, calls } = this.model;
+        const draft = view.note.value;
+        const text = this.renderRoot.querySelector('textarea')?.value.trim() ?? '';
+        if (draft === null || text === '' || this.saving) return;
+        this.saving = true;
+        const saved = await calls.try('annotation.set', {
+            ...{ text, position: draft.position },
+            ...(draft.annotation === null ? {} : { annotation: draft.annotation }),
+            ...(draft.surface === null ? {} : { surface: draft.surface }),
+        });
+        this.saving = false;
+        // What the server refuses can be corrected.
+        if (saved === null) return;
+        view.note.value = null;
+        view.tool.value = 'none';
+    }
+}
+
+customElements.define('wakesurf-note-dialog', NoteDialog);

@@ -1,0 +1,78 @@
+// The notes of the session in full, and the dialog in which they are written.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import type { AnnotationRecord } from '../../protocol/messages.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+export class NotesPanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            ul {
+                margin: 0;
+                padding: 0;
+                list-style: none;
+            }
+            li {
+                margin-bottom: 10px;
+            }
+            .text {
+                margin: 0 0 4px;
+                overflow-wrap: anywhere;
+                white-space: pre-wrap;
+            }
+            .quiet {
+                color: var(--quiet);
+            }
+            .row {
+                display: flex;
+                align-items: center;
+                gap: 6px;
+            }
+            .row span {
+                flex: 1;
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const notes = [...this.model.state.annotations.value.values()];
+        if (notes.length === 0) return html`<p class="quiet">None yet. Choose Note over the picture and click where it should stand.</p>`;
+        return html`<ul aria-label="Notes">
+            ${notes.map((note) => this.row(note))}
+        </ul>`;
+    }
+
+    private row(record: AnnotationRecord): TemplateResult {
+        const { annotation, text, author, position, surface = null } = record;
+        const { state, view, calls, scene } = this.model;
+        const show = (): void => {
+            const { position: eye, target, orthographic } = scene.controls.pose;
+            const from = eye.map((value, i) => position[i]! + value - target[i]!) as typeof eye;
+            scene.controls.place({ position: from, target: position, orthographic });
+            scene.loop.request();
+        };
+        return html`<li data-annotation=${annotation}>
+            <p class="text">${text}</p>
+            <div class="row">
+                <span class="quiet">${author}</span>
+                <button type="button" @click=${show}>Show</button>
+                ${state.role.value === 'viewer'
+                    ? nothing
+                    : html`<button
+                              type="button"
+                              @click=${() => (view.note.value = { annotation, text, position, surface })}
+                          >
+                              Change
+                          </button>
+                          <button type="button" @click=${() => calls.try('annotation.delete', { annotation })}>Delete</button>`}
+            </div>
+        </li>`;
+    }
+}
+
+customElements.define('wakesurf-notes', NotesPanel);

@@ -1,0 +1,120 @@
+// Who is in the session, whose view to take, and, for hosts, who may do what.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import type { Participant, Role } from '../../protocol/messages.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { roleWords } from './roleWords.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+const roles: readonly Role[] = ['viewer', 'editor', 'host'];
+
+export class PeoplePanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            ul {
+                margin: 0;
+                padding: 0;
+                list-style: none;
+            }
+            li {
+                display: grid;
+                grid-template-columns: 12px minmax(0, 1fr) auto auto;
+                gap: 8px;
+                align-items: center;
+                min-height: 32px;
+            }
+            .dot {
+                width: 12px;
+                height: 12px;
+                border-radius: 6px;
+            }
+            .name {
+                overflow: hidden;
+                text-overflow: ellipsis;
+                white-space: nowrap;
+            }
+            input {
+                min-width: 0;
+            }
+            .away {
+                opacity: 0.6;
+            }
+            .quiet {
+                color: var(--quiet);
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const people = [...this.model.state.participants.value.values()];
+        return html`<ul aria-label="People in this session">
+            ${people.map((person) => this.row(person))}
+        </ul>`;
+    }
+
+    protected override updated(): void {
+        // Colours through the object model: the content security policy forbids style attributes.
+        for (const dot of this.renderRoot.querySelectorAll<HTMLElement>('.dot')) {
+            dot.style.background = dot.dataset['colour'] ?? '';
+        }
+    }
+
+    private row(person: Participant): TemplateResult {
+        const { participant, name, colour, connected } = person;
+        const you = participant === this.model.state.you.value;
+        return html`<li data-participant=${participant} class=${connected ? '' : 'away'}>
+            <span class="dot" data-colour=${colour}></span>
+            ${you
+                ? html`<input
+                      aria-label="Your name"
+                      maxlength="40"
+                      .value=${name}
+                      @change=${(event: Event) => this.model.rename((event.target as HTMLInputElement).value.trim())}
+                  />`
+                : html`<span class="name" title=${name}>${name}${connected ? '' : ' (away)'}</span>`}
+            ${this.mayDo(person, you)} ${you ? nothing : this.follow(person)}
+        </li>`;
+    }
+
+    private mayDo({ participant, name, role }: Participant, you: boolean): TemplateResult {
+        if (you || this.model.state.role.value !== 'host') return html`<span class="quiet">${roleWords[role]}</span>`;
+        return html`<select
+            aria-label=${`What ${name} may do`}
+            @change=${(event: Event) => this.setRole(participant, event.target as HTMLSelectElement)}
+        >
+            ${roles.map((each) => html`<option value=${each} .selected=${each === role}>${roleWords[each]}</option>`)}
+            <option value="remove">send away</option>
+        </select>`;
+    }
+
+    private follow({ participant, name, camera }: Participant): TemplateResult {
+        const { people, view } = this.model;
+        const following = view.following.value === participant;
+        return html`<button
+            type="button"
+            aria-pressed=${following ? 'true' : 'false'}
+            aria-label=${`Follow ${name}`}
+            ?disabled=${!following && (camera === undefined || camera === null)}
+            @click=${() => people.startFollowing(following ? null : participant)}
+        >
+            ${following ? 'Following' : 'Follow'}
+        </button>`;
+    }
+
+    private async setRole(participant: string, choice: HTMLSelectElement): Promise<void> {
+        const { calls, state } = this.model;
+        const role = roles.find((each) => each === choice.value);
+        const taken =
+            role === undefined
+                ? await calls.try('session.kick', { participant })
+                : await calls.try('session.setRole', { participant, role });
+        // Refused: nothing has changed, so nothing else puts the choice back.
+        if (taken === null) choice.value = state.participants.value.get(participant)?.role ?? choice.value;
+    }
+}
+
+customElements.define('wakesurf-people', PeoplePanel);

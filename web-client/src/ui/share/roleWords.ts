@@ -1,0 +1,8 @@
+// What the roles are called on the page.
+import type { Role } from '../../protocol/messages.ts';
+
+export const roleWords: Record<Role, string> = {
+    viewer: 'looks on',
+    editor: 'edits',
+    host: 'hosts',
+};

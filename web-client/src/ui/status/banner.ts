@@ -1,0 +1,131 @@
+// What stands in the way at the moment: no connection, data still being imported, a notice, an edit that was refused.
+// Over the picture, because the panel may be scrolled.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { errorWords } from '../../protocol/messages.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+export class Banner extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    private countdown: ReturnType<typeof setInterval> | null = null;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            .banner {
+                display: flex;
+                align-items: center;
+                gap: 12px;
+                max-width: 620px;
+                margin: 0 auto 8px;
+                padding: 9px 14px;
+                border: 1px solid var(--line);
+                border-left: 4px solid var(--accent);
+                border-radius: 8px;
+                background: var(--ground);
+                box-shadow: 0 6px 24px rgb(0 0 0 / 0.35);
+            }
+            .down {
+                border-left-color: var(--warm);
+            }
+            .words {
+                flex: 1;
+            }
+            progress {
+                width: 140px;
+                accent-color: var(--accent);
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        return html`<div role="status" aria-live="polite">
+                ${this.connection()} ${this.importing()} ${this.catchingUp()} ${this.notice()}
+            </div>
+            <div role="alert">${this.editError()}</div>`;
+    }
+
+    private connection(): TemplateResult | typeof nothing {
+        const { state, retryNow } = this.model;
+        const connection = state.connection.value;
+        this.keepCounting(connection.state === 'waiting');
+        if (connection.state === 'open' || connection.state === 'refused') return nothing;
+        if (connection.state === 'ended') return this.ended(connection.reason);
+        if (connection.state === 'connecting' && connection.attempt === 1) return nothing;
+        const seconds = Math.ceil(Math.max(0, state.retryAt.value - performance.now()) / 1000);
+        const lead = state.everConnected.value ? 'Connection lost.' : 'No connection.';
+        const reason = connection.state === 'waiting' ? connection.reason : '';
+        const next = connection.state === 'waiting' ? `Trying again in ${seconds} s.` : 'Trying …';
+        return html`<div class="banner down" id="connection">
+            <span class="words"><strong>${lead}</strong> ${reason} ${next}</span>
+            <button type="button" @click=${retryNow}>Try now</button>
+        </div>`;
+    }
+
+    private ended(reason: string): TemplateResult {
+        return html`<div class="banner down" id="ended">
+            <span class="words"><strong>Connection ended.</strong> ${reason} The picture stays as it was.</span>
+            <button type="button" @click=${() => location.reload()}>Reload</button>
+        </div>`;
+    }
+
+    private importing(): TemplateResult | typeof nothing {
+        const { state } = this.model;
+        const entry = state.datasetEntry.value;
+        if (entry?.state === 'ready' && entry.error !== undefined) {
+            return html`<div class="banner down" id="incomplete">
+                <span class="words">${entry.name} ends early: ${errorWords(entry.error)}</span>
+            </div>`;
+        }
+        if (entry === null || entry.state !== 'importing') return nothing;
+        const steps = entry.steps === undefined ? '' : ` (${entry.steps.ready} of ${entry.steps.total})`;
+        const left = entry.remaining === undefined ? '' : ` About ${duration(entry.remaining)} left.`;
+        const waiting = state.stage.value === 'importing' ? ' It opens when the first is ready.' : '';
+        return html`<div class="banner" id="importing">
+            <span class="words">Importing the time-steps of ${entry.name}${steps}.${left}${waiting}</span>
+            <progress max="1" .value=${entry.progress ?? 0} aria-label="Import"></progress>
+        </div>`;
+    }
+
+    private catchingUp(): TemplateResult | typeof nothing {
+        if (this.model.state.catchingUp.value.size === 0) return nothing;
+        return html`<div class="banner" id="catching-up">
+            <span class="words">Catching up: the surface changes faster than it arrives here …</span>
+        </div>`;
+    }
+
+    private editError(): TemplateResult | typeof nothing {
+        const { editError } = this.model.state;
+        if (editError.value === null) return nothing;
+        return html`<div class="banner down" id="edit-error">
+            <span class="words">${editError.value}</span>
+            <button type="button" @click=${() => (editError.value = null)}>Dismiss</button>
+        </div>`;
+    }
+
+    private notice(): TemplateResult | typeof nothing {
+        const { notice } = this.model.state;
+        if (notice.value === null) return nothing;
+        return html`<div class="banner" id="notice">
+            <span class="words">${notice.value}</span>
+            <button type="button" @click=${() => (notice.value = null)}>Dismiss</button>
+        </div>`;
+    }
+
+    private keepCounting(counting: boolean): void {
+        if (counting && this.countdown === null) {
+            this.countdown = setInterval(() => this.requestUpdate(), 500);
+        } else if (!counting && this.countdown !== null) {
+            clearInterval(this.countdown);
+            this.countdown = null;
+        }
+    }
+}
+
+function duration(seconds: number): string {
+    return seconds < 90 ? `${Math.max(1, Math.round(seconds))} s` : `${Math.round(seconds / 60)} min`;
+}
+
+customElements.define('wakesurf-banner', Banner);

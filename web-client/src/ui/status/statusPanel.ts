@@ -1,0 +1,104 @@
+// How far the server has come with the surface, in words and numbers.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { shortNumber } from '../../scene/base/ticks.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+import './latencyPanel.ts';
+import '../surface/qualityPanel.ts';
+import { countWords, phaseWords } from '../base/statusWords.ts';
+
+export class StatusPanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            :host {
+                display: block;
+            }
+            .problem {
+                margin: 8px 0 0;
+                color: var(--warm);
+            }
+            dl {
+                display: grid;
+                grid-template-columns: auto 1fr;
+                gap: 3px 12px;
+                margin: 0;
+            }
+            dt {
+                color: var(--quiet);
+            }
+            dd {
+                margin: 0;
+                text-align: right;
+                font-variant-numeric: tabular-nums;
+            }
+            .progress {
+                display: flex;
+                gap: 8px;
+                align-items: center;
+                margin: 6px 0;
+            }
+            progress {
+                flex: 1;
+                min-width: 0;
+                accent-color: var(--accent);
+            }
+            .final {
+                color: var(--good);
+            }
+            .coarse,
+            .live,
+            .waiting,
+            .updating,
+            .stopped,
+            .error {
+                color: var(--warm);
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { state } = this.model;
+        const id = state.activeSurface.value;
+        if (id === null) return html``;
+        const displayed = state.displayed.value.get(id);
+        const phase = state.phase.value;
+        const count = (value: number | undefined): string => (value === undefined ? '–' : countWords(value));
+        return html`<dl>
+                <dt>Surface</dt>
+                <dd class=${phase}><span role="status">${phaseWords[phase]}</span></dd>
+                <dt>Quads</dt>
+                <dd>${count(displayed?.cells)}</dd>
+                <dt>Vertices</dt>
+                <dd>${count(displayed?.vertices)}</dd>
+                <dt>Separation</dt>
+                <dd>${shortNumber(state.surface.value?.separation ?? Number.NaN)}</dd>
+            </dl>
+            ${this.progress()}
+            <wakesurf-quality .model=${this.model}></wakesurf-quality>
+            <wakesurf-latency .model=${this.model}></wakesurf-latency>
+            ${phase === 'error' || phase === 'stopped'
+                ? html`<p class="problem">${state.surfaceErrors.value.get(id)?.text ?? ''}</p>`
+                : nothing}
+            ${phase === 'stopped' && state.role.value !== 'viewer'
+                ? html`<button type="button" @click=${() => this.model.edits.changeSurface({})}>Compute it again</button>`
+                : nothing}`;
+    }
+
+    private progress(): TemplateResult | typeof nothing {
+        const { state, progress } = this.model;
+        const now = state.progress.value;
+        if (now === null) return nothing;
+        const may = state.role.value !== 'viewer' && state.capabilities.value.includes('stop');
+        return html`<div class="progress">
+            <progress max="1" value=${now.fraction ?? nothing} aria-label="Surface"></progress>
+            ${may ? html`<button type="button" @click=${() => progress.stop()}>Stop</button>` : nothing}
+        </div>`;
+    }
+}
+
+customElements.define('wakesurf-status', StatusPanel);

@@ -1,0 +1,101 @@
+// How good the surface is, on demand: what was approximated, why particles went no further, what it took.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { signal } from '@preact/signals-core';
+import type { SurfaceStats, Terminations } from '../../protocol/messages.ts';
+import { shortNumber } from '../../scene/base/ticks.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+import { countWords } from '../base/statusWords.ts';
+
+const reasons: readonly { reason: keyof Terminations; words: string }[] = [
+    { reason: 'time', words: 'Reached the end in time' },
+    { reason: 'domain', words: 'Left the domain' },
+    { reason: 'obstacle', words: 'Reached the body' },
+    { reason: 'stagnation', words: 'Came to rest' },
+    { reason: 'budget', words: 'Stopped by the limit of quads' },
+];
+
+export class QualityPanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    private readonly open = signal(false);
+    private readonly stats = signal<SurfaceStats | null>(null);
+    /** The state that the statistics were last asked for. */
+    private askedFor = '';
+    private asking = false;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            :host {
+                display: block;
+            }
+            summary {
+                color: var(--quiet);
+                cursor: pointer;
+            }
+            dl {
+                display: grid;
+                grid-template-columns: 1fr auto;
+                gap: 2px 8px;
+                margin: 4px 0 0;
+                font-size: 12px;
+            }
+            dt {
+                color: var(--quiet);
+            }
+            dd {
+                margin: 0;
+                text-align: right;
+                font-variant-numeric: tabular-nums;
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { state } = this.model;
+        const id = state.activeSurface.value ?? '';
+        const displayed = state.displayed.value.get(id);
+        if (this.open.value && displayed !== undefined) this.ask(id, displayed.stateCrc);
+        const stats = this.stats.value;
+        return html`<details id="quality" @toggle=${(event: Event) => (this.open.value = (event.target as HTMLDetailsElement).open)}>
+            <summary>Quality</summary>
+            ${stats === null || stats.surface !== id ? nothing : this.list(stats)}
+        </details>`;
+    }
+
+    private list(stats: SurfaceStats): TemplateResult {
+        const share = stats.vertices > 0 ? (100 * stats.approximated) / stats.vertices : 0;
+        const row = (words: string, value: string, name: string): TemplateResult =>
+            html`<dt>${words}</dt>
+                <dd data-name=${name}>${value}</dd>`;
+        return html`<dl>
+            ${row('Approximated vertices', `${share.toFixed(share < 10 ? 1 : 0)} %`, 'approximated')}
+            ${row('Longest edge', `${shortNumber(stats.maxEdge / stats.separation)} × separation`, 'maxEdge')}
+            ${reasons
+                .filter(({ reason }) => stats.terminated[reason] > 0)
+                .map(({ reason, words }) => row(words, countWords(stats.terminated[reason]), reason))}
+            ${row('Steps of particles', countWords(stats.vertexSteps), 'vertexSteps')}
+            ${row('Computed in', `${shortNumber(1000 * (stats.seconds['total'] ?? 0))} ms`, 'seconds')}
+            ${row('Memory', `${shortNumber(stats.peakBytes / 2 ** 20)} MiB`, 'peakBytes')}
+        </dl>`;
+    }
+
+    /** Once a state, and one question at a time: while a surface plays, the next comes with the answer to the last. */
+    private ask(surface: string, stateCrc: number): void {
+        const wanted = `${surface} ${stateCrc}`;
+        if (this.asking || this.askedFor === wanted) return;
+        this.askedFor = wanted;
+        this.asking = true;
+        const answered = (stats: SurfaceStats | null): void => {
+            this.asking = false;
+            this.stats.value = stats;
+            // Another state may be there by now.
+            if (this.isConnected) this.requestUpdate();
+        };
+        this.model.worker.call('surface.stats', { surface }).then(answered, () => answered(null));
+    }
+}
+
+customElements.define('wakesurf-quality', QualityPanel);

@@ -1,0 +1,380 @@
+// The settings of the surface: its kind, how long it is followed, how fine it is.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import type { Accuracy, DatasetDescription, Direction, SurfaceKind, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
+import { niceStep, shortNumber } from '../../scene/base/ticks.ts';
+import { defaultLength } from '../../session/edits/defaults.ts';
+import { surfacesOf } from '../../session/edits/selection.ts';
+import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
+import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+/** Separation as a multiple of the finest spacing of the dataset's grid. */
+const separations = [
+    { factor: 0.5, words: 'fine' },
+    { factor: 1, words: 'as the grid' },
+    { factor: 2, words: 'medium' },
+    { factor: 4, words: 'coarse' },
+];
+
+const directions: [Direction, string][] = [
+    ['forward', 'Forward, downstream'],
+    ['backward', 'Backward, upstream'],
+    ['both', 'Both ways'],
+];
+
+const accuracies: [Accuracy, string][] = [
+    ['fast', 'Fast, for looking round'],
+    ['balanced', 'Balanced'],
+    ['exact', 'Exact, for figures'],
+];
+
+const kindNames: Record<SurfaceKind, string> = { stream: 'Stream', path: 'Path', streak: 'Streak', time: 'Time' };
+
+const axes = ['x', 'y', 'z'] as const;
+
+export class SurfacePanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            /* Only there to be disabled as a whole. */
+            .edits {
+                display: contents;
+            }
+            .kinds {
+                display: grid;
+                grid-template-columns: 1fr 1fr;
+                margin: 0 0 10px;
+                padding: 2px;
+                border: 1px solid var(--line);
+                border-radius: 8px;
+                background: var(--raised);
+            }
+            legend {
+                position: absolute;
+                width: 1px;
+                height: 1px;
+                overflow: hidden;
+                clip-path: inset(50%);
+            }
+            .kind {
+                display: flex;
+                align-items: center;
+                justify-content: center;
+                gap: 6px;
+                min-height: 28px;
+                border-radius: 6px;
+                cursor: pointer;
+            }
+            .kind input {
+                margin: 0;
+                accent-color: var(--accent);
+            }
+            .row {
+                display: flex;
+                justify-content: space-between;
+                align-items: center;
+                gap: 8px;
+                margin-top: 6px;
+            }
+            .value {
+                font-variant-numeric: tabular-nums;
+            }
+            .quiet {
+                margin: 4px 0 0;
+                color: var(--quiet);
+                font-size: 12px;
+            }
+            select {
+                max-width: 176px;
+            }
+            .several {
+                display: grid;
+                grid-template-columns: minmax(0, 1fr) auto auto;
+                gap: 6px;
+                margin-top: 10px;
+            }
+            .several select {
+                max-width: none;
+            }
+            .check {
+                display: flex;
+                gap: 8px;
+                align-items: center;
+                margin-top: 8px;
+                cursor: pointer;
+            }
+            .check input {
+                margin: 0;
+                accent-color: var(--accent);
+            }
+            .sweep {
+                display: grid;
+                grid-template-columns: 42px repeat(3, 1fr);
+                gap: 6px;
+                align-items: center;
+                margin-top: 8px;
+            }
+            .sweep input {
+                width: 100%;
+                min-width: 0;
+                padding: 3px 6px;
+                text-align: right;
+                font-variant-numeric: tabular-nums;
+                appearance: textfield;
+            }
+            .sweep input::-webkit-inner-spin-button {
+                appearance: none;
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { state, edits } = this.model;
+        const intent = edits.intent.value;
+        const dataset = state.dataset.value;
+        if (dataset === null || state.rake.value === undefined) return html``;
+        if (intent === null) {
+            return html`<p class="quiet">This rake has no surface.</p>
+                ${this.several()}`;
+        }
+        const usual = defaultLength(dataset.bounds, state.speedRange.value[1]);
+        const step = niceStep(usual / 40);
+        const longest = Math.max(2 * usual, intent.length);
+        const { to = 0, from = 0 } = state.surface.value ?? {};
+        const followed = Math.abs(to - from);
+        const cut = intent.kind !== 'stream' && followed < intent.length * 0.999;
+        return html`
+            <fieldset class="edits" ?disabled=${state.locked.value}>
+                <fieldset class="kinds">
+                    <legend>Kind of surface</legend>
+                    ${this.kindChoice('stream', 'Stream', dataset)}
+                    ${this.kindChoice('path', 'Path', dataset)}
+                    ${this.kindChoice('streak', 'Streak', dataset)}
+                    ${this.kindChoice('time', 'Time', dataset)}
+                </fieldset>
+                <label class="row" for="length">
+                    <span>Integration time</span>
+                    <span class="value">${this.time(intent.length)}</span>
+                </label>
+                <input
+                    id="length"
+                    type="range"
+                    min=${step}
+                    max=${longest}
+                    step=${step}
+                    .value=${String(intent.length)}
+                    @input=${this.lengthChanged}
+                />
+                <p class="quiet" ?hidden=${!cut}>
+                    Followed for ${this.time(followed)}: there the data end.
+                </p>
+                ${intent.kind === 'streak' ? this.release(intent, cut ? followed : intent.length) : ''}
+                ${intent.kind === 'time' ? this.secondCurve(intent) : ''}
+                <label class="row" for="separation">
+                    <span>Separation</span>
+                    <select id="separation" @change=${this.separationChanged}>
+                        ${this.separationChoices(dataset.finestSpacing, intent.separation)}
+                    </select>
+                </label>
+                ${this.choice('direction', 'Direction', directions, intent.direction, (direction) => ({ direction }))}
+                ${this.choice('accuracy', 'Accuracy', accuracies, intent.accuracy, (accuracy) => ({ accuracy }))}
+            </fieldset>
+            ${this.several()}
+        `;
+    }
+
+    private choice<Value extends string>(
+        id: string,
+        label: string,
+        choices: readonly [Value, string][],
+        current: Value,
+        changed: (value: Value) => Partial<SurfaceIntent>,
+    ): TemplateResult {
+        const change = (event: Event): void => {
+            this.model.edits.changeSurface(changed((event.target as HTMLSelectElement).value as Value));
+        };
+        return html`<label class="row" for=${id}>
+            <span>${label}</span>
+            <select id=${id} @change=${change}>
+                ${choices.map(
+                    ([value, words]) => html`<option value=${value} .selected=${value === current}>${words}</option>`,
+                )}
+            </select>
+        </label>`;
+    }
+
+    /** A rake may have several surfaces, or none. */
+    private several(): TemplateResult {
+        const { state, edits } = this.model;
+        const rake = state.activeRake.value ?? '';
+        const active = state.activeSurface.value;
+        const own = surfacesOf(state, rake).map((id) => state.surfaces.value.get(id)!);
+        const locked = state.locked.value;
+        const choose = (event: Event): void => edits.chooseSurface((event.target as HTMLSelectElement).value);
+        return html`<div class="several" role="group" aria-label="Surfaces of this rake">
+            ${own.length > 1
+                ? html`<select id="which-surface" aria-label="Surface" @change=${choose}>
+                      ${own.map(
+                          (each, i) =>
+                              html`<option value=${each.surface} .selected=${each.surface === active}>
+                                  ${surfaceWords(each, i)}
+                              </option>`,
+                      )}
+                  </select>`
+                : html`<span></span>`}
+            <button type="button" ?disabled=${locked} @click=${() => edits.actions.addSurface(rake)}>
+                Add surface
+            </button>
+            ${own.length > 0
+                ? html`<button
+                      type="button"
+                      aria-label="Delete surface"
+                      title="Delete this surface; the rake stays"
+                      ?disabled=${locked}
+                      @click=${() => edits.actions.deleteSurface(active ?? '')}
+                  >
+                      Delete
+                  </button>`
+                : nothing}
+        </div>`;
+    }
+
+    private time(value: number): string {
+        return withUnit(shortNumber(value), this.model.view.units.value.time);
+    }
+
+    private length(value: number): string {
+        return withUnit(shortNumber(value), this.model.view.units.value.length);
+    }
+
+    private kindChoice(
+        kind: SurfaceKind,
+        label: string,
+        { times, steady }: DatasetDescription,
+    ): TemplateResult {
+        const { edits, state } = this.model;
+        const still = kind !== 'stream' && times.length < 2 && !steady;
+        const disabled = still || !state.capabilities.value.includes(kind);
+        return html`<label class="kind">
+            <input
+                type="radio"
+                name="kind"
+                value=${kind}
+                ?disabled=${disabled}
+                .checked=${edits.intent.value?.kind === kind}
+                @change=${() => edits.changeSurface({ kind })}
+            />${label}
+        </label>`;
+    }
+
+    /** Until when a streak surface is released; at the end of the slider, as long as it is shown. */
+    private release({ from, released }: SurfaceIntent, shown: number): TemplateResult {
+        const current = Math.min(released ?? shown, shown);
+        const sign = this.model.edits.intent.value?.direction === 'backward' ? -1 : 1;
+        const allTheTime = (event: Event): void => {
+            const on = (event.target as HTMLInputElement).checked;
+            this.model.edits.changeSurface({ released: on ? null : shown / 2 });
+        };
+        return html`<label class="check">
+                <input
+                    type="checkbox"
+                    id="release"
+                    .checked=${current > shown * 0.999}
+                    @change=${allTheTime}
+                />
+                Keep releasing while it is shown
+            </label>
+            <label class="row" for="release-until">
+                <span>Release until</span>
+                <span class="value">t = ${this.time(from + sign * current)}</span>
+            </label>
+            <input
+                id="release-until"
+                type="range"
+                min=${shown / 50}
+                max=${shown}
+                step=${shown / 50}
+                .value=${String(current)}
+                @input=${(event: Event) => this.releaseChanged(event, shown)}
+            />`;
+    }
+
+    /** The second curve of a time surface's patch. */
+    private secondCurve({ sweep, rake2 }: SurfaceIntent): TemplateResult {
+        const rakes = this.model.state.rakes.value;
+        if (sweep === null) {
+            const name = rakes.get(rake2 ?? '')?.name ?? 'another rake';
+            return html`<p class="quiet">Released between this rake and ${name}.</p>`;
+        }
+        return html`<div class="sweep" role="group" aria-label="Sweep">
+            <span>Sweep</span>
+            ${axes.map(
+                (axis, k) =>
+                    html`<input
+                        id=${`sweep-${axis}`}
+                        type="number"
+                        step="any"
+                        aria-label=${`Sweep along ${axis}`}
+                        title=${`Sweep along ${axis}`}
+                        .value=${sweepText(sweep[k] ?? 0)}
+                        @change=${(event: Event) => this.sweepChanged(event, sweep, k)}
+                    />`,
+            )}
+        </div>`;
+    }
+
+    private separationChoices(spacing: number, current: number): TemplateResult[] {
+        const choices = separations.map(({ factor, words }) => ({
+            value: factor * spacing,
+            words: `${this.length(factor * spacing)}, ${words}`,
+        }));
+        const close = (value: number): boolean => Math.abs(value - current) <= 1e-6 * current;
+        if (!choices.some(({ value }) => close(value))) {
+            choices.push({ value: current, words: this.length(current) });
+        }
+        return choices.map(
+            ({ value, words }) =>
+                html`<option value=${value} .selected=${close(value)}>${words}</option>`,
+        );
+    }
+
+    private lengthChanged(event: Event): void {
+        const length = (event.target as HTMLInputElement).valueAsNumber;
+        if (length > 0) this.model.edits.changeSurface({ length });
+    }
+
+    private releaseChanged(event: Event, shown: number): void {
+        const value = (event.target as HTMLInputElement).valueAsNumber;
+        const released = value > shown * 0.999 ? null : value;
+        if (released === null || released > 0) this.model.edits.changeSurface({ released });
+    }
+
+    private sweepChanged(event: Event, before: Vec3, axis: number): void {
+        const field = event.target as HTMLInputElement;
+        const sweep: Vec3 = [...before];
+        sweep[axis] = field.valueAsNumber;
+        if (sweep.every(Number.isFinite) && sweep.some((each) => each !== 0)) {
+            this.model.edits.changeSurface({ sweep });
+        } else field.value = sweepText(before[axis] ?? 0);
+    }
+
+    private separationChanged(event: Event): void {
+        const separation = Number((event.target as HTMLSelectElement).value);
+        if (separation > 0) this.model.edits.changeSurface({ separation });
+    }
+}
+
+function sweepText(value: number): string {
+    return String(Number(value.toPrecision(4)));
+}
+
+function surfaceWords({ kind, direction }: SurfaceRecord, index: number): string {
+    return `${index + 1}: ${kindNames[kind]}${direction === 'forward' ? '' : `, ${direction}`}`;
+}
+
+customElements.define('wakesurf-surface', SurfacePanel);

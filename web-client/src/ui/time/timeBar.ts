@@ -1,0 +1,203 @@
+// Below the picture: when it is of, how that runs, and the timeline.
+import { html, noChange, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
+import type { SurfaceKind } from '../../protocol/messages.ts';
+import { shortNumber } from '../../scene/base/ticks.ts';
+import { timeSteps } from '../../session/out/panelSteps.ts';
+import { residentWords } from '../../session/time/timeSteps.ts';
+import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import type { AppModel } from '../base/appModel.ts';
+import '../out/copyAs.ts';
+import { icon } from '../base/icons.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+import { timeBarStyles } from './timeBarStyles.ts';
+import { timeKeyOf } from './timeKeys.ts';
+import './timeline.ts';
+
+const speeds = [0.1, 0.25, 0.5, 1, 2, 4];
+
+/** What the release is to a surface of each kind. */
+const released: Record<Exclude<SurfaceKind, 'stream'>, string> = {
+    path: 'released at',
+    streak: 'released from',
+    time: 'released at',
+};
+
+export class TimeBar extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    /** What is being typed must not be overwritten by the time that passes. */
+    private typing = false;
+
+    static override styles = [sharedStyles, timeBarStyles];
+
+    override connectedCallback(): void {
+        super.connectedCallback();
+        addEventListener('keydown', this.keyed);
+    }
+
+    override disconnectedCallback(): void {
+        super.disconnectedCallback();
+        removeEventListener('keydown', this.keyed);
+    }
+
+    override render(): TemplateResult {
+        const { playback } = this.model;
+        const viewer = this.model.state.role.value === 'viewer';
+        const none = playback.mode.value === 'none';
+        return html`
+            <div class="row">
+                ${this.buttons(viewer || none)} ${this.speed(viewer || none)}
+                <label for="go-to"
+                    ><span class="quiet">${playback.mode.value === 'clock' ? 'shown' : 'frozen'} at</span>
+                    <input
+                        id="go-to"
+                        type="number"
+                        step="any"
+                        aria-label=${playback.mode.value === 'clock' ? 'Shown at time' : 'Frozen at time'}
+                        ?disabled=${viewer || none}
+                        .value=${this.typing ? noChange : live(numberText(playback.time.value))}
+                        @focus=${() => (this.typing = true)}
+                        @blur=${this.left}
+                        @change=${this.typed}
+                    />
+                    ${this.model.view.units.value.time}
+                </label>
+                <span class="words">${this.meaning()}</span>
+            </div>
+            <wakesurf-timeline
+                .model=${this.model}
+                ?hidden=${none && this.model.state.times.value.length < 2}
+            ></wakesurf-timeline>
+            <div class="row below">
+                ${this.legend()}
+                <wakesurf-copy-as
+                    .model=${this.model}
+                    .calls=${() => timeSteps(this.model.state)}
+                ></wakesurf-copy-as>
+            </div>
+        `;
+    }
+
+    private words(time: number): string {
+        return withUnit(shortNumber(time), this.model.view.units.value.time);
+    }
+
+    private buttons(disabled: boolean): TemplateResult {
+        const { playback } = this.model;
+        const playing = playback.playing.value;
+        const button = (
+            words: string,
+            keys: string,
+            sign: TemplateResult,
+            action: () => unknown,
+        ): TemplateResult =>
+            html`<button type="button" aria-label=${words} title=${keys} ?disabled=${disabled} @click=${action}>
+                ${sign}
+            </button>`;
+        return html`<div class="buttons" role="group" aria-label="Time controls">
+            ${button('To the start', 'To the start', icon('start'), () => playback.toEnd(-1))}
+            ${button('Previous time-step', 'One time-step back: ,', icon('back'), () => playback.step(-1))}
+            ${
+                playing
+                    ? button('Pause', 'Pause: space', icon('pause'), () => playback.toggle())
+                    : button('Play', 'Play: space', icon('play'), () => playback.toggle())
+            }
+            ${button('Next time-step', 'One time-step on: .', icon('forward'), () => playback.step(1))}
+            ${button('To the end', 'To the end', icon('end'), () => playback.toEnd(1))}
+        </div>`;
+    }
+
+    private speed(disabled: boolean): TemplateResult {
+        const { playback } = this.model;
+        const normal = playback.normalSpeed.value;
+        const factor = normal > 0 ? playback.speed.value / normal : 1;
+        const close = (each: number): boolean => Math.abs(each - factor) < 1e-3 * each;
+        const choices = speeds.some(close) ? speeds : [...speeds, factor];
+        const loop = playback.loop.value;
+        return html`<select
+                id="speed"
+                aria-label="Speed"
+                title="How much time of the data passes in a second"
+                ?disabled=${disabled}
+                @change=${this.speedChosen}
+            >
+                ${choices.map(
+                    (each) =>
+                        html`<option value=${each} .selected=${close(each)}>
+                            ${shortNumber(each)}× (${this.words(each * normal)}/s)
+                        </option>`,
+                )}
+            </select>
+            <button
+                type="button"
+                aria-pressed=${loop ? 'true' : 'false'}
+                title="At the end, begin again"
+                ?disabled=${disabled}
+                @click=${() => playback.setLoop(!loop)}
+            >
+                Loop
+            </button>`;
+    }
+
+    /** When the surface is released, or why nothing plays. */
+    private meaning(): TemplateResult | typeof nothing {
+        const { playback, edits, state } = this.model;
+        const intent = edits.intent.value;
+        if (intent === null) return nothing;
+        if (intent.kind === 'stream') {
+            return playback.mode.value === 'none'
+                ? html`<span class="quiet">The data have one time-step: nothing to play.</span>`
+                : nothing;
+        }
+        const until = intent.kind === 'streak' ? state.surface.value?.releaseUntil : undefined;
+        const end = until === undefined ? nothing : html` <span class="quiet">to</span> ${this.words(until)}`;
+        return html`<span class="quiet">${released[intent.kind]}</span> ${this.words(intent.from)}${end}`;
+    }
+
+    private legend(): TemplateResult {
+        const states = this.model.state.stepStates.value;
+        if (states.length === 0) return html`<span></span>`;
+        const sign = (fill: string): TemplateResult =>
+            html`<svg width="9" height="11" viewBox="0 0 9 11" aria-hidden="true">
+                <path d=${fill} />
+                <rect x="0.5" y="0.5" width="8" height="10" />
+            </svg>`;
+        return html`<span class="legend">
+            <span>${sign('M0 0h9v11h-9z')}<span id="resident">${residentWords(states)}</span></span>
+            <span aria-hidden="true">${sign('M0 5.5h9v5.5h-9z')}loading</span>
+            <span aria-hidden="true">${sign('')}on disk</span>
+        </span>`;
+    }
+
+    private readonly keyed = (event: KeyboardEvent): void => {
+        const { playback, state } = this.model;
+        const key = timeKeyOf(event);
+        if (key === null || playback.mode.value === 'none' || state.role.value === 'viewer') return;
+        event.preventDefault();
+        if (key === 'toggle') void playback.toggle();
+        else void playback.step(key === 'forward' ? 1 : -1);
+    };
+
+    private typed(event: Event): void {
+        this.typing = false;
+        this.model.playback.goTo((event.target as HTMLInputElement).valueAsNumber);
+        this.requestUpdate();
+    }
+
+    private left(): void {
+        this.typing = false;
+        this.requestUpdate();
+    }
+
+    private speedChosen(event: Event): void {
+        void this.model.playback.setSpeed(Number((event.target as HTMLSelectElement).value));
+    }
+}
+
+function numberText(time: number): string {
+    return Number.isFinite(time) ? String(Number(time.toPrecision(5))) : '';
+}
+
+customElements.define('wakesurf-time-bar', TimeBar);

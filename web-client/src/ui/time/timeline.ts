@@ -1,0 +1,238 @@
+// The time of the data as a line: its time-steps with what of them is in the server's memory, the part that the surface covers,
+// and two handles: above, when the picture is of; below, when the surface is released.
+import { html, noChange, nothing, svg, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
+import { signal } from '@preact/signals-core';
+import type { StepState } from '../../protocol/messages.ts';
+import { niceTicks, shortNumber } from '../../scene/base/ticks.ts';
+import { releasedSpan, type Span, type StepMark, stepMarks, timelineSpan } from '../../session/time/timeSteps.ts';
+import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+import { timelineStyles } from './timelineStyles.ts';
+
+const pxPerTick = 64;
+/** Marks nearer to each other than this are drawn as one bar. */
+const pxPerMark = 5;
+const pageOfSteps = 5;
+
+export class Timeline extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    private readonly width = signal(600);
+    /** The handle under the pointer stays there until it is let go, also between two time-steps. */
+    private readonly held = signal<string | null>(null);
+    private readonly resized = new ResizeObserver(([entry]) => {
+        if (entry !== undefined && entry.contentRect.width > 0) this.width.value = entry.contentRect.width;
+    });
+
+    static override styles = [sharedStyles, timelineStyles];
+
+    override connectedCallback(): void {
+        super.connectedCallback();
+        this.resized.observe(this);
+    }
+
+    override disconnectedCallback(): void {
+        super.disconnectedCallback();
+        this.resized.disconnect();
+    }
+
+    override render(): TemplateResult {
+        const { playback, state } = this.model;
+        const moving = playback.mode.value === 'clock';
+        const times = state.times.value;
+        const surface = moving ? playback.span.value : null;
+        const line = timelineSpan(times, surface);
+        const at = (time: number): string => `${((100 * (time - line[0])) / (line[1] - line[0])).toFixed(3)}%`;
+        const ticks = niceTicks(line[0], line[1], this.width.value / pxPerTick);
+        const { time } = playback;
+        return html`
+            <svg class="picture" aria-hidden="true">
+                <rect class="line" x="0" width="100%" y="9" height="2" />
+                ${surface === null ? nothing : this.surfaceBand(surface, at)}
+                ${
+                    Number.isFinite(time.value)
+                        ? svg`<line class="now" x1=${at(time.value)} x2=${at(time.value)} y1="10" y2="34" />`
+                        : nothing
+                }
+                ${stepMarks(state.stepStates.value, this.width.value / pxPerMark).map((mark) => this.mark(mark, at))}
+                ${ticks.map(({ value, label }, i) => {
+                    const words = i === ticks.length - 1 ? withUnit(label, this.unit) : label;
+                    return svg`<text x=${at(value)} y="49">${words}</text>`;
+                })}
+            </svg>
+            ${moving ? this.clockSlider(line) : this.frozenSlider(line)}
+            ${moving ? this.releaseSlider(line) : nothing}
+        `;
+    }
+
+    /** Released in the full part; in the pale one what was released moves on. */
+    private surfaceBand(surface: Span, at: (time: number) => string): TemplateResult {
+        const record = this.model.state.surface.value;
+        const backward = record !== undefined && record.to < record.from;
+        const released = releasedSpan(surface, record?.kind ?? 'path', backward, record?.releaseUntil);
+        const end = released[backward ? 0 : 1];
+        const width = (low: number, high: number): string =>
+            `${Math.max(0, parseFloat(at(high)) - parseFloat(at(low)))}%`;
+        return svg`
+            <rect class="shown" x=${at(surface[0])} width=${width(...surface)} y="6" height="8" rx="2" />
+            <rect class="released" x=${at(released[0])} width=${width(...released)} y="6" height="8" rx="2" />
+            ${
+                end < surface[1] && end > surface[0]
+                    ? svg`<line class="release-end" x1=${at(end)} x2=${at(end)} y1="3" y2="17" />`
+                    : nothing
+            }`;
+    }
+
+    /** Full in memory, half while it is loaded, hollow on the disk. */
+    private mark({ first, last, state }: StepMark, at: (time: number) => string): TemplateResult {
+        const times = this.model.state.dataset.value?.times ?? [];
+        const [low, high] = [parseFloat(at(times[first] ?? 0)), parseFloat(at(times[last] ?? 0))];
+        const width = Math.min(1.2, ((last > first ? 1 : 0.7) * 100) / Math.max(1, times.length - 1));
+        const [x, across] = [`${(low - width / 2).toFixed(3)}%`, `${(high - low + width).toFixed(3)}%`];
+        return svg`<g data-step=${first} data-state=${state}>
+            <rect class="hollow" x=${x} width=${across} y="23.5" height="9" />
+            ${
+                fills[state] === 0
+                    ? nothing
+                    : svg`<rect class="filled" x=${x} width=${across} y=${33 - fills[state]} height=${fills[state]} />`
+            }
+        </g>`;
+    }
+
+    private clockSlider(line: Span): TemplateResult {
+        const { playback } = this.model;
+        return html`<input
+            id="clock"
+            class="now-handle"
+            type="range"
+            min=${line[0]}
+            max=${line[1]}
+            step="any"
+            ?disabled=${this.mayNot}
+            .value=${this.place('clock', playback.time.value)}
+            aria-label="Shown at"
+            aria-valuetext=${`shown at ${this.words(playback.time.value)}`}
+            @pointerdown=${this.hold}
+            @input=${this.scrubbed}
+            @keydown=${this.keyed}
+        />`;
+    }
+
+    private frozenSlider(line: Span): TemplateResult {
+        const { playback } = this.model;
+        const time = playback.time.value;
+        return html`<input
+            id="time"
+            class="now-handle"
+            type="range"
+            min=${line[0]}
+            max=${line[1]}
+            step="any"
+            ?disabled=${this.mayNot || playback.mode.value === 'none'}
+            .value=${this.place('time', Number.isFinite(time) ? time : line[0])}
+            aria-label="Time of the frozen field"
+            aria-valuetext=${`frozen at ${this.words(time)}`}
+            @pointerdown=${this.hold}
+            @input=${this.scrubbed}
+            @keydown=${this.keyed}
+        />`;
+    }
+
+    private releaseSlider(line: Span): TemplateResult {
+        const { playback, edits, state } = this.model;
+        const from = edits.intent.value?.from ?? line[0];
+        return html`<input
+            id="time"
+            class="release-handle"
+            type="range"
+            min=${line[0]}
+            max=${line[1]}
+            step="any"
+            ?disabled=${this.mayNot || state.times.value.length < 2}
+            .value=${this.place('time', from)}
+            aria-label="Release"
+            aria-valuetext=${`released at ${this.words(from)}`}
+            title="When the surface is released: drag"
+            @pointerdown=${this.hold}
+            @input=${(event: Event) => playback.release(valueOf(event))}
+            @keydown=${this.releaseKeyed}
+        />`;
+    }
+
+    private get unit(): string {
+        return this.model.view.units.value.time;
+    }
+
+    private words(time: number): string {
+        return withUnit(shortNumber(time), this.unit);
+    }
+
+    private get mayNot(): boolean {
+        return this.model.state.role.value === 'viewer';
+    }
+
+    private place(handle: string, time: number): string | typeof noChange | ReturnType<typeof live> {
+        return this.held.value === handle ? noChange : live(String(time));
+    }
+
+    private hold(event: PointerEvent): void {
+        this.held.value = (event.target as HTMLInputElement).id;
+        const letGo = (): void => {
+            this.held.value = null;
+            removeEventListener('pointerup', letGo);
+            removeEventListener('pointercancel', letGo);
+        };
+        addEventListener('pointerup', letGo);
+        addEventListener('pointercancel', letGo);
+    }
+
+    private scrubbed(event: Event): void {
+        this.model.playback.goTo(valueOf(event));
+    }
+
+    /** Arrow keys go by time-steps: what a slider does by itself is a hundredth of the whole. */
+    private keyed(event: KeyboardEvent): void {
+        const { playback } = this.model;
+        const steps = stepsOf(event.key);
+        if (steps !== 0) {
+            event.preventDefault();
+            void (async () => {
+                for (let i = 0; i < Math.abs(steps); ++i) await playback.step(steps > 0 ? 1 : -1);
+            })();
+        } else if (event.key === 'Home' || event.key === 'End') {
+            event.preventDefault();
+            void playback.toEnd(event.key === 'End' ? 1 : -1);
+        }
+    }
+
+    private releaseKeyed(event: KeyboardEvent): void {
+        const { playback, state, edits } = this.model;
+        const times = state.times.value;
+        const index = times.indexOf(edits.intent.value?.from ?? Number.NaN);
+        const ends: Record<string, number> = { Home: 0, End: times.length - 1 };
+        const to = ends[event.key] ?? index + stepsOf(event.key);
+        if (stepsOf(event.key) === 0 && ends[event.key] === undefined) return;
+        event.preventDefault();
+        const time = times[Math.min(times.length - 1, Math.max(0, to))];
+        if (time !== undefined) playback.release(time);
+    }
+}
+
+const fills: Record<StepState, number> = { resident: 10, loading: 5, cold: 0 };
+
+function stepsOf(key: string): number {
+    const steps: Record<string, number> = {
+        ...{ ArrowRight: 1, ArrowUp: 1, PageUp: pageOfSteps },
+        ...{ ArrowLeft: -1, ArrowDown: -1, PageDown: -pageOfSteps },
+    };
+    return steps[key] ?? 0;
+}
+
+function valueOf(event: Event): number {
+    return (event.target as HTMLInputElement).valueAsNumber;
+}
+
+customElements.define('wakesurf-timeline', Timeline);

@@ -1,0 +1,100 @@
+// Views of the picture under names, for everybody in the session.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import type { BookmarkRecord } from '../../protocol/messages.ts';
+import { shortNumber } from '../../scene/base/ticks.ts';
+import { readPageView } from '../../state/pageView.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+export class BookmarksPanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            form {
+                display: grid;
+                grid-template-columns: minmax(0, 1fr) auto;
+                gap: 6px;
+            }
+            ul {
+                margin: 6px 0 0;
+                padding: 0;
+                list-style: none;
+            }
+            li {
+                display: grid;
+                grid-template-columns: minmax(0, 1fr) auto;
+                gap: 6px;
+                margin-top: 4px;
+            }
+            .go {
+                overflow: hidden;
+                text-align: left;
+                text-overflow: ellipsis;
+                white-space: nowrap;
+            }
+            .quiet {
+                color: var(--quiet);
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { state } = this.model;
+        const bookmarks = [...state.bookmarks.value.values()];
+        const viewer = state.role.value === 'viewer';
+        return html`
+            ${viewer
+                ? nothing
+                : html`<form @submit=${this.add}>
+                      <input id="bookmark-name" required maxlength="60" aria-label="Name of the view" placeholder="Name of this view" />
+                      <button type="submit">Keep</button>
+                  </form>`}
+            <ul aria-label="Views that were kept">
+                ${bookmarks.map((bookmark) => this.row(bookmark, viewer))}
+            </ul>
+        `;
+    }
+
+    private row(record: BookmarkRecord, viewer: boolean): TemplateResult {
+        const { bookmark, name, time } = record;
+        return html`<li>
+            <button type="button" class="go" title=${name} @click=${() => this.show(record)}>
+                ${name}${time === undefined ? nothing : html` <span class="quiet">t = ${shortNumber(time)}</span>`}
+            </button>
+            ${viewer
+                ? nothing
+                : html`<button
+                      type="button"
+                      aria-label=${`Delete the view ${name}`}
+                      @click=${() => this.model.calls.try('bookmark.delete', { bookmark })}
+                  >
+                      ✕
+                  </button>`}
+        </li>`;
+    }
+
+    private async add(event: Event): Promise<void> {
+        event.preventDefault();
+        const { state, views, calls } = this.model;
+        const input = this.renderRoot.querySelector<HTMLInputElement>('#bookmark-name');
+        const name = input?.value.trim() ?? '';
+        if (input === null || name === '') return;
+        const time = state.clock.value?.time ?? null;
+        const view = { ...views.current() };
+        const made = await calls.try('bookmark.set', { name, view, ...(time === null ? {} : { time }) });
+        if (made !== null) input.value = '';
+    }
+
+    /** The time as well, which everybody shares, where there is one and this page may set it. */
+    private show({ view, time }: BookmarkRecord): void {
+        const { state, views, clock } = this.model;
+        views.show(readPageView(view));
+        if (time !== undefined && state.role.value !== 'viewer' && state.clock.value?.time !== time) clock.set(time);
+    }
+}
+
+customElements.define('wakesurf-bookmarks', BookmarksPanel);

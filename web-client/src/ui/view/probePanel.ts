@@ -1,0 +1,110 @@
+// The probe's place and values in numbers, and the distance that was measured.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import type { FieldDescription, Vec3 } from '../../protocol/messages.ts';
+import { centreOf } from '../../scene/domain/domainAxes.ts';
+import { shortNumber } from '../../scene/base/ticks.ts';
+import { distance } from '../../session/tools/measuring.ts';
+import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import type { ProbeReading } from '../../state/viewState.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+import { vectorInput } from '../base/vectorInput.ts';
+
+export class ProbePanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            .vector {
+                display: grid;
+                grid-template-columns: repeat(3, 1fr);
+                gap: 6px;
+            }
+            input {
+                width: 100%;
+                min-width: 0;
+                padding: 3px 6px;
+                text-align: right;
+                font-variant-numeric: tabular-nums;
+                appearance: textfield;
+            }
+            input::-webkit-inner-spin-button {
+                appearance: none;
+            }
+            dl {
+                display: grid;
+                grid-template-columns: auto 1fr;
+                gap: 2px 12px;
+                margin: 6px 0;
+            }
+            dt {
+                color: var(--quiet);
+            }
+            dd {
+                margin: 0;
+                text-align: right;
+                font-variant-numeric: tabular-nums;
+            }
+            .quiet {
+                margin: 6px 0;
+                color: var(--quiet);
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { state, view, probing } = this.model;
+        const bounds = state.dataset.value?.bounds;
+        if (bounds === undefined) return html``;
+        const reading = view.probe.value;
+        return html`
+            ${vectorInput('Probe', reading?.point ?? centreOf(bounds), (point) => {
+                view.tool.value = 'probe';
+                probing.probeThere(point);
+            })}
+            ${reading === null
+                ? html`<p class="quiet">Choose Probe over the picture and point at something, or type where.</p>`
+                : this.reading(reading)}
+            ${this.measured()}
+        `;
+    }
+
+    private reading({ inside, time, values }: ProbeReading): TemplateResult {
+        if (!inside) return html`<p class="quiet">Nothing flows there: outside the domain, or in the body.</p>`;
+        const fields = this.model.state.dataset.value?.fields ?? [];
+        return html`<dl id="probe-values">
+            ${values.map(({ name, value }) => {
+                const unit = fields.find((field: FieldDescription) => field.name === name)?.unit;
+                return html`<dt>${name}${unit === undefined ? '' : ` (${unit})`}</dt>
+                    <dd data-field=${name}>${valueWords(value)}</dd>`;
+            })}
+            <dt>at</dt>
+            <dd>t = ${withUnit(shortNumber(time), this.model.view.units.value.time)}</dd>
+        </dl>`;
+    }
+
+    private measured(): TemplateResult | typeof nothing {
+        const { measured } = this.model.view;
+        const [a, b] = measured.value;
+        if (a === undefined || b === undefined) return nothing;
+        const along = b.map((value, i) => shortNumber(value - a[i]!));
+        return html`<dl id="measured">
+                <dt>Distance</dt>
+                <dd>${withUnit(shortNumber(distance(a, b)), this.model.view.units.value.length)}</dd>
+                <dt>along x, y, z</dt>
+                <dd>${along.join(', ')}</dd>
+            </dl>
+            <button type="button" @click=${() => (measured.value = [])}>Clear the measure</button>`;
+    }
+}
+
+function valueWords(value: number | Vec3 | null): string {
+    if (value === null) return '–';
+    if (typeof value === 'number') return shortNumber(value);
+    return `${shortNumber(Math.hypot(...value))} (${value.map((each) => shortNumber(each)).join(', ')})`;
+}
+
+customElements.define('wakesurf-probe', ProbePanel);

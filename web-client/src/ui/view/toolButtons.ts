@@ -1,0 +1,53 @@
+// What a click on the picture does; without a tool it only turns the view.
+import { css, html, type TemplateResult } from 'lit';
+import type { Tool } from '../../state/viewState.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+const tools: readonly { tool: Tool; label: string; words: string; edits: boolean }[] = [
+    { tool: 'probe', label: 'Probe', words: 'What flows under the pointer; click to keep the place', edits: false },
+    { tool: 'measure', label: 'Measure', words: 'The distance between two clicks', edits: false },
+    { tool: 'annotate', label: 'Note', words: 'Click where words should stand', edits: true },
+];
+
+export class ToolButtons extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            div {
+                display: grid;
+                gap: 4px;
+            }
+            button[aria-pressed='true'] {
+                border-color: var(--accent);
+                background: var(--accent);
+                color: var(--ground);
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { view, state } = this.model;
+        const viewer = state.role.value === 'viewer';
+        return html`<div role="group" aria-label="Tools">
+            ${tools.map(({ tool, label, words, edits }) => {
+                const chosen = view.tool.value === tool;
+                return html`<button
+                    type="button"
+                    title=${words}
+                    aria-pressed=${chosen ? 'true' : 'false'}
+                    ?disabled=${viewer && edits}
+                    @click=${() => (view.tool.value = chosen ? 'none' : tool)}
+                >
+                    ${label}
+                </button>`;
+            })}
+        </div>`;
+    }
+}
+
+customElements.define('wakesurf-tool-buttons', ToolButtons);

@@ -1,0 +1,170 @@
+// Which way the axes point, and views of the whole domain for when the camera has lost its way: each end of an axis is a
+// button that looks from there.
+import { css, html, svg, type SVGTemplateResult, type TemplateResult } from 'lit';
+import { Vector3 } from 'three';
+import type { ViewName } from '../../scene/camera/cameraControls.ts';
+import type { View } from '../../scene/base/view.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+/** `from`: on which side the camera then is. */
+const ends: readonly { view: ViewName; axis: 'x' | 'y' | 'z'; direction: readonly [number, number, number]; words: string }[] = [
+    { view: '-x', axis: 'x', direction: [1, 0, 0], words: '+x: look against x' },
+    { view: '-y', axis: 'y', direction: [0, 1, 0], words: '+y: look against y' },
+    { view: 'z', axis: 'z', direction: [0, 0, 1], words: '+z: look against z' },
+    { view: 'x', axis: 'x', direction: [-1, 0, 0], words: '-x: look along x' },
+    { view: 'y', axis: 'y', direction: [0, -1, 0], words: '-y: look along y' },
+    { view: '-z', axis: 'z', direction: [0, 0, -1], words: '-z: look along z' },
+];
+const armPx = 30;
+
+export class ViewButtons extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    private listening = false;
+    /** The camera that the marker is drawn for. */
+    private turned = '';
+
+    static override styles = [
+        sharedStyles,
+        css`
+            :host {
+                display: grid;
+                justify-items: end;
+                gap: 6px;
+            }
+            .buttons {
+                display: flex;
+                gap: 4px;
+            }
+            svg {
+                overflow: visible;
+            }
+            line {
+                stroke-width: 2;
+            }
+            circle {
+                stroke-width: 2;
+                cursor: pointer;
+            }
+            g:focus-visible circle {
+                stroke: var(--text);
+            }
+            text {
+                fill: #0b1018;
+                font: 700 11px system-ui, sans-serif;
+                text-anchor: middle;
+                dominant-baseline: central;
+                pointer-events: none;
+            }
+            .x {
+                stroke: #ff8a80;
+                --end: #ff8a80;
+            }
+            .y {
+                stroke: #7ee2a8;
+                --end: #7ee2a8;
+            }
+            .z {
+                stroke: #8ab8ff;
+                --end: #8ab8ff;
+            }
+            circle.reach {
+                fill: transparent;
+                stroke: none;
+            }
+            .towards circle:not(.reach) {
+                fill: var(--end);
+            }
+            .away circle:not(.reach) {
+                fill: rgb(128 140 160 / 0.25);
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { view, scene } = this.model;
+        const parallel = view.orthographic.value;
+        return html`<div class="buttons" role="group" aria-label="View">
+                <button type="button" title="Fit the whole domain" aria-label="Fit the whole domain" @click=${() => this.look('oblique')}>
+                    Fit
+                </button>
+                <button
+                    type="button"
+                    aria-pressed=${parallel ? 'true' : 'false'}
+                    title="Without perspective: lengths compare"
+                    @click=${() => {
+                        view.orthographic.value = !parallel;
+                        scene.controls.setOrthographic(!parallel);
+                        scene.loop.request();
+                    }}
+                >
+                    Parallel
+                </button>
+            </div>
+            <svg width="92" height="92" viewBox="-46 -46 92 92" role="group" aria-label="Axes">
+                ${ends.map((end) => this.end(end))}
+            </svg>`;
+    }
+
+    protected override updated(): void {
+        if (this.listening) return;
+        this.listening = true;
+        this.model.scene.onDraw((view) => this.turn(view));
+        this.turn(this.model.scene.view());
+    }
+
+    private end({ view, axis, words }: (typeof ends)[number]): SVGTemplateResult {
+        const towards = words.startsWith('+');
+        return svg`<g role="button" tabindex="0" aria-label=${words} data-view=${view}
+                class=${`${axis} ${towards ? 'towards' : 'away'}`}
+                @click=${() => this.look(view)}
+                @keydown=${(event: KeyboardEvent) => {
+                    if (event.key !== 'Enter' && event.key !== ' ') return;
+                    event.preventDefault();
+                    this.look(view);
+                }}>
+            <title>${words}</title>
+            ${towards ? svg`<line x1="0" y1="0" x2="0" y2="0" />` : ''}
+            <circle class="reach" r="12" />
+            <circle r=${towards ? 9 : 6} />
+            ${towards ? svg`<text>${axis}</text>` : ''}
+        </g>`;
+    }
+
+    private look(view: ViewName): void {
+        this.model.scene.controls.show(view);
+        this.model.scene.loop.request();
+    }
+
+    /** The ends as the camera sees them, what is nearer over what is behind. */
+    private turn({ camera }: View): void {
+        const drawing = this.renderRoot.querySelector('svg');
+        if (drawing === null) return;
+        // Most frames are not of a turning camera, and drawing this again costs as much as a small surface does.
+        const turned = camera.quaternion.toArray().join();
+        if (turned === this.turned) return;
+        this.turned = turned;
+        const inverse = camera.quaternion.clone().invert();
+        const placed = ends.map(({ view, direction }) => {
+            const { x, y } = new Vector3(...direction).applyQuaternion(inverse);
+            return { shape: drawing.querySelector<SVGGElement>(`[data-view='${view}']`), x: x * armPx, y: -y * armPx };
+        });
+        for (const { shape, x, y } of placed) {
+            if (shape === null) continue;
+            for (const circle of shape.querySelectorAll('circle')) {
+                circle.setAttribute('cx', x.toFixed(1));
+                circle.setAttribute('cy', y.toFixed(1));
+            }
+            const line = shape.querySelector('line');
+            line?.setAttribute('x2', x.toFixed(1));
+            line?.setAttribute('y2', y.toFixed(1));
+            const text = shape.querySelector('text');
+            text?.setAttribute('x', x.toFixed(1));
+            text?.setAttribute('y', y.toFixed(1));
+        }
+    }
+}
+
+customElements.define('wakesurf-view-buttons', ViewButtons);
