@@ -26,11 +26,13 @@ async function records(): Promise<{ clock: ClockRecord; surface: SurfaceRecord }
     return { clock, surface: surfaces[0]! };
 }
 
-async function becomes<T>(read: () => Promise<T>, expected: (value: T) => void): Promise<void> {
+/** The first value that is as expected. */
+async function becomes<T>(read: () => Promise<T>, expected: (value: T) => void): Promise<T> {
+    let value: T;
     await expect
         .poll(
             async () => {
-                const value = await read();
+                value = await read();
                 try {
                     expected(value);
                     return 'as expected';
@@ -41,6 +43,7 @@ async function becomes<T>(read: () => Promise<T>, expected: (value: T) => void):
             { timeout: 10_000, interval: 30 },
         )
         .toBe('as expected');
+    return value!;
 }
 
 async function streak(): Promise<void> {
@@ -79,11 +82,11 @@ describe('the timeline', () => {
         const { times } = (await stand.server.call('dataset.describe', { dataset: 'sqcyl' })) as unknown as {
             times: number[];
         };
-        const { steps } = await status();
+        // What is read ahead may still be coming.
+        const { steps } = await becomes(status, (now) => expect(now.steps).not.toContain('loading'));
         expect(steps).toContain('cold');
         expect(steps).toContain('resident');
-        const drawn = await marks();
-        expect(drawn.map(({ state }) => state)).toEqual(steps);
+        const drawn = await becomes(marks, (now) => expect(now.map(({ state }) => state)).toEqual(steps));
         const line = await lineOf(page.locator('#time'));
         for (const [i, { middle }] of drawn.entries())
             expect(Math.abs(middle - line.x(times[i]!))).toBeLessThan(1);
@@ -139,8 +142,8 @@ describe('the timeline', () => {
         // From the end, play begins at the start; without loop it stops at the end by itself.
         await page.locator('#speed').selectOption('4');
         await page.getByRole('button', { name: 'Play' }).click();
-        await becomes(records, ({ clock }) => expect(clock).toMatchObject({ playing: true, speed: 3 }));
-        expect((await records()).clock.time).toBeLessThan(15);
+        const begun = await becomes(records, ({ clock }) => expect(clock).toMatchObject({ playing: true, speed: 3 }));
+        expect(begun.clock.time).toBeLessThan(15);
         await becomes(records, ({ clock }) => expect(clock).toMatchObject({ playing: false, time: 16 }));
         await page.getByRole('button', { name: 'Play' }).waitFor();
     });
@@ -194,13 +197,12 @@ describe('the timeline', () => {
         expect(await viewer.getByRole('button', { name: 'Play' }).isDisabled()).toBe(true);
         const line = await lineOf(page.locator('#clock'));
         await page.mouse.click(line.x(10), line.y);
-        const { clock } = await records();
-        expect(Math.abs(clock.time! - 10)).toBeLessThan(0.03);
+        const { clock } = await becomes(records, (now) => expect(Math.abs(now.clock.time! - 10)).toBeLessThan(0.03));
         await viewer.waitForFunction((at) => Math.abs(window.wakesurf!.displayed!.time - at) < 1e-6, clock.time!);
-        expect(Number(await viewer.locator('#clock').inputValue())).toBeCloseTo(clock.time!);
+        await expect.poll(async () => Number(await viewer.locator('#clock').inputValue())).toBeCloseTo(clock.time!);
         await stand.server.call('time.set', { session, time: 13 });
         await shownAt(13);
-        expect(await page.locator('#go-to').inputValue()).toBe('13');
+        await expect.poll(() => page.locator('#go-to').inputValue()).toBe('13');
         await screenshot(viewer, 'timeline-light');
         await other.close();
     });
@@ -215,7 +217,7 @@ describe('the timeline', () => {
         });
         expect(seen.size).toBeGreaterThanOrEqual(3);
         await page.getByRole('button', { name: 'Pause' }).click();
-        await finalSurface(page);
+        await expectServersMesh(stand.server, page);
         const { from } = (await records()).surface;
         expect(from).toBeLessThan(16);
         await page.getByRole('button', { name: 'Next time-step' }).click();

@@ -99,7 +99,7 @@ describe('a surface that takes long', () => {
         await bar.waitFor();
         await stand.server.call('surface.set', { ...record, session });
         await expectServersMesh(stand.server, page);
-        expect(await bar.count()).toBe(0);
+        await expect.poll(() => bar.count()).toBe(0);
     });
 });
 
