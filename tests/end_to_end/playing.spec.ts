@@ -1,36 +1,18 @@
 // A streak surface that moves with the session's clock: what the page plays are changes of the state before, and where
 // it stops is the server's state, whatever happened to the network meanwhile.
-import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
-import { NetworkProxy } from './support/network_proxy.ts';
+import type { BrowserContext, Page } from 'playwright-core';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { useStand } from './support/stand.ts';
 
-const store = temporaryFolder();
-let network: NetworkProxy;
-let server: ServerProcess;
-let browser: Browser;
+const stand = useStand();
 let context: BrowserContext;
 let page: Page;
 
-beforeAll(async () => {
-    network = await NetworkProxy.start();
-    server = await ServerProcess.start({ store: store.path, origin: network.origin });
-    network.lead(server.port);
-    browser = await launchBrowser();
-});
-
-afterAll(async () => {
-    await browser?.close();
-    network?.stop();
-    await server?.stop();
-    store.remove();
-});
-
 beforeEach(async () => {
-    context = await newContext(browser, { height: 900 });
-    ({ page } = await openPage(context, `${network.origin}/${new URL(server.link).hash}`));
+    context = await newContext(stand.browser, { height: 900 });
+    ({ page } = await openPage(context, stand.networkLink));
     await finalSurface(page);
     await page.getByRole('radio', { name: 'Streak' }).check();
     await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
@@ -38,7 +20,7 @@ beforeEach(async () => {
 });
 
 afterEach(async () => {
-    network.mend();
+    stand.network.mend();
     await context.close();
 });
 
@@ -72,7 +54,7 @@ describe('a streak surface', () => {
         expect(later.keys - begun.keys).toBeLessThanOrEqual(1);
         expect(later.time).not.toBe(begun.time);
         await page.getByRole('button', { name: 'Pause' }).click();
-        await expectServersMesh(server, page);
+        await expectServersMesh(stand.server, page);
         await screenshot(page, 'paused');
     });
 
@@ -80,14 +62,14 @@ describe('a streak surface', () => {
         await page.getByRole('button', { name: 'Play' }).click();
         await page.waitForFunction(() => window.wakesurf?.phase === 'live');
         await playsOn(await played(), 5);
-        network.cut();
+        stand.network.cut();
         await page.waitForFunction(() => window.wakesurf?.connection !== 'open');
         const before = await played();
-        network.mend();
+        stand.network.mend();
         await page.waitForFunction(() => window.wakesurf?.phase === 'live');
         await playsOn(before, 10);
         expect((await played()).keys).toBe(before.keys);
         await page.getByRole('button', { name: 'Pause' }).click();
-        await expectServersMesh(server, page);
+        await expectServersMesh(stand.server, page);
     });
 });
