@@ -53,7 +53,7 @@ setup_npm() {
 
 # The paths and contents of everything the web client is built from.
 web_fingerprint() {
-    (cd "$web" && find . \( -name node_modules -o -name dist -o -name coverage \) -prune -o -type f -print0 |
+    (cd "$web" && find . ../protocol/python \( -name node_modules -o -name dist -o -name coverage \) -prune -o -type f -print0 |
         LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum)
 }
 

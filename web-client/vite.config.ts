@@ -1,8 +1,21 @@
 // The build: relative URLs throughout, so that the page also works behind a proxy with a prefix.
-import { defineConfig } from 'vite';
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { defineConfig, type Plugin } from 'vite';
+
+/** The client for Python lies beside the page, so that whoever copies a script from it can fetch what the script needs. */
+const pythonClient: Plugin = {
+    name: 'python-client',
+    apply: 'build',
+    generateBundle() {
+        const file = fileURLToPath(new URL('../protocol/python/wakesurf.py', import.meta.url));
+        this.emitFile({ type: 'asset', fileName: 'wakesurf.py', source: readFileSync(file) });
+    },
+};
 
 export default defineConfig({
     base: './',
+    plugins: [pythonClient],
     build: {
         target: 'es2022',
         outDir: 'dist',

@@ -8,7 +8,6 @@ import type { BrowserContext, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { ClockRecord, RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
-import { projectRoot } from './support/project_root.ts';
 import { temporaryFolder } from './support/server_process.ts';
 import { useStand } from './support/stand.ts';
 
@@ -241,13 +240,12 @@ describe('a mesh', () => {
 });
 
 describe('a script', () => {
-    const environment = (): NodeJS.ProcessEnv => ({
-        ...process.env,
-        WAKESURF_TOKEN: stand.server.token,
-        PYTHONPATH: join(projectRoot, 'protocol/python'),
-    });
-    const runPython = (text: string) =>
-        run('/usr/bin/python3', ['-c', text], { env: environment(), cwd: work.path });
+    const environment = (): NodeJS.ProcessEnv => ({ ...process.env, WAKESURF_TOKEN: stand.server.token });
+    /** After what its first lines say is to be done. */
+    const runPython = async (text: string) => {
+        await runShell(/^# +(curl .*)$/m.exec(text)![1]!);
+        return run('/usr/bin/python3', ['-c', text], { env: environment(), cwd: work.path });
+    };
     const runShell = (text: string) => run('bash', ['-c', text], { env: environment(), cwd: work.path });
     const copied = async (within: string, language: string): Promise<string> => {
         await page.locator(`${within} wakesurf-copy-as`).getByRole('button', { name: language }).click();

@@ -1,4 +1,4 @@
-// A script for Python that does what a panel shows, with the client that comes with the server (protocol/python/wakesurf.py).
+// A script for Python that does what a panel shows, with the client that the server gives away (protocol/python/wakesurf.py).
 import {
     type CallStep,
     KeptId,
@@ -9,8 +9,9 @@ import {
     type ScriptStep,
 } from './scriptStep.ts';
 
-const head = [
-    '# Needs wakesurf.py of the server (protocol/python) beside it, and numpy.',
+const head = (server: string): string[] => [
+    '# Needs numpy, and the client beside it:',
+    `#     curl -fO ${server}/wakesurf.py`,
     '# The token is not in this text: put it into the environment first, as WAKESURF_TOKEN.',
     'from wakesurf import Client',
     '',
@@ -24,7 +25,7 @@ const keywords: ReadonlySet<string> = new Set(
 );
 
 export function pythonScript({ server, session }: ScriptPlace, steps: readonly ScriptStep[]): string {
-    const lines = [...head, `server = Client(${literal(server)})`];
+    const lines = [...head(server), `server = Client(${literal(server)})`];
     const inSession = steps.some((step) => 'mesh' in step || ofSession(step.method));
     if (inSession) lines.push(`session = server.session(${literal(session)})`);
     for (const step of steps) lines.push(...('mesh' in step ? download(step) : call(step)));
