@@ -61,14 +61,20 @@ describe('a streak surface', () => {
     it('goes on from the state it has after a short cut of the network', async () => {
         await page.getByRole('button', { name: 'Play' }).click();
         await page.waitForFunction(() => window.wakesurf?.phase === 'live');
-        await playsOn(await played(), 5);
-        stand.network.cut();
-        await page.waitForFunction(() => window.wakesurf?.connection !== 'open');
-        const before = await played();
-        stand.network.mend();
-        await page.waitForFunction(() => window.wakesurf?.phase === 'live');
-        await playsOn(before, 10);
-        expect((await played()).keys).toBe(before.keys);
+        // The server keeps what was missed for five seconds. A busy machine may take longer than that: then it was no short cut.
+        for (let tries = 1, short = false; !short; ++tries) {
+            expect(tries).toBeLessThan(6);
+            await playsOn(await played(), 5);
+            const begun = performance.now();
+            stand.network.cut();
+            await page.waitForFunction(() => window.wakesurf?.connection !== 'open');
+            const before = await played();
+            stand.network.mend();
+            await playsOn(before, 1);
+            short = performance.now() - begun < 4000;
+            await playsOn(before, 10);
+            if (short) expect((await played()).keys).toBe(before.keys);
+        }
         await page.getByRole('button', { name: 'Pause' }).click();
         await expectServersMesh(stand.server, page);
     });

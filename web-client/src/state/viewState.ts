@@ -47,6 +47,8 @@ export class ViewState {
     readonly units = signal<Units>({ length: '', time: '' });
     readonly orthographic = signal(false);
     readonly probe = signal<ProbeReading | null>(null);
+    /** Where the probe is by now: the newest place, ahead of the reading while that is awaited. */
+    readonly probePlace = signal<Vec3 | null>(null);
     /** Up to two points. */
     readonly measured = signal<readonly Vec3[]>([]);
     readonly note = signal<NoteDraft | null>(null);

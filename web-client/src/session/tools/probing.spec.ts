@@ -47,6 +47,9 @@ describe('Probing', () => {
         pageView.tool.value = 'probe';
         probing.hover(at(50));
         probing.flush();
+        // At once, so that the next number that is typed belongs to this place.
+        expect(pageView.probePlace.value).toEqual([50, 1, 1]);
+        expect(pageView.probe.value).toBeNull();
         expect(asked).toEqual([{ dataset: 'd', points: [[50, 1, 1]], time: 2, fields: ['U', 'p'] }]);
         await answer();
         expect(pageView.probe.value).toEqual({

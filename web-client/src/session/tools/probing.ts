@@ -65,6 +65,7 @@ export class Probing implements PointerTool {
 
     private probe(point: Vec3): void {
         this.next = point;
+        this.options.pageView.probePlace.value = point;
         if (!this.asking) void this.ask();
     }
 
@@ -72,7 +73,7 @@ export class Probing implements PointerTool {
         const { state, pageView } = this.options;
         const bounds = state.dataset.value?.bounds;
         if (bounds === undefined) return;
-        this.probe(aim(this.options, at, pageView.probe.value?.point ?? centreOf(bounds)).point);
+        this.probe(aim(this.options, at, pageView.probePlace.value ?? centreOf(bounds)).point);
     }
 
     private async ask(): Promise<void> {

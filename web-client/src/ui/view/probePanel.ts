@@ -61,7 +61,7 @@ export class ProbePanel extends SignalElement {
         if (bounds === undefined) return html``;
         const reading = view.probe.value;
         return html`
-            ${vectorInput('Probe', reading?.point ?? centreOf(bounds), (point) => {
+            ${vectorInput('Probe', view.probePlace.value ?? centreOf(bounds), (point) => {
                 view.tool.value = 'probe';
                 probing.probeThere(point);
             })}
