@@ -59,9 +59,13 @@ describe('a streak surface', () => {
     });
 
     it('goes on from the state it has after a short cut of the network', async () => {
+        await page.locator('#speed').selectOption('0.25');
+        await page.locator('#go-to').fill('11');
+        await page.keyboard.press('Enter');
         await page.getByRole('button', { name: 'Play' }).click();
         await page.waitForFunction(() => window.wakesurf?.phase === 'live');
-        // The server keeps what was missed for five seconds. A busy machine may take longer than that: then it was no short cut.
+        // What was missed is kept for five seconds, and a loop begins anew. Where the machine is so busy that one of them came
+        // between, it was no short cut.
         for (let tries = 1, short = false; !short; ++tries) {
             expect(tries).toBeLessThan(6);
             await playsOn(await played(), 5);
@@ -70,10 +74,13 @@ describe('a streak surface', () => {
             await page.waitForFunction(() => window.wakesurf?.connection !== 'open');
             const before = await played();
             stand.network.mend();
-            await playsOn(before, 1);
-            short = performance.now() - begun < 4000;
-            await playsOn(before, 10);
-            if (short) expect((await played()).keys).toBe(before.keys);
+            await page.waitForFunction(
+                ({ keys, deltas }) => window.wakesurf!.displayed!.keys + window.wakesurf!.displayed!.deltas > keys + deltas,
+                before,
+            );
+            const after = await played();
+            short = performance.now() - begun < 4000 && after.time > before.time;
+            if (short) expect(after.keys).toBe(before.keys);
         }
         await page.getByRole('button', { name: 'Pause' }).click();
         await expectServersMesh(stand.server, page);
