@@ -8,6 +8,7 @@ import type { BrowserContext, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { ClockRecord, RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { pixelsOfPng } from './support/png_pixels.ts';
 import { temporaryFolder } from './support/server_process.ts';
 import { useStand } from './support/stand.ts';
 
@@ -38,31 +39,6 @@ async function saved(button: string): Promise<{ name: string; path: string; byte
     const path = join(work.path, file.suggestedFilename());
     await file.saveAs(path);
     return { name: file.suggestedFilename(), path, bytes: readFileSync(path) };
-}
-
-interface Pixels {
-    width: number;
-    height: number;
-    /** RGBA of the points asked for. */
-    at: number[][];
-}
-
-/** Size of a PNG, and some of its pixels. */
-function pixelsOf(png: Buffer, points: { x: number; y: number }[]): Promise<Pixels> {
-    return page.evaluate(
-        async ({ data, places }) => {
-            const bytes = Uint8Array.from(atob(data), (each) => each.charCodeAt(0));
-            const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-            const canvas = new OffscreenCanvas(image.width, image.height);
-            const drawing = canvas.getContext('2d')!;
-            drawing.drawImage(image, 0, 0);
-            const at = places.map(({ x, y }) => [
-                ...drawing.getImageData(Math.floor(x), Math.floor(y), 1, 1).data,
-            ]);
-            return { width: image.width, height: image.height, at };
-        },
-        { data: png.toString('base64'), places: points },
-    );
 }
 
 async function chooseSize(id: string, width: number, height: number): Promise<void> {
@@ -112,7 +88,7 @@ describe('a picture', () => {
             { x: box.width, y: 10 },
             { x: 4, y: 2 * box.height - 4 },
         ];
-        const { width, height, at } = await pixelsOf(bytes, [...corners, ...inPicture]);
+        const { width, height, at } = await pixelsOfPng(page, bytes, [...corners, ...inPicture]);
         expect([width, height]).toEqual([2 * box.width, 2 * box.height]);
         for (const corner of at.slice(0, corners.length)) expect(corner).toEqual([0, 0, 0, 0]);
         const same = at.slice(corners.length).filter(([r, g, b, alpha], i) => {
@@ -142,14 +118,14 @@ describe('a picture', () => {
         const letter = Array.from({ length: 12 }, (_, i) => inside(axis, (i + 0.5) / 12, 0.5));
         const ends = [inside(bar, 0.01, 0.5), inside(bar, 0.99, 0.5)];
         const opaque = (all: number[][]): number => all.filter(([, , , alpha]) => alpha! > 128).length;
-        const complete = await pixelsOf((await saved('#save-picture')).bytes, [...ends, ...letter]);
+        const complete = await pixelsOfPng(page, (await saved('#save-picture')).bytes, [...ends, ...letter]);
         const [low, high] = complete.at;
         expect(Math.hypot(low![0]! - 68, low![1]! - 1, low![2]! - 84)).toBeLessThan(40); // dark violet
         expect(Math.hypot(high![0]! - 253, high![1]! - 231, high![2]! - 37)).toBeLessThan(40); // yellow
         expect(opaque(complete.at.slice(2))).toBeGreaterThan(0);
         await page.getByRole('checkbox', { name: 'Scalar bar' }).uncheck();
         await page.getByRole('checkbox', { name: 'Box and axes' }).uncheck();
-        const bare = await pixelsOf((await saved('#save-picture')).bytes, [...ends, ...letter]);
+        const bare = await pixelsOfPng(page, (await saved('#save-picture')).bytes, [...ends, ...letter]);
         expect(opaque(bare.at)).toBe(0);
         await chooseSize('picture', 100_000, 500);
         await page.locator('#save-picture').click();

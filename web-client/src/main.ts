@@ -9,6 +9,7 @@ import { Edits } from './session/edits/edits.ts';
 import { Figure } from './session/out/figure.ts';
 import { FilmMaker } from './session/out/film.ts';
 import { MeshDownload } from './session/out/meshDownload.ts';
+import { showExactOrder } from './session/picture/exactOrder.ts';
 import { showMarks } from './session/picture/marksInPicture.ts';
 import { Measuring } from './session/tools/measuring.ts';
 import { Noting } from './session/tools/noting.ts';
@@ -86,6 +87,7 @@ function start(app: App): void {
     const progress = new SurfaceProgress({ state, worker, calls });
     showPeople(state, view, scene);
     showTheme(view, scene);
+    showExactOrder(view, scene, graphics);
     showMarks(state, view, scene);
     showUnits(state, view, scene);
     const sight = { view: () => scene.view(), pick: (at: ScreenPoint) => scene.pick(at) };

@@ -39,8 +39,10 @@ export interface TestHook {
     pick(at: ScreenPoint): PickHit | null;
     /** What is seen round a position in the window, by pixels. */
     pickGrid(at: ScreenPoint, radiusPx: number): PickGrid;
-    /** Draws and returns RGB at positions in the window. */
-    pixelsAt(points: ScreenPoint[]): [number, number, number][];
+    /** How the last picture shows what can be seen through. */
+    readonly transparency: 'none' | 'blended' | 'exact';
+    /** Draws and returns RGB at positions in the window; exact: with everything transparent in its order. */
+    pixelsAt(points: ScreenPoint[], exact?: boolean): [number, number, number][];
     loseContext(): void;
     restoreContext(): void;
 }
@@ -138,8 +140,11 @@ export function installTestHook({ state, scene, latency, canvas }: TestHookParts
             const grid = scene.pickGrid({ x: x - box.left, y: y - box.top }, radiusPx, {});
             return { ...grid, corner: { x: grid.corner.x + box.left, y: grid.corner.y + box.top } };
         },
-        pixelsAt: (points) => {
-            const { width, height, pixels } = scene.readPixels();
+        get transparency() {
+            return scene.transparency;
+        },
+        pixelsAt: (points, exact = false) => {
+            const { width, height, pixels } = scene.readPixels(exact);
             const box = canvas.getBoundingClientRect();
             return points.map(({ x, y }) => {
                 const column = Math.floor(((x - box.left) / box.width) * width);

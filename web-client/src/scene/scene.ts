@@ -13,6 +13,7 @@ import { Lights } from './lights.ts';
 import { PointerTools } from './base/pointerTools.ts';
 import { RakeInteraction, type RakeMove } from './rake/rakeInteraction.ts';
 import { RakeLayer } from './rake/rakeLayer.ts';
+import { Stillness } from './stillness.ts';
 import { clipMaterial } from './surface/bodyClip.ts';
 import { SurfaceLayer } from './surface/surfaceLayer.ts';
 import type { MeshChange } from './surface/surfaceMesh.ts';
@@ -45,12 +46,17 @@ export class FlowScene {
     /** Lies over the canvas. */
     readonly labels: HTMLElement;
     framesDrawn = 0;
+    /** How the last picture shows what can be seen through. */
+    transparency: 'none' | 'blended' | 'exact' = 'none';
     /** When the domain was on the screen first, on performance.now()'s clock. */
     firstPictureMs: number | null = null;
     private readonly canvas: HTMLCanvasElement;
     private readonly picker: SurfacePick;
     private readonly software: boolean;
     private readonly scene = new Scene();
+    private readonly stillness = new Stillness(() => this.drawExactly());
+    private exactWhenStill = false;
+    private exactNext = false;
     private readonly layers: Layer[] = [];
     private readonly drawn: ((view: View) => void)[] = [];
     private readonly afterNextFrame: ((time: number) => void)[] = [];
@@ -130,6 +136,13 @@ export class FlowScene {
         this.loop.request();
     }
 
+    /** Whether a picture that stands still is drawn once more, with everything transparent in its exact order. */
+    setExactWhenStill(on: boolean): void {
+        if (on === this.exactWhenStill) return;
+        this.exactWhenStill = on;
+        this.loop.request();
+    }
+
     /** Called after every frame. */
     onDraw(listener: (view: View) => void): void {
         this.drawn.push(listener);
@@ -205,8 +218,8 @@ export class FlowScene {
     }
 
     /** Draws at once and returns the picture's pixels, RGBA from the bottom left. */
-    readPixels(): { width: number; height: number; pixels: Uint8Array } {
-        this.draw();
+    readPixels(exact = false): { width: number; height: number; pixels: Uint8Array } {
+        this.draw(exact);
         const gl = this.renderer.getContext() as WebGL2RenderingContext;
         const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
         const pixels = new Uint8Array(width * height * 4);
@@ -216,7 +229,7 @@ export class FlowScene {
 
     /**
      * For capture.ts: as if the canvas were of this size, with so many pixels for one of CSS, without what is not for
-     * figures. `use` may draw before several backgrounds; the drawing is gone when it returns.
+     * figures, and with everything transparent in its exact order. `use` may draw before several backgrounds; the drawing is gone when it returns.
      */
     drawAside<T>(
         size: ScreenSize,
@@ -234,7 +247,7 @@ export class FlowScene {
         try {
             return use((background) => {
                 scene.background = background ?? backgroundBefore;
-                this.draw();
+                this.draw(true);
             });
         } finally {
             this.figureSize = null;
@@ -245,23 +258,33 @@ export class FlowScene {
         }
     }
 
-    private draw(): void {
+    private draw(exact = false): void {
         const view = this.view();
         if (view.size.width === 0 || view.size.height === 0) return;
         for (const layer of this.layers) layer.update(view);
+        const { transparency } = this.surfaces;
+        transparency.exact = exact;
         this.renderer.render(this.scene, view.camera);
+        this.transparency = !transparency.isNeeded ? 'none' : exact ? 'exact' : 'blended';
+        this.stillness.drawn(this.exactWhenStill && this.transparency === 'blended');
         this.framesDrawn += 1;
         for (const listener of this.drawn) listener(view);
     }
 
     private drawFrame(finished: () => void): void {
-        this.draw();
+        this.draw(this.exactNext);
+        this.exactNext = false;
         const listeners = this.afterNextFrame.splice(0);
         whenDrawn(this.renderer.getContext() as WebGL2RenderingContext, (time) => {
             finished();
             if (this.outline !== null) this.firstPictureMs ??= time;
             if (time !== null) for (const listener of listeners) listener(time);
         });
+    }
+
+    private drawExactly(): void {
+        this.exactNext = true;
+        this.loop.request();
     }
 
     /** While something is moved, software rendering saves pixels: a late picture is worse than a soft one. */

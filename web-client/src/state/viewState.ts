@@ -46,6 +46,8 @@ export class ViewState {
     /** Of lengths and of times, as the user says: results rarely tell. Empty: unknown. */
     readonly units = signal<Units>({ length: '', time: '' });
     readonly orthographic = signal(false);
+    /** What can be seen through is drawn in its exact order once the picture stands still. */
+    readonly exactWhenStill = signal(false);
     readonly probe = signal<ProbeReading | null>(null);
     /** Where the probe is by now: the newest place, ahead of the reading while that is awaited. */
     readonly probePlace = signal<Vec3 | null>(null);

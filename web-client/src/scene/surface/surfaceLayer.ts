@@ -1,11 +1,11 @@
 // All surfaces of the session in the scene: their meshes, materials, looks and what the painter has left of them.
 import { Group, type Scene, type Vector4, type WebGLRenderer, WebGLRenderTarget } from 'three';
-import { Blending } from './blending.ts';
 import { SurfaceMask, type BrushPrint } from './surfaceMask.ts';
 import { SurfaceMesh, type MeshChange, type SurfaceVertex } from './surfaceMesh.ts';
 import { noPlanes, sharedUniforms, SurfaceMaterials } from './surfaceMaterial.ts';
 import { isPlain, isTransparent, plainStyle, type SurfaceStyle } from './surfaceStyle.ts';
 import { SurfaceTextures } from './surfaceTextures.ts';
+import { Transparency } from './transparency.ts';
 
 type Range = [number, number];
 type Planes = readonly (readonly [number, number, number, number])[];
@@ -36,13 +36,13 @@ export class SurfaceLayer {
     readonly shared = sharedUniforms(this.textures);
     /** Planes (n, w) that cut the body: nothing is left where n . point > w. */
     readonly bodyClip = { value: noPlanes() };
-    private readonly blending = new Blending(this.shared.depthRange.value);
+    readonly transparency = new Transparency(this.shared.depthRange.value, this.shared);
     private readonly surfaces = new Map<string, DrawnSurface>();
     private readonly styles = new Map<string, SurfaceStyle>();
     private clipped = false;
 
     constructor() {
-        this.object.add(this.blending.composite);
+        this.object.add(this.transparency.object);
     }
 
     /** Whatever renders the scene gets transparency with it. */
@@ -51,12 +51,12 @@ export class SurfaceLayer {
         // Of a scene, the fourth is the target, other than the types say (WebGLRenderer.render).
         scene.onBeforeRender = (renderer, _scene, camera, target: unknown) => {
             const into = target instanceof WebGLRenderTarget ? target : null;
-            this.blending.prepare(renderer as WebGLRenderer, scene, camera, into);
+            this.transparency.prepare(renderer as WebGLRenderer, scene, camera, into);
         };
     }
 
     setBounds(bounds: readonly [number, number, number, number, number, number]): void {
-        this.blending.setBounds(bounds);
+        this.transparency.setBounds(bounds);
     }
 
     setClip(planes: Planes, body: boolean): void {
@@ -98,7 +98,7 @@ export class SurfaceLayer {
         if (surface === undefined) return;
         this.surfaces.delete(id);
         this.object.remove(surface.mesh.mesh);
-        this.blending.hide(surface.mesh.mesh);
+        this.transparency.hide(surface.mesh.mesh);
         surface.mesh.dispose();
         surface.materials.dispose();
         surface.mask?.dispose();
@@ -163,12 +163,12 @@ export class SurfaceLayer {
         materials.apply(surface.style, mesh);
         const transparent = isTransparent(surface.style);
         const plain = isPlain(surface.style) && !this.clipped && !mesh.hasHiddenParts;
-        mesh.mesh.material = transparent ? materials.blended : plain ? materials.plain : materials.opaque;
         if (transparent) {
             this.object.remove(mesh.mesh);
-            this.blending.show(mesh.mesh);
+            this.transparency.show(mesh.mesh, materials);
         } else {
-            this.blending.hide(mesh.mesh);
+            this.transparency.hide(mesh.mesh);
+            mesh.mesh.material = plain ? materials.plain : materials.opaque;
             this.object.add(mesh.mesh);
         }
     }

@@ -14,6 +14,7 @@ import {
     ZeroFactor,
 } from 'three';
 import { drawnRange } from './colorMap.ts';
+import { peelUniforms } from './peeling.ts';
 import { fragmentShader, pickFragmentShader, vertexShader } from './surfaceShader.ts';
 import type { SurfaceStyle } from './surfaceStyle.ts';
 import type { SurfaceTextures } from './surfaceTextures.ts';
@@ -37,6 +38,7 @@ export function sharedUniforms(textures: SurfaceTextures) {
         respectPaint: { value: true },
         flowShift: { value: 0 },
         noise: { value: textures.noise },
+        ...peelUniforms(),
     };
 }
 export type SharedUniforms = ReturnType<typeof sharedUniforms>;
@@ -83,6 +85,7 @@ export class SurfaceMaterials {
     readonly plain: ShaderMaterial;
     readonly opaque: ShaderMaterial;
     readonly blended: ShaderMaterial;
+    readonly peeled: ShaderMaterial;
     readonly pick: ShaderMaterial;
     /** What is drawn as the two ends of the colours. */
     range: [number, number] = [0, 1];
@@ -103,13 +106,14 @@ export class SurfaceMaterials {
             defines: { BLENDED: 1 },
             transparent: true,
             depthWrite: false,
-            // Colours add up; alpha becomes the product of what passes through (blending.ts).
+            // Colours add up; alpha becomes the product of what passes through (weightedBlending.ts).
             blending: CustomBlending,
             blendSrc: OneFactor,
             blendDst: OneFactor,
             blendSrcAlpha: ZeroFactor,
             blendDstAlpha: OneMinusSrcAlphaFactor,
         });
+        this.peeled = new ShaderMaterial({ ...common, fragmentShader, defines: { PEELED: 1 }, blending: NoBlending });
         this.pick = new ShaderMaterial({ ...common, fragmentShader: pickFragmentShader, blending: NoBlending });
     }
 
@@ -159,6 +163,6 @@ export class SurfaceMaterials {
     }
 
     dispose(): void {
-        for (const material of [this.plain, this.opaque, this.blended, this.pick]) material.dispose();
+        for (const material of [this.plain, this.opaque, this.blended, this.peeled, this.pick]) material.dispose();
     }
 }

@@ -1,6 +1,6 @@
-// The shader of the surfaces, one text for four programs: the first draws; PLAIN does so without cutting, painting, stripes and
-// outlines, which most surfaces have none of; BLENDED adds to the targets of transparency (blending.ts); the pick writes what is
-// where (surfacePick.ts). Looks differ in uniforms alone.
+// The shader of the surfaces, one text for five programs: the first draws; PLAIN does so without cutting, painting, stripes and
+// outlines, which most surfaces have none of; BLENDED adds to the targets of transparency (weightedBlending.ts); PEELED draws one
+// of its layers (peeling.ts); the pick writes what is where (surfacePick.ts). Looks differ in uniforms alone.
 import { patternGlsl } from './patternShader.ts';
 import { tableSize } from './colorMap.ts';
 
@@ -17,6 +17,8 @@ out vec3 worldPosition;
 out vec2 place;
 // What colours, age, stretching, whether hidden.
 out vec4 values;
+// What is drawn in several programs has to be at the same depth in all.
+invariant gl_Position;
 
 void main() {
     vec4 inWorld = modelMatrix * vec4(position, 1.0);
@@ -131,6 +133,9 @@ void main() {
     float facingSlope = fwidth(facing);
     if (isCut()) discard;
 #endif
+#ifdef TRANSPARENT
+    if (isPeeledOff()) discard;
+#endif
     vec3 base = baseColor();
     if (!gl_FrontFacing) base = backColor(base);
 #ifdef PLAIN
@@ -141,13 +146,17 @@ void main() {
     float outlined = 0.0;
     if (silhouettes) outlined = 1.0 - smoothstep(1.0, 2.4, facing / max(facingSlope, 0.004));
     color *= 1.0 - 0.9 * outlined;
-#ifdef BLENDED
+#ifdef TRANSPARENT
     float alpha = max(opacityAt(facing, abs(determinant(slope)), areaPerPixel), outlined * revealed());
     if (alpha < 0.002) discard;
+#ifdef PEELED
+    layer = vec4(sRGBTransferOETF(vec4(clamp(color, 0.0, 1.0), 1.0)).rgb * alpha, alpha);
+#else
     float depth = clamp((-viewPosition.z - depthRange.x) / (depthRange.y - depthRange.x), 0.0, 1.0);
     float weight = 0.02 + 60.0 * pow(1.0 - depth, 5.0);
     sum = vec4(color * alpha * weight, alpha);
     weights = vec4(alpha * weight, 0.0, 0.0, 1.0);
+#endif
 #else
     if (revealed() < 0.5) discard;
     drawn = linearToOutputTexel(vec4(color, 1.0));
@@ -168,11 +177,29 @@ void main() {
 
 const outputs = `
 #ifdef BLENDED
+#define TRANSPARENT
 uniform vec2 depthRange;
 layout(location = 0) out vec4 sum;
 layout(location = 1) out vec4 weights;
+#elif defined(PEELED)
+#define TRANSPARENT
+uniform sampler2D opaqueDepth;
+layout(location = 0) out vec4 layer;
 #else
 layout(location = 0) out vec4 drawn;
+#endif
+#ifdef TRANSPARENT
+uniform bool peeling;
+uniform sampler2D nearer;
+
+/** Whether it belongs to a layer that has been drawn, or is behind something opaque (for BLENDED the test of depth knows). */
+bool isPeeledOff() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+#ifdef PEELED
+    if (gl_FragCoord.z > texelFetch(opaqueDepth, at, 0).r) return true;
+#endif
+    return peeling && gl_FragCoord.z <= texelFetch(nearer, at, 0).r;
+}
 #endif
 `;
 

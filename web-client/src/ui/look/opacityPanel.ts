@@ -39,6 +39,10 @@ export class OpacityPanel extends SignalElement {
             <p class="quiet">Smoke thins out where the surface has been stretched, and with age.</p>
             ${checkRow('silhouettes', 'Outlines', look.silhouettes, (silhouettes) => this.change({ silhouettes }))}
             ${selectRow('back-side', 'Other side', sides, look.backSide, (backSide) => this.change({ backSide }))}
+            ${checkRow('exact-order', 'Exact order when still', view.exactWhenStill.value, (on) => {
+                view.exactWhenStill.value = on;
+            })}
+            <p class="quiet">Of all surfaces that let something through. Until then they are mixed by how near they are; pictures and films are always exact.</p>
         `;
     }
 

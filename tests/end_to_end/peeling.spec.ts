@@ -1,0 +1,249 @@
+// Layers that can be seen through, in their exact order: against the over operator, worked out from colours and opacities of
+// flat sheets, from before and from behind.
+import { readFileSync } from 'node:fs';
+import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { BackSide, SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
+import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
+import type { PageView } from '../../web-client/src/state/pageView.ts';
+import { ask, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { acrossAt, finalSheets, FlatSheets, ground, middle, type Side, spread } from './support/flat_sheets.ts';
+import { pixelsOfPng } from './support/png_pixels.ts';
+import { layered, type Layer, litColor } from './support/shading_formula.ts';
+
+/** From y = 1 on, one behind the other, so that one to six of them are over one another. */
+const sheets = [
+    { y: 1, length: 6, colour: '#e03030', opacity: 0.3 },
+    { y: 2, length: 2, colour: '#30e030', opacity: 0.7 },
+    { y: 3, length: 4, colour: '#3030ff', opacity: 0.5 },
+    { y: 4, length: 3, colour: '#e0e020', opacity: 0.6 },
+    { y: 5, length: 1, colour: '#20e0e0', opacity: 0.8 },
+    { y: 6, length: 5, colour: '#ffffff', opacity: 0.4 },
+] as const;
+type Drawn = (typeof sheets)[number];
+/** In the middle between ends of sheets, where one, two ... six are over one another. */
+const places = [6, 5, 4, 3, 2, 1];
+
+let flow: FlatSheets;
+let browser: Browser;
+let context: BrowserContext;
+let session: string;
+let surfaces: string[];
+
+beforeAll(async () => {
+    flow = await FlatSheets.start();
+    browser = await launchBrowser();
+    context = await newContext(browser, { width: 900, height: 440 });
+    ({ session, surfaces } = await flow.session(
+        sheets.map(({ y, length }) => ({ points: acrossAt(y), length, look: {} })),
+    ));
+});
+
+afterAll(async () => {
+    await browser?.close();
+    await flow?.stop();
+});
+
+const usual = ({ colour, opacity }: Drawn): Partial<SurfaceLook> => ({ colourBy: 'constant', colour, opacity, backSide: 'same' });
+
+function looksBy(lookOf: typeof usual): Record<string, Partial<SurfaceLook>> {
+    return Object.fromEntries(sheets.map((sheet, i) => [surfaces[i]!, lookOf(sheet)]));
+}
+
+async function open(side: Side, lookOf = usual, view: PageView = {}): Promise<Page> {
+    const { page } = await openPage(context, flow.link(session, side, looksBy(lookOf), view));
+    await finalSheets(page, sheets.length);
+    return page;
+}
+
+/** Pixels of a place on the screen where so many sheets are; without what the rake and its handles cover. */
+function pixels(page: Page, exact: boolean): Promise<number[][]> {
+    const points = places.map((reach) => [reach, middle, middle + 0.37] as [number, number, number]);
+    return page.evaluate(
+        ({ all, exactly }) => {
+            const hook = window.wakesurf!;
+            return hook.pixelsAt(all.map((point) => hook.project(point)!), exactly);
+        },
+        { all: points, exactly: exact },
+    );
+}
+
+/** Opacity and what of the sheets is there at all, where a look is not the usual one. */
+interface Seen {
+    sheets?: readonly Drawn[];
+    opacityOf?: (sheet: Drawn) => number;
+}
+
+/** What the over operator makes of the sheets that reach as far as there; of the nearest `atMost`. */
+function expected(reach: number, side: Side, { sheets: of = sheets, opacityOf = ({ opacity }) => opacity }: Seen = {}, atMost = 6): number[] {
+    const there = of.filter(({ length }) => length >= reach);
+    const nearestFirst = side === 'before' ? there : [...there].reverse();
+    const layers = nearestFirst.map((sheet): Layer => ({ color: litColor(sheet.colour, [0, 0, 1]), alpha: opacityOf(sheet) }));
+    return layered(layers.slice(0, atMost), ground);
+}
+
+const apart = (a: readonly number[], b: readonly number[]): number => Math.max(...a.map((c, i) => Math.abs(c - b[i]!)));
+
+describe('layers over one another', () => {
+    it.each(['before', 'behind'] as const)('are as the over operator says, seen from %s', async (side) => {
+        const page = await open(side);
+        const [blended, exact] = [await pixels(page, false), await pixels(page, true)];
+        await screenshot(page, `peeled-${side}`);
+        const other = side === 'before' ? 'behind' : 'before';
+        for (const [i, reach] of places.entries()) {
+            // The fifth and the sixth are mixed by weights.
+            expect(apart(exact[i]!, expected(reach, side))).toBeLessThan(i < 4 ? 1.5 : 3);
+            if (i === 0) expect(apart(blended[i]!, exact[i]!)).toBeLessThan(1.5);
+            // Neither weights nor the order of the other side would do.
+            else expect(Math.min(apart(blended[i]!, exact[i]!), apart(exact[i]!, expected(reach, other)))).toBeGreaterThan(15);
+        }
+        await page.close();
+    });
+
+    it('are shown by weights behind the fourth, which is nearer the truth than leaving them out', async () => {
+        const thin = (): number => 0.2;
+        const page = await open('before', (sheet) => ({ ...usual(sheet), opacity: 0.2 }));
+        const exact = await pixels(page, true);
+        const errors = places.map((reach, i) => ({
+            drawn: apart(exact[i]!, expected(reach, 'before', { opacityOf: thin })),
+            leftOut: apart(expected(reach, 'before', { opacityOf: thin }, 4), expected(reach, 'before', { opacityOf: thin })),
+        }));
+        for (const { drawn } of errors.slice(0, 4)) expect(drawn).toBeLessThan(1.5);
+        for (const { drawn, leftOut } of errors.slice(4)) expect(drawn).toBeLessThan(leftOut / 4);
+        await page.close();
+    });
+
+    it('may be cut, hidden, painted or opaque', async () => {
+        const looks: Record<number, Partial<SurfaceLook>> = {
+            1: { hiddenParts: [[0.5, 0.5]] },
+            2: { painting: true, faded: 0.4 },
+            4: { opacity: 1 },
+        };
+        const clip = { planes: [{ on: true, at: 4.5 / 7, flipped: false }, null, null], body: false };
+        const page = await open('before', (sheet) => ({ ...usual(sheet), ...looks[sheet.y] }), { clip } as unknown as PageView);
+        await page.waitForFunction(() => window.wakesurf!.transparency !== 'none');
+        const seen: Seen = {
+            sheets: sheets.filter(({ y }) => y !== 1),
+            opacityOf: ({ y, opacity }) => (y === 2 ? 0.4 * opacity : y === 4 ? 1 : opacity),
+        };
+        await expect.poll(async () => apart((await pixels(page, true))[5]!, expected(1, 'before', seen))).toBeLessThan(1.5);
+        const exact = await pixels(page, true);
+        await screenshot(page, 'peeled-cut');
+        for (const [i, reach] of places.entries()) {
+            expect(apart(exact[i]!, reach > 4.5 ? ground : expected(reach, 'before', seen))).toBeLessThan(1.5);
+        }
+        await page.close();
+    });
+
+    it('may be folds of one surface, each showing its own side', async () => {
+        // Up at y = 2, back down to y = 4 and up again there: one, three and one layers over one another.
+        const turns: Vec3[] = [[0.5, 2, 2], [0.5, 2, 4], [0.5, 4, 3], [0.5, 4, 5]];
+        const look: Partial<SurfaceLook> = { colourBy: 'constant', colour: '#4080ff', opacity: 0.5, backSide: 'tinted' };
+        const folded = await flow.session([{ points: turns, length: 3, look }]);
+        const at = 3;
+        const grown = Math.exp(spread * (at - 0.5));
+        for (const side of ['before', 'behind'] as const) {
+            const { page } = await openPage(context, flow.link(folded.session, side, { [folded.surfaces[0]!]: look }));
+            await finalSheets(page, 1);
+            const drawn = await page.evaluate((x) => {
+                const hook = window.wakesurf!;
+                return hook.pixelsAt([2.4, 3.5, 4.6].map((z) => hook.project([x, 3, z])!), true);
+            }, at);
+            await screenshot(page, `peeled-folded-${side}`);
+            const back = (is: boolean): BackSide | null => (is ? 'tinted' : null);
+            // What goes down between turns its other side to the viewer, from above or from below.
+            const [up, straight] = [side === 'before' ? -2 : 2, grown];
+            const slant = [0, up / Math.hypot(up, straight), straight / Math.hypot(up, straight)] as const;
+            const upright: Layer = { color: litColor(look.colour!, [0, 0, 1], back(side === 'before')), alpha: 0.5 };
+            const slanted: Layer = { color: litColor(look.colour!, slant, back(side === 'behind')), alpha: 0.5 };
+            for (const [i, layers] of [[upright], [upright, slanted, upright], [upright]].entries()) {
+                expect(apart(drawn[i]!, layered(layers, ground))).toBeLessThan(2.5);
+            }
+            await page.close();
+        }
+    });
+});
+
+describe('a picture', () => {
+    const whole = (page: Page): Promise<string> => ask(page, (hook) => hook.transparency);
+
+    it('that stands still is drawn once more in exact order, and no more, where that is wanted', async () => {
+        const wide = await newContext(browser, { width: 900, height: 640 });
+        const { page } = await openPage(wide, flow.link(session, 'before', looksBy(usual)));
+        await finalSheets(page, sheets.length);
+        await page.getByRole('tab', { name: 'Look' }).click();
+        await page.locator('#opacity-group summary').click();
+        // Software rendering, as here, leaves it to its user.
+        expect(await page.getByLabel('Exact order when still').isChecked()).toBe(false);
+        expect(await whole(page)).toBe('blended');
+        await page.getByLabel('Exact order when still').check();
+        await page.waitForFunction(() => window.wakesurf!.transparency === 'exact');
+        const frames = await ask(page, (hook) => hook.framesDrawn);
+        await screenshot(page, 'peeled-still');
+        const shown = await page.screenshot();
+        const spots = await page.evaluate(
+            (all) => all.map((reach) => window.wakesurf!.project([reach, 3.5, 3.87])!),
+            places,
+        );
+        const { at } = await pixelsOfPng(page, shown, spots);
+        for (const [i, reach] of places.entries()) expect(apart(at[i]!.slice(0, 3), expected(reach, 'before'))).toBeLessThan(3);
+        // Nothing more is drawn in a time in which there could be two more of them.
+        await page.evaluate(async () => {
+            for (let i = 0; i < 45; i += 1) await new Promise(requestAnimationFrame);
+        });
+        expect(await ask(page, (hook) => hook.framesDrawn)).toBe(frames);
+        expect(await whole(page)).toBe('exact');
+
+        const seen = page.evaluate(() => {
+            const kinds: string[] = [];
+            return new Promise<string[]>((resolve) => {
+                const look = (): void => {
+                    const now = window.wakesurf!.transparency;
+                    if (kinds.at(-1) !== now) kinds.push(now);
+                    if (kinds.length === 3) resolve(kinds);
+                    else requestAnimationFrame(look);
+                };
+                look();
+            });
+        });
+        await page.locator('canvas').first().hover({ position: { x: 60, y: 60 } });
+        await page.mouse.wheel(0, 120);
+        expect(await seen).toEqual(['exact', 'blended', 'exact']);
+        // The choice stays with the browser.
+        await page.reload();
+        await page.waitForFunction(() => window.wakesurf?.transparency === 'exact');
+        await wide.close();
+    });
+
+    it('that is saved is in exact order, before a ground and before none', async () => {
+        const wide = await newContext(browser, { width: 900, height: 640 });
+        const { page } = await openPage(wide, flow.link(session, 'behind', looksBy(usual)));
+        await finalSheets(page, sheets.length);
+        await page.getByRole('tab', { name: 'Export' }).click();
+        const canvas = (await page.locator('canvas').first().boundingBox())!;
+        const spots = await page.evaluate(
+            (all) => all.map((reach) => window.wakesurf!.project([reach, 3.5, 3.87])!),
+            places,
+        );
+        const inPicture = spots.map(({ x, y }) => ({ x: x - canvas.x, y: y - canvas.y }));
+        const saved = async (): Promise<number[][]> => {
+            const download = page.waitForEvent('download');
+            await page.locator('#save-picture').click();
+            return (await pixelsOfPng(page, readFileSync(await (await download).path()), inPicture)).at;
+        };
+        const before = await saved();
+        for (const [i, reach] of places.entries()) expect(apart(before[i]!.slice(0, 3), expected(reach, 'behind'))).toBeLessThan(3);
+        await page.getByLabel('Background').selectOption('clear');
+        const bare = await saved();
+        for (const [i, reach] of places.entries()) {
+            const [red, green, blue, alpha] = bare[i]! as [number, number, number, number];
+            const passes = sheets.filter(({ length }) => length >= reach).reduce((light, { opacity }) => light * (1 - opacity), 1);
+            expect(Math.abs(alpha - 255 * (1 - passes))).toBeLessThan(3);
+            const laid = [red, green, blue].map((c, k) => (c * alpha) / 255 + ground[k]! * (1 - alpha / 255));
+            expect(apart(laid, expected(reach, 'behind'))).toBeLessThan(3.5);
+        }
+        // It costs nothing on the screen afterwards.
+        await page.waitForFunction(() => window.wakesurf!.transparency === 'blended');
+        await wide.close();
+    });
+});
