@@ -22,7 +22,7 @@ const flow = `<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
 </PointData></Piece></ImageData></VTKFile>`;
 
 export interface Sheet {
-    /** Of the rake. */
+    /** Of the rake: two of a line, three of a circle, more of a polyline. */
     points: Vec3[];
     /** How far in x it goes. */
     length: number;
@@ -64,12 +64,12 @@ export class FlatSheets {
         const { session } = (await this.server.call('session.create', {})) as { session: string };
         const { datasets } = (await this.server.call('dataset.list', {})) as { datasets: { dataset: string }[] };
         const surfaces: string[] = [];
-        for (const { points: line, length, fields } of sheets) {
-            const kind = line.length === 2 ? 'line' : 'polyline';
+        for (const { points: line, length, fields = [] } of sheets) {
+            const kind = line.length === 2 ? 'line' : line.length === 3 ? 'circle' : 'polyline';
             const { rake } = await this.server.call('rake.set', { session, kind, seeds: 12, name: 'Sheet', points: line });
             const { surface } = await this.server.call('surface.set', {
                 ...{ session, rake, dataset: datasets[0]!.dataset, kind: 'stream', separation: 0.3, from: 0, to: length },
-                ...(fields === undefined ? {} : { fields }),
+                ...(fields.length === 0 ? {} : { fields }),
             });
             surfaces.push(String(surface));
         }
