@@ -4,6 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { readFragment } from '../../web-client/src/session/view/urlState.ts';
 import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { hitsOver } from './support/look_facts.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { useStand } from './support/stand.ts';
 
@@ -158,6 +159,65 @@ describe('views that are kept', () => {
         expect(await ask(again, (hook) => hook.session)).not.toBe(await ask(page, (hook) => hook.session));
         await expectServersMesh(stand.server, again);
         await again.close();
+    });
+});
+
+describe('what a brush has revealed', () => {
+    const shown = async (of: Page): Promise<Set<string>> => {
+        const hits = await hitsOver(of, 6);
+        return new Set(hits.filter(({ surface }) => surface !== null).map(({ at }) => `${at.x} ${at.y}`));
+    };
+    const apart = (a: Set<string>, b: Set<string>): number => [...a].filter((at) => !b.has(at)).length + [...b].filter((at) => !a.has(at)).length;
+    const masksOf = (page: Page) => readFragment(new URL(page.url()).hash).state?.view.masks ?? {};
+
+    it('is in the link that somebody else opens, and in views that are kept', async () => {
+        const page = await stand.visit({ width: 900, height: 560 });
+        await page.evaluate(() => window.wakesurf!.setCamera([4, -16, 7], [3.5, 0, 2.8]));
+        await page.getByRole('tab', { name: 'Look' }).click();
+        await page.locator('#paint-group summary').click();
+        // A place with the surface all round it.
+        const places = await shown(page);
+        const around = [-60, -30, 0, 30, 60].flatMap((dx) => [-24, 0, 24].map((dy) => ({ dx, dy })));
+        const [x, y] = [...places]
+            .map((at) => at.split(' ').map(Number) as [number, number])
+            .find((at) => around.every(({ dx, dy }) => places.has(`${at[0] + dx} ${at[1] + dy}`)))!;
+        await page.locator('#painting').check();
+        await expect.poll(async () => (await shown(page)).size).toBe(0);
+        await page.mouse.move(x - 60, y);
+        await page.mouse.down();
+        await page.mouse.move(x + 60, y, { steps: 4 });
+        await page.mouse.up();
+        await expect.poll(async () => (await shown(page)).size).toBeGreaterThan(100);
+        const painted = await shown(page);
+        await expect.poll(() => Object.keys(masksOf(page))).toHaveLength(1);
+        const before = JSON.stringify(masksOf(page));
+        expect(before.length).toBeLessThan(850);
+
+        const link = new URL(page.url());
+        link.hash += `&token=${stand.server.token}`;
+        const other = await stand.visit({ width: 900, height: 560, link: link.href });
+        await expect.poll(async () => (await shown(other)).size).toBeGreaterThan(100);
+        const there = await shown(other);
+        // Texels of the code are some pixels wide: what differs is the border.
+        expect(apart(painted, there)).toBeLessThan(0.1 * painted.size);
+        await screenshot(other, 'painted-by-link');
+        await other.context().close();
+
+        await page.getByRole('tab', { name: 'View' }).click();
+        await page.getByLabel('Name of the view').fill('Painted');
+        await page.getByRole('button', { name: 'Keep' }).click();
+        const kept = page.getByRole('button', { name: 'Painted', exact: true });
+        await kept.waitFor();
+        await page.getByRole('tab', { name: 'Look' }).click();
+        await page.locator('#paint-group summary').click();
+        await page.getByRole('button', { name: 'Reveal all' }).click();
+        await expect.poll(async () => (await shown(page)).size).toBeGreaterThan(2 * painted.size);
+        await expect.poll(() => JSON.stringify(masksOf(page))).not.toBe(before);
+        await page.getByRole('tab', { name: 'View' }).click();
+        await kept.click();
+        await expect.poll(async () => apart(painted, await shown(page))).toBeLessThan(0.1 * painted.size);
+        await page.getByRole('button', { name: 'Delete the view Painted' }).click();
+        await page.context().close();
     });
 });
 

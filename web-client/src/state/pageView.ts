@@ -11,14 +11,17 @@ export interface PageView {
     /** By surface, what differs from the usual look. */
     looks?: Record<string, Partial<SurfaceLook>>;
     clip?: ClipPlanes;
+    /** By surface, what the painter has revealed, as the scene encodes it. */
+    masks?: Record<string, string>;
 }
 
 const looksAtMost = 100;
+const maskText = /^[\w-]{1,800}$/;
 
 export function readPageView(value: unknown): PageView {
     const view: PageView = {};
     if (typeof value !== 'object' || value === null) return view;
-    const { camera, surface, looks, clip } = value as Record<string, unknown>;
+    const { camera, surface, looks, clip, masks } = value as Record<string, unknown>;
     const pose = camera as Record<string, unknown> | null | undefined;
     const [position, target] = [pose?.['position'], pose?.['target']];
     if (isVec3(position) && isVec3(target) && String(position) !== String(target)) {
@@ -28,6 +31,10 @@ export function readPageView(value: unknown): PageView {
     if (typeof looks === 'object' && looks !== null) {
         const known = Object.entries(looks).slice(0, looksAtMost);
         view.looks = Object.fromEntries(known.map(([id, look]) => [id, encodeLook(decodeLook(look))]));
+    }
+    if (typeof masks === 'object' && masks !== null) {
+        const isText = (each: [string, unknown]): each is [string, string] => typeof each[1] === 'string' && maskText.test(each[1]);
+        view.masks = Object.fromEntries(Object.entries(masks).filter(isText).slice(0, looksAtMost));
     }
     if (clip !== undefined) view.clip = decodeClip(clip);
     return view;

@@ -68,7 +68,8 @@ export const usualLook: SurfaceLook = {
 };
 
 const longestName = 200;
-const partsAtMost = 64;
+/** That links and bookmarks keep. */
+export const partsAtMost = 64;
 
 const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
 const isFlag = (value: unknown): boolean => typeof value === 'boolean';
@@ -108,7 +109,8 @@ const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
 /** What differs from the usual, for a link or a bookmark. */
 export function encodeLook(look: SurfaceLook): Partial<SurfaceLook> {
     const differs = (name: keyof SurfaceLook): boolean => JSON.stringify(look[name]) !== JSON.stringify(usualLook[name]);
-    return Object.fromEntries(Object.entries(look).filter(([name]) => differs(name as keyof SurfaceLook)));
+    const kept = { ...look, hiddenParts: look.hiddenParts.slice(0, partsAtMost) };
+    return Object.fromEntries(Object.entries(kept).filter(([name]) => differs(name as keyof SurfaceLook)));
 }
 
 /** Never throws. */

@@ -59,6 +59,8 @@ export class ViewState {
     readonly clip = signal<ClipPlanes>(noClip);
     /** The parts of the selected surface are listed. */
     readonly partsListed = signal(false);
+    /** Surfaces whose painting is too intricate for links and bookmarks. */
+    readonly paintLeftOut = signal<ReadonlySet<string>>(new Set());
     readonly brush = signal<Brush>({ does: 'reveal', radiusPx: 24 });
     /** Where the tour is; null: there is none. */
     readonly tourStep = signal<number | null>(null);

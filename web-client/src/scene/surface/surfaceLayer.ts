@@ -1,11 +1,15 @@
 // All surfaces of the session in the scene: their meshes, materials, looks and what the painter has left of them.
 import { Group, type Scene, type Vector4, type WebGLRenderer, WebGLRenderTarget } from 'three';
+import { decodeMask } from './maskCode.ts';
 import { SurfaceMask, type BrushPrint } from './surfaceMask.ts';
 import { SurfaceMesh, type MeshChange, type SurfaceVertex } from './surfaceMesh.ts';
 import { noPlanes, sharedUniforms, SurfaceMaterials } from './surfaceMaterial.ts';
 import { isPlain, isTransparent, plainStyle, type SurfaceStyle } from './surfaceStyle.ts';
 import { SurfaceTextures } from './surfaceTextures.ts';
 import { Transparency } from './transparency.ts';
+
+/** How many times its length a mask that was brought may be away. */
+const farthestMask = 4096;
 
 type Range = [number, number];
 type Planes = readonly (readonly [number, number, number, number])[];
@@ -39,6 +43,10 @@ export class SurfaceLayer {
     readonly transparency = new Transparency(this.shared.depthRange.value, this.shared);
     private readonly surfaces = new Map<string, DrawnSurface>();
     private readonly styles = new Map<string, SurfaceStyle>();
+    /** Codes of masks for surfaces that are not painted, or not there, so far. */
+    private readonly wishedMasks = new Map<string, string>();
+    /** How often the painter has changed something. */
+    strokes = 0;
     private clipped = false;
 
     constructor() {
@@ -122,6 +130,7 @@ export class SurfaceLayer {
 
     /** Reveals or hides what the brush touches of the surfaces that are painted. */
     paint(print: BrushPrint, reveal: boolean): void {
+        this.strokes += 1;
         for (const surface of this.surfaces.values()) {
             if (surface.style.painting) this.maskOf(surface)?.stamp(surface.id, print, reveal);
         }
@@ -129,16 +138,44 @@ export class SurfaceLayer {
 
     /** All of a surface. */
     revealAll(id: string, reveal: boolean): void {
+        this.strokes += 1;
         const surface = this.surfaces.get(id);
         if (surface !== undefined) this.maskOf(surface)?.fill(reveal);
+    }
+
+    /** What the painter has left of a surface, as a text; null: it is too intricate for one. Undefined: nothing is painted. */
+    maskCode(id: string): string | null | undefined {
+        const mask = this.surfaces.get(id)?.mask;
+        return mask ? mask.code : this.wishedMasks.get(id);
+    }
+
+    /** As the code says, from now on or when the surface is painted; one that cannot be read says that nothing is revealed. */
+    setMask(id: string, code: string): void {
+        this.strokes += 1;
+        this.wishedMasks.set(id, code);
+        const surface = this.surfaces.get(id);
+        if (surface === undefined) return;
+        surface.materials.setMask(null, 0, 1);
+        surface.mask?.dispose();
+        surface.mask = null;
+        this.restyle(surface);
     }
 
     /** Null for a surface that is empty so far: a mask could not tell where its t is. */
     private maskOf(surface: DrawnSurface): SurfaceMask | null {
         if (surface.mesh.vertices === 0) return null;
-        surface.mask ??= new SurfaceMask(surface.mesh.tRange);
+        surface.mask ??= this.newMask(surface);
         this.showMask(surface);
         return surface.mask;
+    }
+
+    private newMask({ id, mesh }: DrawnSurface): SurfaceMask {
+        const wished = decodeMask(this.wishedMasks.get(id) ?? '');
+        this.wishedMasks.delete(id);
+        const [low, high] = mesh.tRange;
+        // One of other times altogether has nothing to do with this surface, and would be doubled for long to reach it.
+        const near = wished !== null && Math.max(high - low, Math.abs(low - wished.tStart)) <= farthestMask * wished.tLength;
+        return new SurfaceMask(mesh.tRange, near ? wished : null);
     }
 
     private showMask({ mask, mesh, materials }: DrawnSurface): void {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { maskSize, SurfaceMask } from './surfaceMask.ts';
+import { decodeMask, maskSize } from './maskCode.ts';
+import { SurfaceMask } from './surfaceMask.ts';
 import type { PickHit } from './surfacePick.ts';
 
 function hit(s: number, t: number, surface = 'a'): PickHit {
@@ -56,5 +57,20 @@ describe('SurfaceMask', () => {
         expect(mask.tStart).toBeLessThanOrEqual(-7);
         expect(mask.tStart + mask.tLength).toBeGreaterThanOrEqual(11);
         expect([2.5, 3, 3.5, -6.9, 10.9].map((t) => mask.isRevealed(0.5, t))).toEqual([false, true, false, false, false]);
+    });
+
+    it('goes on from its code as it was, and covers more like it', () => {
+        const mask = new SurfaceMask([2, 4]);
+        mask.stamp('a', printAt(0.5, 3, 8, 0.01), true);
+        const again = new SurfaceMask([0, 1], decodeMask(mask.code!));
+        for (const each of [mask, again]) each.cover([2, 9]);
+        expect([again.tStart, again.tLength]).toEqual([mask.tStart, mask.tLength]);
+        for (const s of [0.3, 0.45, 0.5, 0.55, 0.7]) {
+            for (const t of [2.5, 2.95, 3, 3.05, 3.5]) expect(again.isRevealed(s, t)).toBe(mask.isRevealed(s, t));
+        }
+        // Not the code of what it was before.
+        const code = mask.code;
+        mask.stamp('a', printAt(0.2, 6, 8, 0.01), true);
+        expect(mask.code).not.toBe(code);
     });
 });

@@ -1,9 +1,9 @@
 // What the painter has revealed of a surface, in its own coordinates s and t: stays where it is when the mesh is refined, moves
 // or goes on. (The surface painter of McLoughlin, Laramee and Zhang, 2009.)
 import { DataTexture, LinearFilter, RedFormat, UnsignedByteType } from 'three';
+import { encodeMask, type MaskContent, maskSize } from './maskCode.ts';
 import type { PickHit } from './surfacePick.ts';
 
-export const maskSize = 512;
 /** Neighbouring pixels further apart than this lie on different folds, and nothing between them is meant. */
 const farthestTexels = 64;
 
@@ -21,19 +21,28 @@ export class SurfaceMask {
     /** Where t is at the first row, and how much of it all rows have. */
     tStart: number;
     tLength: number;
-    private texels = new Uint8Array(maskSize * maskSize);
+    readonly texels: Uint8Array<ArrayBuffer>;
+    /** Undefined: changed since it was last worked out. */
+    private known: string | null | undefined;
 
-    constructor([low, high]: Range) {
-        this.tStart = low;
-        this.tLength = Math.max(high - low, 1e-12);
+    constructor([low, high]: Range, content: MaskContent | null = null) {
+        this.tStart = content?.tStart ?? low;
+        this.tLength = content?.tLength ?? Math.max(high - low, 1e-12);
+        this.texels = content?.texels ?? new Uint8Array(maskSize * maskSize);
         this.texture = new DataTexture(this.texels, maskSize, maskSize, RedFormat, UnsignedByteType);
         this.texture.minFilter = this.texture.magFilter = LinearFilter;
-        this.texture.needsUpdate = true;
+        this.changed();
+    }
+
+    /** For links; null: too intricate for one. */
+    get code(): string | null {
+        if (this.known === undefined) this.known = encodeMask(this);
+        return this.known;
     }
 
     fill(revealed: boolean): void {
         this.texels.fill(revealed ? 255 : 0);
-        this.texture.needsUpdate = true;
+        this.changed();
     }
 
     isRevealed(s: number, t: number): boolean {
@@ -60,7 +69,7 @@ export class SurfaceMask {
                 this.fillBetween([hit, touched(column + 1, row), touched(column, row + 1)], reveal ? 255 : 0);
             }
         }
-        this.texture.needsUpdate = true;
+        this.changed();
     }
 
     dispose(): void {
@@ -101,6 +110,11 @@ export class SurfaceMask {
         }
         if (to > 0) this.tStart -= this.tLength;
         this.tLength *= 2;
+        this.changed();
+    }
+
+    private changed(): void {
+        this.known = undefined;
         this.texture.needsUpdate = true;
     }
 }

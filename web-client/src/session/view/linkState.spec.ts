@@ -29,6 +29,12 @@ describe('a state in a link', () => {
         expect(decodeLinkState(text)).toEqual({ view: { camera }, rakes: [], surfaces: [] });
     });
 
+    it('keeps masks that can be some, whoever has sent them', () => {
+        const masks = { s1: 'CD_-0', s2: 7, s3: '', s4: 'a'.repeat(801), s5: '<b>', s6: null } as unknown as Record<string, string>;
+        const text = encodeLinkState({ view: { masks }, rakes: [], surfaces: [] });
+        expect(decodeLinkState(text).view.masks).toEqual({ s1: 'CD_-0' });
+    });
+
     it('is nothing where somebody has damaged it', () => {
         const nothing = { view: {}, rakes: [], surfaces: [] };
         for (const text of ['', '!', 'bm9uc2Vuc2U', btoa('7'), btoa('{"v":{"camera":{"position":[1,2]}},"r":[{}],"s":7}')]) {

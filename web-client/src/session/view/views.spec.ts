@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import type { SurfaceRecord } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
 import { usualLook } from '../../state/surfaceLook.ts';
 import { ViewState } from '../../state/viewState.ts';
@@ -11,9 +12,11 @@ describe('the view of a session that is made anew', () => {
         const looks = { s4: { opacity: 0.4 }, s7: { opacity: 0.7 } };
         const url: UrlState = {
             ...{ token: null, session: null, dataset: null },
-            state: { view: { surface: 's7', looks }, rakes: [], surfaces: [] },
+            state: { view: { surface: 's7', looks, masks: { s7: 'linked', s9: 'gone' } }, rakes: [], surfaces: [] },
         };
-        const scene = { onDraw: () => undefined } as unknown as ViewsOptions['scene'];
+        const masks = new Map([['s4', 'offour'], ['s7', 'ofseven']]);
+        const surfaces = { maskCode: (id: string) => masks.get(id), setMask: (id: string, code: string) => masks.set(id, code) };
+        const scene = { onDraw: () => undefined, surfaces } as unknown as ViewsOptions['scene'];
         const views = new Views({ state, view, scene, url });
         view.looks.value = new Map(Object.entries(looks).map(([id, look]) => [id, { ...usualLook, ...look }]));
         [state.activeRake.value, state.activeSurface.value] = ['r2', 's7'];
@@ -21,6 +24,23 @@ describe('the view of a session that is made anew', () => {
         views.madeAnew({ rakes: new Map([['r2', 'r1']]), surfaces: new Map([['s7', 's4']]) });
         expect([...view.looks.value]).toEqual([['s4', { ...usualLook, opacity: 0.7 }]]);
         expect([state.activeRake.value, state.activeSurface.value]).toEqual(['r1', 's4']);
-        expect(url.state?.view).toEqual({ surface: 's4', looks: { s4: { opacity: 0.7 } } });
+        expect(url.state?.view).toEqual({ surface: 's4', looks: { s4: { opacity: 0.7 } }, masks: { s4: 'linked' } });
+        expect(masks.get('s4')).toBe('ofseven');
+    });
+});
+
+describe('what is painted', () => {
+    it('is in the view as long as there is room; where there is none all of the surface is shown, and it is noted', () => {
+        const [state, view] = [new AppState(), new ViewState()];
+        const codes: Record<string, string | null> = { s1: 'a'.repeat(790), s2: null, s3: 'b'.repeat(790), s4: 'c'.repeat(90), s5: 'd' };
+        state.surfaces.value = new Map(Object.keys(codes).map((id) => [id, { surface: id } as SurfaceRecord]));
+        view.looks.value = new Map(Object.keys(codes).map((id) => [id, { ...usualLook, painting: id !== 's5' }]));
+        const surfaces = { maskCode: (id: string) => codes[id] };
+        const scene = { onDraw: () => undefined, surfaces, controls: {} } as unknown as ViewsOptions['scene'];
+        const url = { token: null, session: null, dataset: null, state: null };
+        const { looks, masks } = new Views({ state, view, scene, url }).current();
+        expect(Object.keys(masks ?? {})).toEqual(['s1', 's3']);
+        expect(looks).toEqual({ s1: { painting: true }, s2: {}, s3: { painting: true }, s4: {}, s5: {} });
+        expect([...view.paintLeftOut.value]).toEqual(['s2', 's4']);
     });
 });

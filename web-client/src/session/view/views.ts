@@ -1,6 +1,7 @@
 // The page's view as a value: taken for links and bookmarks, and shown again. Keeps the address of the page up to date.
 import { batch, effect } from '@preact/signals-core';
 import type { FlowScene } from '../../scene/scene.ts';
+import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
 import { noClip } from '../../state/clipPlanes.ts';
 import type { PageView } from '../../state/pageView.ts';
@@ -12,11 +13,15 @@ import { showFragment, type UrlState, writeFragment } from './urlState.ts';
 
 /** Browsers refuse more than 100 changes of the address in 30 s. */
 const addressRestMs = 500;
+/** Characters of all masks together: bookmarks have 4 KiB, and links should pass through chats. */
+const masksAtMost = 1600;
 
 export interface ViewsOptions {
     state: AppState;
     view: ViewState;
-    scene: Pick<FlowScene, 'controls' | 'loop' | 'onDraw'>;
+    scene: Pick<FlowScene, 'controls' | 'loop' | 'onDraw'> & {
+        surfaces: Pick<SurfaceLayer, 'maskCode' | 'setMask' | 'strokes'>;
+    };
     url: UrlState;
 }
 
@@ -32,7 +37,7 @@ export class Views {
         this.options = options;
         const { state, view, scene } = options;
         scene.onDraw(() => {
-            const pose = JSON.stringify(scene.controls.pose);
+            const pose = JSON.stringify([scene.controls.pose, scene.surfaces.strokes]);
             if (pose !== this.drawnPose) this.changed();
             this.drawnPose = pose;
         });
@@ -48,16 +53,22 @@ export class Views {
         const { state, view, scene } = this.options;
         const surface = state.activeSurface.value;
         const [clip, known] = [view.clip.value, state.surfaces.value];
-        const looks = [...view.looks.value].filter(([id]) => known.has(id)).map(([id, look]) => [id, encodeLook(look)]);
+        const masks = this.masks();
+        const left = view.paintLeftOut.value;
+        const looks = [...view.looks.value].filter(([id]) => known.has(id)).map(([id, look]) => {
+            // All of the surface rather than nothing.
+            return [id, encodeLook(left.has(id) ? { ...look, painting: false } : look)];
+        });
         return {
             camera: scene.controls.pose,
             ...(surface === null ? {} : { surface }),
             looks: Object.fromEntries(looks) as Record<string, Partial<SurfaceLook>>,
             ...(clip === noClip ? {} : { clip }),
+            ...(masks.length === 0 ? {} : { masks: Object.fromEntries(masks) as Record<string, string> }),
         };
     }
 
-    show({ camera, surface, looks, clip }: PageView): void {
+    show({ camera, surface, looks, clip, masks = {} }: PageView): void {
         const { state, view, scene } = this.options;
         if (camera !== undefined) {
             view.orthographic.value = camera.orthographic;
@@ -68,6 +79,7 @@ export class Views {
             view.looks.value = new Map(Object.entries(looks).map(([id, look]) => [id, decodeLook(look)]));
             view.clip.value = clip ?? noClip;
         }
+        for (const [id, code] of Object.entries(masks)) scene.surfaces.setMask(id, code);
         if (surface !== undefined && state.surfaces.value.has(surface)) state.activeSurface.value = surface;
     }
 
@@ -81,24 +93,30 @@ export class Views {
 
     /** The same records have other names now: the view goes on with them. */
     madeAnew({ rakes, surfaces }: Pick<MadeAnew, 'rakes' | 'surfaces'>): void {
-        const { state, view, url } = this.options;
+        const { state, view, url, scene } = this.options;
         const renamed = <Value>(each: Iterable<[string, Value]>): [string, Value][] =>
             [...each].flatMap(([id, value]): [string, Value][] => {
                 const now = surfaces.get(id);
                 return now === undefined ? [] : [[now, value]];
             });
+        const masks = [...surfaces.keys()].flatMap((id): [string, string][] => {
+            const code = scene.surfaces.maskCode(id);
+            return typeof code === 'string' ? [[id, code]] : [];
+        });
+        for (const [id, code] of renamed(masks)) scene.surfaces.setMask(id, code);
         batch(() => {
             view.looks.value = new Map(renamed(view.looks.value));
             state.activeRake.value = rakes.get(state.activeRake.value ?? '') ?? null;
             state.activeSurface.value = surfaces.get(state.activeSurface.value ?? '') ?? null;
         });
         if (url.state === null) return;
-        const { surface: _, looks, ...kept } = url.state.view;
+        const { surface: _, looks, masks: linked, ...kept } = url.state.view;
         const surface = surfaces.get(url.state.view.surface ?? '');
         url.state.view = {
             ...kept,
             ...(surface === undefined ? {} : { surface }),
             ...(looks === undefined ? {} : { looks: Object.fromEntries(renamed(Object.entries(looks))) }),
+            ...(linked === undefined ? {} : { masks: Object.fromEntries(renamed(Object.entries(linked))) }),
         };
     }
 
@@ -110,6 +128,27 @@ export class Views {
         const address = new URL(location.href);
         address.hash = writeFragment(state.session.value, url.dataset, encoded);
         return address.href;
+    }
+
+    /** What is painted of the surfaces; those for which there is no room are noted. */
+    private masks(): [string, string][] {
+        const { state, view, scene } = this.options;
+        const leftOut = new Set<string>();
+        const masks: [string, string][] = [];
+        let room = masksAtMost;
+        for (const [id, look] of view.looks.value) {
+            if (!look.painting || !state.surfaces.value.has(id)) continue;
+            const code = scene.surfaces.maskCode(id);
+            if (code === undefined) continue;
+            if (code === null || code.length > room) leftOut.add(id);
+            else {
+                room -= code.length;
+                masks.push([id, code]);
+            }
+        }
+        const before = view.paintLeftOut.value;
+        if (leftOut.size !== before.size || [...leftOut].some((id) => !before.has(id))) view.paintLeftOut.value = leftOut;
+        return masks;
     }
 
     private changed(): void {

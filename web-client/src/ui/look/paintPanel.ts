@@ -1,7 +1,7 @@
 // The painter: nothing of the selected surface is shown but what a brush reveals; and its connected parts, which can be hidden.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { SurfacePart } from '../../state/appState.ts';
-import type { SurfaceLook } from '../../state/surfaceLook.ts';
+import { partsAtMost, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { Brush } from '../../state/viewState.ts';
 import type { AppModel } from '../base/appModel.ts';
 import { checkRow, lookStyles, sliderRow } from './lookStyles.ts';
@@ -62,6 +62,11 @@ export class PaintPanel extends SignalElement {
                 <button id="reveal-all" type="button" @click=${() => this.fill(true)}>Reveal all</button>
                 <button id="hide-all" type="button" @click=${() => this.fill(false)}>Hide all</button>
             </div>
+            ${view.paintLeftOut.value.has(this.model.state.activeSurface.value ?? '')
+                ? html`<p role="status">
+                      What is painted is too intricate for a link or a kept view: there all of the surface is shown. Fewer and larger strokes fit.
+                  </p>`
+                : nothing}
             <p class="quiet">Drag on the picture. Without a pointer: reveal all, and set a window under “Part shown”.</p>
         `;
     }
@@ -91,6 +96,9 @@ export class PaintPanel extends SignalElement {
                 ),
             )}
             ${more > 0 ? html`<p class="quiet">and ${more} more, to be hidden by a click on them</p>` : nothing}
+            ${look.hiddenParts.length > partsAtMost
+                ? html`<p role="status">A link or a kept view hides only the first ${partsAtMost} of these parts.</p>`
+                : nothing}
             <div class="buttons">
                 ${this.tool('hidePart', 'Hide by clicking')}
                 <button id="show-parts" type="button" ?disabled=${look.hiddenParts.length === 0} @click=${() => this.change({ hiddenParts: [] })}>
