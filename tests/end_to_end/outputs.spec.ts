@@ -133,6 +133,40 @@ describe('a picture', () => {
             /at most \d+ pixels a side/,
         );
     });
+
+    it('may be larger than the graphics draw at once: tiles make the same picture as one drawing', async () => {
+        await page.getByRole('tab', { name: 'Look' }).click();
+        await page.locator('#opacity').evaluate((slider: HTMLInputElement) => {
+            slider.value = '0.5';
+            slider.dispatchEvent(new Event('input', { bubbles: true }));
+        });
+        await page.waitForFunction(() => window.wakesurf!.transparency === 'blended');
+        await toExport();
+        await page.getByRole('checkbox', { name: 'Rake' }).check();
+        for (const background of ['shown', 'clear']) {
+            await page.locator('#background').selectOption(background);
+            const { differing, coloured } = await page.evaluate(() => {
+                const hook = window.wakesurf!;
+                const size = { width: 620, height: 402 };
+                const [tiled, whole] = [hook.figure(size, 330), hook.figure(size, 2000)];
+                let [differ, colours] = [0, 0];
+                for (let i = 0; i < whole.length; i += 4) {
+                    const pixel = [0, 1, 2, 3].map((k) => i + k);
+                    if (Math.max(...pixel.map((at) => Math.abs(whole[at]! - tiled[at]!))) > 3) differ += 1;
+                    const [r, g, b] = [whole[i]!, whole[i + 1]!, whole[i + 2]!];
+                    if (Math.max(r, g, b) - Math.min(r, g, b) > 40) colours += 1;
+                }
+                return { differing: differ, coloured: colours };
+            });
+            expect(coloured).toBeGreaterThan(10_000);
+            // Of 249 240; at an edge rounding may put a pixel on the other side.
+            expect(differing).toBeLessThan(60);
+        }
+        // Wider than a texture may be here.
+        await chooseSize('picture', 9000, 120);
+        const { width, height, at } = await pixelsOfPng(page, (await saved('#save-picture')).bytes, [{ x: 8990, y: 60 }]);
+        expect([width, height, at[0]]).toEqual([9000, 120, [0, 0, 0, 0]]);
+    });
 });
 
 describe('a film', () => {

@@ -113,7 +113,7 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => pointing.flush());
     scene.loop.beforeFrame(() => feed.apply());
     showRakes(state, view, scene);
-    installTestHook({ state, scene, latency, canvas });
+    installTestHook({ state, scene, latency, canvas, figure });
     const model: AppModel = {
         ...{ state, view, edits, clock, playback, people, scene, worker, calls, views, probing, progress, figure, film, mesh },
         rename: (name) => controller.rename(name),

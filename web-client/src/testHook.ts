@@ -2,11 +2,12 @@
 // reads; the only things it sets are the camera's place.
 import type { Vec3 } from './protocol/messages.ts';
 import type { FlowScene } from './scene/scene.ts';
-import type { ScreenPoint } from './scene/base/view.ts';
+import type { ScreenPoint, ScreenSize } from './scene/base/view.ts';
 import type { PickGrid, PickHit } from './scene/surface/surfacePick.ts';
 import type { SurfaceVertex } from './scene/surface/surfaceMesh.ts';
 import type { Handle } from './scene/rake/rakeHandles.ts';
 import type { DrawnRake } from './scene/rake/rakeLayer.ts';
+import type { Figure } from './session/out/figure.ts';
 import type { AppState, DisplayedSurface } from './state/appState.ts';
 import type { LatencyLog, LatencySample } from './state/latency.ts';
 
@@ -43,6 +44,8 @@ export interface TestHook {
     readonly transparency: 'none' | 'blended' | 'exact';
     /** Draws and returns RGB at positions in the window; exact: with everything transparent in its order. */
     pixelsAt(points: ScreenPoint[], exact?: boolean): [number, number, number][];
+    /** RGBA of a figure as it would be saved, with tiles of this many pixels a side. */
+    figure(size: ScreenSize, tileSide: number): Uint8ClampedArray;
     loseContext(): void;
     restoreContext(): void;
 }
@@ -58,9 +61,10 @@ export interface TestHookParts {
     scene: FlowScene;
     latency: LatencyLog;
     canvas: HTMLCanvasElement;
+    figure: Figure;
 }
 
-export function installTestHook({ state, scene, latency, canvas }: TestHookParts): void {
+export function installTestHook({ state, scene, latency, canvas, figure }: TestHookParts): void {
     const active = (): string => state.activeSurface.value ?? '';
     const displayed = (): DisplayedSurface | undefined => state.displayed.value.get(active());
     const requested = (): number => state.requestedEpochs.value.get(active()) ?? 0;
@@ -152,6 +156,10 @@ export function installTestHook({ state, scene, latency, canvas }: TestHookParts
                 const at = 4 * (row * width + column);
                 return [pixels[at] ?? 0, pixels[at + 1] ?? 0, pixels[at + 2] ?? 0];
             });
+        },
+        figure: ({ width, height }, tileSide) => {
+            const drawn = figure.draw({ width, height }, 'Caption', undefined, tileSide);
+            return drawn.getContext('2d')!.getImageData(0, 0, width, height).data;
         },
         loseContext: () => {
             contextLoss = scene.renderer.getContext().getExtension('WEBGL_lose_context');

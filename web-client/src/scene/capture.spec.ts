@@ -23,10 +23,12 @@ describe('withoutBackground', () => {
 
 describe('sizeFault', () => {
     it('says what is wrong with a size', () => {
-        expect(sizeFault({ width: 1920, height: 1080 }, 8192)).toBeNull();
-        expect(sizeFault({ width: 8193, height: 10 }, 8192)).toMatch(/at least 16/);
-        expect(sizeFault({ width: 8193, height: 100 }, 8192)).toMatch(/at most 8192 pixels/);
-        expect(sizeFault({ width: Number.NaN, height: 100 }, 8192)).toMatch(/whole numbers/);
-        expect(sizeFault({ width: 100.5, height: 100 }, 8192)).toMatch(/whole numbers/);
+        expect(sizeFault({ width: 1920, height: 1080 })).toBeNull();
+        expect(sizeFault({ width: 16_384, height: 7000 })).toBeNull();
+        expect(sizeFault({ width: 16_385, height: 10 })).toMatch(/at least 16/);
+        expect(sizeFault({ width: 16_385, height: 100 })).toMatch(/at most 16384 pixels/);
+        expect(sizeFault({ width: 16_384, height: 8000 })).toMatch(/at most 128 million pixels/);
+        expect(sizeFault({ width: Number.NaN, height: 100 })).toMatch(/whole numbers/);
+        expect(sizeFault({ width: 100.5, height: 100 })).toMatch(/whole numbers/);
     });
 });

@@ -1,10 +1,11 @@
 // A figure: the picture at any size, with another background or none, and with the text that lies over it. Drawn in the drawing
-// buffer of the canvas, which has its own size again before the browser shows it.
+// buffer of the canvas, in tiles where it is large; the canvas has its own size again before the browser shows it.
 import { Color } from 'three';
 import { DomainOutline } from './domain/domainOutline.ts';
 import { paintElement } from './elementPainter.ts';
 import type { FlowScene } from './scene.ts';
 import type { Layer, ScreenSize } from './base/view.ts';
+import { tilesOf } from './tiles.ts';
 
 /** shown: as on the page. clear: none. */
 export type FigureBackground = 'shown' | 'white' | 'clear';
@@ -23,61 +24,76 @@ export interface FigureSetting {
     caption: string | null;
 }
 
-/** Sides that a picture may have here, in pixels. */
-export function longestSide(scene: FlowScene): number {
-    const gl = scene.renderer.getContext();
-    const dims = gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array;
-    const limits = [gl.MAX_TEXTURE_SIZE, gl.MAX_RENDERBUFFER_SIZE].map((name) => Number(gl.getParameter(name)));
-    return Math.min(dims[0] ?? 0, dims[1] ?? 0, ...limits);
-}
+/** What browsers make canvases of, and what pictures on paper need. */
+const longestSide = 16_384;
+const pixelsAtMost = 128e6;
+/** Drawn at once; peeling needs some 60 bytes a pixel. */
+const tileSide = 2048;
+/** Of handles, which reach from one tile into another; in pixels of CSS. */
+const tileMargin = 24;
 
 /** Why a figure of this size cannot be drawn; null if it can be tried. */
-export function sizeFault({ width, height }: ScreenSize, longest: number): string | null {
+export function sizeFault({ width, height }: ScreenSize): string | null {
     if (!(Number.isInteger(width) && Number.isInteger(height) && width >= 16 && height >= 16)) {
         return 'Width and height are whole numbers of pixels, at least 16.';
     }
-    if (Math.max(width, height) <= longest) return null;
-    return `The graphics here draw at most ${longest} pixels a side. Choose a smaller picture.`;
+    if (Math.max(width, height) > longestSide) {
+        return `Pictures have at most ${longestSide} pixels a side. Choose a smaller picture.`;
+    }
+    if (width * height <= pixelsAtMost) return null;
+    return `Pictures have at most ${pixelsAtMost / 1e6} million pixels. Choose a smaller picture.`;
 }
 
-/** Error: in words. */
-export function capture(scene: FlowScene, setting: FigureSetting): HTMLCanvasElement {
+/** What the graphics draw at once. */
+function drawnSide(scene: FlowScene, pixelRatio: number): number {
+    const gl = scene.renderer.getContext();
+    const dims = gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array;
+    const limits = [gl.MAX_TEXTURE_SIZE, gl.MAX_RENDERBUFFER_SIZE].map((name) => Number(gl.getParameter(name)));
+    // A tile that were nothing but margin would be none.
+    return Math.min(Math.max(tileSide, 6 * tileMargin * pixelRatio), dims[0] ?? 0, dims[1] ?? 0, ...limits);
+}
+
+/** Error: in words. @param side of tiles, in pixels; without it as large as they are best */
+export function capture(scene: FlowScene, setting: FigureSetting, side?: number): HTMLCanvasElement {
     const { width, height, background } = setting;
-    const fault = sizeFault(setting, longestSide(scene));
+    const fault = sizeFault(setting);
     if (fault !== null) throw new Error(fault);
     // As tall as the picture on the page, so that text and handles have the same share of it.
     const layout = { width: 0, height: Math.max(1, scene.size.height) };
     const pixelRatio = height / layout.height;
     layout.width = width / pixelRatio;
-    // Sizes are rounded down: a hair more keeps the last pixel.
-    const [rounded, ratio] = [{ width: layout.width, height: layout.height }, pixelRatio * (1 + 1e-9)];
     const leftOut = (layer: Layer): boolean =>
         layer.notForFigures === true ||
         (!setting.rake && layer === scene.rakes) ||
         (!setting.axes && layer instanceof DomainOutline);
-    return scene.drawAside(rounded, ratio, leftOut, (draw) => {
+    const tiles = tilesOf(setting, side ?? drawnSide(scene, pixelRatio), Math.ceil(tileMargin * pixelRatio));
+    return scene.drawAside(layout, pixelRatio, leftOut, (draw) => {
         const drawn = scene.renderer.domElement;
         const figure = document.createElement('canvas');
         [figure.width, figure.height] = [width, height];
         const context = figure.getContext('2d', { willReadFrequently: background === 'clear' });
         if (context === null) throw new Error('This browser has no memory for a picture of this size.');
-        const shoot = (colour: Color | null): void => {
-            draw(colour);
-            if (drawn.width !== width || drawn.height !== height || scene.renderer.getContext().isContextLost()) {
-                throw new Error(
-                    'The graphics here have no memory for a picture of this size. Choose a smaller one.',
-                );
-            }
-            context.drawImage(drawn, 0, 0);
-        };
-        if (background === 'clear') {
-            shoot(new Color(0, 0, 0));
-            const onBlack = context.getImageData(0, 0, width, height);
-            shoot(new Color(1, 1, 1));
-            const onWhite = context.getImageData(0, 0, width, height);
-            withoutBackground(onBlack.data, onWhite.data);
-            context.putImageData(onBlack, 0, 0);
-        } else shoot(background === 'white' ? new Color(1, 1, 1) : null);
+        for (const { drawn: part, kept } of tiles) {
+            const { x, y } = kept;
+            const shoot = (colour: Color | null): void => {
+                draw(colour, part);
+                if (drawn.width !== part.width || drawn.height !== part.height || scene.renderer.getContext().isContextLost()) {
+                    throw new Error(
+                        'The graphics here have no memory for a picture of this size. Choose a smaller one.',
+                    );
+                }
+                const [left, top] = [x - part.x, y - part.y];
+                context.drawImage(drawn, left, top, kept.width, kept.height, x, y, kept.width, kept.height);
+            };
+            if (background === 'clear') {
+                shoot(new Color(0, 0, 0));
+                const onBlack = context.getImageData(x, y, kept.width, kept.height);
+                shoot(new Color(1, 1, 1));
+                const onWhite = context.getImageData(x, y, kept.width, kept.height);
+                withoutBackground(onBlack.data, onWhite.data);
+                context.putImageData(onBlack, x, y);
+            } else shoot(background === 'white' ? new Color(1, 1, 1) : null);
+        }
         paintText(context, scene, setting, layout, pixelRatio);
         return figure;
     });

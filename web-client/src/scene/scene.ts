@@ -19,6 +19,7 @@ import { SurfaceLayer } from './surface/surfaceLayer.ts';
 import type { MeshChange } from './surface/surfaceMesh.ts';
 import { type PickGrid, type PickHit, type PickOptions, SurfacePick } from './surface/surfacePick.ts';
 import { pictureColours } from './theme.ts';
+import type { Part } from './tiles.ts';
 import { type Layer, type ScreenPoint, type ScreenSize, View } from './base/view.ts';
 
 const movingPixelRatio = 0.5;
@@ -228,26 +229,33 @@ export class FlowScene {
     }
 
     /**
-     * For capture.ts: as if the canvas were of this size, with so many pixels for one of CSS, without what is not for
-     * figures, and with everything transparent in its exact order. `use` may draw before several backgrounds; the drawing is gone when it returns.
+     * For capture.ts: as if the canvas were of this size, with so many pixels for one of CSS, without what is not for figures, and
+     * with everything transparent in its exact order. `use` may draw before several backgrounds, and part by part; the drawing
+     * is gone when it returns.
      */
     drawAside<T>(
         size: ScreenSize,
         pixelRatio: number,
         leftOut: (layer: Layer) => boolean,
-        use: (draw: (background: Color | null) => void) => T,
+        use: (draw: (background: Color | null, part: Part) => void) => T,
     ): T {
         const { renderer, scene } = this;
         const [ratioBefore, backgroundBefore] = [renderer.getPixelRatio(), scene.background];
         const hidden = this.layers.filter((layer) => layer.object.visible && leftOut(layer));
         for (const { object } of hidden) object.visible = false;
         this.figureSize = size;
-        renderer.setDrawingBufferSize(size.width, size.height, pixelRatio);
         this.controls.setAspect(size.width / size.height);
+        let drawn: ScreenSize = { width: 0, height: 0 };
         try {
-            return use((background) => {
+            return use((background, part) => {
                 scene.background = background ?? backgroundBefore;
-                this.draw(true);
+                if (part.width !== drawn.width || part.height !== drawn.height) {
+                    drawn = { width: part.width, height: part.height };
+                    // Sizes are rounded down: a hair more keeps the last pixel.
+                    const ratio = pixelRatio * (1 + 1e-9);
+                    renderer.setDrawingBufferSize(part.width / pixelRatio, part.height / pixelRatio, ratio);
+                }
+                this.draw(true, { ...part, pixelRatio });
             });
         } finally {
             this.figureSize = null;
@@ -258,13 +266,21 @@ export class FlowScene {
         }
     }
 
-    private draw(exact = false): void {
-        const view = this.view();
-        if (view.size.width === 0 || view.size.height === 0) return;
+    /** @param part the only one of the picture that is drawn */
+    private draw(exact = false, part: (Part & { pixelRatio: number }) | null = null): void {
+        const { camera, size } = this.view();
+        if (size.width === 0 || size.height === 0) return;
+        const drawn = part === null ? size : { width: part.width / part.pixelRatio, height: part.height / part.pixelRatio };
+        const view = new View(camera, size, drawn);
         for (const layer of this.layers) layer.update(view);
         const { transparency } = this.surfaces;
         transparency.exact = exact;
-        this.renderer.render(this.scene, view.camera);
+        if (part !== null) {
+            const [width, height] = [size.width * part.pixelRatio, size.height * part.pixelRatio];
+            camera.setViewOffset(width, height, part.x, part.y, part.width, part.height);
+        }
+        this.renderer.render(this.scene, camera);
+        if (part !== null) camera.clearViewOffset();
         this.transparency = !transparency.isNeeded ? 'none' : exact ? 'exact' : 'blended';
         this.stillness.drawn(this.exactWhenStill && this.transparency === 'blended');
         this.framesDrawn += 1;

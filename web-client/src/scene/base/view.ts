@@ -27,10 +27,13 @@ export interface Layer {
 export class View {
     readonly camera: SceneCamera;
     readonly size: ScreenSize;
+    /** What of it is drawn at once: less where a picture is drawn in tiles. */
+    readonly drawnSize: ScreenSize;
 
-    constructor(camera: SceneCamera, size: ScreenSize) {
+    constructor(camera: SceneCamera, size: ScreenSize, drawnSize = size) {
         this.camera = camera;
         this.size = size;
+        this.drawnSize = drawnSize;
     }
 
     get eye(): Vec3 {

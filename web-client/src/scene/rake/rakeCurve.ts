@@ -150,7 +150,7 @@ export class RakeCurve {
         // Two pixels, but no more than a little of the way to the eye.
         const lift = Math.min(4 * view.worldPerPx(middle), parallel ? Infinity : 0.02 * distance(view.eye, middle));
         for (const { uniforms } of [this.shown, this.hidden]) {
-            (uniforms['size']!.value as Vector2).set(view.size.width, view.size.height);
+            (uniforms['size']!.value as Vector2).set(view.drawnSize.width, view.drawnSize.height);
             uniforms['parallelRays']!.value = parallel;
             uniforms['lift']!.value = lift;
         }

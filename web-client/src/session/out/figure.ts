@@ -1,6 +1,6 @@
 // What a figure is to show, chosen once for pictures and films, and the picture as it is now.
 import { signal } from '@preact/signals-core';
-import { capture, type FigureBackground, longestSide } from '../../scene/capture.ts';
+import { capture, type FigureBackground } from '../../scene/capture.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { ScreenSize } from '../../scene/base/view.ts';
 
@@ -25,21 +25,11 @@ export class Figure {
         return { width: Math.round(width * ratio), height: Math.round(height * ratio) };
     }
 
-    get longestSide(): number {
-        return longestSide(this.scene);
-    }
-
     /** Error: in words, where the graphics cannot draw it. */
-    draw(size: ScreenSize, caption: string | null, background = this.background.value): HTMLCanvasElement {
+    draw(size: ScreenSize, caption: string | null, background = this.background.value, tileSide?: number): HTMLCanvasElement {
         const bar = this.bar.value ? this.findBar() : null;
         const [axes, rake] = [this.axes.value, this.rake.value];
-        return capture(this.scene, {
-            ...size,
-            background,
-            axes,
-            rake,
-            caption,
-            bar: bar?.hidden === true ? null : bar,
-        });
+        const shownBar = bar?.hidden === true ? null : bar;
+        return capture(this.scene, { ...size, background, axes, rake, caption, bar: shownBar }, tileSide);
     }
 }

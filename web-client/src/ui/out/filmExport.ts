@@ -108,7 +108,7 @@ export class FilmExport extends SignalElement {
     private async record(): Promise<void> {
         const { film, figure, state, view } = this.model;
         const size = choice.size(figure.shownSize);
-        this.fault.value = sizeFault(size, figure.longestSide) ?? '';
+        this.fault.value = sizeFault(size) ?? '';
         if (this.fault.value !== '') return;
         const file = await film.record({
             ...size,

@@ -18,6 +18,7 @@ const backgrounds: readonly { value: FigureBackground; words: string }[] = [
 const choice = new SizeChoice('picture', [
     { width: 1920, height: 1080 },
     { width: 3840, height: 2160 },
+    { width: 7680, height: 4320 },
 ]);
 
 export class PictureExport extends SignalElement {
@@ -69,7 +70,7 @@ export class PictureExport extends SignalElement {
     private async save(): Promise<void> {
         const { figure, state } = this.model;
         const size = choice.size(figure.shownSize);
-        this.fault.value = sizeFault(size, figure.longestSide) ?? '';
+        this.fault.value = sizeFault(size) ?? '';
         if (this.fault.value !== '') return;
         try {
             const picture = figure.draw(size, null);
