@@ -170,7 +170,7 @@ describe('notes', () => {
 
 describe('a copy of the session', () => {
     it('has the same rake, and goes on without the others', async () => {
-        await host.getByRole('button', { name: 'Copy this session' }).click();
+        await host.getByRole('button', { name: 'Go on with a copy' }).click();
         const link = (await host.getByRole('link', { name: 'Open the copy' }).getAttribute('href'))!;
         const copy = await stand.open(host, link);
         expect(await ask(copy, (hook) => hook.rakePoints)).toEqual(await ask(host, (hook) => hook.rakePoints));

@@ -27,6 +27,7 @@ export class OpenDataset {
         const { worker, state } = this.options;
         while (!gone()) {
             const { datasets } = await worker.call('dataset.list', {});
+            state.datasets.value = datasets;
             const entry = id === null ? datasets[0] : datasets.find(({ dataset }) => dataset === id);
             if (entry === undefined) throw new Error(noDataset(id));
             state.datasetEntry.value = entry;
@@ -81,7 +82,7 @@ export class OpenDataset {
 function noDataset(id: string | null): string {
     return id === null
         ? 'The server has no dataset. Start it with one: wakesurf serve DATASET.'
-        : 'The server does not have the dataset of this link.';
+        : 'The server does not have the dataset of this link. Choose another in the panel.';
 }
 
 function importFailed(entry: DatasetEntry): string {

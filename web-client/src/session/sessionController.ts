@@ -149,8 +149,9 @@ export class SessionController {
         if (this.session === null || this.resumeToken === undefined) return;
         try {
             await this.enter(this.session);
+            this.options.state.problems.solved('name');
         } catch (error) {
-            this.options.state.editError.value = error instanceof Error ? error.message : String(error);
+            this.options.state.problems.tell('name', error);
         }
     }
 

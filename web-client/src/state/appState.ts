@@ -18,6 +18,7 @@ import type {
     Vec3,
 } from '../protocol/messages.ts';
 import type { LatencySample } from './latency.ts';
+import { Problems } from './problems.ts';
 
 /** What is on the screen of one surface. */
 export interface DisplayedSurface {
@@ -60,6 +61,8 @@ export class AppState {
     readonly stage = signal<Stage>('starting');
     /** What the server says it can do; what is not named here it cannot. */
     readonly capabilities = signal<readonly string[]>([]);
+    /** All that the server has. */
+    readonly datasets = signal<readonly DatasetEntry[]>([]);
     readonly datasetEntry = signal<DatasetEntry | null>(null);
     readonly dataset = signal<DatasetDescription | null>(null);
     readonly rakes = signal<ReadonlyMap<string, RakeRecord>>(new Map());
@@ -92,7 +95,7 @@ export class AppState {
     /** Nothing of the session can be changed from here: it is for looking on, or the server does not hear. */
     readonly locked = computed(() => this.role.value === 'viewer' || this.stage.value !== 'running');
     readonly editsPending = signal(false);
-    readonly editError = signal<string | null>(null);
+    readonly problems = new Problems();
     readonly notice = signal<string | null>(null);
     /** Of the selected surface, while it takes long. */
     readonly progress = signal<{ surface: string; fraction: number | null; message: string } | null>(null);

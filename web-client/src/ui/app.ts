@@ -147,7 +147,16 @@ export class App extends SignalElement {
             }
             @media (max-width: 760px) {
                 .layout {
-                    grid-template: minmax(45vh, 1fr) auto minmax(0, 40vh) / minmax(0, 1fr);
+                    grid-template: minmax(42vh, 1fr) auto minmax(0, 42vh) / minmax(0, 1fr);
+                }
+                /* In one row with the buttons of the view: the domain has no room to spare beside it. */
+                wakesurf-tool-buttons {
+                    right: auto;
+                    left: 12px;
+                    top: 12px;
+                }
+                wakesurf-tour {
+                    right: 12px;
                 }
                 wakesurf-panel {
                     grid-row: 3;

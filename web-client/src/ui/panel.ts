@@ -5,6 +5,7 @@ import { signal } from '@preact/signals-core';
 import { bookmarkSteps, noteSteps, probeSteps, rakeSteps, surfaceSteps } from '../session/out/panelSteps.ts';
 import type { AppModel } from './base/appModel.ts';
 import './view/bookmarksPanel.ts';
+import './datasetHead.ts';
 import './out/copyAs.ts';
 import { exportBody } from './out/exportPanel.ts';
 import './help/helpDialog.ts';
@@ -18,7 +19,6 @@ import './rake/rakePanel.ts';
 import { sharedStyles } from './base/sharedStyles.ts';
 import { SignalElement } from './base/signalElement.ts';
 import './status/statusPanel.ts';
-import { countWords } from './base/statusWords.ts';
 import './surface/surfacePanel.ts';
 import './view/surroundingsPanel.ts';
 
@@ -87,10 +87,12 @@ const tabs: readonly Tab[] = [
             <section aria-labelledby="links-head">
                 <h2 id="links-head">Invite</h2>
                 <wakesurf-links .model=${model}></wakesurf-links>
-                <wakesurf-copy-as
-                    .model=${model}
-                    .calls=${() => [{ method: 'session.share', params: { role: 'editor' } }]}
-                ></wakesurf-copy-as>
+                ${model.state.role.value === 'host'
+                    ? html`<wakesurf-copy-as
+                          .model=${model}
+                          .calls=${() => [{ method: 'session.share', params: { role: 'editor' } }]}
+                      ></wakesurf-copy-as>`
+                    : nothing}
             </section>
             <section aria-labelledby="notes-head">
                 <h2 id="notes-head">Notes</h2>
@@ -179,6 +181,30 @@ export class Panel extends SignalElement {
                 padding: 8px 16px 12px;
                 border-top: 1px solid var(--line);
             }
+            /* Below the picture there is little height: everything scrolls, under the tabs. */
+            @media (max-width: 760px) {
+                :host {
+                    display: block;
+                    overflow-y: auto;
+                    border-left: 0;
+                    border-top: 1px solid var(--line);
+                }
+                .head {
+                    padding: 8px 16px 2px;
+                }
+                [role='tablist'] {
+                    position: sticky;
+                    top: 0;
+                    z-index: 1;
+                    background: var(--ground);
+                }
+                [role='tabpanel'] {
+                    overflow: visible;
+                }
+                wakesurf-status {
+                    max-height: none;
+                }
+            }
         `,
     ];
 
@@ -192,14 +218,7 @@ export class Panel extends SignalElement {
                     <h1>wakesurf</h1>
                     <wakesurf-help .model=${this.model}></wakesurf-help>
                 </div>
-                ${dataset === null
-                    ? nothing
-                    : html`<p>${dataset.name}</p>
-                          <p class="quiet">
-                              ${dataset.points > 0 ? `${countWords(dataset.points)} points` : 'a flow by formula'},
-                              ${dataset.times.length}
-                              ${dataset.times.length === 1 ? 'time-step' : 'time-steps'}
-                          </p>`}
+                <wakesurf-dataset-head .model=${this.model}></wakesurf-dataset-head>
                 ${state.role.value === 'viewer'
                     ? html`<p class="quiet" id="role">This link is for looking on: it cannot change anything.</p>`
                     : nothing}

@@ -16,10 +16,10 @@ export class Calls {
     async try<M extends MethodName>(method: M, params: ParamsOf<M>): Promise<ResultOf<M> | null> {
         try {
             const result = await this.worker.call(method, params);
-            this.state.editError.value = null;
+            this.state.problems.solved(method);
             return result;
         } catch (error) {
-            this.state.editError.value = error instanceof Error ? error.message : String(error);
+            this.state.problems.tell(method, error);
             return null;
         }
     }

@@ -5,13 +5,12 @@ import { CallError } from '../../worker/workerClient.ts';
 const notPermitted = -32003;
 const leased = -32011;
 
-/** True: it is not for this user to change that, now or ever. */
-export function tellFailure(state: AppState, error: unknown): boolean {
-    const { editError } = state;
-    editError.value = error instanceof Error ? error.message : String(error);
+/** @param about what was edited. True: it is not for this user to change that, now or ever. */
+export function tellFailure({ problems }: AppState, about: string, error: unknown): boolean {
+    problems.tell(about, error);
     if (!(error instanceof CallError)) return false;
     const { code, message } = error.failure;
     // The hint is for scripts, which can take the rake away from others.
-    if (code === leased) editError.value = `${message}: wait until it is let go`;
+    if (code === leased) problems.say(about, `${message}: wait until it is let go`);
     return code === notPermitted || code === leased;
 }

@@ -111,7 +111,7 @@ describe('a drag on its way to the server', () => {
         bench.drag(5);
         bench.edits.flush();
         await bench.refuse(leased);
-        expect(bench.state.editError.value).toContain('wait until it is let go');
+        expect(bench.state.problems.all.value.get('rake r1')).toContain('wait until it is let go');
         bench.drag(6, false);
         bench.edits.flush();
         await bench.refuse(leased);

@@ -155,7 +155,7 @@ export class RakeEdits {
         try {
             const points = shape.points.map((point) => [...point] as [number, number, number]);
             const reply = await worker.call('rake.set', { ...edit, kind: shape.kind, points, ...tint, ...lease });
-            state.editError.value = null;
+            state.problems.solved(`rake ${edit.rake}`);
             history.noted(gesture, editedAt, true);
             if (one !== undefined) one.answeredRev = reply.rev;
             for (const { surface, epoch } of reply.surfaces) {
@@ -163,7 +163,7 @@ export class RakeEdits {
                 requested({ surface, epoch });
             }
         } catch (error) {
-            const refused = tellFailure(state, error);
+            const refused = tellFailure(state, `rake ${edit.rake}`, error);
             if (one === undefined) return;
             one.answeredRev = 0;
             one.refused ||= refused;

@@ -109,9 +109,9 @@ export class RecordActions {
         const gesture = `${what} ${performance.now()}`;
         try {
             await action(() => this.history.noted(gesture, performance.now(), false));
-            this.state.editError.value = null;
+            this.state.problems.solved(what);
         } catch (error) {
-            tellFailure(this.state, error);
+            tellFailure(this.state, what, error);
         }
     }
 }

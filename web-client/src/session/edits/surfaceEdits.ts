@@ -60,7 +60,7 @@ export class SurfaceEdits {
         this.intent.value = intent;
         const setting = settingOf(intent, record, state.times.value, dataset?.steady ?? false);
         if (setting === null) {
-            state.editError.value = noTimeLeft(intent);
+            state.problems.say(`surface ${record.surface}`, noTimeLeft(intent));
             return;
         }
         const one = this.edited.get(record.surface) ?? this.track(record.surface);
@@ -114,12 +114,12 @@ export class SurfaceEdits {
         const { state, worker, latency, history, requested } = this.options;
         try {
             const { surface, epoch } = await worker.call('surface.set', setting);
-            state.editError.value = null;
+            state.problems.solved(`surface ${id}`);
             history.noted(`surface ${id}`, editedAt, false);
             latency.answered(surface, epoch, editedAt);
             requested({ surface, epoch });
         } catch (error) {
-            const refused = tellFailure(state, error);
+            const refused = tellFailure(state, `surface ${id}`, error);
             const one = this.edited.get(id);
             if (one !== undefined) one.refused ||= refused;
         }

@@ -81,7 +81,7 @@ export class UndoHistory {
         } catch (error) {
             // The rest is still to be turned, what was turned can be turned back.
             this.keep(way, step, step.calls - results.length);
-            tellFailure(this.state, error);
+            tellFailure(this.state, 'undo', error);
         }
         this.keep(way === 'undo' ? 'redo' : 'undo', step, results.filter(({ skipped }) => skipped.length === 0).length);
         this.count();
@@ -94,6 +94,7 @@ export class UndoHistory {
 
     private tell(way: Way, skipped: HistoryDepth['skipped']): void {
         this.words.value = way === 'undo' ? 'Undone.' : 'Done again.';
+        this.state.problems.solved('undo');
         if (skipped.length === 0) return;
         const why = skipped.map(({ type, id, why: reason }) => reason.replace(`${type} ${id}`, this.nameOf(type, id)));
         const done = way === 'undo' ? 'taken back' : 'done again';

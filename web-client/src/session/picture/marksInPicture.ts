@@ -36,7 +36,7 @@ export function showMarks(state: AppState, view: ViewState, scene: FlowScene): v
 
 function probeWords({ inside, values }: ProbeReading): string {
     if (!inside) return 'nothing flows here';
-    return values.map(({ name, value }) => `${name} ${valueWords(value)}`).join(', ');
+    return values.map(({ name, value }) => `${Array.isArray(value) ? `|${name}|` : name} ${valueWords(value)}`).join(', ');
 }
 
 /** Of a vector its length. */

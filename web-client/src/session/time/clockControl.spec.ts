@@ -41,6 +41,6 @@ describe('ClockControl', () => {
         clock.set(1);
         clock.flush();
         await settled();
-        expect(state.editError.value).toBe('your role may not do this');
+        expect([...state.problems.all.value.values()]).toEqual(['your role may not do this']);
     });
 });

@@ -44,12 +44,12 @@ export class ClockControl {
     }
 
     private async send(call: () => Promise<unknown>): Promise<void> {
-        const { editError } = this.options.state;
+        const { problems } = this.options.state;
         try {
             await call();
-            editError.value = null;
+            problems.solved('clock');
         } catch (error) {
-            editError.value = error instanceof Error ? error.message : String(error);
+            problems.tell('clock', error);
         }
     }
 }

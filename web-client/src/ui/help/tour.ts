@@ -42,6 +42,15 @@ export class Tour extends SignalElement {
                 flex: 1;
                 color: var(--quiet);
             }
+            @media (max-width: 760px) {
+                section {
+                    width: auto;
+                    padding: 8px 12px;
+                }
+                p {
+                    margin-bottom: 6px;
+                }
+            }
         `,
     ];
 

@@ -13,11 +13,12 @@ export interface TourStep {
 export interface TourStart {
     rakeRevisions: string;
     pose: string;
+    looks: AppModel['view']['looks']['value'];
 }
 
-export function tourStart({ state, scene }: AppModel): TourStart {
+export function tourStart({ state, scene, view }: AppModel): TourStart {
     const revisions = [...state.rakes.value.values()].map(({ rake, rev }) => `${rake} ${rev}`);
-    return { rakeRevisions: revisions.join(), pose: JSON.stringify(scene.controls.pose) };
+    return { rakeRevisions: revisions.join(), pose: JSON.stringify(scene.controls.pose), looks: view.looks.value };
 }
 
 export const tourSteps: readonly TourStep[] = [
@@ -57,7 +58,7 @@ export const tourSteps: readonly TourStep[] = [
         id: 'look',
         title: 'Make it readable',
         words: () => 'Under Look, colour the surface by another field, make it see-through, or draw lines on it.',
-        done: () => false,
+        done: ({ view }, before) => view.looks.value !== before.looks,
     },
     {
         id: 'share',

@@ -41,13 +41,17 @@ export class ScalarBar extends SignalElement {
             }
             figcaption {
                 display: flex;
+                flex-wrap: wrap;
                 justify-content: space-between;
-                gap: 8px;
+                gap: 0 8px;
                 margin-bottom: 4px;
+            }
+            /* A line of its own where both do not fit: a figure repeats what stands here span by span, each in one line. */
+            figcaption span {
+                white-space: nowrap;
             }
             .range {
                 color: var(--quiet);
-                white-space: nowrap;
                 font-variant-numeric: tabular-nums;
             }
             .ticks {

@@ -37,9 +37,10 @@ export class WindowsPanel extends SignalElement {
         if (!whole.every(Number.isFinite) || !(whole[1] > whole[0])) return html``;
         const [low, high] = window ?? whole;
         const step = (whole[1] - whole[0]) / 200;
+        // Ages come in steps of the wire: the youngest is zero but for one of those.
         const slider = (end: 'from' | 'to', value: number): TemplateResult =>
             sliderRow({
-                ...{ id: `${id}-${end}`, words: `${words}, ${end}`, value, shown: shortNumber(value) },
+                ...{ id: `${id}-${end}`, words: `${words}, ${end}`, value, shown: shortNumber(Math.abs(value) < step / 2 ? 0 : value) },
                 ...{ low: whole[0], high: whole[1], step },
                 change: (at) => this.change(name, end === 'from' ? [at, Math.max(at, high)] : [Math.min(at, low), at], whole),
             });

@@ -18,7 +18,7 @@ export const exportStyles = css`
         flex-wrap: wrap;
     }
     select {
-        max-width: 180px;
+        max-width: 210px;
     }
     input[type='number'] {
         width: 84px;

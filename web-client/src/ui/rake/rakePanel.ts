@@ -7,7 +7,7 @@ import { movedHandle } from '../../scene/rake/rakeInteraction.ts';
 import { gripOf, type Handle } from '../../scene/rake/rakeHandles.ts';
 import { asKind, circleOf, circleShape, withoutPoint, withPointAfter } from '../../scene/rake/rakeShape.ts';
 import { gridStep, unitAxis } from '../../scene/rake/snapping.ts';
-import { niceStep } from '../../scene/base/ticks.ts';
+import { niceStep, shortNumber } from '../../scene/base/ticks.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import type { AppModel } from '../base/appModel.ts';
 import { handleNameOf, handleRows } from './rakeRows.ts';
@@ -29,6 +29,7 @@ const turnKeys: Record<string, 1 | -1> = { ArrowLeft: 1, ArrowUp: 1, ArrowRight:
 /** Of the domain's diagonal; ten times as much with Shift. */
 const stepFractions = [0.002, 0.01, 0.05];
 const turnDegrees = 5;
+const mostSeeds = 4096;
 const axes = ['x', 'y', 'z'] as const;
 const shapes: [RakeKind, string][] = [
     ['line', 'Line'],
@@ -112,7 +113,7 @@ export class RakePanel extends SignalElement {
                 </select>
             </label>
             <label>Seeds
-                <input id="seeds" type="number" min="2" max="4096" step="1"
+                <input id="seeds" type="number" min="2" max=${mostSeeds} step="1"
                     .value=${String(edits.seeds.value)} @change=${this.seedsChanged} />
             </label>
         </div>`;
@@ -308,7 +309,15 @@ export class RakePanel extends SignalElement {
     /** What is refused, or does not fit into the domain, does not stay in the field: no signal changes that would tell it. */
     private numberChanged(event: Event, handle: Handle, axis: Axis): void {
         const field = event.target as HTMLInputElement;
-        if (Number.isFinite(field.valueAsNumber)) this.moveTo(field.valueAsNumber, handle, axis);
+        const typed = field.valueAsNumber;
+        if (Number.isFinite(typed)) this.moveTo(typed, handle, axis);
+        const { bounds } = this.model.state.dataset.value!;
+        const [low, high] = [bounds[2 * axis]!, bounds[2 * axis + 1]!];
+        const { problems } = this.model.state;
+        if (typed < low || typed > high) {
+            const [from, to] = [shortNumber(low), shortNumber(high)];
+            problems.say('rake outside', `The domain goes from ${axes[axis]} = ${from} to ${to}: the rake ends there.`);
+        } else problems.solved('rake outside');
         field.value = numberText(this.placeOf(handle)[axis]);
     }
 
@@ -330,7 +339,10 @@ export class RakePanel extends SignalElement {
         const { state, edits } = this.model;
         const field = event.target as HTMLInputElement;
         const seeds = Math.round(field.valueAsNumber);
-        if (seeds >= 2 && seeds <= 4096) edits.changeRake(state.activeRake.value ?? '', { seeds });
+        if (seeds >= 2 && seeds <= mostSeeds) {
+            state.problems.solved('seeds');
+            edits.changeRake(state.activeRake.value ?? '', { seeds });
+        } else state.problems.say('seeds', `A rake has 2 to ${mostSeeds} seeds. It keeps its ${edits.seeds.value}.`);
         field.value = String(edits.seeds.value);
     }
 }

@@ -53,7 +53,14 @@ export class LinksPanel extends SignalElement {
                 display: flex;
                 justify-content: space-between;
                 align-items: center;
+                gap: 8px;
                 min-height: 32px;
+            }
+            li button {
+                flex: none;
+            }
+            a {
+                color: var(--accent);
             }
             p {
                 margin: 6px 0;
@@ -97,14 +104,14 @@ export class LinksPanel extends SignalElement {
                               ${this.copied.value ? 'Copied' : 'Copy'}
                           </button>
                       </div>
-                      <p class="quiet">Whoever has this link ${roleWords[made.role]}. It is not shown again.</p>`}
+                      <p class="quiet">Whoever opens this link ${roleWords[made.role]}. It is not shown again.</p>`}
             ${this.shares.value.length === 0
                 ? nothing
                 : html`<ul aria-label="Links that hold">
                       ${this.shares.value.map((share) => this.share(share))}
                   </ul>`}
             <div class="fork">
-                <button type="button" id="fork" @click=${this.fork}>Copy this session</button>
+                <button type="button" id="fork" @click=${this.fork}>Go on with a copy</button>
                 ${this.forked.value === null
                     ? nothing
                     : html`<p>
@@ -116,7 +123,7 @@ export class LinksPanel extends SignalElement {
     }
 
     private share({ grant, role, expires }: Share): TemplateResult {
-        const until = expires === undefined ? 'until taken back' : `until ${new Date(expires * 1000).toLocaleString()}`;
+        const until = expires === undefined ? 'until taken back' : `until ${momentWords(new Date(expires * 1000))}`;
         return html`<li>
             <span>${role === 'viewer' ? 'to look on' : role === 'editor' ? 'to edit' : 'to host'}, ${until}</span>
             <button type="button" @click=${() => this.takeBack(grant)}>Take back</button>
@@ -166,6 +173,12 @@ export class LinksPanel extends SignalElement {
         link.hash = `session=${encodeURIComponent(fork.session)}`;
         this.forked.value = link.href;
     }
+}
+
+/** To the minute, and the day where it is not today. */
+function momentWords(moment: Date): string {
+    const today = moment.toDateString() === new Date().toDateString();
+    return moment.toLocaleString([], { ...(today ? {} : { dateStyle: 'medium' }), timeStyle: 'short' });
 }
 
 customElements.define('wakesurf-links', LinksPanel);

@@ -41,7 +41,10 @@ export class NotesPanel extends SignalElement {
 
     override render(): TemplateResult {
         const notes = [...this.model.state.annotations.value.values()];
-        if (notes.length === 0) return html`<p class="quiet">None yet. Choose Note over the picture and click where it should stand.</p>`;
+        if (notes.length === 0) {
+            const how = this.model.state.role.value === 'viewer' ? '' : ' Choose Note over the picture and click where it should stand.';
+            return html`<p class="quiet">None yet.${how}</p>`;
+        }
         return html`<ul aria-label="Notes">
             ${notes.map((note) => this.row(note))}
         </ul>`;

@@ -44,7 +44,7 @@ export class Banner extends SignalElement {
         return html`<div role="status" aria-live="polite">
                 ${this.connection()} ${this.importing()} ${this.catchingUp()} ${this.notice()}
             </div>
-            <div role="alert">${this.editError()}</div>`;
+            <div role="alert">${this.problems()}</div>`;
     }
 
     private connection(): TemplateResult | typeof nothing {
@@ -96,13 +96,14 @@ export class Banner extends SignalElement {
         </div>`;
     }
 
-    private editError(): TemplateResult | typeof nothing {
-        const { editError } = this.model.state;
-        if (editError.value === null) return nothing;
-        return html`<div class="banner down" id="edit-error">
-            <span class="words">${editError.value}</span>
-            <button type="button" @click=${() => (editError.value = null)}>Dismiss</button>
-        </div>`;
+    private problems(): TemplateResult[] {
+        const { problems } = this.model.state;
+        return [...problems.all.value].map(
+            ([about, words]) => html`<div class="banner down" data-about=${about}>
+                <span class="words">${words}</span>
+                <button type="button" @click=${() => problems.solved(about)}>Dismiss</button>
+            </div>`,
+        );
     }
 
     private notice(): TemplateResult | typeof nothing {

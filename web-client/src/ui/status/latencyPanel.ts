@@ -29,18 +29,12 @@ export class LatencyPanel extends SignalElement {
                 display: block;
             }
             summary {
-                display: flex;
-                justify-content: space-between;
+                color: var(--quiet);
                 cursor: pointer;
             }
-            summary span:first-child {
-                color: var(--quiet);
-            }
-            summary span:first-child::before {
-                content: '▸ ';
-            }
-            details[open] summary span:first-child::before {
-                content: '▾ ';
+            summary span {
+                float: right;
+                color: var(--text);
             }
             dl {
                 display: grid;
@@ -73,7 +67,7 @@ export class LatencyPanel extends SignalElement {
         const roundTrip = this.model.state.roundTripMs.value;
         return html`<details id="latency" @toggle=${(event: Event) => (this.open.value = (event.target as HTMLDetailsElement).open)}>
             <summary>
-                <span>Edit to picture</span>
+                Edit to picture
                 <span id="latency-total">${sample === null ? '–' : `${Math.round(sample.milliseconds)} ms`}</span>
             </summary>
             <dl>

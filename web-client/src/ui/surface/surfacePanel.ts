@@ -90,7 +90,7 @@ export class SurfacePanel extends SignalElement {
                 font-size: 12px;
             }
             select {
-                max-width: 176px;
+                max-width: 190px;
             }
             .several {
                 display: grid;
@@ -178,7 +178,7 @@ export class SurfacePanel extends SignalElement {
                 <label class="row" for="separation">
                     <span>Separation</span>
                     <select id="separation" @change=${this.separationChanged}>
-                        ${this.separationChoices(dataset.finestSpacing, intent.separation)}
+                        ${this.separationChoices(dataset, intent.separation)}
                     </select>
                 </label>
                 ${this.choice('direction', 'Direction', directions, intent.direction, (direction) => ({ direction }))}
@@ -328,10 +328,11 @@ export class SurfacePanel extends SignalElement {
         </div>`;
     }
 
-    private separationChoices(spacing: number, current: number): TemplateResult[] {
+    private separationChoices({ finestSpacing, points }: DatasetDescription, current: number): TemplateResult[] {
         const choices = separations.map(({ factor, words }) => ({
-            value: factor * spacing,
-            words: `${this.length(factor * spacing)}, ${words}`,
+            value: factor * finestSpacing,
+            // A formula has no grid.
+            words: `${this.length(factor * finestSpacing)}, ${factor === 1 && points === 0 ? 'usual' : words}`,
         }));
         const close = (value: number): boolean => Math.abs(value - current) <= 1e-6 * current;
         if (!choices.some(({ value }) => close(value))) {

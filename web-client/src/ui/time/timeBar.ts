@@ -126,7 +126,7 @@ export class TimeBar extends SignalElement {
                 ${choices.map(
                     (each) =>
                         html`<option value=${each} .selected=${close(each)}>
-                            ${shortNumber(each)}× (${this.words(each * normal)}/s)
+                            ${shortNumber(each)}×${normal > 0 ? ` (${this.words(each * normal)}/s)` : ''}
                         </option>`,
                 )}
             </select>

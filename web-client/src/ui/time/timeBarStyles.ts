@@ -81,4 +81,14 @@ export const timeBarStyles = css`
     wakesurf-copy-as {
         margin: 0;
     }
+    /* Scripts are for where there are terminals; the signs of the marks are in the timeline's own words. */
+    @media (max-width: 500px) {
+        #speed {
+            max-width: 112px;
+        }
+        wakesurf-copy-as,
+        .legend [aria-hidden] {
+            display: none;
+        }
+    }
 `;

@@ -22,6 +22,11 @@ export class ToolButtons extends SignalElement {
                 display: grid;
                 gap: 4px;
             }
+            @media (max-width: 760px) {
+                div {
+                    grid-auto-flow: column;
+                }
+            }
             button[aria-pressed='true'] {
                 border-color: var(--accent);
                 background: var(--accent);

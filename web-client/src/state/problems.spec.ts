@@ -1,0 +1,27 @@
+import { describe, expect, it } from 'vitest';
+import { Problems } from './problems.ts';
+
+describe('Problems', () => {
+    it('keeps what is said of one thing while another works again', () => {
+        const problems = new Problems();
+        problems.say('rake r1', 'somebody else drags it');
+        problems.tell('probe', new Error('the time is outside'));
+        problems.solved('rake r2');
+        problems.solved('probe');
+        expect([...problems.all.value]).toEqual([['rake r1', 'somebody else drags it']]);
+        problems.solved('rake r1');
+        expect(problems.all.value.size).toBe(0);
+    });
+
+    it('has the newest words about a thing, and changes only where they do', () => {
+        const problems = new Problems();
+        let changes = 0;
+        problems.all.subscribe(() => ++changes);
+        problems.say('clock', 'first');
+        problems.say('clock', 'second');
+        problems.say('clock', 'second');
+        problems.solved('nothing of the kind');
+        expect([...problems.all.value.values()]).toEqual(['second']);
+        expect(changes).toBe(3); // as it was at first, and two changes
+    });
+});
