@@ -140,6 +140,39 @@ describe('the others in the picture', () => {
     });
 });
 
+describe('somebody of whom nothing is in the picture', () => {
+    it('has their name at the edge, on the way to where they look from', async () => {
+        await host.evaluate(() => window.wakesurf!.setCamera([5, -26, 8], [5, 0, 3]));
+        await guest.evaluate(() => window.wakesurf!.setCamera([70, 10, 12], [5, 0, 3]));
+        await guest.mouse.move(300, 420);
+        await guest.mouse.down();
+        await guest.mouse.move(302, 420);
+        await guest.mouse.up();
+        await guest.getByRole('tab', { name: 'Share' }).hover();
+        const eye = (await ask(guest, (hook) => hook.camera)).position;
+        const hint = host.locator('.person', { hasText: /guest 2 .$/ });
+        const picture = (await host.locator('canvas').first().boundingBox())!;
+        const middle = { x: picture.x + picture.width / 2, y: picture.y + picture.height / 2 };
+        // Left free for the buttons.
+        const inset = { left: 8, right: 100, top: 48, bottom: 8 };
+        await expect
+            .poll(async () => {
+                const [box, at] = [await hint.boundingBox(), await host.evaluate((point) => window.wakesurf!.project(point), eye)];
+                if (box === null || at === null) return 99;
+                // Where the way there crosses the border, and how far along its words the label is held.
+                const reach = (picture.width / 2 - inset.right) / (at.x - middle.x);
+                const crossing = { x: middle.x + reach * (at.x - middle.x), y: middle.y + reach * (at.y - middle.y) };
+                const share = (crossing.y - picture.y - inset.top) / (picture.height - inset.top - inset.bottom);
+                return Math.hypot(box.x + box.width - crossing.x, box.y + box.height * share - crossing.y);
+            })
+            .toBeLessThan(2);
+        const box = (await hint.boundingBox())!;
+        const tools = (await host.getByRole('group', { name: 'Tools' }).boundingBox())!;
+        expect(box.x + box.width).toBeLessThan(tools.x);
+        await screenshot(host, 'others-outside');
+    });
+});
+
 describe('notes', () => {
     it('stand where they were put, for everybody, until they are deleted', async () => {
         await host.evaluate(() => window.wakesurf!.setCamera([5, -26, 8], [5, 0, 3]));

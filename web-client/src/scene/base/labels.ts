@@ -2,6 +2,10 @@
 // frame, because text is costly to lay out.
 import type { ScreenPoint } from './view.ts';
 
+/** The middle of the words is there, or their beginning. */
+const centred: ScreenPoint = { x: 0.5, y: 0.5 };
+export const beside: ScreenPoint = { x: 0, y: 0 };
+
 export class Labels {
     private readonly layer: HTMLElement;
     private readonly pool: HTMLElement[] = [];
@@ -17,14 +21,14 @@ export class Labels {
         this.used = 0;
     }
 
-    /** At a canvas position: centred on it, or beginning there. */
-    place(at: ScreenPoint, text: string, className: string, how: 'centred' | 'beside' = 'centred'): HTMLElement {
+    /** @param anchor what of the words is at the canvas position `at`: a share of their width and height */
+    place(at: ScreenPoint, text: string, className: string, anchor: ScreenPoint = centred): HTMLElement {
         const label = this.next();
         if (label.textContent !== text) label.textContent = text;
         if (label.className !== className) label.className = className;
         const [x, y] = [at.x.toFixed(1), at.y.toFixed(1)];
-        const centring = how === 'centred' ? 'translate(-50%, -50%) ' : '';
-        label.style.transform = `${centring}translate(${x}px, ${y}px)`;
+        const [left, up] = [(-100 * anchor.x).toFixed(1), (-100 * anchor.y).toFixed(1)];
+        label.style.transform = `translate(${left}%, ${up}%) translate(${x}px, ${y}px)`;
         label.hidden = false;
         return label;
     }

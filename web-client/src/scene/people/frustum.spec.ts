@@ -2,7 +2,7 @@ import { PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { CameraPlace, Vec3 } from '../../protocol/messages.ts';
 import { View } from '../base/view.ts';
-import { frustumSegments } from './frustum.ts';
+import { frustumSegments, looksFromHere } from './frustum.ts';
 
 const place: CameraPlace = { position: [3, -8, 2], target: [0, 0, 0], up: [0, 0, 1], fov: 30 };
 
@@ -21,6 +21,14 @@ describe('frustumSegments', () => {
             expect(x).toBeCloseTo(expected[i]![0], 6);
             expect(y).toBeCloseTo(expected[i]![1], 6);
         });
+    });
+
+    it('is none of a camera that is where one looks from oneself', () => {
+        const camera = new PerspectiveCamera(30, 1.6, 0.1, 100);
+        camera.position.set(...place.position);
+        const view = new View(camera, { width: 160, height: 100 });
+        expect(looksFromHere(view, place)).toBe(true);
+        expect(looksFromHere(view, { ...place, position: [3, -7.5, 2] })).toBe(false);
     });
 
     it('has eight lines, also where the camera looks along its up, and none of a camera without a direction', () => {

@@ -4,10 +4,13 @@ import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineS
 import type { Participant, Vec3 } from '../../protocol/messages.ts';
 import { Labels } from '../base/labels.ts';
 import type { Layer, View } from '../base/view.ts';
-import { frustumSegments } from './frustum.ts';
+import { arrowTowards, edgeHint } from './edgeHint.ts';
+import { frustumSegments, looksFromHere } from './frustum.ts';
 
 const pointerRadiusPx = 6;
 const nameGapPx = 14;
+/** The buttons of view and tools are above and to the right. */
+const hintInsets = { left: 8, right: 100, top: 48, bottom: 8 };
 const frustumFloats = 16 * 3;
 
 /** What is drawn of one person. */
@@ -37,8 +40,8 @@ class Figure {
         this.frustum.material.color = colour;
         const { camera, pointer } = participant;
         const segments = camera === undefined || camera === null ? [] : frustumSegments(camera);
-        this.frustum.visible = segments.length > 0;
         this.pointer.visible = pointer !== undefined && pointer !== null;
+        this.frustum.geometry.setDrawRange(0, segments.length);
         if (segments.length === 0) return;
         const position = this.frustum.geometry.getAttribute('position') as BufferAttribute;
         position.set(segments.flat());
@@ -87,17 +90,29 @@ export class PeopleLayer implements Layer {
     update(view: View): void {
         this.labels.begin();
         for (const { participant, pointer, frustum } of this.figures.values()) {
-            const { pointer: pointsAt, camera } = participant;
-            if (pointer.visible) {
-                pointer.position.set(...(pointsAt as Vec3));
-                pointer.scale.setScalar(view.worldPerPx(pointsAt as Vec3) * pointerRadiusPx);
-                this.name(view, pointsAt as Vec3, participant);
+            const { pointer: pointsAt = null, camera = null } = participant;
+            const eye = camera !== null && !looksFromHere(view, camera) ? camera.position : null;
+            frustum.visible = eye !== null;
+            if (pointsAt !== null) {
+                pointer.position.set(...pointsAt);
+                pointer.scale.setScalar(view.worldPerPx(pointsAt) * pointerRadiusPx);
+                this.name(view, pointsAt, participant);
             }
-            if (frustum.visible && camera !== undefined && camera !== null) {
-                this.name(view, camera.position, participant);
-            }
+            if (eye !== null) this.name(view, eye, participant);
+            this.hint(view, [pointsAt, eye].filter((place) => place !== null), participant);
         }
         this.labels.end();
+    }
+
+    /** Somebody of whom nothing is in the picture, at the edge of it: towards what they point at, else where they look from. */
+    private hint(view: View, places: readonly Vec3[], { name, colour }: Participant): void {
+        const hints = places.map((place) => edgeHint(view, place, hintInsets));
+        const [hint] = hints;
+        if (hint === undefined || hint === null || hints.includes(null)) return;
+        const { at, share, towards } = hint;
+        const arrow = arrowTowards(towards);
+        const label = this.labels.place(at, towards.x < 0 ? `${arrow} ${name}` : `${name} ${arrow}`, 'person', share);
+        label.style.borderColor = colour;
     }
 
     private name(view: View, at: Vec3, { name, colour }: Participant): void {

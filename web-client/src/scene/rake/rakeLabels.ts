@@ -1,5 +1,5 @@
 // Words beside rakes: who holds one, what a dragged handle is held to.
-import { Labels } from '../base/labels.ts';
+import { beside, Labels } from '../base/labels.ts';
 import type { ScreenPoint } from '../base/view.ts';
 
 export interface RakeLabel {
@@ -22,7 +22,7 @@ export class RakeLabels {
         this.labels.begin();
         for (const { at, words, color } of labels) {
             const place = { x: at.x + clearancePx.x, y: at.y - clearancePx.y };
-            this.labels.place(place, words, 'rake-label', 'beside').style.borderLeftColor = color;
+            this.labels.place(place, words, 'rake-label', beside).style.borderLeftColor = color;
         }
         this.labels.end();
     }
