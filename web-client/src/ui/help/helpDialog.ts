@@ -1,6 +1,7 @@
 // What mouse and keys do, and the tour again.
 import { css, html, type TemplateResult } from 'lit';
 import type { AppModel } from '../base/appModel.ts';
+import { dialogStyles } from '../base/dialogStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 import { isTyping } from '../base/typing.ts';
@@ -24,17 +25,10 @@ export class HelpDialog extends SignalElement {
 
     static override styles = [
         sharedStyles,
+        dialogStyles,
         css`
             dialog {
                 max-width: 460px;
-                padding: 18px 22px;
-                border: 1px solid var(--line);
-                border-radius: 10px;
-                background: var(--ground);
-                color: var(--text);
-            }
-            dialog::backdrop {
-                background: rgb(0 0 0 / 0.4);
             }
             h2 {
                 margin: 0 0 10px;
@@ -44,18 +38,13 @@ export class HelpDialog extends SignalElement {
                 display: grid;
                 grid-template-columns: auto 1fr;
                 gap: 5px 16px;
-                margin: 0 0 14px;
+                margin: 0;
             }
             dt {
                 font-weight: 600;
             }
             dd {
                 margin: 0;
-            }
-            .row {
-                display: flex;
-                justify-content: flex-end;
-                gap: 8px;
             }
             .open {
                 min-width: 28px;
@@ -73,7 +62,7 @@ export class HelpDialog extends SignalElement {
                             <dd>${words}</dd>`,
                     )}
                 </dl>
-                <div class="row">
+                <div class="answers">
                     <button type="button" @click=${this.tour}>Show the tour</button>
                     <button type="button" autofocus @click=${() => this.dialog?.close()}>Close</button>
                 </div>

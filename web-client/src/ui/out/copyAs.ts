@@ -9,6 +9,7 @@ import type { ScriptStep } from '../../session/out/scriptStep.ts';
 import { baseUrl, readFragment } from '../../session/view/urlState.ts';
 import type { AppModel } from '../base/appModel.ts';
 import { copyText } from '../base/copyText.ts';
+import { dialogStyles } from '../base/dialogStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -26,6 +27,7 @@ export class CopyAs extends SignalElement {
 
     static override styles = [
         sharedStyles,
+        dialogStyles,
         css`
             :host {
                 display: flex;
@@ -48,10 +50,6 @@ export class CopyAs extends SignalElement {
             }
             dialog {
                 width: min(720px, 90vw);
-                border: 1px solid var(--line);
-                border-radius: 10px;
-                background: var(--ground);
-                color: var(--text);
             }
             dialog p {
                 margin: 0 0 8px;

@@ -5,6 +5,7 @@ import type { ResultOf, Role } from '../../protocol/messages.ts';
 import type { AppModel } from '../base/appModel.ts';
 import { copyText } from '../base/copyText.ts';
 import { roleWords } from './roleWords.ts';
+import { listStyles } from '../base/listStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -27,6 +28,7 @@ export class LinksPanel extends SignalElement {
 
     static override styles = [
         sharedStyles,
+        listStyles,
         css`
             .new,
             .made {
@@ -45,9 +47,7 @@ export class LinksPanel extends SignalElement {
                 min-width: 0;
             }
             ul {
-                margin: 8px 0 0;
-                padding: 0;
-                list-style: none;
+                margin-top: 8px;
             }
             li {
                 display: flex;
@@ -64,9 +64,6 @@ export class LinksPanel extends SignalElement {
             }
             p {
                 margin: 6px 0;
-            }
-            .quiet {
-                color: var(--quiet);
             }
             .fork {
                 margin-top: 10px;

@@ -2,6 +2,7 @@
 import { css, html, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { AppModel } from '../base/appModel.ts';
+import { dialogStyles } from '../base/dialogStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -15,17 +16,10 @@ export class NoteDialog extends SignalElement {
 
     static override styles = [
         sharedStyles,
+        dialogStyles,
         css`
             dialog {
                 width: 340px;
-                padding: 16px 20px;
-                border: 1px solid var(--line);
-                border-radius: 10px;
-                background: var(--ground);
-                color: var(--text);
-            }
-            dialog::backdrop {
-                background: rgb(0 0 0 / 0.4);
             }
             label {
                 display: grid;
@@ -42,12 +36,6 @@ export class NoteDialog extends SignalElement {
                 font: inherit;
                 font-weight: 400;
             }
-            .row {
-                display: flex;
-                justify-content: flex-end;
-                gap: 8px;
-                margin-top: 12px;
-            }
         `,
     ];
 
@@ -59,7 +47,7 @@ export class NoteDialog extends SignalElement {
                     >${note.value?.annotation == null ? 'A note for everybody here' : 'Change the note'}
                     <textarea required maxlength=${longest} .value=${live(note.value?.text ?? '')}></textarea>
                 </label>
-                <div class="row">
+                <div class="answers">
                     <button type="button" @click=${() => this.dialog?.close()}>Cancel</button>
                     <button type="submit">Save</button>
                 </div>

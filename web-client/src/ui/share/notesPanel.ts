@@ -2,6 +2,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { AnnotationRecord } from '../../protocol/messages.ts';
 import type { AppModel } from '../base/appModel.ts';
+import { listStyles } from '../base/listStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -11,12 +12,8 @@ export class NotesPanel extends SignalElement {
 
     static override styles = [
         sharedStyles,
+        listStyles,
         css`
-            ul {
-                margin: 0;
-                padding: 0;
-                list-style: none;
-            }
             li {
                 margin-bottom: 10px;
             }
@@ -24,17 +21,6 @@ export class NotesPanel extends SignalElement {
                 margin: 0 0 4px;
                 overflow-wrap: anywhere;
                 white-space: pre-wrap;
-            }
-            .quiet {
-                color: var(--quiet);
-            }
-            .row {
-                display: flex;
-                align-items: center;
-                gap: 6px;
-            }
-            .row span {
-                flex: 1;
             }
         `,
     ];

@@ -3,6 +3,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import type { Participant, Role } from '../../protocol/messages.ts';
 import type { AppModel } from '../base/appModel.ts';
 import { roleWords } from './roleWords.ts';
+import { listStyles } from '../base/listStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -14,12 +15,8 @@ export class PeoplePanel extends SignalElement {
 
     static override styles = [
         sharedStyles,
+        listStyles,
         css`
-            ul {
-                margin: 0;
-                padding: 0;
-                list-style: none;
-            }
             li {
                 display: grid;
                 grid-template-columns: 12px minmax(0, 1fr) auto auto;
@@ -42,9 +39,6 @@ export class PeoplePanel extends SignalElement {
             }
             .away {
                 opacity: 0.6;
-            }
-            .quiet {
-                color: var(--quiet);
             }
         `,
     ];

@@ -17,6 +17,19 @@ const pxPerTick = 64;
 const pxPerMark = 5;
 const pageOfSteps = 5;
 
+interface Slider {
+    id: string;
+    handle: 'now-handle' | 'release-handle';
+    at: number;
+    disabled: boolean;
+    label: string;
+    /** What it says of where it is. */
+    words: string;
+    title?: string;
+    moved: (event: Event) => void;
+    keyed: (event: KeyboardEvent) => void;
+}
+
 export class Timeline extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: AppModel;
@@ -103,62 +116,52 @@ export class Timeline extends SignalElement {
     }
 
     private clockSlider(line: Span): TemplateResult {
-        const { playback } = this.model;
-        return html`<input
-            id="clock"
-            class="now-handle"
-            type="range"
-            min=${line[0]}
-            max=${line[1]}
-            step="any"
-            ?disabled=${this.mayNot}
-            .value=${this.place('clock', playback.time.value)}
-            aria-label="Shown at"
-            aria-valuetext=${`shown at ${this.words(playback.time.value)}`}
-            @pointerdown=${this.hold}
-            @input=${this.scrubbed}
-            @keydown=${this.keyed}
-        />`;
+        const { time } = this.model.playback;
+        return this.slider(line, {
+            ...{ id: 'clock', handle: 'now-handle', at: time.value, disabled: this.mayNot },
+            ...{ label: 'Shown at', words: `shown at ${this.words(time.value)}` },
+            ...{ moved: this.scrubbed, keyed: this.keyed },
+        });
     }
 
     private frozenSlider(line: Span): TemplateResult {
-        const { playback } = this.model;
-        const time = playback.time.value;
-        return html`<input
-            id="time"
-            class="now-handle"
-            type="range"
-            min=${line[0]}
-            max=${line[1]}
-            step="any"
-            ?disabled=${this.mayNot || playback.mode.value === 'none'}
-            .value=${this.place('time', Number.isFinite(time) ? time : line[0])}
-            aria-label="Time of the frozen field"
-            aria-valuetext=${`frozen at ${this.words(time)}`}
-            @pointerdown=${this.hold}
-            @input=${this.scrubbed}
-            @keydown=${this.keyed}
-        />`;
+        const { time, mode } = this.model.playback;
+        return this.slider(line, {
+            ...{ id: 'time', handle: 'now-handle', disabled: this.mayNot || mode.value === 'none' },
+            at: Number.isFinite(time.value) ? time.value : line[0],
+            ...{ label: 'Time of the frozen field', words: `frozen at ${this.words(time.value)}` },
+            ...{ moved: this.scrubbed, keyed: this.keyed },
+        });
     }
 
     private releaseSlider(line: Span): TemplateResult {
         const { playback, edits, state } = this.model;
         const from = edits.intent.value?.from ?? line[0];
+        return this.slider(line, {
+            ...{ id: 'time', handle: 'release-handle', at: from },
+            disabled: this.mayNot || state.times.value.length < 2,
+            ...{ label: 'Release', words: `released at ${this.words(from)}`, title: 'When the surface is released: drag' },
+            ...{ moved: (event) => playback.release(valueOf(event)), keyed: this.releaseKeyed },
+        });
+    }
+
+    private slider([first, last]: Span, slider: Slider): TemplateResult {
+        const { id, handle, at, disabled, label, words, title, moved, keyed } = slider;
         return html`<input
-            id="time"
-            class="release-handle"
+            id=${id}
+            class=${handle}
             type="range"
-            min=${line[0]}
-            max=${line[1]}
+            min=${first}
+            max=${last}
             step="any"
-            ?disabled=${this.mayNot || state.times.value.length < 2}
-            .value=${this.place('time', from)}
-            aria-label="Release"
-            aria-valuetext=${`released at ${this.words(from)}`}
-            title="When the surface is released: drag"
+            ?disabled=${disabled}
+            .value=${this.place(id, at)}
+            aria-label=${label}
+            aria-valuetext=${words}
+            title=${title ?? nothing}
             @pointerdown=${this.hold}
-            @input=${(event: Event) => playback.release(valueOf(event))}
-            @keydown=${this.releaseKeyed}
+            @input=${moved}
+            @keydown=${keyed}
         />`;
     }
 

@@ -4,6 +4,7 @@ import type { BookmarkRecord } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/ticks.ts';
 import { readPageView } from '../../state/pageView.ts';
 import type { AppModel } from '../base/appModel.ts';
+import { listStyles } from '../base/listStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -13,6 +14,7 @@ export class BookmarksPanel extends SignalElement {
 
     static override styles = [
         sharedStyles,
+        listStyles,
         css`
             form {
                 display: grid;
@@ -20,9 +22,7 @@ export class BookmarksPanel extends SignalElement {
                 gap: 6px;
             }
             ul {
-                margin: 6px 0 0;
-                padding: 0;
-                list-style: none;
+                margin-top: 6px;
             }
             li {
                 display: grid;
@@ -35,9 +35,6 @@ export class BookmarksPanel extends SignalElement {
                 text-align: left;
                 text-overflow: ellipsis;
                 white-space: nowrap;
-            }
-            .quiet {
-                color: var(--quiet);
             }
         `,
     ];
