@@ -7,6 +7,7 @@
 #include "core/dataset/slab_pool.hpp"
 #include "core/dataset/store_layout.hpp"
 #include "core/dataset/time_step_source.hpp"
+#include "core/dataset/wall_geometry.hpp"
 
 #include <array>
 #include <cstdint>
@@ -17,12 +18,6 @@
 #include <vector>
 
 namespace wakesurf::core {
-
-/// Obstacle geometry for display.
-struct WallGeometry {
-    std::vector<Vec3f> points;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-};
 
 /// A time-step counts as ready when its checksums are there, which are written last: a store can be read while it is
 /// still being written. A file is checked against its checksum when it is read for the first time, and again when it is

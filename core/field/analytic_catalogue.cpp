@@ -4,7 +4,6 @@
 #include "core/field/closed_forms.hpp"
 
 #include <numbers>
-#include <type_traits>
 
 namespace wakesurf::core {
 
@@ -12,8 +11,7 @@ namespace {
 
 template <class Form>
 std::unique_ptr<Flow> bounded(Form form, const Box& box) {
-    constexpr bool obstacle = !std::is_base_of_v<NoObstacle, Form>;
-    return std::make_unique<AnalyticFlow<Form>>(form, box, obstacle);
+    return std::make_unique<AnalyticFlow<Form>>(form, box);
 }
 
 using Values = std::span<const FlowParameter>;
@@ -30,14 +28,12 @@ const std::vector<AnalyticEntry>& analytic_entries() {
          {{"u", 1}, {"v", 0}, {"w", 0}},
          cube(-10, 10),
          true,
-         false,
          [](Values p, const Box& box) {
              return bounded(UniformFlow{{}, p[0].value, p[1].value, p[2].value}, box);
          }},
         {"oscillating",
          {{"u", 1}, {"a", 1}, {"omega", 2}},
          cube(-10, 10),
-         false,
          false,
          [](Values p, const Box& box) {
              return bounded(OscillatingFlow{{}, p[0].value, p[1].value, p[2].value}, box);
@@ -46,7 +42,6 @@ const std::vector<AnalyticEntry>& analytic_entries() {
          {{"omega", 1}, {"w", 0.2}},
          cube(-10, 10),
          true,
-         false,
          [](Values p, const Box& box) {
              return bounded(RotationFlow{{}, p[0].value, p[1].value}, box);
          }},
@@ -54,7 +49,6 @@ const std::vector<AnalyticEntry>& analytic_entries() {
          {{"u", 1}, {"g", 1}},
          cube(-20, 20),
          true,
-         false,
          [](Values p, const Box& box) {
              return bounded(ShearFlow{{}, p[0].value, p[1].value}, box);
          }},
@@ -62,14 +56,12 @@ const std::vector<AnalyticEntry>& analytic_entries() {
          {{"a", 0.5}, {"b", -0.5}, {"c", 0}},
          cube(-10, 10),
          true,
-         false,
          [](Values p, const Box& box) {
              return bounded(StrainFlow{{}, p[0].value, p[1].value, p[2].value}, box);
          }},
         {"rotating-strain",
          {{"s", 0.5}, {"omega", 1}, {"w", 0}},
          cube(-20, 20),
-         false,
          false,
          [](Values p, const Box& box) {
              return bounded(RotatingStrainFlow{{}, p[0].value, p[1].value, p[2].value}, box);
@@ -78,14 +70,12 @@ const std::vector<AnalyticEntry>& analytic_entries() {
          {{"gamma", 2 * std::numbers::pi}, {"rc", 0.3}, {"w", 0.5}},
          cube(-10, 10),
          true,
-         false,
          [](Values p, const Box& box) {
              return bounded(LambOseenFlow{{}, p[0].value, p[1].value, p[2].value}, box);
          }},
         {"sphere",
          {{"u", 1}, {"a", 0.5}},
          {Vec3(-5), Vec3(10, 5, 5)},
-         true,
          true,
          [](Values p, const Box& box) {
              return bounded(SphereFlow{p[0].value, p[1].value}, box);
@@ -94,7 +84,6 @@ const std::vector<AnalyticEntry>& analytic_entries() {
          {{"u", 1}, {"a", 0.5}, {"w", 0.2}},
          {Vec3(-5), Vec3(10, 5, 5)},
          true,
-         true,
          [](Values p, const Box& box) {
              return bounded(CylinderFlow{p[0].value, p[1].value, p[2].value}, box);
          }},
@@ -102,7 +91,6 @@ const std::vector<AnalyticEntry>& analytic_entries() {
          {{"u", 1}, {"a", 1}},
          cube(-3, 3),
          true,
-         false,
          [](Values p, const Box& box) {
              return bounded(HillFlow{{}, p[0].value, p[1].value}, box);
          }},
@@ -110,14 +98,12 @@ const std::vector<AnalyticEntry>& analytic_entries() {
          {{"A", 1}, {"B", 1}, {"C", 0}},
          cube(-20, 20),
          true,
-         false,
          [](Values p, const Box& box) {
              return bounded(AbcFlow{{}, p[0].value, p[1].value, p[2].value}, box);
          }},
         {"double-gyre",
          {{"A", 0.1}, {"eps", 0.25}, {"period", 10}, {"w", 0.1}},
          {Vec3(0, 0, -5), Vec3(2, 1, 5)},
-         false,
          false,
          [](Values p, const Box& box) {
              return bounded(DoubleGyreFlow{{}, p[0].value, p[1].value, p[2].value, p[3].value},
@@ -127,13 +113,11 @@ const std::vector<AnalyticEntry>& analytic_entries() {
          {},
          cube(0, 1),
          false,
-         false,
          [](Values, const Box& box) { return bounded(TornadoFlow{}, box); }},
         {"stagnation",
          {{"a", 1}},
          cube(-5, 5),
          true,
-         false,
          [](Values p, const Box& box) {
              return bounded(StagnationFlow{{}, p[0].value}, box);
          }},

@@ -20,7 +20,6 @@ struct AnalyticEntry {
     std::vector<FlowParameter> parameters;
     Box box;
     bool steady;
-    bool obstacle;
     std::unique_ptr<Flow> (*make)(std::span<const FlowParameter> p, const Box& box);
 };
 

@@ -105,7 +105,7 @@ Result<DatasetInfo> describe_analytic_flow(std::string_view specification) {
         info.times.push_back(0.5 * i);
     const std::unique_ptr<Flow> flow = entry->make(entry->parameters, entry->box);
     info.finest_spacing = flow->finest_spacing();
-    info.obstacle = entry->obstacle;
+    info.obstacle = flow->obstacle();
     FieldInfo velocity{"velocity", 3, FieldInfo::Source::Point, speed_range(*flow), ""};
     info.fields = {velocity};
     info.velocity = "velocity";

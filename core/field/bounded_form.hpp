@@ -38,7 +38,8 @@ struct BoundedForm {
 template <class Form>
 class AnalyticFlow final : public Flow {
   public:
-    AnalyticFlow(Form form, Box box, bool obstacle) : field_{form, box}, obstacle_(obstacle) {}
+    AnalyticFlow(Form form, Box box)
+        : field_{form, box}, obstacle_(!form.wall(box).triangles.empty()) {}
 
     Box domain() const override { return field_.box; }
 
@@ -79,6 +80,8 @@ class AnalyticFlow final : public Flow {
     bool resident() const override { return true; }
 
     bool obstacle() const override { return obstacle_; }
+
+    WallGeometry walls() const override { return field_.form.wall(field_.box); }
 
     Result<void> sample(std::span<const Vec3> positions,
                         std::span<const double> times,

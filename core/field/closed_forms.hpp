@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/vec3.hpp"
+#include "core/field/body_shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,8 @@ namespace wakesurf::core {
 /// Forms without an obstacle inherit this.
 struct NoObstacle {
     bool solid(const Vec3&) const { return false; }
+
+    WallGeometry wall(const Box&) const { return {}; }
 };
 
 struct UniformFlow : NoObstacle {
@@ -77,6 +80,8 @@ struct SphereFlow {
     }
 
     bool solid(const Vec3& p) const { return glm::dot(p, p) < a * a; }
+
+    WallGeometry wall(const Box& box) const { return sphere_wall(a, box); }
 };
 
 struct CylinderFlow {
@@ -89,6 +94,8 @@ struct CylinderFlow {
     }
 
     bool solid(const Vec3& p) const { return p.x * p.x + p.y * p.y < a * a; }
+
+    WallGeometry wall(const Box& box) const { return cylinder_wall(a, box); }
 };
 
 struct HillFlow : NoObstacle {

@@ -5,6 +5,7 @@
 #include "core/base/box.hpp"
 #include "core/base/point_status.hpp"
 #include "core/base/result.hpp"
+#include "core/dataset/wall_geometry.hpp"
 #include "core/field/node_shares.hpp"
 #include "core/integrate/curve.hpp"
 #include "core/integrate/particles.hpp"
@@ -60,6 +61,9 @@ class Flow {
 
     /// True when parts of the domain are solid.
     virtual bool obstacle() const = 0;
+
+    /// What is solid, to look at, where the flow itself knows its shape; nothing of stored data, whose store has it.
+    virtual WallGeometry walls() const { return {}; }
 
     /// Velocity at n points, each at its own time; the field's continuation outside the domain, zero inside
     /// obstacles of stored data.

@@ -4,7 +4,7 @@
 
 #include "core/dataset/grid.hpp"
 #include "core/dataset/solid_mask.hpp"
-#include "core/dataset/store_reader.hpp"
+#include "core/dataset/wall_geometry.hpp"
 #include "core/surface/quad_complex.hpp"
 
 namespace wakesurf::core {
@@ -19,7 +19,7 @@ QuadComplex obstacle_surface(const RectilinearGrid& grid, const SolidMask& mask)
 /// Of either; nothing for a mesh of cells, whose walls are faces and have no mask.
 QuadComplex obstacle_surface(const Grid& grid, const SolidMask& mask);
 
-/// Stored walls as cells, each a triangle whose third corner comes twice. Only positions and cells are filled in.
+/// Walls as cells, each a triangle whose third corner comes twice. Only positions and cells are filled in.
 QuadComplex wall_surface(const WallGeometry& walls);
 
 } // namespace wakesurf::core

@@ -37,15 +37,15 @@ std::vector<std::string> split(std::string_view path) {
     return parts;
 }
 
-/// What of a dataset particles stop at, to look at: the surface of the solid nodes, or the stored walls.
+/// What of a dataset particles stop at, to look at: the surface of the solid nodes, or the
+/// walls of the store or of a built-in flow.
 core::Result<core::QuadComplex> obstacle_of(const LoadedDataset& dataset) {
     const auto none =
         fail(Error::Code::NotFound, "the dataset has no obstacle", "dataset.describe says so");
-    if (dataset.store == nullptr)
-        return none;
-    if (!dataset.store->mask().empty())
-        return core::obstacle_surface(dataset.store->grid(), dataset.store->mask());
-    const auto walls = dataset.store->load_walls();
+    const core::StoreReader* store = dataset.store.get();
+    if (store != nullptr && !store->mask().empty())
+        return core::obstacle_surface(store->grid(), store->mask());
+    const auto walls = store != nullptr ? store->load_walls() : dataset.flow->walls();
     if (!walls)
         return tl::unexpected(walls.error());
     if (walls->triangles.empty())

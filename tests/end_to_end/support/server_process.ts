@@ -15,6 +15,8 @@ export interface ServerOptions {
     origin?: string;
     /** Instead of the bundled data. */
     data?: string;
+    /** Further datasets. */
+    more?: readonly string[];
     /** Kept between servers of one test, so that only the first imports. */
     store: string;
 }
@@ -29,7 +31,7 @@ export class ServerProcess {
         this.link = link;
     }
 
-    static async start({ port = 0, tokenFile, state, origin, data, store }: ServerOptions): Promise<ServerProcess> {
+    static async start({ port = 0, tokenFile, state, origin, data, more = [], store }: ServerOptions): Promise<ServerProcess> {
         const binary = process.env['WAKESURF_BINARY'] ?? join(projectRoot, 'build/release/bin/wakesurf');
         const optional = Object.entries({ '--token-file': tokenFile, '--state': state, '--origin': origin });
         const given = optional.flatMap(([name, value]) => (value === undefined ? [] : [name, value]));
@@ -38,6 +40,7 @@ export class ServerProcess {
             [
                 'serve',
                 data ?? process.env['WAKESURF_DATA'] ?? join(projectRoot, 'data/sqcyl/sqcyl.pvd'),
+                ...more,
                 ...['--listen', `127.0.0.1:${port}`, '--store', store],
                 ...['--web', join(projectRoot, 'web-client/dist'), ...given],
             ],

@@ -43,13 +43,13 @@ export class Stand {
     }
 }
 
-/** To be called at the top of a file of tests. */
-export function useStand(): Stand {
+/** To be called at the top of a file of tests. @param more  datasets beside the bundled one */
+export function useStand(more: readonly string[] = []): Stand {
     const stand = new Stand();
     const store = temporaryFolder();
     beforeAll(async () => {
         stand.network = await NetworkProxy.start();
-        stand.server = await ServerProcess.start({ store: store.path, origin: stand.network.origin });
+        stand.server = await ServerProcess.start({ store: store.path, origin: stand.network.origin, more });
         stand.network.lead(stand.server.port);
         stand.browser = await launchBrowser();
     });

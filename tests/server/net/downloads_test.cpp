@@ -1,10 +1,14 @@
 // Whole meshes over HTTP, in every format, from the real program.
+#include "protocol/lattice.hpp"
+#include "protocol/mesh_decoder.hpp"
 #include "tests/support/mesh_readers.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <span>
 #include <string>
 
 namespace wakesurf::tests {
@@ -50,6 +54,19 @@ class DownloadsTest : public testing::Test {
 
 ServerProcess* DownloadsTest::server_ = nullptr;
 std::string DownloadsTest::surface_;
+
+/// The body that the page draws: frames, each behind its length.
+protocol::WireMesh decoded(const std::string& body) {
+    protocol::MeshDecoder decoder;
+    for (std::size_t at = 0; at + 4 <= body.size();) {
+        std::uint32_t length = 0;
+        std::memcpy(&length, body.data() + at, sizeof length);
+        const auto frame = std::as_bytes(std::span(body)).subspan(at + 4, length);
+        EXPECT_TRUE(decoder.fold(frame));
+        at += 4 + length;
+    }
+    return decoder.newest() ? *decoder.newest()->mesh : protocol::WireMesh{};
+}
 
 } // namespace
 
@@ -108,6 +125,23 @@ TEST_F(DownloadsTest, OfFilesThereAreNotAre404AndSayWhichThereAre) {
         EXPECT_NE(reply.body.find(".vtp, .glb, .ply, .obj or .drc"), std::string::npos)
             << reply.body;
     }
+}
+
+TEST(ObstacleDownload, OfABuiltInFlowIsTheBodyThatItIsSolidIn) {
+    const ServerProcess server({"flow:sphere?a=2", "flow:tornado"});
+    const auto obstacle = [&](const std::string& dataset) {
+        return http(server.port(), "GET", "/api/v1/datasets/" + dataset + "/obstacle.bin",
+                    server.bearer());
+    };
+    const HttpReply reply = obstacle("sphere");
+    ASSERT_EQ(reply.status, 200) << reply.body;
+    const protocol::WireMesh mesh = decoded(reply.body);
+    const auto lattice = protocol::lattice_over({core::Vec3(-5), core::Vec3(10, 5, 5)});
+    ASSERT_GT(mesh.vertices(), 1000u);
+    EXPECT_GT(mesh.cells().size(), 2000u);
+    for (const protocol::LatticePoint& node : mesh.position)
+        EXPECT_NEAR(glm::length(protocol::dequantise(lattice, node)), 2.0, lattice.step);
+    EXPECT_EQ(obstacle("tornado").status, 404);
 }
 
 } // namespace wakesurf::tests

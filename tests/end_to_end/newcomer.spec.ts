@@ -1,0 +1,114 @@
+// What a first visitor meets beside the tour: several datasets and their bodies, numbers that cannot be taken, a phone.
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { useStand } from './support/stand.ts';
+
+const stand = useStand(['flow:sphere']);
+const size = { width: 800, height: 500 };
+
+function banner(page: Page, about: string): ReturnType<Page['locator']> {
+    return page.locator(`[data-about="${about}"]`);
+}
+
+describe('a server with several datasets', () => {
+    it('offers them, and shows the body of a flow by formula where it is', async () => {
+        const page = await stand.visit(size);
+        const first = await ask(page, (hook) => hook.session);
+        await page.getByLabel('Dataset').selectOption('sphere');
+        await page.waitForFunction(() => window.wakesurf?.bounds?.[1] === 10);
+        await page.getByText('a flow by formula, 1 time-step').waitFor();
+        await finalSurface(page);
+        expect(await ask(page, (hook) => hook.session)).not.toBe(first);
+
+        // Seen along x: the sphere of radius 0.5 is round and grey. Its left half is behind the rake and the sheet.
+        await page.evaluate(() => window.wakesurf!.setCamera([-8, 0, 0], [0, 0, 0]));
+        const middle = (await page.evaluate(() => window.wakesurf!.project([0, 0, 0])))!;
+        // The outline that an eye at distance 8 sees: the tangent from there.
+        const edge = (await page.evaluate(() => window.wakesurf!.project([0, (8 * 0.5) / Math.sqrt(8 ** 2 - 0.5 ** 2), 0])))!;
+        const radius = Math.abs(edge.x - middle.x);
+        expect(radius).toBeGreaterThan(12);
+        const ring = (factor: number): Promise<boolean[]> => {
+            const angles = Array.from({ length: 12 }, (_, k) => ((k - 5.5) * Math.PI) / 12);
+            const places = angles.map((angle) => ({
+                x: middle.x + factor * radius * Math.cos(angle),
+                y: middle.y + factor * radius * Math.sin(angle),
+            }));
+            return page.evaluate(
+                (all) => window.wakesurf!.pixelsAt(all).map((rgb) => Math.min(...rgb) > 40 && Math.max(...rgb) - Math.min(...rgb) < 40),
+                places,
+            );
+        };
+        await expect.poll(async () => (await ring(0.9)).every((grey) => grey)).toBe(true);
+        expect((await ring(1.1)).some((grey) => grey)).toBe(false);
+        await screenshot(page, 'body-of-a-formula');
+        await page.context().close();
+    });
+
+    it('offers them as well where a link asks for another', async () => {
+        const link = new URL(stand.server.link);
+        link.hash = `${link.hash}&dataset=gone`;
+        const context = await stand.browser.newContext({ viewport: size });
+        const page = await context.newPage();
+        await page.goto(link.href);
+        await page.getByText('does not have the dataset of this link').waitFor();
+        await page.getByLabel('Dataset').selectOption('sqcyl');
+        await finalSurface(page);
+        await context.close();
+    });
+});
+
+describe('a number that a rake cannot have', () => {
+    it('is answered with those that it can, each in words of its own, until it is put right', async () => {
+        const page = await stand.visit(size);
+        const seeds = page.getByLabel('Seeds');
+        await seeds.fill('100000');
+        await seeds.press('Enter');
+        await banner(page, 'seeds').getByText('2 to 4096 seeds').waitFor();
+        expect(await seeds.inputValue()).toBe('32');
+        const end = page.getByLabel('End x');
+        await end.fill('99');
+        await end.press('Enter');
+        await banner(page, 'rake outside').getByText('x = −3 to 12.92').waitFor();
+        // The record that the second edit made is no answer to the first.
+        await expect.poll(() => ask(page, (hook) => Math.round(100 * hook.rakePoints[1]![0]!))).toBe(1292);
+        expect(await banner(page, 'seeds').count()).toBe(1);
+        await seeds.fill('20');
+        await seeds.press('Enter');
+        await banner(page, 'seeds').waitFor({ state: 'detached' });
+        await banner(page, 'rake outside').getByRole('button', { name: 'Dismiss' }).click();
+        expect(await banner(page, 'rake outside').count()).toBe(0);
+        await page.context().close();
+    });
+});
+
+describe('on a phone', () => {
+    it('the settings have room under their tabs, and no button lies over another', async () => {
+        const page = await stand.visit({ width: 390, height: 844 });
+        const buttons = page.locator('main button');
+        const boxes = await Promise.all((await buttons.all()).map((button) => button.boundingBox()));
+        const shown = boxes.filter((box) => box !== null);
+        expect(shown.length).toBeGreaterThan(4);
+        shown.forEach((a, i) =>
+            shown.slice(i + 1).forEach((b) => {
+                const apart = a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+                expect(apart, `${JSON.stringify(a)} ${JSON.stringify(b)}`).toBe(true);
+            }),
+        );
+        const panel = page.getByRole('complementary', { name: 'Settings' });
+        const room = (await panel.boundingBox())!;
+        expect(room.height).toBeGreaterThan(844 * 0.35);
+        expect(room.y + room.height).toBeLessThanOrEqual(844);
+        // The last control of the longest tab can be reached, under tabs that stay.
+        const last = page.getByLabel('Snap to a grid');
+        await last.scrollIntoViewIfNeeded();
+        const tabs = (await page.getByRole('tablist').boundingBox())!;
+        const box = (await last.boundingBox())!;
+        expect(Math.abs(tabs.y - room.y)).toBeLessThan(2);
+        expect(box.y).toBeGreaterThan(tabs.y + tabs.height);
+        expect(box.y + box.height).toBeLessThan(844);
+        await last.check();
+        await screenshot(page, 'phone');
+        await page.context().close();
+    });
+});
