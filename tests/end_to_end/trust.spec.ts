@@ -33,8 +33,9 @@ describe('a first visit', () => {
         await page.getByRole('button', { name: 'Play' }).click();
         await expect.poll(step).toBe('look');
         await page.getByRole('button', { name: 'Pause' }).click();
-        await page.getByRole('button', { name: 'Next', exact: true }).click();
-        expect(await step()).toBe('share');
+        await page.getByRole('tab', { name: 'Look' }).click();
+        await page.getByText('Cividis').click();
+        await expect.poll(step).toBe('share');
         await page.getByRole('button', { name: 'Done' }).click();
         expect(await page.getByRole('region', { name: 'Tour' }).count()).toBe(0);
 

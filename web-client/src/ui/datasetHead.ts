@@ -1,6 +1,7 @@
 // What is shown: the dataset and how large it is; where the server has several, a choice. Another dataset is another session,
 // so that nobody is taken away from what they look at.
 import { css, html, nothing, type TemplateResult } from 'lit';
+import type { DatasetEntry } from '../protocol/messages.ts';
 import { showFragment, writeFragment } from '../session/view/urlState.ts';
 import type { AppModel } from './base/appModel.ts';
 import { sharedStyles } from './base/sharedStyles.ts';
@@ -46,7 +47,7 @@ export class DatasetHead extends SignalElement {
         return html`<select id="dataset" aria-label="Dataset" @change=${this.open}>
             ${shown === '' ? html`<option value="">Choose a dataset</option>` : nothing}
             ${datasets.value.map(
-                (each) => html`<option value=${each.dataset} .selected=${each.dataset === shown}>${each.name}</option>`,
+                (each) => html`<option value=${each.dataset} .selected=${each.dataset === shown}>${optionWords(each, datasets.value)}</option>`,
             )}
         </select>`;
     }
@@ -57,6 +58,11 @@ export class DatasetHead extends SignalElement {
         showFragment(writeFragment(null, dataset));
         location.reload();
     }
+}
+
+/** Files of the same name are told apart by what the server calls them. */
+function optionWords({ dataset, name }: DatasetEntry, all: readonly DatasetEntry[]): string {
+    return all.filter((each) => each.name === name).length > 1 ? `${name} (${dataset})` : name;
 }
 
 customElements.define('wakesurf-dataset-head', DatasetHead);

@@ -19,7 +19,7 @@ export function showMarks(state: AppState, view: ViewState, scene: FlowScene): v
     effect(() => {
         const markers: Marker[] = [];
         const probe = view.tool.value === 'probe' ? view.probe.value : null;
-        if (probe !== null) markers.push({ at: probe.point, colour: probeColour, words: probeWords(probe) });
+        if (probe !== null) markers.push({ at: probe.point, colour: probeColour, words: probeWords(probe, state.dataset.value?.velocity) });
         const [a, b] = view.measured.value;
         for (const at of view.measured.value) markers.push({ at, colour: measureColour, words: '' });
         for (const { position: at, text, author } of state.annotations.value.values()) {
@@ -34,9 +34,9 @@ export function showMarks(state: AppState, view: ViewState, scene: FlowScene): v
     });
 }
 
-function probeWords({ inside, values }: ProbeReading): string {
+function probeWords({ inside, values }: ProbeReading, velocity: string | undefined): string {
     if (!inside) return 'nothing flows here';
-    return values.map(({ name, value }) => `${Array.isArray(value) ? `|${name}|` : name} ${valueWords(value)}`).join(', ');
+    return values.map(({ name, value }) => `${name === velocity ? 'speed' : name} ${valueWords(value)}`).join(', ');
 }
 
 /** Of a vector its length. */

@@ -40,11 +40,11 @@ export const sharedStyles = css`
     button {
         cursor: pointer;
     }
-    button:disabled {
+    :disabled {
         color: var(--quiet);
         cursor: default;
     }
-    button:hover {
+    button:enabled:hover {
         border-color: var(--accent);
     }
     input[type='range'] {
