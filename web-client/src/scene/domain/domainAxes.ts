@@ -2,7 +2,10 @@
 // the four parallel edges that lie on the outline of the box as seen, so that no number covers the
 // inside. Pure geometry; domainOutline.ts draws.
 import type { Vec3 } from '../../protocol/messages.ts';
-import type { ScreenPoint } from '../base/view.ts';
+import type { ScreenPoint, ScreenSize } from '../base/view.ts';
+
+/** Half of what a number or a name takes. */
+const marginPx = 12;
 
 export type Bounds = readonly [number, number, number, number, number, number];
 
@@ -53,6 +56,13 @@ export function centreOf(bounds: Bounds): Vec3 {
         (bounds[2] + bounds[3]) / 2,
         (bounds[4] + bounds[5]) / 2,
     ];
+}
+
+/** Words of a place in the picture do not stand outside it: an axis near the border would lose its name. */
+export function keptIn(words: ScreenPoint, { x, y }: ScreenPoint, { width, height }: ScreenSize): ScreenPoint {
+    if (x < 0 || x > width || y < 0 || y > height) return words;
+    const within = (value: number, size: number): number => Math.min(size - marginPx, Math.max(marginPx, value));
+    return { x: within(words.x, width), y: within(words.y, height) };
 }
 
 /** Edges along `axis` between a face turned to the eye and one turned away. */

@@ -2,9 +2,9 @@
 // over the canvas: sharp at any size and readable by assistive tools.
 import { BoxGeometry, type Color, EdgesGeometry, LineBasicMaterial, LineSegments } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { type AxisEdge, type Bounds, centreOf, labelledEdges } from './domainAxes.ts';
+import { type AxisEdge, type Bounds, centreOf, keptIn, labelledEdges } from './domainAxes.ts';
 import { Labels } from '../base/labels.ts';
-import type { Layer, ScreenPoint, View } from '../base/view.ts';
+import type { Layer, ScreenPoint, ScreenSize, View } from '../base/view.ts';
 import { niceTicks } from '../base/ticks.ts';
 
 const axisNames = ['x', 'y', 'z'];
@@ -20,6 +20,7 @@ export class DomainOutline implements Layer {
     private readonly labels: Labels;
     private unit = '';
     private placed: ScreenPoint[] = [];
+    private size: ScreenSize = { width: 0, height: 0 };
     private placedFor = '';
 
     constructor(bounds: Bounds, layer: HTMLElement, colour: Color) {
@@ -46,6 +47,7 @@ export class DomainOutline implements Layer {
         this.placedFor = drawn;
         this.labels.begin();
         this.placed = [];
+        this.size = view.size;
         for (const edge of labelledEdges(this.bounds, eye, project)) this.labelEdge(edge, project);
         this.labels.end();
     }
@@ -96,7 +98,7 @@ export class DomainOutline implements Layer {
         className: string,
     ): void {
         if (at === null) return;
-        const to = { x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx };
+        const to = keptIn({ x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx }, at, this.size);
         if (this.placed.some((other) => collide(other, to))) return;
         this.placed.push(to);
         this.labels.place(to, text, className);
