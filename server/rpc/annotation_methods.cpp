@@ -20,12 +20,13 @@ void set(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const auto setting =
         protocol::read_annotation_setting(in, {limits::annotation_bytes, limits::name_bytes});
+    const std::string gesture = read_gesture(in);
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
     if (const auto stale = handlers.stale(**session, setting.annotation, setting.if_rev))
         return reply.fault(*stale);
-    const auto record = (*session)->set_annotation(setting, author_of(call, **session));
+    const auto record = (*session)->set_annotation(setting, author_of(call, **session, gesture));
     if (!record)
         return reply.fault(record.error());
     reply.result(
@@ -57,13 +58,17 @@ std::vector<Method> annotation_methods() {
           {"position", R"({"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3})",
            true, "where it points to, in the dataset's unit"},
           {"surface", text, false, "the surface it speaks of"},
+          gesture_parameter(),
           if_rev},
          "{annotation, rev, seq}",
          any_editor,
          set},
         {"annotation.delete",
          "Deletes an annotation.",
-         {session_parameter(), {"annotation", text, true, "an id from annotation.list"}, if_rev},
+         {session_parameter(),
+          {"annotation", text, true, "an id from annotation.list"},
+          gesture_parameter(),
+          if_rev},
          "{seq}",
          any_editor,
          remove},

@@ -20,12 +20,13 @@ void set(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const auto setting =
         protocol::read_bookmark_setting(in, {limits::name_bytes, limits::view_bytes});
+    const std::string gesture = read_gesture(in);
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
     if (const auto stale = handlers.stale(**session, setting.bookmark, setting.if_rev))
         return reply.fault(*stale);
-    const auto record = (*session)->set_bookmark(setting, author_of(call, **session));
+    const auto record = (*session)->set_bookmark(setting, author_of(call, **session, gesture));
     if (!record)
         return reply.fault(record.error());
     reply.result(
@@ -57,13 +58,17 @@ std::vector<Method> bookmark_methods() {
                        "JSON text",
                        limits::view_bytes)},
           {"time", R"({"type":"number"})", false, "the session's time the view belongs to"},
+          gesture_parameter(),
           if_rev},
          "{bookmark, rev, seq}",
          any_editor,
          set},
         {"bookmark.delete",
          "Deletes a bookmark.",
-         {session_parameter(), {"bookmark", text, true, "an id from bookmark.list"}, if_rev},
+         {session_parameter(),
+          {"bookmark", text, true, "an id from bookmark.list"},
+          gesture_parameter(),
+          if_rev},
          "{seq}",
          any_editor,
          remove},

@@ -47,7 +47,8 @@ void turn(Turn way, const Call& call, Reply reply) {
 std::vector<Method> history_methods() {
     return {
         {"history.undo",
-         "Takes back the caller's newest edit, a whole drag at once. Never undoes others' work: an "
+         "Takes back the caller's newest edit, a whole gesture (or drag) at once. Never undoes "
+         "others' work: an "
          "edit whose records somebody else has changed since is skipped, once and for all.",
          {session_parameter()},
          "{undone: [{op, type, id, rev?}] or null, skipped: [{type, id, why}], undo, redo, seq}: "

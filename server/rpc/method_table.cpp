@@ -1,5 +1,9 @@
 #include "server/rpc/method_table.hpp"
 
+#include "server/limits.hpp"
+
+#include <fmt/format.h>
+
 #include <iterator>
 
 namespace wakesurf::server {
@@ -19,6 +23,15 @@ std::vector<Method> method_table() {
 Parameter session_parameter() {
     return {"session", R"({"type":"string"})", false,
             "may be left out on a WebSocket that has joined one"};
+}
+
+Parameter gesture_parameter() {
+    return {
+        "gesture",
+        fmt::format(R"({{"type":"string","minLength":1,"maxLength":{}}})", limits::gesture_bytes),
+        false,
+        "a name for what the user does; edits that follow each other with the same one are one "
+        "step of undo"};
 }
 
 } // namespace wakesurf::server

@@ -27,4 +27,7 @@ std::vector<Method> method_table();
 /// The `session` parameter of every method on a session's records.
 Parameter session_parameter();
 
+/// `gesture`, of edits.
+Parameter gesture_parameter();
+
 } // namespace wakesurf::server

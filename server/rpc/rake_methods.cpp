@@ -41,10 +41,11 @@ void set(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const auto setting = protocol::read_rake_setting(
         in, {limits::seeds_least, limits::seeds_most, limits::rake_points, limits::name_bytes});
+    const std::string gesture = read_gesture(in);
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    const Author author = author_of(call, **session);
+    const Author author = author_of(call, **session, gesture);
     if (setting.rake)
         if (const auto refused =
                 refusal(**session, *setting.rake, author, setting.if_rev, setting.force, call))
@@ -68,10 +69,11 @@ void remove(const Call& call, Reply reply) {
     const std::string rake = in.text("rake");
     const auto if_rev = in.count_if("ifRev", 0, protocol::most_rev);
     const bool force = in.flag_or("force", false);
+    const std::string gesture = read_gesture(in);
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    const Author author = author_of(call, **session);
+    const Author author = author_of(call, **session, gesture);
     if (const auto refused = refusal(**session, rake, author, if_rev, force, call))
         return reply.fault(*refused);
     if (const auto done = (*session)->delete_rake(rake, author); !done)
@@ -116,6 +118,7 @@ std::vector<Method> rake_methods() {
                        "again; left out: as it was",
                        limits::lease.count() / 1000)},
           {"force", flag, false, "a host's edit goes before somebody else's lease"},
+          gesture_parameter(),
           if_rev},
          "{rake, rev, seq, clipped, points, surfaces: [{surface, epoch}]}: points as clipped to "
          "the "
@@ -127,6 +130,7 @@ std::vector<Method> rake_methods() {
          {session_parameter(),
           rake,
           {"force", flag, false, "although somebody else drags it"},
+          gesture_parameter(),
           if_rev},
          "{seq}",
          any_editor,

@@ -45,12 +45,13 @@ struct RecordHandlers {
         protocol::CheckedJson in(call.parameters);
         const std::string id = in.text(type);
         const auto if_rev = in.count_if("ifRev", 0, protocol::most_rev);
+        const std::string gesture = read_gesture(in);
         const auto session = read_session(in, call);
         if (!session)
             return reply.fault(session.error());
         if (const auto refused = stale(**session, id, if_rev))
             return reply.fault(*refused);
-        if (const auto done = ((**session).*erase)(id, author_of(call, **session)); !done)
+        if (const auto done = ((**session).*erase)(id, author_of(call, **session, gesture)); !done)
             return reply.fault(done.error());
         reply_with_seq(std::move(reply), **session);
     }

@@ -21,12 +21,13 @@ void set(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const auto setting = protocol::read_surface_setting(
         in, {limits::quads_default, limits::quads_most, limits::fields});
+    const std::string gesture = read_gesture(in);
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
     if (const auto stale = handlers.stale(**session, setting.surface, setting.if_rev))
         return reply.fault(*stale);
-    const auto record = (*session)->set_surface(setting, author_of(call, **session));
+    const auto record = (*session)->set_surface(setting, author_of(call, **session, gesture));
     if (!record)
         return reply.fault(record.error());
     reply.result({{"surface", record->surface},
@@ -93,6 +94,7 @@ std::vector<Parameter> set_parameters() {
          "further attributes of the vertices, in frames and exports: scalar fields of the dataset, "
          "its velocity (the "
          "magnitude), `deformation`, `approximated`"},
+        gesture_parameter(),
         {"ifRev", R"({"type":"integer"})", false, "refuse if the surface is at another revision"}};
 }
 
@@ -110,6 +112,7 @@ std::vector<Method> surface_methods() {
          "Deletes a surface.",
          {session,
           surface,
+          gesture_parameter(),
           {"ifRev", R"({"type":"integer"})", false, "refuse if it is at another revision"}},
          "{seq}",
          any_editor,

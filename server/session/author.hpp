@@ -10,6 +10,8 @@ struct Author {
     /// Empty: the server itself, which has no history.
     std::string participant;
     std::string name; ///< for people
+    /// Which of their gestures an edit is part of: those of one are one step of undo. Empty: it is one by itself.
+    std::string gesture{};
 
     bool operator==(const Author&) const = default;
 };

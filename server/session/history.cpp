@@ -17,19 +17,36 @@ std::size_t bytes_of(const Edit& edit) {
     return bytes;
 }
 
-/// Makes `into`, of the same drag, the edit that did both. False where something else came between.
+EditStep* find_step(Edit& edit, const RecordKey& key) {
+    const auto found = std::find_if(edit.steps.begin(), edit.steps.end(),
+                                    [&](const EditStep& each) { return each.key == key; });
+    return found == edit.steps.end() ? nullptr : &*found;
+}
+
+/// Makes `into`, of the same gesture, the edit that did both. False where something else came between, or it would be
+/// of too many records.
 bool merge(Edit& into, const Edit& next) {
-    if (next.drag == 0 || into.drag != next.drag || into.steps.size() != next.steps.size())
+    if (next.gesture.empty() || into.gesture != next.gesture)
         return false;
-    const auto follows = [](const EditStep& first, const EditStep& second) {
-        return first.key == second.key && first.after_rev == second.before_rev;
-    };
-    if (!std::equal(into.steps.begin(), into.steps.end(), next.steps.begin(), follows))
-        return false;
-    for (std::size_t i = 0; i < next.steps.size(); ++i) {
-        into.steps[i].after = next.steps[i].after;
-        into.steps[i].after_rev = next.steps[i].after_rev;
+    std::size_t more = 0;
+    for (const EditStep& each : next.steps) {
+        const EditStep* mine = find_step(into, each.key);
+        if (mine != nullptr && mine->after_rev != each.before_rev)
+            return false;
+        more += mine == nullptr ? 1 : 0;
     }
+    if (into.steps.size() + more > limits::gesture_records)
+        return false;
+    for (const EditStep& each : next.steps) {
+        if (EditStep* mine = find_step(into, each.key)) {
+            mine->after = each.after;
+            mine->after_rev = each.after_rev;
+        } else {
+            into.steps.push_back(each);
+        }
+    }
+    // Made and deleted within one gesture: it never was.
+    std::erase_if(into.steps, [](const EditStep& each) { return !each.before && !each.after; });
     return true;
 }
 
@@ -44,6 +61,8 @@ void History::add(const std::string& author, Edit edit) {
         if (merge(newest.edit, edit)) {
             bytes_ -= std::exchange(newest.bytes, bytes_of(newest.edit));
             bytes_ += newest.bytes;
+            if (newest.edit.steps.empty())
+                drop(mine.undo, true);
             return make_room();
         }
     }
@@ -56,10 +75,13 @@ std::optional<Edit> History::take(const std::string& author, Turn turn) {
     if (found == authors_.end())
         return std::nullopt;
     Stack& stack = turn == Turn::Undo ? found->second.undo : found->second.redo;
-    if (stack.empty())
-        return std::nullopt;
-    Edit edit = std::move(stack.back().edit);
-    drop(stack, true);
+    std::optional<Edit> edit;
+    if (!stack.empty()) {
+        edit = std::move(stack.back().edit);
+        drop(stack, true);
+    }
+    if (Stack& undo = found->second.undo; !undo.empty())
+        undo.back().edit.gesture.clear();
     return edit;
 }
 
@@ -82,7 +104,7 @@ void History::turned(const std::string& author,
                     rev = revs[i];
             }
     }
-    edit.drag = 0; // what follows is another edit
+    edit.gesture.clear();
     push(turn == Turn::Undo ? mine.redo : mine.undo, std::move(edit));
     make_room();
 }

@@ -1,6 +1,7 @@
 // What each author of a session can take back, and do again: their own edits as records before and after. An edit may
 // only be turned while its records are still as it left them, so every step knows the revision it left; turning an
-// edit gives a record a new revision, which the author's neighbouring edits are told.
+// edit gives a record a new revision, which the author's neighbouring edits are told. The edits of one gesture (a slider
+// that moves, a rake that is dragged, a button that makes two records) are one edit here.
 #pragma once
 
 #include "server/session/session_records.hpp"
@@ -38,7 +39,8 @@ struct EditStep {
 
 struct Edit {
     std::vector<EditStep> steps;
-    std::uint64_t drag = 0; ///< edits of one drag are one; 0: none
+    std::string
+        gesture; ///< those that follow each other with the same one become one; empty: never
 };
 
 /// Bounded in edits an author, authors, and bytes; the oldest go first.
@@ -49,10 +51,10 @@ class History {
         std::size_t redo = 0;
     };
 
-    /// A new edit. Nothing can be done again after it.
+    /// A new edit, or more of the newest one's gesture. Nothing can be done again after it.
     void add(const std::string& author, Edit edit);
 
-    /// The newest edit that can be turned, which is taken off.
+    /// The newest edit that can be turned, which is taken off. Gestures end here: what comes next is another edit.
     std::optional<Edit> take(const std::string& author, Turn turn);
 
     /// The edit taken was turned; `revs` are its records' revisions now, step by step, 0 for those that are gone.

@@ -38,6 +38,13 @@ bool looks_only(const RecordChange& change) {
            (before.name != after.name || before.colour != after.colour);
 }
 
+/// A drag is one gesture also for those who do not say so. Clients' words for theirs are never taken for a drag.
+std::string gesture_of(const Author& author, std::uint64_t drag) {
+    if (!author.gesture.empty())
+        return "named " + author.gesture;
+    return drag == 0 ? std::string{} : "drag " + std::to_string(drag);
+}
+
 JournalEntry entry_of_patch(const Patch& patch) {
     return std::visit(
         [](const auto& each) -> JournalEntry {
@@ -59,7 +66,7 @@ Session::edit(std::vector<RecordChange> changes, const Author& author, std::uint
     Epochs epochs = commit(changes);
     if (author.participant.empty())
         return epochs;
-    Edit done{{}, drag};
+    Edit done{{}, gesture_of(author, drag)};
     for (const RecordChange& each : changes)
         done.steps.push_back({each.key, each.before, each.after,
                               each.before ? rev_of(*each.before) : 0,

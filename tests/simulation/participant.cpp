@@ -241,6 +241,8 @@ void Participant::edit_rake() {
         if (world_.chance(0.2))
             rake["ifRev"] = records_[{"rake", *id}]["rev"];
     }
+    if (world_.chance(0.3))
+        rake["gesture"] = "hand";
     call("rake.set", std::move(rake),
          [this](const json& result) { remember("rake", result["rake"], result); });
 }
@@ -260,6 +262,8 @@ void Participant::edit_surface() {
         surface["sweep"] = {0.5, 0.0, 0.0};
     if (const auto id = any("surface"); id && !(world_.chance(0.3) && few("surface")))
         surface["surface"] = *id;
+    if (world_.chance(0.3))
+        surface["gesture"] = "hand";
     call("surface.set", std::move(surface),
          [this](const json& result) { remember("surface", result["surface"], result); });
 }

@@ -34,6 +34,7 @@ import { ViewState } from './state/viewState.ts';
 import { installTestHook } from './testHook.ts';
 import { App } from './ui/app.ts';
 import type { AppModel } from './ui/base/appModel.ts';
+import { listenForPresses } from './ui/base/presses.ts';
 import { listenForViewKeys } from './ui/view/viewKeys.ts';
 import { listenForUndoKeys } from './ui/rake/undoKeys.ts';
 import { WorkerClient } from './worker/workerClient.ts';
@@ -83,7 +84,7 @@ function start(app: App): void {
         controls: scene.controls,
         requestFrame: scene.loop.request,
     });
-    const calls = new Calls(state, worker);
+    const calls = new Calls(state, worker, () => edits.history.noted(edits.gestures.begin()));
     const progress = new SurfaceProgress({ state, worker, calls });
     showPeople(state, view, scene);
     showTheme(view, scene);
@@ -120,6 +121,7 @@ function start(app: App): void {
         retryNow: () => worker.retryNow(),
     };
     listenForViewKeys(model);
+    listenForPresses(edits.gestures);
     listenForUndoKeys(edits);
     app.begin(model);
     addEventListener('online', () => worker.retryNow());

@@ -177,6 +177,56 @@ TEST_F(DocumentMethods, AScriptOverHttpUndoesItsOwnEdits) {
     person.result("rake.delete", {{"rake", rake}});
 }
 
+TEST_F(DocumentMethods, EditsOfOneGestureAreUndoneTogether) {
+    WebSocketClient client(*server_);
+    const auto in_gesture = [](json parameters) {
+        return with(std::move(parameters), "gesture", "press 1");
+    };
+    const json rake = client.result("rake.set", in_gesture(rake_at(0)))["rake"];
+    const json setting{{"rake", rake}, {"kind", "stream"}, {"dataset", "lamb-oseen"}, {"from", 0}};
+    const json surface =
+        client.result("surface.set", in_gesture(with(setting, "to", 0.5)))["surface"];
+    const json note = client.result(
+        "annotation.set", in_gesture({{"text", "t"}, {"position", {0, 0, 0}}}))["annotation"];
+    const json bookmark =
+        client.result("bookmark.set", in_gesture({{"view", json::object()}}))["bookmark"];
+    const json state = client.result("session.state");
+    client.result("rake.set", rake_at(1, rake));
+    const json more = in_gesture(with(with(setting, "surface", surface), "to", 0.25));
+    for (int i = 0; i < 120; ++i)
+        client.result("surface.set", more);
+    EXPECT_EQ(client.result("history.undo")["undo"], 2);
+    EXPECT_EQ(client.result("surface.list")["surfaces"][0]["to"], 0.5);
+    EXPECT_EQ(client.result("history.undo")["undone"].size(), 1u);
+    EXPECT_EQ(client.result("history.undo")["undone"].size(), 4u);
+    EXPECT_EQ(client.result("rake.list")["rakes"], json::array());
+    EXPECT_EQ(client.result("history.redo")["redone"].size(), 4u);
+    const json again = client.result("session.state");
+    for (const char* type : {"rakes", "surfaces", "bookmarks", "annotations"})
+        EXPECT_EQ(again[type].size(), state[type].size());
+    client.result("annotation.delete", in_gesture({{"annotation", note}}));
+    client.result("bookmark.delete", in_gesture({{"bookmark", bookmark}}));
+    client.result("surface.delete", in_gesture({{"surface", surface}}));
+    client.result("rake.delete", in_gesture({{"rake", rake}}));
+    EXPECT_EQ(client.result("history.undo")["undone"].size(), 4u) << "a redo ended the first press";
+    client.result("rake.delete", {{"rake", rake}});
+    client.result("annotation.delete", {{"annotation", note}});
+    client.result("bookmark.delete", {{"bookmark", bookmark}});
+}
+
+TEST_F(DocumentMethods, AGestureIsAShortText) {
+    WebSocketClient client(*server_);
+    for (const json& gesture : {json(""), json(7), json("bell \a"), json(std::string(65, 'g'))}) {
+        const json error = client.call("rake.set", with(rake_at(0), "gesture", gesture))["error"];
+        EXPECT_EQ(error["code"], -32602) << gesture;
+        EXPECT_NE(error["message"].get<std::string>().find("`gesture`"), std::string::npos);
+    }
+    EXPECT_EQ(client.result("rake.list")["rakes"], json::array());
+    const json rake =
+        client.result("rake.set", with(rake_at(0), "gesture", std::string(64, 'g')))["rake"];
+    client.result("rake.delete", {{"rake", rake}});
+}
+
 TEST_F(DocumentMethods, ADeletionCanDependOnTheRevision) {
     WebSocketClient client(*server_);
     const json rake = client.result("rake.set", rake_at(0));

@@ -22,6 +22,15 @@ class HistoryTest : public testing::Test {
         ASSERT_TRUE(session.set_rake(rake_at(x, rake), author));
     }
 
+    static server::Author in_gesture(server::Author author, std::string gesture) {
+        author.gesture = std::move(gesture);
+        return author;
+    }
+
+    static std::vector<server::Record> shown(const server::Session& session) {
+        return content(session.records(), false);
+    }
+
     double x_of(const std::string& rake) const { return session.rake(rake)->shape.points[0].x; }
 
     TurnResult undo(const server::Author& author) { return session.turn(Turn::Undo, author); }
@@ -106,6 +115,211 @@ TEST_F(HistoryTest, ADragIsOneStep) {
     undo(bench.ada);
     EXPECT_EQ(x_of(rake), 1);
     EXPECT_FALSE(session.rake(rake)->dragging);
+}
+
+TEST_F(HistoryTest, AGestureIsOneStepAndPushesNoOlderOneOut) {
+    const auto rake = make_rake(bench.ada, -3);
+    move(bench.ada, rake, -2);
+    for (int i = 1; i <= 300; ++i)
+        move(in_gesture(bench.ada, "slide"), rake, 0.01 * i);
+    EXPECT_EQ(undo(bench.ada).left.undo, 2u);
+    EXPECT_EQ(x_of(rake), -2);
+    EXPECT_EQ(redo(bench.ada).left.redo, 0u);
+    EXPECT_EQ(x_of(rake), 3);
+    undo(bench.ada);
+    undo(bench.ada);
+    EXPECT_EQ(x_of(rake), -3);
+}
+
+TEST_F(HistoryTest, GesturesOfAnotherNameOrAuthorAreOtherSteps) {
+    const auto rake = make_rake(bench.ada, 0);
+    move(in_gesture(bench.ada, "one"), rake, 1);
+    move(in_gesture(bench.ada, "two"), rake, 2);
+    const auto other = make_rake(in_gesture(bench.bob, "two"), 3);
+    EXPECT_EQ(undo(bench.bob).left.undo, 0u);
+    EXPECT_EQ(x_of(rake), 2);
+    EXPECT_FALSE(session.rake(other));
+    EXPECT_EQ(undo(bench.ada).left.undo, 2u);
+    EXPECT_EQ(x_of(rake), 1);
+    EXPECT_EQ(undo(bench.ada).left.undo, 1u);
+    EXPECT_EQ(x_of(rake), 0);
+}
+
+TEST_F(HistoryTest, AnEditBetweenEndsAGesture) {
+    const auto rake = make_rake(bench.ada, 0);
+    move(in_gesture(bench.ada, "g"), rake, 1);
+    const auto note_id = session.set_annotation(note("look"), bench.ada)->annotation;
+    move(in_gesture(bench.ada, "g"), rake, 2);
+    undo(bench.ada);
+    EXPECT_EQ(x_of(rake), 1);
+    undo(bench.ada);
+    EXPECT_FALSE(session.annotation(note_id));
+    // The edit from before is on top again: it is of the past all the same.
+    move(in_gesture(bench.ada, "g"), rake, 3);
+    undo(bench.ada);
+    EXPECT_EQ(x_of(rake), 1);
+}
+
+TEST_F(HistoryTest, WhatSomebodyElseChangesAmidAGestureIsNotUndoneWithIt) {
+    const auto rake = make_rake(bench.ada, 0);
+    move(in_gesture(bench.ada, "g"), rake, 1);
+    move(bench.bob, rake, 2);
+    move(in_gesture(bench.ada, "g"), rake, 3);
+    move(in_gesture(bench.ada, "g"), rake, 4);
+    EXPECT_EQ(undo(bench.ada).changes.size(), 1u);
+    EXPECT_EQ(x_of(rake), 2) << "to where Bob left it";
+    EXPECT_EQ(undo(bench.ada).skipped.size(), 1u);
+    EXPECT_EQ(x_of(rake), 2);
+}
+
+TEST_F(HistoryTest, WhatFollowsAnUndoAmidAGestureIsAnotherStep) {
+    const auto rake = make_rake(bench.ada, 0);
+    const auto slide = in_gesture(bench.ada, "g");
+    move(slide, rake, 1);
+    move(slide, rake, 2);
+    undo(bench.ada);
+    move(slide, rake, 3);
+    move(slide, rake, 4);
+    EXPECT_EQ(undo(bench.ada).left.undo, 1u);
+    EXPECT_EQ(x_of(rake), 0);
+    EXPECT_EQ(redo(bench.ada).left.redo, 0u);
+    EXPECT_EQ(x_of(rake), 4);
+    move(slide, rake, 5);
+    redo(bench.ada);
+    move(slide, rake, 6);
+    undo(bench.ada);
+    EXPECT_EQ(x_of(rake), 5) << "a redo ends it as well, also of nothing";
+    undo(bench.ada);
+    EXPECT_EQ(x_of(rake), 4);
+}
+
+TEST_F(HistoryTest, AGestureGathersTheRecordsItMakes) {
+    const auto press = in_gesture(bench.ada, "new rake");
+    const auto before = content(session.records(), false);
+    const auto rake = make_rake(press);
+    const auto surface = session.set_surface(surface_on(rake), press)->surface;
+    const auto after = content(session.records(), false);
+    EXPECT_EQ(undo(bench.ada).changes.size(), 2u);
+    EXPECT_EQ(content(session.records(), false), before);
+    EXPECT_EQ(redo(bench.ada).changes.size(), 2u);
+    EXPECT_EQ(content(session.records(), false), after);
+    undo(bench.ada);
+    redo(bench.ada);
+    move(bench.bob, rake, 3);
+    EXPECT_EQ(undo(bench.ada).skipped.size(), 1u) << "Bob has moved a part of it";
+    EXPECT_TRUE(session.surface(surface));
+}
+
+TEST_F(HistoryTest, WhatAGestureMadeAndDeletedNeverWas) {
+    const auto kept = make_rake(bench.ada, 5);
+    const auto press = in_gesture(bench.ada, "g");
+    const auto rake = make_rake(press);
+    ASSERT_TRUE(session.set_surface(surface_on(rake), press));
+    ASSERT_TRUE(session.delete_rake(rake, press));
+    EXPECT_EQ(undo(bench.ada).changes[0].key.id, kept);
+    EXPECT_TRUE(session.rakes().empty());
+}
+
+TEST_F(HistoryTest, AGestureGathersABoundedNumberOfRecords) {
+    const auto press = in_gesture(bench.ada, "g");
+    for (std::size_t i = 0; i < server::limits::gesture_records + 5; ++i)
+        ASSERT_TRUE(session.set_annotation(note("n"), press));
+    EXPECT_EQ(undo(bench.ada).changes.size(), 5u);
+    EXPECT_EQ(undo(bench.ada).changes.size(), server::limits::gesture_records);
+}
+
+TEST_F(HistoryTest, ANamedDragIsOneStepHoweverLongTheHandRests) {
+    const auto rake = make_rake(bench.ada, 0);
+    const auto hand = in_gesture(bench.ada, "drag 1");
+    for (int x = 1; x <= 3; ++x) {
+        ASSERT_TRUE(session.set_rake(dragged(x, rake), hand));
+        bench.loop.pass(2 * server::limits::lease);
+    }
+    ASSERT_TRUE(session.set_rake(dragged(4, rake, false), hand));
+    ASSERT_TRUE(session.set_rake(dragged(5, rake), bench.ada));
+    undo(bench.ada);
+    EXPECT_EQ(x_of(rake), 4) << "a drag without a name is never taken for it";
+    undo(bench.ada);
+    EXPECT_EQ(x_of(rake), 0);
+}
+
+// The twin makes each gesture's last edit alone: after every undo and redo both hold the same.
+TEST_F(HistoryTest, AGestureIsWorthItsLastEdit) {
+    std::size_t turns = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        std::mt19937_64 random(seed);
+        SessionBench slid;
+        SessionBench direct;
+        server::Session* const both[] = {slid.session.get(), direct.session.get()};
+        for (server::Session* each : both)
+            for (int i = 0; i < 3; ++i)
+                ASSERT_TRUE(each->set_rake(rake_at(i)));
+        for (int i = 0; i < 60; ++i) {
+            const std::string rake = "r" + std::to_string(1 + random() % 3);
+            if (random() % 2 == 0) {
+                const auto turn = random() % 3 == 0 ? Turn::Redo : Turn::Undo;
+                const auto one = both[0]->turn(turn, slid.ada);
+                const auto other = both[1]->turn(turn, direct.ada);
+                ASSERT_EQ(one.left.undo, other.left.undo) << "seed " << seed;
+                ASSERT_EQ(one.left.redo, other.left.redo);
+                ASSERT_EQ(one.changes.size(), other.changes.size());
+                turns += one.changes.size();
+            } else {
+                const auto slide = in_gesture(slid.ada, "g" + std::to_string(i));
+                const std::size_t moves = 1 + random() % 150;
+                for (std::size_t j = 1; j < moves; ++j)
+                    ASSERT_TRUE(
+                        both[0]->set_rake(rake_at(0.05 * static_cast<double>(j), rake), slide));
+                ASSERT_TRUE(both[0]->set_rake(rake_at(-0.1 * i, rake), slide));
+                ASSERT_TRUE(both[1]->set_rake(rake_at(-0.1 * i, rake), direct.ada));
+            }
+            ASSERT_EQ(shown(*both[0]), shown(*both[1])) << "seed " << seed;
+        }
+    }
+    EXPECT_GT(turns, 40u);
+}
+
+// A person alone, against a list of what there was before each step.
+TEST_F(HistoryTest, AfterAnyEditAndTurnTheDepthIsThatOfTheStepsAPersonCounts) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        std::mt19937_64 random(seed);
+        SessionBench other;
+        server::Session& mine = *other.session;
+        std::vector<std::string> rakes;
+        for (int i = 0; i < 3; ++i)
+            rakes.push_back(mine.set_rake(rake_at(i))->record.rake);
+        std::vector<std::vector<server::Record>> before;
+        std::vector<std::vector<server::Record>> undone;
+        std::string open; // the gesture that goes on
+        for (int i = 0; i < 250; ++i) {
+            const auto now = shown(mine);
+            if (random() % 5 == 0) {
+                const bool back = random() % 3 != 0;
+                auto& from = back ? before : undone;
+                const auto turned = mine.turn(back ? Turn::Undo : Turn::Redo, other.ada);
+                ASSERT_EQ(turned.changes.empty(), from.empty());
+                if (!from.empty()) {
+                    ASSERT_EQ(shown(mine), from.back()) << "seed " << seed;
+                    (back ? undone : before).push_back(now);
+                    from.pop_back();
+                }
+                open.clear();
+                ASSERT_EQ(turned.left.undo, before.size());
+                ASSERT_EQ(turned.left.redo, undone.size());
+                continue;
+            }
+            const std::string gesture =
+                random() % 3 == 0 ? std::string{} : "g" + std::to_string(random() % 2);
+            const auto author = in_gesture(other.ada, gesture);
+            ASSERT_TRUE(mine.set_rake(rake_at(0.03 * i, rakes[random() % 3]), author));
+            undone.clear();
+            if (gesture.empty() || gesture != open)
+                before.push_back(now);
+            if (before.size() > server::limits::undo_steps)
+                before.erase(before.begin());
+            open = gesture;
+        }
+    }
 }
 
 TEST_F(HistoryTest, SkipsWhatSomebodyElseHasChangedSince) {

@@ -14,7 +14,9 @@ class RandomEdits {
     /// One edit, or one refused.
     void step() {
         server::Session& session = *bench_.session;
-        const server::Author& author = some_author();
+        server::Author author = some_author();
+        if (random_() % 3 == 0)
+            author.gesture = random_() % 2 == 0 ? "slide" : "paint";
         switch (random_() % 16) {
         case 0:
         case 1:

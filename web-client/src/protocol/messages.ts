@@ -56,9 +56,14 @@ export interface SurfaceEpoch {
 
 /** Everything of a record but what the server gives; what is left out of a new one gets the server's usual value. */
 export type SurfaceSetting = Pick<SurfaceRecord, 'rake' | 'kind' | 'dataset' | 'from' | 'to'> &
-    Partial<Omit<SurfaceRecord, 'rev' | 'epoch'>> & { session?: string };
+    Partial<Omit<SurfaceRecord, 'rev' | 'epoch'>> & { session?: string } & InGesture;
 
-export interface RakeSetting {
+/** Edits that follow each other with one name are one step of undo. */
+interface InGesture {
+    gesture?: string;
+}
+
+export interface RakeSetting extends InGesture {
     rake?: string;
     kind: string;
     points: Vec3[];
@@ -150,9 +155,9 @@ export interface Methods {
             surfaces: SurfaceEpoch[];
         };
     };
-    'rake.delete': { params: { rake: string }; result: object };
+    'rake.delete': { params: InGesture & { rake: string }; result: object };
     'surface.set': { params: SurfaceSetting; result: SurfaceEpoch & { rev: number } };
-    'surface.delete': { params: { surface: string }; result: object };
+    'surface.delete': { params: InGesture & { surface: string }; result: object };
     'surface.stop': { params: { surface: string }; result: object };
     'surface.stats': { params: InSession<{ surface: string }>; result: SurfaceStats };
     'surface.wait': {
@@ -171,15 +176,15 @@ export interface Methods {
     };
     'time.pause': { params: Nothing; result: { clock: ClockRecord } };
     'bookmark.set': {
-        params: Omit<BookmarkRecord, 'rev' | 'bookmark'> & { bookmark?: string };
+        params: InGesture & Omit<BookmarkRecord, 'rev' | 'bookmark'> & { bookmark?: string };
         result: { bookmark: string };
     };
-    'bookmark.delete': { params: { bookmark: string }; result: object };
+    'bookmark.delete': { params: InGesture & { bookmark: string }; result: object };
     'annotation.set': {
-        params: { annotation?: string; text: string; position: Vec3; surface?: string };
+        params: InGesture & { annotation?: string; text: string; position: Vec3; surface?: string };
         result: { annotation: string };
     };
-    'annotation.delete': { params: { annotation: string }; result: object };
+    'annotation.delete': { params: InGesture & { annotation: string }; result: object };
     'history.undo': { params: Nothing; result: HistoryDepth & { undone: unknown } };
     'history.redo': { params: Nothing; result: HistoryDepth & { redone: unknown } };
 }

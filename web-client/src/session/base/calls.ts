@@ -3,13 +3,18 @@ import type { MethodName, ParamsOf, ResultOf } from '../../protocol/messages.ts'
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 
+const edits = new Set<MethodName>(['annotation.set', 'annotation.delete', 'bookmark.set', 'bookmark.delete']);
+
 export class Calls {
     private readonly state: AppState;
     private readonly worker: Pick<WorkerClient, 'call'>;
+    /** Called when the server has taken one that undo can take back. */
+    private readonly edited: () => void;
 
-    constructor(state: AppState, worker: Pick<WorkerClient, 'call'>) {
+    constructor(state: AppState, worker: Pick<WorkerClient, 'call'>, edited: () => void) {
         this.state = state;
         this.worker = worker;
+        this.edited = edited;
     }
 
     /** Null when it failed; why is on the screen by then. */
@@ -17,6 +22,7 @@ export class Calls {
         try {
             const result = await this.worker.call(method, params);
             this.state.problems.solved(method);
+            if (edits.has(method)) this.edited();
             return result;
         } catch (error) {
             this.state.problems.tell(method, error);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { settled } from '../../connection/fakeClock.ts';
-import type { RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
+import type { DatasetDescription, RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
 import { LatencyLog } from '../../state/latency.ts';
 import { CallError } from '../../worker/workerClient.ts';
@@ -195,31 +195,41 @@ describe('an edit of a surface', () => {
 });
 
 describe('undo', () => {
-    const undone = { undo: 0, redo: 0, skipped: [] };
+    const undone = { undone: [{}], undo: 0, redo: 0, skipped: [] };
+    const redone = { redone: [{}], undo: 0, redo: 0, skipped: [] };
 
-    it('of several calls that fails on the way leaves the rest to undo, and the first part to redo', async () => {
+    it('that fails leaves the step to be undone', async () => {
         const bench = new Bench();
-        for (const length of [5, 6, 7]) {
-            bench.edits.changeSurface({ length });
-            bench.edits.flush();
-            await bench.answer(2, { surface: 's1', epoch: 2 });
-        }
-        bench.calls = [];
-        const failing = bench.edits.undo();
+        bench.edits.changeSurface({ length: 5 });
+        bench.edits.flush();
+        await bench.answer(2, { surface: 's1', epoch: 2 });
+        void bench.edits.undo();
+        await settled();
+        await bench.refuse(leased);
+        const { history } = bench.edits;
+        expect([history.undoable.value, history.redoable.value]).toEqual([1, 0]);
+        void bench.edits.undo();
         await settled();
         await bench.answer(0, undone);
-        await bench.refuse(leased);
-        await failing;
-        const { history } = bench.edits;
-        expect([history.undoable.value, history.redoable.value]).toEqual([1, 1]);
+        expect([history.undoable.value, history.redoable.value]).toEqual([0, 1]);
+    });
+
+    it('comes after what was done before it, also where that is not answered yet', async () => {
+        const bench = new Bench();
+        for (const length of [5, 6, 7, 8, 9]) {
+            bench.edits.changeSurface({ length });
+            bench.edits.flush();
+        }
         void bench.edits.undo();
-        for (let i = 0; i < 3; ++i) await bench.answer(0, undone);
-        void bench.edits.redo();
         await settled();
-        expect(bench.calls.map(([method]) => method)).toEqual([
-            ...Array<string>(4).fill('history.undo'),
-            'history.redo',
-        ]);
+        // Four are unanswered, and the newest waits for one of them.
+        for (let answers = 0; answers < 5; ++answers) {
+            expect(bench.calls.map(([method]) => method)).not.toContain('history.undo');
+            await bench.answer(2, { surface: 's1', epoch: 2 });
+            bench.edits.flush();
+        }
+        for (let i = 0; i < 4; ++i) await settled();
+        expect(bench.calls.map(([method]) => method)).toEqual([...Array<string>(5).fill('surface.set'), 'history.undo']);
     });
 
     it('has nothing left once it is cleared', async () => {
@@ -233,8 +243,9 @@ describe('undo', () => {
         expect(bench.edits.history.undoable.value).toBe(0);
     });
 
-    it('takes back a drag with one call, and several edits of one slider with as many as they were', async () => {
+    it('takes back a drag, a slider, or a button that makes two records, with one call each', async () => {
         const bench = new Bench();
+        bench.state.dataset.value = { dataset: 'd', bounds: { lo: [0, 0, 0], hi: [1, 1, 1] } } as unknown as DatasetDescription;
         for (const x of [1, 2, 3]) {
             bench.drag(x, x < 3);
             bench.edits.flush();
@@ -245,20 +256,60 @@ describe('undo', () => {
             bench.edits.flush();
             await bench.answer(2, { surface: 's1', epoch: 2 });
         }
-        expect(bench.edits.history.undoable.value).toBe(2);
+        void bench.edits.actions.newRake();
+        await bench.answer(1, { rake: 'r3' });
+        await bench.answer(1, { surface: 's3', epoch: 1 });
+        const { history } = bench.edits;
+        expect(history.undoable.value).toBe(3);
+        const named = bench.calls.map(([, { gesture }]) => gesture);
+        expect(named.map((each) => named.indexOf(each))).toEqual([0, 0, 0, 3, 3, 3, 6, 6]);
         bench.calls = [];
-        void bench.edits.undo();
-        for (let i = 0; i < 4; ++i) await bench.answer(0, undone);
-        expect(bench.calls.map(([method]) => method)).toEqual(['history.undo', 'history.undo', 'history.undo']);
-        void bench.edits.undo();
-        await settled();
-        await bench.answer(0, undone);
-        expect(bench.calls).toHaveLength(4);
-        expect([bench.edits.history.undoable.value, bench.edits.history.redoable.value]).toEqual([0, 2]);
+        for (let left = 2; left >= 0; --left) {
+            void bench.edits.undo();
+            await settled();
+            await bench.answer(0, undone);
+            expect([history.undoable.value, history.redoable.value]).toEqual([left, 3 - left]);
+        }
+        await bench.edits.undo();
+        expect(history.words.value).toBe('Nothing of yours is left to undo.');
         void bench.edits.redo();
         await settled();
+        await bench.answer(0, redone);
+        expect(bench.calls.map(([method]) => method)).toEqual([...Array<string>(3).fill('history.undo'), 'history.redo']);
+        expect([history.undoable.value, history.redoable.value]).toEqual([1, 2]);
+    });
+
+    it('amid a slide takes back what came of it until then; the rest is a step by itself', async () => {
+        const bench = new Bench();
+        const slide = async (length: number): Promise<void> => {
+            bench.edits.changeSurface({ length });
+            bench.edits.flush();
+            await bench.answer(2, { surface: 's1', epoch: 2 });
+        };
+        bench.edits.gestures.press();
+        await slide(5);
+        void bench.edits.undo();
+        await settled();
         await bench.answer(0, undone);
-        expect(bench.calls.at(-1)![0]).toBe('history.redo');
+        const { history } = bench.edits;
+        expect([history.undoable.value, history.redoable.value]).toEqual([0, 1]);
+        await slide(6);
+        await slide(7);
+        expect([history.undoable.value, history.redoable.value]).toEqual([1, 0]);
+    });
+
+    it('knows when the server has forgotten what was counted', async () => {
+        const bench = new Bench();
+        for (const seeds of [20, 21]) {
+            bench.edits.changeRake('r1', { seeds });
+            bench.edits.flush();
+            await bench.answer();
+        }
+        void bench.edits.undo();
+        await settled();
+        await bench.answer(0, { ...undone, undone: null });
+        expect(bench.edits.history.undoable.value).toBe(0);
+        expect(bench.edits.history.words.value).toBe('Nothing of yours is left to undo.');
     });
 
     it('says whose rake was not taken back and why', async () => {
@@ -269,7 +320,7 @@ describe('undo', () => {
         await bench.answer();
         void bench.edits.undo();
         await settled();
-        await bench.answer(0, { skipped: [{ type: 'rake', id: 'r1', why: 'rake r1 has been changed by somebody else since' }] });
+        await bench.answer(0, { undone: null, skipped: [{ type: 'rake', id: 'r1', why: 'rake r1 has been changed by somebody else since' }] });
         expect(bench.edits.history.words.value).toBe('Not taken back: Low has been changed by somebody else since.');
         expect(bench.edits.history.redoable.value).toBe(0);
     });

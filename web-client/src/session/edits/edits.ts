@@ -6,6 +6,7 @@ import type { RakeMove } from '../../scene/rake/rakeInteraction.ts';
 import type { RakeShape } from '../../scene/rake/rakeShape.ts';
 import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
+import { Gestures } from './gestures.ts';
 import { type RakeChange, RakeEdits } from './rakeEdits.ts';
 import { RecordActions } from './recordActions.ts';
 import { Selection } from './selection.ts';
@@ -26,6 +27,7 @@ export interface EditsOptions {
 }
 
 export class Edits {
+    readonly gestures = new Gestures();
     readonly history: UndoHistory;
     readonly actions: RecordActions;
     private readonly state: AppState;
@@ -43,12 +45,13 @@ export class Edits {
         const shared = {
             ...options,
             history: this.history,
+            gestures: this.gestures,
             onChange: () => (state.editsPending.value = this.rakes.busy || this.surfaces.busy),
             requested: (surface: SurfaceEpoch) => this.requested(surface),
         };
         this.rakes = new RakeEdits(shared);
         this.surfaces = new SurfaceEdits(shared);
-        this.actions = new RecordActions(state, worker, this.history, (made) => {
+        this.actions = new RecordActions(state, worker, this, (made) => {
             this.awaited = made;
             this.recordsChanged();
         });
@@ -92,8 +95,9 @@ export class Edits {
         this.rakes.change(rake, change);
     }
 
-    changeSurface(change: Partial<SurfaceIntent>): void {
-        this.surfaces.change(change);
+    /** @param gesture the act it is part of, where that is not the control's */
+    changeSurface(change: Partial<SurfaceIntent>, gesture?: string): void {
+        this.surfaces.change(change, gesture);
     }
 
     chooseRake(rake: string): void {
@@ -107,15 +111,14 @@ export class Edits {
         this.recordsChanged();
     }
 
-    undo(): Promise<void> {
-        // What waits for the next frame was done before.
-        this.flush();
-        return this.history.undo();
+    async undo(): Promise<void> {
+        await this.allSent();
+        await this.history.undo();
     }
 
-    redo(): Promise<void> {
-        this.flush();
-        return this.history.redo();
+    async redo(): Promise<void> {
+        await this.allSent();
+        await this.history.redo();
     }
 
     /** Takes over the server's records wherever no edit of ours is ahead of them. */
@@ -130,6 +133,21 @@ export class Edits {
     reconnected(): void {
         this.rakes.reconnected();
         this.surfaces.reconnected();
+    }
+
+    /** What was done before an undo comes before it for the server as well. */
+    private allSent(): Promise<void> {
+        this.history.turns.value += 1;
+        this.flush();
+        const { editsPending } = this.state;
+        if (!editsPending.value) return Promise.resolve();
+        return new Promise((resolve) => {
+            const stop = editsPending.subscribe((pending) => {
+                if (pending) return;
+                resolve();
+                queueMicrotask(() => stop());
+            });
+        });
     }
 
     private chooseAwaited(): void {

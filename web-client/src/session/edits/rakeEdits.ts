@@ -9,6 +9,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { tellFailure } from './editFailures.ts';
+import type { Gestures } from './gestures.ts';
 import type { UndoHistory } from './undoHistory.ts';
 
 const numbersEveryMs = 200;
@@ -40,6 +41,7 @@ export interface RakeEditsOptions {
     worker: WorkerClient;
     latency: LatencyLog;
     history: UndoHistory;
+    gestures: Gestures;
     requestFrame: () => void;
     onChange: () => void;
     requested: (surface: SurfaceEpoch) => void;
@@ -53,8 +55,8 @@ export class RakeEdits {
     private readonly options: RakeEditsOptions;
     private readonly edited = new Map<string, OneRake>();
     private numbersShownAt = 0;
-    private drags = 0;
-    private inDrag = false;
+    /** Of the drag that goes on. */
+    private drag: string | null = null;
 
     constructor(options: RakeEditsOptions) {
         this.options = options;
@@ -73,15 +75,15 @@ export class RakeEdits {
         const { state } = this.options;
         const rake = state.activeRake.value;
         if (rake === null) return;
-        if (!this.inDrag) this.drags += 1;
-        this.inDrag = dragging;
+        const gesture = this.drag ?? this.options.gestures.begin();
+        this.drag = dragging ? gesture : null;
         const kept = dragging ? shape : this.inDomain(shape);
         // The numbers in the panel need not follow every frame: drawing text costs as much as the surface.
         if (!dragging || movedAt - this.numbersShownAt > numbersEveryMs) {
             this.numbersShownAt = movedAt;
             state.rakeShape.value = kept;
         }
-        this.submit(rake, { shape: kept }, { dragging, editedAt: movedAt, gesture: `drag ${this.drags}` });
+        this.submit(rake, { shape: kept }, { dragging, editedAt: movedAt, gesture });
     }
 
     change(rake: string, change: RakeChange): void {
@@ -91,7 +93,8 @@ export class RakeEdits {
             if (kept.shape !== undefined) this.options.state.rakeShape.value = kept.shape;
             if (kept.seeds !== undefined) this.seeds.value = kept.seeds;
         }
-        this.submit(rake, kept, { dragging: false, editedAt, gesture: `rake ${rake} ${editedAt}` });
+        const gesture = this.options.gestures.pressed(`rake ${rake} ${Object.keys(change).join()}`, editedAt);
+        this.submit(rake, kept, { dragging: false, editedAt, gesture });
     }
 
     /** Takes over the active rake's record unless an edit of ours is ahead of it. */
@@ -154,9 +157,9 @@ export class RakeEdits {
         const tint = colour === undefined ? {} : { colour };
         try {
             const points = shape.points.map((point) => [...point] as [number, number, number]);
-            const reply = await worker.call('rake.set', { ...edit, kind: shape.kind, points, ...tint, ...lease });
+            const reply = await worker.call('rake.set', { ...edit, kind: shape.kind, points, ...tint, ...lease, gesture });
             state.problems.solved(`rake ${edit.rake}`);
-            history.noted(gesture, editedAt, true);
+            history.noted(gesture);
             if (one !== undefined) one.answeredRev = reply.rev;
             for (const { surface, epoch } of reply.surfaces) {
                 latency.answered(surface, epoch, editedAt);

@@ -1,88 +1,90 @@
 // What makes, copies and deletes rakes and surfaces: buttons, one call or a few each.
-import type { RakeRecord, SurfaceSetting } from '../../protocol/messages.ts';
+import type { ParamsOf, RakeRecord, ResultOf, SurfaceSetting } from '../../protocol/messages.ts';
 import { type RakeShape, translated } from '../../scene/rake/rakeShape.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { besideRake, defaultLength, defaultSeeds, freeRake } from './defaults.ts';
 import { tellFailure } from './editFailures.ts';
+import type { Gestures } from './gestures.ts';
 import { surfacesOf } from './selection.ts';
 import type { UndoHistory } from './undoHistory.ts';
 
+type Edit = 'rake.set' | 'rake.delete' | 'surface.set' | 'surface.delete';
+type CallOne = <M extends Edit>(method: M, params: ParamsOf<M>) => Promise<ResultOf<M>>;
 type Choose = (what: { rake: string } | { surface: string }) => void;
+
+/** What names an act of the user's, and what counts it. */
+interface Acts {
+    gestures: Gestures;
+    history: UndoHistory;
+}
 
 export class RecordActions {
     private readonly state: AppState;
     private readonly worker: WorkerClient;
-    private readonly history: UndoHistory;
+    private readonly acts: Acts;
     /** Called with what has been made, whose record may still be on its way. */
     private readonly choose: Choose;
 
-    constructor(state: AppState, worker: WorkerClient, history: UndoHistory, choose: Choose) {
+    constructor(state: AppState, worker: WorkerClient, acts: Acts, choose: Choose) {
         this.state = state;
         this.worker = worker;
-        this.history = history;
+        this.acts = acts;
         this.choose = choose;
     }
 
     newRake(): Promise<void> {
-        return this.attempt('new rake', async (noted) => {
+        return this.attempt('new rake', async (call) => {
             const { rakes, dataset } = this.state;
             if (dataset.value === null) return;
             const others = [...rakes.value.values()].map(({ points }) => points);
             const shape: RakeShape = { kind: 'line', points: freeRake(dataset.value.bounds, others) };
-            const rake = await this.make(shape, { seeds: defaultSeeds, name: this.freeName('Rake') });
-            noted();
-            await this.worker.call('surface.set', this.likeActive(rake));
-            noted();
+            const rake = await this.make(call, shape, { seeds: defaultSeeds, name: this.freeName('Rake') });
+            await call('surface.set', this.likeActive(rake));
             this.choose({ rake });
         });
     }
 
     /** A little beside the first, with surfaces like its own. */
     duplicate(id: string): Promise<void> {
-        return this.attempt('duplicate', async (noted) => {
+        return this.attempt('duplicate', async (call) => {
             const { rakes, surfaces, dataset } = this.state;
             const record = rakes.value.get(id);
             if (record === undefined || dataset.value === null) return;
             const { kind, points, seeds, name } = record;
             const shape = translated({ kind, points }, besideRake(dataset.value.bounds, points));
-            const rake = await this.make(shape, { seeds, name: this.freeName(`${name} copy`) });
-            noted();
+            const rake = await this.make(call, shape, { seeds, name: this.freeName(`${name} copy`) });
             for (const surface of surfacesOf(this.state, id)) {
                 const { surface: _surface, rev: _rev, epoch: _epoch, ...asked } = surfaces.value.get(surface)!;
-                await this.worker.call('surface.set', { ...asked, rake });
-                noted();
+                await call('surface.set', { ...asked, rake });
             }
             this.choose({ rake });
         });
     }
 
     deleteRake(rake: string): Promise<void> {
-        return this.attempt('delete', async (noted) => {
-            await this.worker.call('rake.delete', { rake });
-            noted();
+        return this.attempt('delete', async (call) => {
+            await call('rake.delete', { rake });
         });
     }
 
     addSurface(rake: string): Promise<void> {
-        return this.attempt('add surface', async (noted) => {
-            const { surface } = await this.worker.call('surface.set', this.likeActive(rake));
-            noted();
+        return this.attempt('add surface', async (call) => {
+            const { surface } = await call('surface.set', this.likeActive(rake));
             this.choose({ surface });
         });
     }
 
     deleteSurface(surface: string): Promise<void> {
-        return this.attempt('delete surface', async (noted) => {
-            await this.worker.call('surface.delete', { surface });
-            noted();
+        return this.attempt('delete surface', async (call) => {
+            await call('surface.delete', { surface });
         });
     }
 
-    private async make(shape: RakeShape, rest: Pick<RakeRecord, 'seeds' | 'name'>): Promise<string> {
+    private async make(call: CallOne, shape: RakeShape, rest: Pick<RakeRecord, 'seeds' | 'name'>): Promise<string> {
         const points = shape.points.map((point) => [...point] as [number, number, number]);
         // The server gives it a colour that few others have.
-        const { rake } = await this.worker.call('rake.set', { kind: shape.kind, points, ...rest });
+        const { rake } = await call('rake.set', { kind: shape.kind, points, ...rest });
         return rake;
     }
 
@@ -105,10 +107,15 @@ export class RecordActions {
         for (let i = stem === 'Rake' ? 1 : 2; ; ++i) if (!taken.has(`${stem} ${i}`)) return `${stem} ${i}`;
     }
 
-    private async attempt(what: string, action: (noted: () => void) => Promise<void>): Promise<void> {
-        const gesture = `${what} ${performance.now()}`;
+    /** However many calls it takes, it is one step of undo. */
+    private async attempt(what: string, action: (call: CallOne) => Promise<void>): Promise<void> {
+        const gesture = this.acts.gestures.begin();
         try {
-            await action(() => this.history.noted(gesture, performance.now(), false));
+            await action(async (method, params) => {
+                const result = await this.worker.call(method, { ...params, gesture });
+                this.acts.history.noted(gesture);
+                return result;
+            });
             this.state.problems.solved(what);
         } catch (error) {
             tellFailure(this.state, what, error);

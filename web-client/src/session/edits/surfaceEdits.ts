@@ -6,12 +6,14 @@ import type { AppState } from '../../state/appState.ts';
 import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { tellFailure } from './editFailures.ts';
+import type { Gestures } from './gestures.ts';
 import { fulfils, intentOf, settingOf, type SurfaceIntent, withSecondCurve } from './surfaceIntent.ts';
 import type { UndoHistory } from './undoHistory.ts';
 
 interface SurfaceEdit {
     setting: SurfaceSetting;
     editedAt: number;
+    gesture: string;
 }
 
 interface OneSurface {
@@ -25,6 +27,7 @@ export interface SurfaceEditsOptions {
     worker: WorkerClient;
     latency: LatencyLog;
     history: UndoHistory;
+    gestures: Gestures;
     requestFrame: () => void;
     onChange: () => void;
     requested: (surface: SurfaceEpoch) => void;
@@ -49,8 +52,9 @@ export class SurfaceEdits {
         for (const { window } of this.edited.values()) window.flush();
     }
 
-    change(change: Partial<SurfaceIntent>): void {
-        const { state } = this.options;
+    /** @param gesture left out: the control's that changes this */
+    change(change: Partial<SurfaceIntent>, gesture?: string): void {
+        const { state, gestures } = this.options;
         const record = state.surface.value;
         const before = this.intent.value;
         if (record === undefined || before === null) return;
@@ -65,7 +69,9 @@ export class SurfaceEdits {
         }
         const one = this.edited.get(record.surface) ?? this.track(record.surface);
         one.last = setting;
-        one.window.submit({ setting, editedAt: performance.now() });
+        const editedAt = performance.now();
+        const what = `surface ${record.surface} ${Object.keys(change).join()}`;
+        one.window.submit({ setting, editedAt, gesture: gesture ?? gestures.slid(what, editedAt) });
     }
 
     /** Takes over the active surface's record unless an edit of ours is ahead of it. */
@@ -110,12 +116,12 @@ export class SurfaceEdits {
         this.recordsChanged();
     }
 
-    private async send(id: string, { setting, editedAt }: SurfaceEdit): Promise<void> {
+    private async send(id: string, { setting, editedAt, gesture }: SurfaceEdit): Promise<void> {
         const { state, worker, latency, history, requested } = this.options;
         try {
-            const { surface, epoch } = await worker.call('surface.set', setting);
+            const { surface, epoch } = await worker.call('surface.set', { ...setting, gesture });
             state.problems.solved(`surface ${id}`);
-            history.noted(`surface ${id}`, editedAt, false);
+            history.noted(gesture);
             latency.answered(surface, epoch, editedAt);
             requested({ surface, epoch });
         } catch (error) {

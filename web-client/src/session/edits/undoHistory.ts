@@ -1,19 +1,10 @@
-// Undo and redo as a person counts them. The server keeps an edit for every call; what one gesture or one press of a button
-// sent in several calls is taken back at once.
+// Undo and redo as a person counts them: the server turns a whole gesture at once, and this page knows which of the steps there
+// its user has made. What it made itself, as the first rake of a session, is none of them.
 import { signal } from '@preact/signals-core';
 import type { HistoryDepth } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { tellFailure } from './editFailures.ts';
-
-/** Edits of one slider that follow each other faster are one step. */
-const gesturePauseMs = 1000;
-
-interface Step {
-    gesture: string;
-    calls: number;
-    at: number;
-}
 
 type Way = 'undo' | 'redo';
 
@@ -22,9 +13,12 @@ export class UndoHistory {
     readonly redoable = signal(0);
     /** What the last step came to, for people. */
     readonly words = signal('');
+    /** Grows with every turn that is asked for: what goes on by itself stops then. */
+    readonly turns = signal(0);
     private readonly state: AppState;
     private readonly worker: WorkerClient;
-    private readonly stacks: Record<Way, Step[]> = { undo: [], redo: [] };
+    /** Of the newest step; none after a turn, which ends it on the server as well. */
+    private gesture: string | null = null;
     private last: Promise<unknown> = Promise.resolve();
 
     constructor(state: AppState, worker: WorkerClient) {
@@ -32,25 +26,18 @@ export class UndoHistory {
         this.worker = worker;
     }
 
-    /** The server has taken an edit. `same`: those of one gesture are one edit for the server too, as a drag is. */
-    noted(gesture: string, at: number, same: boolean): void {
-        const { undo } = this.stacks;
-        const top = undo.at(-1);
-        this.stacks.redo = [];
-        if (top?.gesture === gesture && (same || at - top.at < gesturePauseMs)) {
-            if (!same) top.calls += 1;
-            top.at = at;
-        } else undo.push({ gesture, calls: 1, at });
+    /** The server has taken an edit. */
+    noted(gesture: string): void {
+        if (gesture !== this.gesture) this.undoable.value += 1;
+        this.gesture = gesture;
+        this.redoable.value = 0;
         this.words.value = '';
-        this.count();
     }
 
     /** Another session, or another life of the server: what was counted here is not what it would turn. */
     clear(): void {
-        this.stacks.undo = [];
-        this.stacks.redo = [];
+        this.count(0, 0);
         this.words.value = '';
-        this.count();
     }
 
     undo(): Promise<void> {
@@ -62,34 +49,39 @@ export class UndoHistory {
     }
 
     private turn(way: Way): Promise<void> {
-        // One after the other: two at once would turn each other's edits.
+        // One after the other: two at once would count wrongly.
         const turned = this.last.then(() => this.turnOne(way));
         this.last = turned;
         return turned;
     }
 
     private async turnOne(way: Way): Promise<void> {
-        const step = this.stacks[way].pop();
-        if (step === undefined) {
-            this.words.value = `Nothing of yours is left to ${way}.`;
+        const { undoable, redoable } = this;
+        if ((way === 'undo' ? undoable : redoable).value === 0) {
+            this.nothing(way);
             return;
         }
-        const results: HistoryDepth[] = [];
         try {
-            for (let i = 0; i < step.calls; ++i) results.push(await this.worker.call(`history.${way}`, {}));
-            this.tell(way, results.flatMap((result) => result.skipped));
+            const result = await this.worker.call(`history.${way}`, {});
+            const { skipped } = result;
+            const done = 'undone' in result ? result.undone : result.redone;
+            if (skipped.length === 0 && done === null) {
+                if (way === 'undo') this.count(0, redoable.value);
+                else this.count(undoable.value, 0);
+                this.nothing(way);
+                return;
+            }
+            const made = skipped.length === 0 ? 1 : 0;
+            if (way === 'undo') this.count(undoable.value - 1, redoable.value + made);
+            else this.count(undoable.value + made, redoable.value - 1);
+            this.tell(way, skipped);
         } catch (error) {
-            // The rest is still to be turned, what was turned can be turned back.
-            this.keep(way, step, step.calls - results.length);
             tellFailure(this.state, 'undo', error);
         }
-        this.keep(way === 'undo' ? 'redo' : 'undo', step, results.filter(({ skipped }) => skipped.length === 0).length);
-        this.count();
     }
 
-    /** A gesture of its own from here on: what comes next is no part of it. */
-    private keep(way: Way, step: Step, calls: number): void {
-        if (calls > 0) this.stacks[way].push({ ...step, calls, gesture: '' });
+    private nothing(way: Way): void {
+        this.words.value = `Nothing of yours is left to ${way}.`;
     }
 
     private tell(way: Way, skipped: HistoryDepth['skipped']): void {
@@ -103,6 +95,8 @@ export class UndoHistory {
     }
 
     private nameOf(type: string, id: string): string {
+        if (type === 'annotation') return 'a note';
+        if (type === 'bookmark') return 'a view';
         const { rakes, surfaces } = this.state;
         const rake = type === 'surface' ? (surfaces.value.get(id)?.rake ?? '') : id;
         const name = rakes.value.get(rake)?.name ?? '';
@@ -110,8 +104,9 @@ export class UndoHistory {
         return type === 'surface' ? `the surface of ${name}` : name;
     }
 
-    private count(): void {
-        this.undoable.value = this.stacks.undo.length;
-        this.redoable.value = this.stacks.redo.length;
+    private count(undoable: number, redoable: number): void {
+        this.gesture = null;
+        this.undoable.value = undoable;
+        this.redoable.value = redoable;
     }
 }

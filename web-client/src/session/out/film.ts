@@ -39,7 +39,7 @@ const idle: FilmProgress = { state: 'idle', done: 0, frames: 0, words: '' };
 export interface FilmOptions {
     state: AppState;
     worker: Pick<WorkerClient, 'call'>;
-    edits: Pick<Edits, 'intent'>;
+    edits: Pick<Edits, 'intent' | 'gestures'>;
     playback: Playback;
     figure: Figure;
 }
@@ -92,6 +92,7 @@ export class FilmMaker {
                 return this.fail('No encoder of this browser takes films of this size. Choose a smaller one.');
             begun = true;
             await playback.pause();
+            this.options.edits.gestures.begin();
             for (const [i, time] of times.entries()) {
                 await this.show(time);
                 const background = figure.background.value === 'clear' ? 'white' : figure.background.value;
@@ -129,7 +130,7 @@ export class FilmMaker {
         const { playback, worker, state } = this.options;
         const moving = playback.mode.value === 'clock';
         if (moving) await worker.call('time.set', { time });
-        else playback.release(time);
+        else playback.release(time, this.options.edits.gestures.current);
         // Somebody else may have moved the clock since.
         const again = moving
             ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), askAgainMs)
@@ -189,7 +190,7 @@ export class FilmMaker {
     private async putBack(clock: ClockRecord | null, frozenAt: number): Promise<void> {
         const { playback, worker } = this.options;
         if (playback.mode.value !== 'clock') {
-            playback.release(frozenAt);
+            playback.release(frozenAt, this.options.edits.gestures.current);
             return;
         }
         if (clock === null) return;

@@ -5,6 +5,8 @@ import type { ClockRecord, DatasetDescription, SurfaceRecord } from '../../proto
 import { AppState, type DisplayedSurface } from '../../state/appState.ts';
 import type { ClockControl } from './clockControl.ts';
 import { Playback } from './playback.ts';
+import { Gestures } from '../edits/gestures.ts';
+import type { UndoHistory } from '../edits/undoHistory.ts';
 import { intentOf, type SurfaceIntent } from '../edits/surfaceIntent.ts';
 
 const times = [0, 1, 2, 3, 4, 5];
@@ -14,9 +16,15 @@ function bench(kind: 'stream' | 'streak', rest: Partial<SurfaceRecord> = {}) {
     const calls: unknown[] = [];
     const record = { surface: 's', rake: 'r', kind, from: 1, to: 5, separation: 1, ...rest } as unknown as SurfaceRecord;
     const intent = signal<SurfaceIntent | null>(intentOf(record));
+    const turns = signal(0);
+    const gestures = new Gestures();
+    const named: (string | undefined)[] = [];
     const edits = {
         intent,
-        changeSurface: (change: Partial<SurfaceIntent>) => {
+        gestures,
+        history: { turns } as unknown as UndoHistory,
+        changeSurface: (change: Partial<SurfaceIntent>, gesture?: string) => {
+            named.push(gesture);
             calls.push(change);
             intent.value = { ...intent.value!, ...change };
         },
@@ -44,7 +52,7 @@ function bench(kind: 'stream' | 'streak', rest: Partial<SurfaceRecord> = {}) {
     const shown = { surface: 's', epoch: 1, phase: 'final', cells: 1 } as unknown as DisplayedSurface;
     state.displayed.value = new Map([['s', shown]]);
     const time = new FakeClock();
-    return { state, calls, time, intent, playback: new Playback({ state, edits, clock, time }) };
+    return { state, calls, time, intent, turns, gestures, named, playback: new Playback({ state, edits, clock, time }) };
 }
 
 describe('Playback of a surface that moves', () => {
@@ -124,6 +132,24 @@ describe('Playback of a stream surface', () => {
         await playback.pause();
         await time.pass(5000);
         expect(intent.value?.from).toBe(0);
+    });
+
+    it('is one act, with what its user does meanwhile, and stops when that is undone', async () => {
+        const { playback, time, named, gestures, turns, intent } = bench('stream');
+        const before = gestures.slid('length', 0);
+        await playback.setSpeed(4);
+        await playback.play();
+        await time.pass(1600);
+        expect(named.length).toBeGreaterThan(1);
+        expect(new Set(named).size).toBe(1);
+        expect(named[0]).not.toBe(before);
+        const slid = gestures.slid('separation', 0);
+        await time.pass(600);
+        expect(named.at(-1)).toBe(slid);
+        turns.value += 1;
+        const at = intent.value?.from;
+        await time.pass(5000);
+        expect([intent.value?.from, playback.playing.value]).toEqual([at, false]);
     });
 
     it('waits for the picture, and stops at the end without loop', async () => {

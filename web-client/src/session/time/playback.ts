@@ -14,7 +14,7 @@ const lookEveryMs = 30;
 
 export interface PlaybackOptions {
     state: AppState;
-    edits: Pick<Edits, 'intent' | 'changeSurface'>;
+    edits: Pick<Edits, 'intent' | 'changeSurface' | 'gestures' | 'history'>;
     clock: ClockControl;
     time?: Clock;
 }
@@ -39,6 +39,10 @@ export class Playback {
         // Another kind of surface, or none: nothing of this page goes on by itself.
         effect(() => {
             if (this.mode.value !== 'frozen' || options.state.stage.value !== 'running') this.stopFrozen();
+        });
+        // What plays is an edit of the surface: going on, it would put an end to what can be done again.
+        effect(() => {
+            if (options.edits.history.turns.value > 0) this.stopFrozen();
         });
     }
 
@@ -118,6 +122,7 @@ export class Playback {
         if (this.mode.value === 'frozen') {
             this.frozenPlaying.value = true;
             const { span } = this;
+            this.options.edits.gestures.begin();
             if (!this.loop.value && this.time.value >= span.value[1]) this.goTo(span.value[0]);
             this.playFrozen();
         } else if (this.mode.value === 'clock') await this.playClock();
@@ -148,11 +153,11 @@ export class Playback {
     }
 
     /** When the surface is released, or its field frozen: at the time-step nearest to a time. */
-    release(time: number): void {
+    release(time: number, gesture?: string): void {
         const { state, edits } = this.options;
         const times = state.times.value;
         const from = times[nearestStep(times, time)];
-        if (from !== undefined && from !== edits.intent.value?.from) edits.changeSurface({ from });
+        if (from !== undefined && from !== edits.intent.value?.from) edits.changeSurface({ from }, gesture);
     }
 
     /** A multiple of the normal speed. */
@@ -203,7 +208,7 @@ export class Playback {
                 this.waiting = this.timer.after(lookEveryMs, look);
                 return;
             }
-            this.release(next);
+            this.release(next, this.options.edits.gestures.current);
             this.waiting = null;
             this.playFrozen();
         };
