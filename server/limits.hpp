@@ -76,6 +76,7 @@ inline constexpr std::size_t undo_authors = 128;                ///< of one sess
 inline constexpr std::size_t undo_bytes = std::size_t{4} << 20; ///< of one session
 inline constexpr std::size_t gesture_bytes = 64;                ///< of its name
 inline constexpr std::size_t gesture_records = 64;              ///< that one step of undo gathers
+inline constexpr std::size_t import_waiters = 1024;             ///< unanswered dataset.open calls
 inline constexpr std::size_t waiters = 64; ///< unanswered surface.wait calls of one surface
 inline constexpr std::size_t name_bytes = 120;
 

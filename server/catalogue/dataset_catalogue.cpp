@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
 
 namespace wakesurf::server {
 
@@ -58,7 +57,7 @@ std::string DatasetCatalogue::unused_id(const std::string& name) const {
     return id;
 }
 
-const DatasetCatalogue::Entry* DatasetCatalogue::find_entry(std::string_view dataset) const {
+DatasetCatalogue::Entry* DatasetCatalogue::find_entry(std::string_view dataset) const {
     const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) {
         return entry->status.dataset == dataset;
     });
@@ -71,24 +70,38 @@ void DatasetCatalogue::import_all(const std::stop_token& stop) {
             return;
         if (entry->argument.kind == DatasetArgument::Kind::Flow)
             continue;
+        if (state_of(*entry) == DatasetState::Stopped) // while the ones before it were imported
+            continue;
         import_one(*entry, stop);
         listener_(entry->status.dataset);
     }
     watch(stop);
 }
 
+DatasetState DatasetCatalogue::state_of(const Entry& entry) const {
+    const std::scoped_lock lock(mutex_);
+    return entry.status.state;
+}
+
 void DatasetCatalogue::watch(const std::stop_token& stop) {
-    std::mutex mutex;
-    std::condition_variable_any never;
-    std::unique_lock lock(mutex);
     while (!stop.stop_requested()) {
-        never.wait_for(lock, stop, options_.watch_period, [] { return false; });
+        {
+            std::unique_lock lock(mutex_);
+            again_.wait_for(lock, stop, options_.watch_period, [this] { return wanted_again_; });
+            wanted_again_ = false;
+        }
         for (const auto& entry : entries_) {
             if (stop.stop_requested())
                 return;
-            if (entry->argument.kind != DatasetArgument::Kind::Source || !due(*entry))
+            if (entry->argument.kind != DatasetArgument::Kind::Source)
                 continue;
-            look_again(*entry, stop);
+            const DatasetState state = state_of(*entry);
+            if (state == DatasetState::Importing)
+                import_one(*entry, stop);
+            else if (state != DatasetState::Stopped && due(*entry))
+                look_again(*entry, stop);
+            else
+                continue;
             listener_(entry->status.dataset);
         }
     }
@@ -122,13 +135,10 @@ void DatasetCatalogue::import_one(Entry& entry, const std::stop_token& stop) {
     if (entry.argument.kind == DatasetArgument::Kind::Store)
         return finish(entry, open_store(entry.argument.path, options_.cache));
     const auto folder = store_folder(options_.store_root, entry.argument);
-    const auto listener = [&](const ImportProgress& progress) {
-        if (show(entry, progress, folder))
-            listener_(entry.status.dataset);
-    };
     entry.stamp = source_stamp(entry.argument.path); // before reading: later changes are noticed
-    const auto imported = run_import_process(
-        {entry.argument.path, folder, {}, {}, options_.importer}, listener, stop);
+    const auto imported = run_import(entry, folder, stop);
+    if (!imported && imported.error().code == Error::Code::Cancelled && !stop.stop_requested())
+        return show_what_is_there(entry, folder);
     entry.failed = !imported;
     if (!imported) {
         ++entry.failures;
@@ -136,6 +146,71 @@ void DatasetCatalogue::import_one(Entry& entry, const std::stop_token& stop) {
     }
     entry.failures = 0;
     finish(entry, reopened(entry, folder));
+}
+
+core::Result<void> DatasetCatalogue::run_import(Entry& entry,
+                                                const std::filesystem::path& folder,
+                                                const std::stop_token& stop) {
+    std::stop_source source;
+    {
+        const std::scoped_lock lock(mutex_);
+        if (entry.status.state == DatasetState::Stopped)
+            source.request_stop();
+        entry.running = source;
+    }
+    if (source.stop_requested())
+        return core::fail(Error::Code::Cancelled, "the import was stopped before it began");
+    const std::stop_callback all_end(stop, [source]() mutable { source.request_stop(); });
+    const auto listener = [&](const ImportProgress& progress) {
+        if (show(entry, progress, folder))
+            listener_(entry.status.dataset);
+    };
+    return run_import_process({entry.argument.path, folder, {}, {}, options_.importer}, listener,
+                              source.get_token());
+}
+
+// Of an import that was stopped; by now it may be wanted again.
+void DatasetCatalogue::show_what_is_there(Entry& entry, const std::filesystem::path& folder) {
+    if (!entry.open)
+        return;
+    auto opened = reopened(entry, folder);
+    if (!opened)
+        return;
+    const DatasetState state = state_of(entry);
+    finish(entry, std::move(opened));
+    const std::scoped_lock lock(mutex_);
+    entry.status.state = state == DatasetState::Stopped ? state : DatasetState::Importing;
+}
+
+bool DatasetCatalogue::stop_import(std::string_view dataset) {
+    std::stop_source running;
+    {
+        const std::scoped_lock lock(mutex_);
+        Entry* const entry = find_entry(dataset);
+        if (entry == nullptr || entry->argument.kind != DatasetArgument::Kind::Source ||
+            entry->status.state != DatasetState::Importing)
+            return false;
+        entry->status.state = DatasetState::Stopped;
+        entry->status.remaining.reset();
+        running = entry->running;
+    }
+    running.request_stop();
+    listener_(std::string(dataset));
+    return true;
+}
+
+bool DatasetCatalogue::start_import(std::string_view dataset) {
+    {
+        const std::scoped_lock lock(mutex_);
+        Entry* const entry = find_entry(dataset);
+        if (entry == nullptr || entry->status.state != DatasetState::Stopped)
+            return false;
+        entry->status.state = DatasetState::Importing;
+        wanted_again_ = true;
+    }
+    again_.notify_all();
+    listener_(std::string(dataset));
+    return true;
 }
 
 // What is open stays open as long as it is the same series: with its cache, and with ranges known now.
@@ -167,8 +242,8 @@ void DatasetCatalogue::give_up(Entry& entry,
 bool DatasetCatalogue::show(Entry& entry,
                             const ImportProgress& progress,
                             const std::filesystem::path& folder) {
-    if (entry.status.state == DatasetState::Ready)
-        return false; // grows: told when it has
+    if (state_of(entry) != DatasetState::Importing)
+        return false; // grows: told when it has; or was stopped
     std::shared_ptr<const LoadedDataset> first;
     if (progress.phase == "import" && !entry.open)
         if (auto opened = open_store(folder, options_.cache)) {
@@ -179,6 +254,8 @@ bool DatasetCatalogue::show(Entry& entry,
     const std::scoped_lock lock(mutex_);
     if (first)
         entry.open = std::move(first);
+    if (entry.status.state != DatasetState::Importing)
+        return false;
     entry.status.steps_ready = progress.done;
     entry.status.steps_total = progress.total;
     entry.status.progress = progress.total == 0 ? 0.0
@@ -239,6 +316,11 @@ DatasetCatalogue::find(std::string_view dataset) const {
                           "list them with dataset.list");
     if (!entry->open && entry->status.error)
         return tl::unexpected(*entry->status.error);
+    if (!entry->open && entry->status.state == DatasetState::Stopped)
+        return core::fail(Error::Code::NotFound,
+                          "the import of " + entry->status.name +
+                              " was stopped before its first time-step",
+                          "dataset.open goes on with it");
     if (!entry->open)
         return core::fail(Error::Code::NotFound,
                           entry->status.name + " has no time-step imported yet",

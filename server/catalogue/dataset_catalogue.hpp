@@ -5,6 +5,7 @@
 #include "server/catalogue/open_dataset.hpp"
 
 #include <chrono>
+#include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -17,7 +18,8 @@
 
 namespace wakesurf::server {
 
-enum class DatasetState { Importing, Ready, Failed };
+/// Stopped: by whoever waited for the import; the time-steps until then can be used.
+enum class DatasetState { Importing, Ready, Failed, Stopped };
 
 struct DatasetStatus {
     std::string dataset; ///< id: a slug of the name, unique
@@ -34,7 +36,7 @@ struct DatasetStatus {
 /// Thread safety: every call may come from any thread.
 class DatasetCatalogue {
   public:
-    /// Told from the import thread that a dataset's status changed, without the catalogue's lock.
+    /// Told that a dataset's status changed, without the catalogue's lock: from the import thread, or whoever stops or starts.
     using Listener = std::function<void(const std::string& dataset)>;
 
     /// Resolves the arguments and starts to import what needs it, one source after the other; after that sources are looked at
@@ -56,11 +58,19 @@ class DatasetCatalogue {
     /// else what made the import fail.
     core::Result<std::shared_ptr<const LoadedDataset>> find(std::string_view dataset) const;
 
+    /// Ends the import of a dataset that is not ready yet, under way or in turn; the store stays usable. False when there is
+    /// none, as of one that only grows.
+    bool stop_import(std::string_view dataset);
+
+    /// Begins an import that was stopped again, where it ended. False when it was not stopped.
+    bool start_import(std::string_view dataset);
+
   private:
     struct Entry {
         DatasetArgument argument;
         DatasetStatus status;
         std::shared_ptr<const LoadedDataset> open;
+        std::stop_source running; ///< its import under way
         // Of the import thread only.
         std::uint64_t stamp = 0; ///< of the source when its last import began
         bool failed = false;     ///< that import
@@ -74,9 +84,13 @@ class DatasetCatalogue {
 
     core::Result<void> add(const std::string& argument);
     std::string unused_id(const std::string& name) const;
-    const Entry* find_entry(std::string_view dataset) const;
+    Entry* find_entry(std::string_view dataset) const;
+    DatasetState state_of(const Entry& entry) const;
     void import_all(const std::stop_token& stop);
     void import_one(Entry& entry, const std::stop_token& stop);
+    core::Result<void>
+    run_import(Entry& entry, const std::filesystem::path& folder, const std::stop_token& stop);
+    void show_what_is_there(Entry& entry, const std::filesystem::path& folder);
     void watch(const std::stop_token& stop);
     void look_again(Entry& entry, const std::stop_token& stop);
     bool due(Entry& entry) const;
@@ -88,7 +102,10 @@ class DatasetCatalogue {
 
     OpenOptions options_;
     Listener listener_;
-    mutable std::mutex mutex_; ///< guards status and open of the entries; their number is fixed
+    mutable std::mutex
+        mutex_; ///< guards status, open and running of the entries; their number is fixed
+    std::condition_variable_any again_; ///< an import is to begin again
+    bool wanted_again_ = false;
     std::vector<std::unique_ptr<Entry>> entries_;
     std::jthread importer_; ///< last: stopped and joined before anything else goes
 };

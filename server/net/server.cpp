@@ -8,6 +8,7 @@
 #include "server/rpc/cache_news.hpp"
 #include "server/rpc/dataset_entry.hpp"
 #include "server/rpc/durability_notice.hpp"
+#include "server/rpc/import_waiters.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/session/catalogue_datasets.hpp"
 #include "server/session/session_restoring.hpp"
@@ -59,7 +60,7 @@ struct Server::Parts {
             method_table(),
             MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); },
                           prober, grants, clock, loop, journal.get(), [this] { return standing(); },
-                          &metrics},
+                          &metrics, &imports.emplace(*catalogue, loop)},
             protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
         downloads.emplace(loop, pool, *sessions, *catalogue);
         routes.emplace(*gate, files, *dispatcher, *downloads,
@@ -115,6 +116,7 @@ struct Server::Parts {
             news.watch(dataset, (*open)->cache);
             sessions->dataset_changed(dataset);
         }
+        imports->changed(dataset);
         if (const auto status = catalogue->status(dataset))
             connections.announce(
                 protocol::rpc_notification("dataset.patched", dataset_entry(*status)));
@@ -156,6 +158,7 @@ struct Server::Parts {
     std::optional<Gate> gate;
     std::optional<CatalogueDatasets> datasets;
     std::optional<SessionDirectory> sessions;
+    std::optional<ImportWaiters> imports;
     std::optional<Dispatcher> dispatcher;
     std::optional<Downloads> downloads;
     std::optional<Routes> routes;

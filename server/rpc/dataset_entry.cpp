@@ -4,12 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
+
 namespace wakesurf::server {
 
 nlohmann::json dataset_entry(const DatasetStatus& status) {
-    const char* state = status.state == DatasetState::Ready    ? "ready"
-                        : status.state == DatasetState::Failed ? "failed"
-                                                               : "importing";
+    constexpr std::array states{"importing", "ready", "failed", "stopped"};
+    const char* state = states.at(static_cast<std::size_t>(status.state));
     nlohmann::json out{{"dataset", status.dataset},
                        {"name", status.name},
                        {"state", state},

@@ -1,16 +1,24 @@
-// dataset.list, dataset.describe, cache.status, probe.sample.
+// dataset.list, dataset.describe, dataset.open, cache.status, probe.sample.
 #include "protocol/checked_json.hpp"
 #include "protocol/dataset_json.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/cache_json.hpp"
+#include "server/rpc/dataset_entry.hpp"
+#include "server/rpc/import_waiters.hpp"
 #include "server/rpc/lattice_json.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/rpc/work_progress.hpp"
 #include "server/session/surface_rules.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <stop_token>
 
 namespace wakesurf::server {
 
@@ -30,6 +38,75 @@ void describe(const Call& call, Reply reply) {
     out["lattice"] = lattice_json(open->lattice);
     out["surfaceFields"] = field_names(*open);
     reply.result(out);
+}
+
+json look_at(const DatasetStatus& status) {
+    json out{{"message", fmt::format("{}: {} of {} time-steps", status.name, status.steps_ready,
+                                     status.steps_total)},
+             {"percentage", static_cast<int>(100.0 * status.progress)}};
+    if (status.remaining)
+        out["remaining"] = *status.remaining;
+    return out;
+}
+
+/// Alive from the call to its answer.
+struct Opening {
+    explicit Opening(Reply to) : reply(std::move(to)) {}
+
+    Reply reply;
+    std::optional<WorkProgress> progress;
+    std::optional<std::stop_callback<std::function<void()>>> left;
+};
+
+void answer_opening(Opening& opening, const core::Result<DatasetStatus>& status) {
+    opening.progress.reset();
+    if (!status)
+        return opening.reply.fault(status.error());
+    if (status->state == DatasetState::Failed && status->error)
+        return opening.reply.fault(*status->error);
+    if (status->state == DatasetState::Stopped)
+        return opening.reply.fault(core::Error{core::Error::Code::Cancelled,
+                                               "the import of " + status->name + " was stopped",
+                                               "dataset.open goes on with it"});
+    opening.reply.result(dataset_entry(*status));
+}
+
+// A link's viewer may neither begin nor end what costs others so much; waiting costs nothing.
+void open_one(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const std::string id = in.text("dataset");
+    const auto patience = in.count_or("timeoutMs", 0, limits::wait_ms, limits::wait_ms);
+    in.has("workDoneToken"); // read below
+    if (auto verdict = in.verdict(); !verdict)
+        return reply.fault(verdict.error());
+    const auto token = read_work_token(call);
+    if (!token)
+        return reply.fault(token.error());
+    ImportWaiters* const imports = call.context.imports;
+    const auto status = imports != nullptr ? imports->status(id)
+                                           : core::fail(core::Error::Code::NotFound,
+                                                        "there is no dataset of this name");
+    if (!status)
+        return reply.fault(status.error());
+    const bool editor = call.identity.role != Role::Viewer;
+    const auto opening = std::make_shared<Opening>(std::move(reply));
+    if (status->state == DatasetState::Stopped && !editor)
+        return answer_opening(*opening, status);
+    if (*token && call.client != nullptr)
+        opening->progress.emplace(call, **token, "opening " + status->name, [imports, id] {
+            const auto now = imports->status(id);
+            return now ? look_at(*now) : json::object();
+        });
+    const std::uint64_t ticket = imports->wait(
+        id, std::chrono::milliseconds(patience),
+        [opening](const core::Result<DatasetStatus>& now) { answer_opening(*opening, now); });
+    if (ticket == 0)
+        return;
+    opening->left.emplace(call.stop, [imports, ticket, editor, cancelled = call.cancelled] {
+        using Leaving = ImportWaiters::Leaving;
+        imports->leave(ticket,
+                       editor && cancelled.stop_requested() ? Leaving::AndStop : Leaving::Alone);
+    });
 }
 
 void cache_status(const Call& call, Reply reply) {
@@ -84,11 +161,18 @@ void probe_sample(const Call& call, Reply reply) {
 
 std::vector<Method> dataset_methods() {
     const Parameter dataset{"dataset", R"({"type":"string"})", true, "an id from dataset.list"};
+    const Parameter patience{
+        "timeoutMs",
+        fmt::format(R"({{"type":"integer","minimum":0,"maximum":{}}})", limits::wait_ms), false,
+        "left out: as long as may be"};
+    const Parameter work_token{"workDoneToken", R"({"type":["string","integer"]})", false,
+                               "on a WebSocket: $/progress with this token tells how far it is"};
     return {
         {"dataset.list",
          "The datasets this server serves.",
          {},
-         "{datasets: [{dataset, name, state: ready, importing or failed, progress?, remaining?: "
+         "{datasets: [{dataset, name, state: ready, importing, failed or stopped, progress?, "
+         "remaining?: "
          "seconds, steps: {ready, total}, error?}]}",
          any_viewer,
          [](const Call& call, Reply reply) {
@@ -102,6 +186,14 @@ std::vector<Method> dataset_methods() {
          "what `fields` of surface.set may name",
          any_viewer,
          describe},
+        {"dataset.open",
+         "Answers once a dataset is imported, with an import that was stopped going on where it "
+         "ended. $/cancelRequest ends the waiting, and the import with it when nobody else waits; "
+         "a connection that is lost ends no import.",
+         {dataset, patience, work_token},
+         "an entry of dataset.list; its state is importing when the time ran out",
+         any_viewer,
+         open_one},
         {"cache.status",
          "Which time-steps of a dataset are in memory.",
          {dataset},

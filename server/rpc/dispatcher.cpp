@@ -120,11 +120,13 @@ std::optional<RpcFault> Dispatcher::too_fast(bool edits, const Caller& caller) {
 
 void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, Answer answer) {
     std::stop_token stop;
+    std::stop_token cancelled;
     if (caller.client != nullptr && call.id) {
         const auto pending = caller.client->calls().open(*call.id, answer);
         if (!pending)
             return answer(protocol::rpc_error(*call.id, too_many_calls()));
         stop = pending->stop();
+        cancelled = pending->cancelled();
         answer = [pending](std::string text) { pending->answer(std::move(text)); };
     }
     Reply reply([id = call.id, metrics = context_.metrics,
@@ -157,7 +159,7 @@ void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, An
                             {}});
     const json& given = *call.parameters;
     const json& parameters = given.is_array() && given.empty() ? no_parameters : given;
-    const Call made{context_, parameters, caller.identity, caller.client, batched, stop};
+    const Call made{context_, parameters, caller.identity, caller.client, batched, stop, cancelled};
     if (const auto fault = refused(*method, made))
         return reply.fault(*fault);
     if (const auto unknown = unknown_parameter(*method, parameters))

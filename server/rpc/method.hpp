@@ -22,6 +22,8 @@
 
 namespace wakesurf::server {
 
+class ImportWaiters;
+
 /// The one answer to a call. Move-only; one that goes unanswered answers with an internal error.
 class Reply {
   public:
@@ -55,6 +57,7 @@ struct MethodContext {
     Journal* journal = nullptr;           ///< answers to edits wait for it
     std::function<Standing()> standing{}; ///< how the server stands; nobody can say without
     Metrics* metrics = nullptr;           ///< nobody counts without
+    ImportWaiters* imports = nullptr;     ///< without, datasets are as they are
 };
 
 struct Call {
@@ -63,7 +66,8 @@ struct Call {
     const Identity& identity;         ///< valid until the handler returns
     Client* client;                   ///< nothing over HTTP
     bool batched;                     ///< the answer will wait for others
-    std::stop_token stop{};           ///< the answer is not wanted any more
+    std::stop_token stop{};           ///< the answer is not wanted any more, or its caller is gone
+    std::stop_token cancelled{};      ///< by $/cancelRequest; fires before `stop`
 };
 
 struct Parameter {

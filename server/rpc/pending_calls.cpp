@@ -20,6 +20,7 @@ void PendingCall::cancel() {
                                      "call again for an answer",
                                      {},
                                      {}}));
+    cancelled_.request_stop();
     stop_.request_stop();
 }
 

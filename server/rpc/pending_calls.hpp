@@ -31,12 +31,16 @@ class PendingCall {
 
     std::stop_token stop() const { return stop_.get_token(); }
 
+    /// Fires before stop() does, and only where the caller asked for it.
+    std::stop_token cancelled() const { return cancelled_.get_token(); }
+
     bool answered() const { return answer_ == nullptr; }
 
   private:
     protocol::RpcId id_;
     Answer answer_;
     std::stop_source stop_;
+    std::stop_source cancelled_;
 };
 
 /// Loop thread only.

@@ -38,7 +38,7 @@ constexpr std::string_view shapes = R"json({
 "DatasetEntry": {
   "type": "object",
   "properties": {
-    "dataset": "#Id", "name": {"type": "string"}, "state": {"enum": ["ready", "importing", "failed"]},
+    "dataset": "#Id", "name": {"type": "string"}, "state": {"enum": ["ready", "importing", "failed", "stopped"]},
     "steps": {"type": "object", "properties": {"ready": "#Count", "total": "#Count"}},
     "progress?": {"type": "number", "minimum": 0, "maximum": 1},
     "remaining?": {"type": "number", "minimum": 0, "description": "seconds"}, "error?": "#Problem"}},
@@ -202,6 +202,7 @@ constexpr std::string_view results = R"json({
 "$/cancelRequest": "#Empty",
 "dataset.list": {"type": "object", "properties": {"datasets": {"type": "array", "items": "#DatasetEntry"}}},
 "dataset.describe": "#Dataset",
+"dataset.open": "#DatasetEntry",
 "cache.status": {
   "type": "object",
   "properties": {

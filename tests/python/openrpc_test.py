@@ -105,6 +105,7 @@ class OpenRpcTest(unittest.TestCase):
                 ask("server.stats")
             for dataset in ("lamb-oseen", "double-gyre"):
                 ask("dataset.describe", dataset=dataset)
+                ask("dataset.open", dataset=dataset, timeoutMs=60000, workDoneToken="opening")
                 ask("cache.status", dataset=dataset)
             ask("probe.sample", dataset="lamb-oseen", points=[[0, 0, 0], [50, 0, 0]], time=0)
             session = ask("session.create", name="truth")["session"]

@@ -14,6 +14,7 @@ import { showMarks } from './session/picture/marksInPicture.ts';
 import { Measuring } from './session/tools/measuring.ts';
 import { Noting } from './session/tools/noting.ts';
 import { showLooks } from './session/picture/looksInPicture.ts';
+import { ImportWait } from './session/importWait.ts';
 import { connectPainting } from './session/tools/painting.ts';
 import { People } from './session/people/people.ts';
 import { showPeople } from './session/people/peopleInPicture.ts';
@@ -102,7 +103,8 @@ function start(app: App): void {
     scene.controls.onMove(() => people.takeCamera());
     const feed = new SurfaceFeed({ state, scene, worker, latency });
     const views = new Views({ state, view, scene, url });
-    const controller = new SessionController({ state, scene, worker, edits, feed, people, progress, url, views });
+    const imports = new ImportWait({ state, worker });
+    const controller = new SessionController({ imports, state, scene, worker, edits, feed, people, progress, url, views });
     const clock = new ClockControl({ state, worker, requestFrame: scene.loop.request });
     const playback = new Playback({ state, edits, clock });
     const figure = new Figure(scene, () => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null);
@@ -116,7 +118,7 @@ function start(app: App): void {
     showRakes(state, view, scene);
     installTestHook({ state, scene, latency, canvas, figure });
     const model: AppModel = {
-        ...{ state, view, edits, clock, playback, people, scene, worker, calls, views, probing, progress, figure, film, mesh },
+        ...{ state, view, edits, clock, playback, people, scene, worker, calls, views, probing, progress, imports, figure, film, mesh },
         rename: (name) => controller.rename(name),
         retryNow: () => worker.retryNow(),
     };

@@ -1,4 +1,5 @@
 #include "server/catalogue/dataset_catalogue.hpp"
+#include "tests/support/slow_series.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/vti_text.hpp"
 
@@ -6,7 +7,9 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <random>
 #include <set>
+#include <thread>
 
 namespace wakesurf::server {
 namespace {
@@ -48,6 +51,13 @@ class Bench {
         return wait_until(dataset, [](const DatasetStatus& status) {
             return status.state != DatasetState::Importing;
         });
+    }
+
+    /// Until the importer that was stopped has ended and taken away what it was writing.
+    bool tidies_up() {
+        for (int i = 0; i < 500 && unfinished_files(folder_.path()) > 0; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        return unfinished_files(folder_.path()) == 0;
     }
 
     std::unique_ptr<DatasetCatalogue> catalogue;
@@ -108,6 +118,79 @@ TEST(DatasetCatalogue, SaysAtOnceWhatIsMistyped) {
     Bench bench({"flow:abc"});
     EXPECT_EQ(bench.catalogue->find("xyz").error().code, core::Error::Code::NotFound);
     EXPECT_EQ(bench.catalogue->status("xyz").error().code, core::Error::Code::NotFound);
+}
+
+/// What was imported, down to the bytes.
+std::map<std::string, std::uint32_t> imported(const Bench& bench, const std::string& dataset) {
+    return bench.catalogue->find(dataset).value()->store->layout().checksums;
+}
+
+TEST(DatasetCatalogue, AnImportThatIsStoppedKeepsWhatItHasAndGoesOnFromThere) {
+    const TemporaryFolder folder;
+    const auto source = write_slow_series(folder.path());
+    Bench bench({source});
+    const auto begun = bench.wait_until(
+        "u_00", [](const DatasetStatus& status) { return status.steps_ready > 0; });
+    ASSERT_EQ(begun.state, DatasetState::Importing);
+    EXPECT_TRUE(bench.catalogue->stop_import("u_00"));
+    const auto stopped = bench.catalogue->status("u_00").value();
+    EXPECT_EQ(stopped.state, DatasetState::Stopped);
+    EXPECT_LT(stopped.steps_ready, stopped.steps_total);
+    EXPECT_FALSE(bench.catalogue->stop_import("u_00"));
+    EXPECT_TRUE(bench.tidies_up());
+    const auto open = bench.catalogue->find("u_00").value();
+    EXPECT_EQ(open->cache->acquire(0).value()->velocity()[0], 0.5f);
+    EXPECT_TRUE(bench.catalogue->start_import("u_00"));
+    EXPECT_FALSE(bench.catalogue->start_import("u_00"));
+    const auto ready = bench.wait_until_settled("u_00");
+    EXPECT_EQ(ready.state, DatasetState::Ready);
+    EXPECT_EQ(ready.steps_ready, 40u);
+    Bench twin({source});
+    twin.wait_until_settled("u_00");
+    EXPECT_EQ(imported(bench, "u_00"), imported(twin, "u_00"));
+}
+
+TEST(DatasetCatalogue, AnImportThatWaitsForItsTurnIsStoppedToo) {
+    const TemporaryFolder folder;
+    Bench bench({write_slow_series(folder.path()), bundled});
+    EXPECT_TRUE(bench.catalogue->stop_import("sqcyl"));
+    EXPECT_TRUE(bench.catalogue->stop_import("u_00"));
+    EXPECT_EQ(bench.catalogue->find("sqcyl").error().message,
+              "the import of sqcyl was stopped before its first time-step");
+    EXPECT_TRUE(bench.catalogue->start_import("sqcyl"));
+    EXPECT_EQ(bench.wait_until_settled("sqcyl").state, DatasetState::Ready);
+    EXPECT_EQ(bench.catalogue->status("u_00")->state, DatasetState::Stopped);
+}
+
+TEST(DatasetCatalogue, OnlyAnImportCanBeStoppedAndOnlyAStoppedOneStarted) {
+    Bench bench({"flow:abc", bundled});
+    bench.wait_until_settled("sqcyl");
+    for (const char* dataset : {"abc", "sqcyl", "nothing"}) {
+        EXPECT_FALSE(bench.catalogue->stop_import(dataset)) << dataset;
+        EXPECT_FALSE(bench.catalogue->start_import(dataset)) << dataset;
+    }
+}
+
+TEST(DatasetCatalogue, StoppedAndStartedAtAnyMomentAnImportComesToTheSame) {
+    const TemporaryFolder folder;
+    const auto source = write_slow_series(folder.path(), 12);
+    Bench twin({source});
+    twin.wait_until_settled("u_00");
+    std::size_t stops = 0;
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        std::mt19937 random(seed);
+        Bench bench({source});
+        for (int i = 0; i < 12; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(random() % 40));
+            stops += bench.catalogue->stop_import("u_00") ? 1 : 0;
+            std::this_thread::sleep_for(std::chrono::milliseconds(random() % 2 * (random() % 40)));
+            bench.catalogue->start_import("u_00");
+        }
+        EXPECT_EQ(bench.wait_until_settled("u_00").state, DatasetState::Ready);
+        EXPECT_EQ(imported(bench, "u_00"), imported(twin, "u_00")) << "seed " << seed;
+        EXPECT_TRUE(bench.tidies_up());
+    }
+    EXPECT_GT(stops, 4u);
 }
 
 TEST(DatasetCatalogue, EndsWhileItImports) {

@@ -34,6 +34,20 @@ describe('RpcClient', () => {
         await expect(client.call('server.info', {})).rejects.toThrow(DisconnectedError);
     });
 
+    it('cancels a call that is open, by its own number, and none that is answered', async () => {
+        const sent: string[] = [];
+        const client = new RpcClient((text) => sent.push(text) > 0);
+        const [first, second] = [new AbortController(), new AbortController()];
+        void client.call('server.info', {}, first.signal);
+        const other = client.call('server.info', {}, second.signal);
+        first.abort();
+        expect(JSON.parse(sent[2]!)).toEqual({ jsonrpc: '2.0', method: '$/cancelRequest', params: { id: 1 } });
+        answer(client, '{"jsonrpc":"2.0","id":2,"result":{}}');
+        await other;
+        second.abort();
+        expect(sent).toHaveLength(3);
+    });
+
     it('ignores answers that nobody waits for', () => {
         const client = new RpcClient(() => true);
         expect(() => answer(client, '{"jsonrpc":"2.0","id":9,"result":1}')).not.toThrow();

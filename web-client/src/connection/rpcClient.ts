@@ -1,5 +1,5 @@
 // Calls over one socket: numbers requests, matches replies. Knows the envelope, not the socket.
-import { encodeRequest, type Incoming, RpcError } from '../protocol/jsonRpc.ts';
+import { encodeNotification, encodeRequest, type Incoming, RpcError } from '../protocol/jsonRpc.ts';
 import type { MethodName, ParamsOf, ResultOf } from '../protocol/messages.ts';
 
 /** The call went unanswered because the connection is down; it may or may not have been carried out. */
@@ -25,7 +25,8 @@ export class RpcClient {
         this.send = send;
     }
 
-    call<M extends MethodName>(method: M, params: ParamsOf<M>): Promise<ResultOf<M>> {
+    /** @param signal cancels the call: the server answers that it is, and stops its work */
+    call<M extends MethodName>(method: M, params: ParamsOf<M>, signal?: AbortSignal): Promise<ResultOf<M>> {
         const id = this.nextId++;
         return new Promise((resolve, reject) => {
             if (!this.send(encodeRequest(id, method, params))) {
@@ -33,7 +34,12 @@ export class RpcClient {
                 return;
             }
             this.pending.set(id, { resolve: (result) => resolve(result as ResultOf<M>), reject });
+            signal?.addEventListener('abort', () => this.cancel(id));
         });
+    }
+
+    private cancel(id: number): void {
+        if (this.pending.has(id)) this.send(encodeNotification('$/cancelRequest', { id }));
     }
 
     /** Takes a reply; one that nobody waits for is ignored. */

@@ -110,6 +110,7 @@ export interface Methods {
     'server.ping': { params: Nothing; result: object };
     'server.info': { params: Nothing; result: ServerInfo };
     'dataset.list': { params: Nothing; result: { datasets: DatasetEntry[] } };
+    'dataset.open': { params: { dataset: string; timeoutMs?: number }; result: DatasetEntry };
     'dataset.describe': { params: { dataset: string }; result: DatasetDescription };
     'cache.status': {
         params: { dataset: string };

@@ -8,6 +8,7 @@ import {
     type CameraPlace,
     type ClockRecord,
     type DatasetEntry,
+    type DatasetState,
     isAnnotationRecord,
     isBookmarkRecord,
     isClockRecord,
@@ -184,11 +185,15 @@ function readProgress({ token, value }: Record<string, unknown>): Notification |
     };
 }
 
+function isDatasetState(state: unknown): state is DatasetState {
+    return state === 'ready' || state === 'importing' || state === 'failed' || state === 'stopped';
+}
+
 function readDatasetPatched(params: Record<string, unknown>): Notification | null {
     const { dataset, state, progress, remaining, steps, error } = params;
     if (typeof dataset !== 'string') return null;
     const change: Partial<DatasetEntry> = {};
-    if (state === 'ready' || state === 'importing' || state === 'failed') change.state = state;
+    if (isDatasetState(state)) change.state = state;
     if (typeof progress === 'number') change.progress = progress;
     if (typeof remaining === 'number') change.remaining = remaining;
     if (isObject(steps)) {

@@ -4,7 +4,7 @@ import { isObject } from './jsonRpc.ts';
 
 export type Vec3 = [number, number, number];
 
-export type DatasetState = 'ready' | 'importing' | 'failed';
+export type DatasetState = 'ready' | 'importing' | 'failed' | 'stopped';
 
 export interface DatasetEntry {
     dataset: string;

@@ -3,6 +3,7 @@ import { type DatasetDescription, type DatasetEntry, errorWords, type StepState 
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
+import type { ImportWait } from './importWait.ts';
 import { StepStates } from './time/stepStates.ts';
 
 const importPollMs = 1000;
@@ -11,6 +12,7 @@ export interface OpenDatasetOptions {
     state: AppState;
     scene: Pick<FlowScene, 'setDomain' | 'setObstacle' | 'removeObstacle'>;
     worker: Pick<WorkerClient, 'call' | 'obstacle'>;
+    imports: Pick<ImportWait, 'begin' | 'left'>;
 }
 
 export class OpenDataset {
@@ -22,9 +24,9 @@ export class OpenDataset {
         this.stepStates = new StepStates(options.state, options.worker);
     }
 
-    /** Until some of its time-steps can be used; null when `gone`. @param id null: the first one */
+    /** Until some of its time-steps can be used, and as long as its user wants to wait; null when `gone`. @param id null: the first one */
     async wait(id: string | null, gone: () => boolean): Promise<DatasetEntry | null> {
-        const { worker, state } = this.options;
+        const { worker, state, imports } = this.options;
         while (!gone()) {
             const { datasets } = await worker.call('dataset.list', {});
             state.datasets.value = datasets;
@@ -32,7 +34,12 @@ export class OpenDataset {
             if (entry === undefined) throw new Error(noDataset(id));
             state.datasetEntry.value = entry;
             if (entry.state === 'failed') throw new Error(importFailed(entry));
-            if (entry.state === 'ready' || (entry.steps?.ready ?? 0) > 0) return entry;
+            const usable = entry.state === 'ready' || (entry.steps?.ready ?? 0) > 0;
+            // What somebody has stopped stays so where there is something to see.
+            const wanted = entry.state === 'importing' || (entry.state === 'stopped' && !usable);
+            if (wanted && !imports.left.value) void imports.begin(entry.dataset);
+            const leaving = imports.left.value && entry.state === 'importing' && state.stage.value === 'importing';
+            if (usable && !leaving) return entry;
             state.stage.value = 'importing';
             await new Promise((resolve) => setTimeout(resolve, importPollMs));
         }

@@ -1,6 +1,7 @@
+import { signal } from '@preact/signals-core';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { settled } from '../connection/fakeClock.ts';
-import type { RakeRecord, SurfaceRecord } from '../protocol/messages.ts';
+import type { DatasetEntry, RakeRecord, SurfaceRecord } from '../protocol/messages.ts';
 import { AppState } from '../state/appState.ts';
 import { CallError } from '../worker/workerClient.ts';
 import { SessionController, type SessionControllerOptions } from './sessionController.ts';
@@ -17,6 +18,10 @@ class Bench {
     state = new AppState();
     calls: string[] = [];
     subscribed: string[] = [];
+    /** Imports that the page has begun to wait for, and whether its user has stopped that. */
+    begun: string[] = [];
+    left = signal(false);
+    entry: Partial<DatasetEntry> = { state: 'ready' };
     records = { session: 'session-1', name: '', rakes: [] as RakeRecord[], surfaces: [] as SurfaceRecord[] };
     /** Thrown by the next call of a method. */
     refusals = new Map<string, CallError>();
@@ -48,8 +53,9 @@ class Bench {
         const scene = { setDomain: () => undefined };
         const url = { token: null, session, dataset: null, state: null };
         const progress = { progressed: () => undefined };
+        const imports = { left: this.left, begin: async (dataset: string) => void this.begun.push(dataset) };
         const views = { restore: () => undefined, madeAnew: () => undefined };
-        const parts = { state: this.state, worker, feed, edits, people, progress, scene, url, views };
+        const parts = { state: this.state, worker, feed, edits, people, progress, imports, scene, url, views };
         this.controller = new SessionController(parts as unknown as SessionControllerOptions);
     }
 
@@ -74,7 +80,7 @@ class Bench {
         this.refusals.delete(method);
         if (refusal !== undefined) throw refusal;
         if (method === 'server.info') return { apiLevel: 2, capabilities: [] };
-        if (method === 'dataset.list') return { datasets: [{ dataset: 'flow', name: 'flow', state: 'ready' }] };
+        if (method === 'dataset.list') return { datasets: [{ dataset: 'flow', name: 'flow', ...this.entry }] };
         if (method === 'dataset.describe') {
             return { dataset: 'flow', bounds: [0, 1, 0, 1, 0, 1], times: [0], fields: [], velocity: 'u' };
         }
@@ -163,5 +169,54 @@ describe('the session on a page', () => {
         bench.token = 'renewed';
         await bench.connect();
         expect(bench.clearedAfter).toBeGreaterThan(0);
+    });
+});
+
+describe('a dataset that is imported first', () => {
+    beforeEach(() => {
+        vi.stubGlobal('history', { replaceState: () => undefined });
+        vi.stubGlobal('location', { pathname: '/', search: '', hash: '' });
+        vi.useFakeTimers();
+    });
+    afterEach(() => {
+        vi.useRealTimers();
+        vi.unstubAllGlobals();
+    });
+
+    const steps = (ready: number) => ({ ready, total: 9 });
+
+    async function connected(entry: Partial<DatasetEntry>, left = false): Promise<Bench> {
+        const bench = new Bench();
+        bench.entry = entry;
+        bench.left.value = left;
+        bench.controller.handle({ type: 'connection', state: 'open' });
+        await vi.advanceTimersByTimeAsync(10);
+        return bench;
+    }
+
+    it('is waited for, and shown from its first time-step on', async () => {
+        const bench = await connected({ state: 'importing', steps: steps(0) });
+        expect([bench.state.stage.value, bench.begun]).toEqual(['importing', ['flow']]);
+        bench.entry = { state: 'importing', steps: steps(1) };
+        await vi.advanceTimersByTimeAsync(1100);
+        expect(bench.state.stage.value).toBe('running');
+    });
+
+    it('goes on where somebody has stopped it before there was anything to see, and stays stopped after', async () => {
+        expect((await connected({ state: 'stopped', steps: steps(0) })).begun).toEqual(['flow']);
+        const shown = await connected({ state: 'stopped', steps: steps(4) });
+        expect([shown.state.stage.value, shown.begun]).toEqual(['running', []]);
+    });
+
+    it('is not waited for by who has stopped waiting, until asked to again', async () => {
+        const bench = await connected({ state: 'importing', steps: steps(0) });
+        bench.left.value = true;
+        bench.entry = { state: 'importing', steps: steps(3) };
+        await vi.advanceTimersByTimeAsync(5000);
+        expect(bench.state.stage.value).toBe('importing');
+        expect(bench.state.datasetEntry.value?.steps?.ready).toBe(3);
+        bench.left.value = false;
+        await vi.advanceTimersByTimeAsync(1100);
+        expect(bench.state.stage.value).toBe('running');
     });
 });

@@ -9,6 +9,7 @@ import { CallError, type WorkerClient, type WorkerEvent } from '../worker/worker
 import { defaultLength, defaultRake, defaultSeeds } from './edits/defaults.ts';
 import type { Edits } from './edits/edits.ts';
 import { makeAnew, rememberedOf } from './view/madeAnew.ts';
+import type { ImportWait } from './importWait.ts';
 import { OpenDataset } from './openDataset.ts';
 import type { People } from './people/people.ts';
 import { adoptSnapshot, applyPatches } from './recordMirror.ts';
@@ -30,6 +31,7 @@ export interface SessionControllerOptions {
     feed: SurfaceFeed;
     people: People;
     progress: Pick<SurfaceProgress, 'progressed'>;
+    imports: Pick<ImportWait, 'begin' | 'left'>;
     url: UrlState;
     views: Pick<Views, 'restore' | 'madeAnew'>;
 }

@@ -29,6 +29,8 @@ class SessionWorker {
     private readonly rpc = new RpcClient((text) => this.socket.send(text));
     private readonly folder: SurfaceFolder;
     private readonly socket: LiveSocket;
+    /** Of the calls that are open. */
+    private readonly cancels = new Map<number, AbortController>();
 
     constructor(port: WorkerPort, draco: DracoPoints, baseUrl: string, token: string | null) {
         this.port = port;
@@ -58,7 +60,9 @@ class SessionWorker {
 
     handle(message: MessageOf<ToWorker>): void {
         if (message.type === 'call') {
-            this.answer(message.id, this.call(message.method as MethodName, message.params));
+            this.answer(message.id, this.call(message.id, message.method as MethodName, message.params));
+        } else if (message.type === 'cancel') {
+            this.cancels.get(message.id)?.abort();
         } else if (message.type === 'obstacle') {
             const { dataset, lattice } = message;
             this.answer(message.id, fetchObstacle(this.baseUrl, dataset, this.draco, lattice));
@@ -78,11 +82,14 @@ class SessionWorker {
         );
     }
 
-    private async call(method: MethodName, params: object): Promise<unknown> {
+    private async call(id: number, method: MethodName, params: object): Promise<unknown> {
         if (method === 'surface.subscribe') {
             return this.subscribe(params as ParamsOf<'surface.subscribe'>);
         }
-        const result = await this.rpc.call(method, params as ParamsOf<MethodName>);
+        const cancel = new AbortController();
+        this.cancels.set(id, cancel);
+        const answered = this.rpc.call(method, params as ParamsOf<MethodName>, cancel.signal);
+        const result = await answered.finally(() => this.cancels.delete(id));
         if (method === 'session.join') {
             const { resumeToken } = params as ParamsOf<'session.join'>;
             this.joined(resumeToken, (result as ResultOf<'session.join'>).resumeToken);

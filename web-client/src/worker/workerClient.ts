@@ -112,8 +112,12 @@ export class WorkerClient {
         this.post({ type: 'notify', method, params });
     }
 
-    call<M extends MethodName>(method: M, params: ParamsOf<M>): Promise<ResultOf<M>> {
-        return this.ask<ResultOf<M>>((id) => ({ type: 'call', id, method, params }));
+    /** @param signal cancels the call, which fails then with -32800 */
+    call<M extends MethodName>(method: M, params: ParamsOf<M>, signal?: AbortSignal): Promise<ResultOf<M>> {
+        return this.ask<ResultOf<M>>((id) => {
+            signal?.addEventListener('abort', () => this.pending.has(id) && this.post({ type: 'cancel', id }));
+            return { type: 'call', id, method, params };
+        });
     }
 
     obstacle(dataset: string, lattice: LatticeMessage): Promise<GeometryArrays | null> {

@@ -7,8 +7,10 @@ export interface ToWorker {
     /** The worker connects and stays connected. `baseUrl` ends in a slash. */
     start: { baseUrl: string; token: string | null };
     call: { id: number; method: string; params: object };
+    /** The answer to this call is not wanted any more; it comes all the same, as a failure. */
+    cancel: { id: number };
     /** To the server; nothing is answered. */
-    notify: { method: 'presence.update' | '$/cancelRequest'; params: object };
+    notify: { method: 'presence.update'; params: object };
     obstacle: { id: number; dataset: string; lattice: LatticeMessage };
     /** A state of this surface is on the screen: the next one may come. */
     taken: { surface: string };

@@ -6,6 +6,7 @@ import type { Figure } from '../../session/out/figure.ts';
 import type { FilmMaker } from '../../session/out/film.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import type { People } from '../../session/people/people.ts';
+import type { ImportWait } from '../../session/importWait.ts';
 import type { Playback } from '../../session/time/playback.ts';
 import type { Probing } from '../../session/tools/probing.ts';
 import type { SurfaceProgress } from '../../session/surface/surfaceProgress.ts';
@@ -31,6 +32,7 @@ export interface AppModel {
     views: Views;
     probing: Probing;
     progress: SurfaceProgress;
+    imports: ImportWait;
     rename: (name: string) => Promise<void>;
     retryNow: () => void;
 }

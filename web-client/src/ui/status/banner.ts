@@ -1,7 +1,7 @@
 // What stands in the way at the moment: no connection, data still being imported, a notice, an edit that was refused.
 // Over the picture, because the panel may be scrolled.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { errorWords } from '../../protocol/messages.ts';
+import { type DatasetEntry, errorWords } from '../../protocol/messages.ts';
 import type { AppModel } from '../base/appModel.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -79,13 +79,37 @@ export class Banner extends SignalElement {
                 <span class="words">${entry.name} ends early: ${errorWords(entry.error)}</span>
             </div>`;
         }
+        if (entry?.state === 'stopped') return this.importStopped(entry);
         if (entry === null || entry.state !== 'importing') return nothing;
+        const { imports } = this.model;
         const steps = entry.steps === undefined ? '' : ` (${entry.steps.ready} of ${entry.steps.total})`;
         const left = entry.remaining === undefined ? '' : ` About ${duration(entry.remaining)} left.`;
         const waiting = state.stage.value === 'importing' ? ' It opens when the first is ready.' : '';
+        const gone = imports.left.value;
+        const words = gone
+            ? `You no longer wait for ${entry.name}. Its import goes on${steps}, because others wait for it.`
+            : `Importing the time-steps of ${entry.name}${steps}.${left}${waiting}`;
         return html`<div class="banner" id="importing">
-            <span class="words">Importing the time-steps of ${entry.name}${steps}.${left}${waiting}</span>
+            <span class="words">${words}</span>
             <progress max="1" .value=${entry.progress ?? 0} aria-label="Import"></progress>
+            ${gone
+                ? html`<button type="button" @click=${() => imports.again()}>Wait again</button>`
+                : html`<button type="button" @click=${() => imports.stop()}>Stop</button>`}
+        </div>`;
+    }
+
+    private importStopped({ name, steps }: DatasetEntry): TemplateResult {
+        const { state, imports } = this.model;
+        const ready = steps?.ready ?? 0;
+        const there =
+            ready === 0
+                ? `The import of ${name} was stopped before its first time-step.`
+                : `The import of ${name} was stopped: ${ready} of ${steps!.total} time-steps are here.`;
+        const viewer = state.role.value === 'viewer';
+        const next = viewer ? 'Whoever may edit can go on with it.' : 'It can go on from where it stopped.';
+        return html`<div class="banner down" id="import-stopped">
+            <span class="words">${there} ${next}</span>
+            ${viewer ? '' : html`<button type="button" @click=${() => imports.again()}>Go on importing</button>`}
         </div>`;
     }
 

@@ -1,0 +1,63 @@
+// Those who wait until a dataset is imported: unanswered dataset.open calls. The last of them who does not want it any more ends
+// the import.
+#pragma once
+
+#include "server/catalogue/dataset_catalogue.hpp"
+#include "server/session/loop.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// Loop thread only.
+class ImportWaiters {
+  public:
+    using Waiter = std::function<void(const core::Result<DatasetStatus>&)>;
+
+    enum class Leaving { Alone, AndStop };
+
+    /// Both outlive this.
+    ImportWaiters(DatasetCatalogue& catalogue, Loop& loop) : catalogue_(catalogue), loop_(loop) {}
+
+    ImportWaiters(const ImportWaiters&) = delete;
+    ImportWaiters& operator=(const ImportWaiters&) = delete;
+
+    /// How a dataset stands. Error: NotFound.
+    core::Result<DatasetStatus> status(const std::string& dataset) const {
+        return catalogue_.status(dataset);
+    }
+
+    /// Calls the waiter once the dataset is ready or has failed, at once if it has already, or after `patience` with how it
+    /// stands then. An import that was stopped begins again. Returns a ticket for leave(); 0 once the waiter has been called.
+    /// Error, by the waiter: NotFound, OverLimit, what the import failed with.
+    std::uint64_t
+    wait(const std::string& dataset, std::chrono::milliseconds patience, Waiter waiter);
+
+    /// Lets go of a waiter without calling it. AndStop: when nobody waits any more, the import ends.
+    void leave(std::uint64_t ticket, Leaving how);
+
+    /// The dataset's status is another.
+    void changed(const std::string& dataset);
+
+  private:
+    struct Waiting {
+        std::uint64_t id;
+        std::string dataset;
+        Waiter waiter;
+        std::shared_ptr<void> timer;
+    };
+
+    void answer(std::uint64_t id);
+
+    DatasetCatalogue& catalogue_;
+    Loop& loop_;
+    std::vector<Waiting> waiting_;
+    std::uint64_t next_ = 1;
+};
+
+} // namespace wakesurf::server
