@@ -73,6 +73,10 @@ std::string slug(const std::string& name) {
     return out.empty() ? "scalar" : out;
 }
 
+std::string stored_name(const FieldInfo& field) {
+    return field.components == 1 ? field.name : field.name + " magnitude";
+}
+
 void choose_scalars(const std::vector<FieldInfo>& fields,
                     const std::vector<std::string>& wanted,
                     FieldChoice& choice) {
@@ -81,12 +85,14 @@ void choose_scalars(const std::vector<FieldInfo>& fields,
     for (const auto source : {FieldInfo::Source::Point, FieldInfo::Source::Cell})
         for (const auto& field : fields) {
             const bool twice = std::any_of(found.begin(), found.end(), [&](const FieldInfo& other) {
-                return other.name == field.name;
+                return stored_name(other) == stored_name(field);
             });
             const bool component =
                 choice.velocity.arrays.size() > 1 && contains(choice.velocity.arrays, field);
-            if (field.source != source || field.components != 1 || is_mask(field) || twice ||
-                component)
+            const bool vector = field.components == 3 && !contains(choice.velocity.arrays, field) &&
+                                field.name != choice.velocity.arrays.front().name;
+            if (field.source != source || (field.components != 1 && !vector) || is_mask(field) ||
+                twice || component)
                 continue;
             found.push_back(field);
             if (std::find(wanted.begin(), wanted.end(), field.name) != wanted.end() &&
@@ -95,29 +101,46 @@ void choose_scalars(const std::vector<FieldInfo>& fields,
         }
     std::set<std::string> taken{std::string(core::velocity_stem)};
     for (const auto& field : named.empty() ? found : named) {
-        const std::string first = slug(field.name);
+        const std::string first = slug(stored_name(field));
         std::string stem = first;
         for (int i = 2; !taken.insert(stem).second; ++i)
             stem = first + "-" + std::to_string(i);
-        choice.scalars.push_back({field, {field.name, stem}});
+        choice.scalars.push_back({field, {stored_name(field), stem}});
     }
 }
 
 void note_what_is_left_out(const std::vector<FieldInfo>& fields, FieldChoice& choice) {
-    const auto& velocity = choice.velocity.arrays.front();
     std::string names;
+    std::string magnitudes;
+    for (const ChosenScalar& each : choice.scalars)
+        if (each.is_magnitude())
+            magnitudes += (magnitudes.empty() ? "" : ", ") + each.field.name;
+    const auto stored = [&](const FieldInfo& field) {
+        return std::any_of(choice.scalars.begin(), choice.scalars.end(),
+                           [&](const ChosenScalar& each) { return same_array(each.field, field); });
+    };
     for (const auto& field : fields)
-        if (field.components > 1 && !contains(choice.velocity.arrays, field)) {
+        if (field.components > 1 && !contains(choice.velocity.arrays, field) && !stored(field)) {
             names += (names.empty() ? "" : ", ") + field.name;
-            if (field.name == velocity.name)
+            const auto twin = [&](const FieldInfo& other) {
+                return other.name == field.name && other.source != field.source;
+            };
+            if (std::any_of(fields.begin(), fields.end(), twin))
                 names +=
                     field.source == FieldInfo::Source::Cell ? " of the cells" : " of the points";
         }
+    if (!magnitudes.empty())
+        choice.note = "stored as magnitudes, since a store holds one vector: " + magnitudes;
     if (!names.empty())
-        choice.note = "left out, since a store holds one vector: " + names;
+        choice.note += (choice.note.empty() ? "" : "; ") +
+                       ("left out, since a store holds one vector: " + names);
 }
 
 } // namespace
+
+FieldInfo ChosenScalar::info() const {
+    return {stored.name, 1, field.source, field.range, field.unit};
+}
 
 std::vector<FieldInfo> FieldChoice::arrays() const {
     std::vector<FieldInfo> out;

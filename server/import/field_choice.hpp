@@ -12,9 +12,15 @@
 
 namespace wakesurf::server {
 
+/// A 1-component array as it is, or the magnitude of a vector that is not the velocity.
 struct ChosenScalar {
-    core::FieldInfo field;
+    core::FieldInfo field; ///< of the source
     core::StoredScalar stored;
+
+    bool is_magnitude() const { return field.components > 1; }
+
+    /// As a dataset lists it.
+    core::FieldInfo info() const;
 };
 
 struct FieldChoice {
@@ -24,15 +30,16 @@ struct FieldChoice {
     std::vector<ChosenScalar> scalars;
     std::optional<core::FieldInfo> mask;
     bool mask_marks_solid = false; ///< 1 means solid instead of fluid
-    std::string note;              ///< vectors that are left out; may be empty
+    std::string note;              ///< what is left out or stored as its magnitude; may be empty
 
     /// Every array that has to be read, each once.
     std::vector<core::FieldInfo> arrays() const;
 };
 
 /// Velocity: the array chosen by velocity_choice.hpp. Mask: the 1-component array called mask, fluid, fluid_mask or
-/// vtkValidPointMask (1 = fluid), or solid, solid_mask or obstacle (1 = solid). Scalars: all other 1-component arrays, or
-/// those among `wanted` (--fields) where it names some; of two of one name that of the points.
+/// vtkValidPointMask (1 = fluid), or solid, solid_mask or obstacle (1 = solid). Scalars: all other 1-component arrays, and the
+/// magnitudes of other vectors as `NAME magnitude`; or those among `wanted` (--fields) where it names some; of two of one name
+/// that of the points.
 /// Error: NotFound (no velocity; a wanted field is not there), InvalidArgument (several candidates), Unsupported (a
 /// momentum without its density), each listing what there is.
 core::Result<FieldChoice> choose_fields(const std::vector<core::FieldInfo>& fields,

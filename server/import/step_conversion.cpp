@@ -58,7 +58,23 @@ differs(const ImportPlan& plan, std::size_t index, const char* what, const char*
                       hint);
 }
 
+core::Result<std::vector<float>>
+scalar_of(const FirstStep& first, const SourceStep& step, const ChosenScalar& scalar) {
+    auto values =
+        node_values(first.assembly, step.blocks, {{scalar.field}, {}, scalar.field.components});
+    return scalar.is_magnitude() ? std::move(values).map(magnitudes) : std::move(values);
+}
+
 } // namespace
+
+std::vector<float> magnitudes(const std::vector<float>& vectors) {
+    std::vector<float> out(vectors.size() / 3);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = static_cast<float>(std::hypot(static_cast<double>(vectors[3 * i]),
+                                               static_cast<double>(vectors[3 * i + 1]),
+                                               static_cast<double>(vectors[3 * i + 2])));
+    return out;
+}
 
 double rounding_error(std::span<const float> values) {
     const auto halves = halves_of(values);
@@ -153,11 +169,11 @@ core::Result<StepRecord> write_step(const ImportPlan& plan,
             return tl::unexpected(written.error());
     }
     for (const auto& scalar : plan.choice.scalars) {
-        const auto values = node_values(first.assembly, step.blocks, {{scalar.field}, {}, 1});
+        const auto values = scalar_of(first, step, scalar);
         if (!values)
             return tl::unexpected(about_step(plan, index, values.error()));
         record.scalars.push_back(value_range(*values));
-        if (auto written = writing.write(scalar.stored.stem, scalar.field.name, *values); !written)
+        if (auto written = writing.write(scalar.stored.stem, scalar.stored.name, *values); !written)
             return tl::unexpected(written.error());
     }
     return std::move(record);

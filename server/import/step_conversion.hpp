@@ -68,6 +68,9 @@ core::Result<StepRecord> convert_step(const ImportPlan& plan,
                                       const SourceStep* read,
                                       StoreWriter& writer);
 
+/// Of vectors, three numbers each; NaN where one of them is, infinite where it is too large.
+std::vector<float> magnitudes(const std::vector<float>& vectors);
+
 /// Largest error that half precision makes; infinite where a value is too large for it.
 double rounding_error(std::span<const float> values);
 

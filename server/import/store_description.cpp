@@ -75,6 +75,9 @@ protocol::StoreManifest describe_store(const ImportPlan& plan, const FirstStepRe
     info.steady = plan.times.size() == 1;
     info.fields = source.fields;
     add_velocity(plan, info.fields);
+    for (const ChosenScalar& scalar : plan.choice.scalars)
+        if (scalar.is_magnitude())
+            info.fields.push_back(scalar.info());
     info.velocity = plan.choice.velocity_name;
     info.why = plan.choice.why;
     info.precision = plan.precision;
@@ -95,7 +98,7 @@ void include(const ImportPlan& plan,
     if (auto* field = field_of(manifest, plan.choice.velocity_name, 3, source))
         field->range = manifest.velocity_range;
     for (std::size_t i = 0; i < plan.choice.scalars.size() && i < record.scalars.size(); ++i) {
-        const auto& scalar = plan.choice.scalars[i].field;
+        const core::FieldInfo scalar = plan.choice.scalars[i].info();
         if (auto* field = field_of(manifest, scalar.name, 1, scalar.source))
             widen(field->range, record.scalars[i], first);
     }

@@ -60,7 +60,7 @@ core::Result<SurfaceField> find_field(const OpenDataset& dataset, const std::str
     const std::string problem =
         found == all.end() ? "a field the dataset does not have"
         : found->components > 1
-            ? "a vector field that was left out when the dataset was imported, since a "
+            ? "a vector field that was not stored as such when the dataset was imported, since a "
               "store holds one vector: " +
                   name
             : "a field that was not stored when the dataset was imported: " + name;

@@ -42,8 +42,26 @@ TEST(FieldChoice, PrefersTheVelocityToItsAverages) {
 }
 
 TEST(FieldChoice, TellsWhichOfTwoFieldsOfOneNameItLeavesOut) {
-    EXPECT_EQ(choose_fields({cell("U", 3), point("U", 3), point("B", 3)}, {})->note,
-              "left out, since a store holds one vector: U of the cells, B");
+    EXPECT_EQ(choose_fields({cell("U", 3), point("U", 3), point("R", 6)}, {})->note,
+              "left out, since a store holds one vector: U of the cells, R");
+}
+
+TEST(FieldChoice, StoresOtherVectorsAsTheirMagnitudes) {
+    const Fields fields{point("U", 3), cell("vorticity", 3), point("p", 1),
+                        cell("B", 3),  point("B", 3),        cell("B magnitude", 1)};
+    const auto choice = choose_fields(fields, {}).value();
+    std::vector<std::string> names;
+    for (const ChosenScalar& each : choice.scalars)
+        names.push_back(each.stored.name + (each.is_magnitude() ? " of " : " is ") +
+                        each.field.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"p is p", "B magnitude of B",
+                                               "vorticity magnitude of vorticity"}));
+    EXPECT_EQ(choice.scalars[1].field.source, FieldInfo::Source::Point);
+    EXPECT_EQ(stems(fields), (std::vector<std::string>{"p", "b-magnitude", "vorticity-magnitude"}));
+    EXPECT_EQ(choice.note, "stored as magnitudes, since a store holds one vector: B, vorticity; "
+                           "left out, since a store holds one vector: B of the cells");
+    EXPECT_EQ(stems(fields, {"U", "vorticity"}), (std::vector<std::string>{"vorticity-magnitude"}));
+    EXPECT_EQ(stems(fields, {"U", "p"}), (std::vector<std::string>{"p"}));
 }
 
 TEST(FieldChoice, JoinsThreeComponentsInTheirOrder) {

@@ -7,7 +7,9 @@
 #include <vtkSmartPointer.h>
 #include <vtkXMLImageDataReader.h>
 
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <random>
 
 namespace wakesurf::server {
@@ -121,6 +123,47 @@ TEST_F(Import, AveragesCellDataToThePoints) {
         EXPECT_FLOAT_EQ(velocity(0)[3 * i], 2.0f);
     EXPECT_EQ(manifest().info.fields.at(0).source, core::FieldInfo::Source::Cell);
     EXPECT_NE(manifest().info.why.find("averaged"), std::string::npos) << manifest().info.why;
+}
+
+TEST_F(Import, KeepsOtherVectorsAsTheirMagnitudes) {
+    auto file = sample_vti(5);
+    const auto i_of = [](std::size_t number) { return static_cast<double>(number / 3); };
+    // (3 i, 4 i, 12 i) has the magnitude 13 i.
+    file.points += vti_array("vorticity", 3, file.point_count(), [&](std::size_t number) {
+        return std::array{3.0, 4.0, 12.0}[number % 3] * i_of(number);
+    });
+    file.cells = vti_array("force", 3, file.cell_count(),
+                           [](std::size_t number) { return number % 3 == 1 ? -2.0 : 0.0; });
+    put("v.vti", file.text());
+    ASSERT_EQ(run("v.vti").status, 0);
+    const auto stored = manifest();
+    ASSERT_EQ(stored.layout.scalars.size(), 2u);
+    EXPECT_EQ(stored.layout.scalars[0].name, "vorticity magnitude");
+    EXPECT_EQ(stored.layout.scalars[1].name, "force magnitude");
+    const auto values_of = [&](std::size_t scalar) {
+        const auto values = reader()->load_scalar(scalar, 0, {}).value();
+        const auto bytes = values.bytes();
+        std::vector<float> out(bytes.size() / sizeof(float));
+        std::memcpy(out.data(), bytes.data(), bytes.size());
+        return out;
+    };
+    const auto vorticity = values_of(0);
+    ASSERT_EQ(vorticity.size(), file.point_count());
+    for (std::size_t i = 0; i < vorticity.size(); ++i)
+        EXPECT_FLOAT_EQ(vorticity[i], 13.0f * static_cast<float>(i));
+    for (const float force : values_of(1))
+        EXPECT_FLOAT_EQ(force, 2.0f);
+    const auto& fields = stored.info.fields;
+    const auto listed = std::find_if(fields.begin(), fields.end(), [](const core::FieldInfo& each) {
+        return each.name == "vorticity magnitude";
+    });
+    ASSERT_NE(listed, fields.end());
+    EXPECT_EQ(listed->components, 1);
+    EXPECT_DOUBLE_EQ(listed->range[1], 13.0 * static_cast<double>(file.point_count() - 1));
+    EXPECT_NE(stored.info.note.find("stored as magnitudes, since a store holds one vector: "
+                                    "vorticity, force"),
+              std::string::npos)
+        << stored.info.note;
 }
 
 TEST_F(Import, ZeroesTheSolidAndInvertsAMaskThatMarksIt) {

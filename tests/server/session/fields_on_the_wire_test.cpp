@@ -161,10 +161,11 @@ TEST_F(FieldsOnTheWire, WhatCannotBeSentIsRefusedInWords) {
     EXPECT_NE(vector["message"].get<std::string>().find("a store holds one vector: vorticity"),
               std::string::npos)
         << vector;
-    EXPECT_EQ(error({"q"})["data"]["hint"], "there is p, U, deformation, approximated");
+    EXPECT_EQ(error({"q"})["data"]["hint"],
+              "there is p, vorticity magnitude, U, deformation, approximated");
     EXPECT_EQ(client.result("server.info")["limits"]["fields"], 4);
     EXPECT_EQ(client.result("dataset.describe", {{"dataset", "box"}})["surfaceFields"],
-              (json{"p", "U", "deformation", "approximated"}));
+              (json{"p", "vorticity magnitude", "U", "deformation", "approximated"}));
 }
 
 TEST_F(FieldsOnTheWire, ProgressSaysWhatEachPassTook) {
