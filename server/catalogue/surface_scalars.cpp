@@ -1,6 +1,7 @@
 #include "server/catalogue/surface_scalars.hpp"
 
 #include "core/field/sample_scalar.hpp"
+#include "core/field/velocity_gradient.hpp"
 #include "core/surface/vertex_attributes.hpp"
 #include "core/surface/vertex_times.hpp"
 
@@ -18,17 +19,24 @@ bool written_anyhow(const LoadedDataset& dataset, const std::string& name) {
     return name == dataset.info.velocity || (derived && !stored(dataset, name));
 }
 
+/// A stored field of that name goes before it.
+std::optional<core::GradientField> derived_here(const LoadedDataset& dataset,
+                                                const std::string& name) {
+    return stored(dataset, name) ? std::nullopt : core::find_gradient_field(name);
+}
+
 } // namespace
 
 core::Result<void> check_fields(const LoadedDataset& dataset,
                                 const std::vector<std::string>& fields) {
     for (const std::string& name : fields) {
-        if (written_anyhow(dataset, name))
+        if (written_anyhow(dataset, name) || derived_here(dataset, name))
             continue;
         if (dataset.store == nullptr)
             return core::fail(core::Error::Code::Unsupported,
                               "a built-in flow has no scalar field " + name,
-                              "speed, velocity and deformation are written at every vertex");
+                              "speed, velocity and deformation are written at every vertex; "
+                              "vorticity and q_criterion if they are named");
         if (const auto found = core::find_scalar(dataset.store->layout(), name); !found)
             return tl::unexpected(found.error());
     }
@@ -47,9 +55,13 @@ core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset
     for (const std::string& name : fields) {
         if (written_anyhow(dataset, name))
             continue;
-        const auto scalar = core::find_scalar(dataset.store->layout(), name);
-        auto values = core::sample_scalar(*dataset.flow, *dataset.store, *scalar,
-                                          surface.mesh.position, times, stop);
+        const auto derived = derived_here(dataset, name);
+        auto values = derived
+                          ? core::sample_gradient_field(*derived, *dataset.flow,
+                                                        surface.mesh.position, times, stop)
+                          : core::sample_scalar(*dataset.flow, *dataset.store,
+                                                *core::find_scalar(dataset.store->layout(), name),
+                                                surface.mesh.position, times, stop);
         if (!values)
             return tl::unexpected(values.error());
         scalars[name] = std::move(*values);

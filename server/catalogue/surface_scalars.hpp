@@ -1,4 +1,4 @@
-// Scalar fields of a dataset at the vertices of a surface, for exports.
+// Scalar fields of a dataset, stored or derived from its velocity, at the vertices of a surface, for exports.
 #pragma once
 
 #include "core/surface/surface.hpp"
@@ -12,7 +12,8 @@
 
 namespace wakesurf::server {
 
-/// Error: NotFound for fields that are not stored, Unsupported for a built-in flow, which has none but its velocity.
+/// Error: NotFound for fields that are neither stored nor derived from the velocity, Unsupported for a built-in flow, which
+/// stores none.
 core::Result<void> check_fields(const LoadedDataset& dataset,
                                 const std::vector<std::string>& fields);
 

@@ -1,6 +1,7 @@
 #include "server/session/surface_fields.hpp"
 
 #include "core/field/sample_scalar.hpp"
+#include "core/field/velocity_gradient.hpp"
 #include "core/surface/vertex_attributes.hpp"
 #include "protocol/mesh_frame.hpp"
 #include "server/limits.hpp"
@@ -31,6 +32,8 @@ std::optional<SurfaceField> lookup(const OpenDataset& dataset, const std::string
         return SurfaceField{name, Source::Deformation};
     if (name == core::approximated_name)
         return SurfaceField{name, Source::Approximated};
+    if (core::find_gradient_field(name))
+        return SurfaceField{name, Source::Gradient};
     return std::nullopt;
 }
 
@@ -92,7 +95,7 @@ core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> f
     using Source = SurfaceField::Source;
     protocol::MeshFields out;
     std::vector<double> when;
-    if (asks_for(fields, Source::Scalar))
+    if (asks_for(fields, Source::Scalar) || asks_for(fields, Source::Gradient))
         when = times();
     for (const SurfaceField& field : fields) {
         if (field.source == Source::Speed) {
@@ -103,7 +106,10 @@ core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> f
             out.push_back(values_of(mesh.approximated, mesh));
         } else {
             auto values =
-                core::sample_scalar(flow, *store, field.scalar, mesh.position, when, stop);
+                field.source == Source::Scalar
+                    ? core::sample_scalar(flow, *store, field.scalar, mesh.position, when, stop)
+                    : core::sample_gradient_field(*core::find_gradient_field(field.name), flow,
+                                                  mesh.position, when, stop);
             if (!values)
                 return tl::unexpected(values.error());
             out.push_back(std::move(*values));

@@ -20,7 +20,7 @@ namespace wakesurf::server {
 struct OpenDataset;
 
 struct SurfaceField {
-    enum class Source : std::uint8_t { Scalar, Speed, Deformation, Approximated };
+    enum class Source : std::uint8_t { Scalar, Speed, Deformation, Approximated, Gradient };
 
     std::string name;
     Source source = Source::Scalar;
@@ -39,9 +39,9 @@ std::vector<SurfaceField> fields_there(const OpenDataset& dataset,
 
 bool asks_for(std::span<const SurfaceField> fields, SurfaceField::Source source);
 
-/// Each field at each vertex; not finite where a stored field has no value.
+/// Each field at each vertex; not finite where a stored field has no value, or the velocity no gradient.
 /// @param store  which the flow is of; null for a built-in flow
-/// @param times  one a vertex: when it is there. Asked for if a stored field is among the fields
+/// @param times  one a vertex: when it is there. Asked for if a field that is sampled is among them
 /// Error: Cancelled, what reading reports.
 core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> fields,
                                                  const core::Flow& flow,

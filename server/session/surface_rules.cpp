@@ -1,5 +1,6 @@
 #include "server/session/surface_rules.hpp"
 
+#include "core/field/velocity_gradient.hpp"
 #include "core/surface/vertex_attributes.hpp"
 #include "server/session/surface_fields.hpp"
 
@@ -54,7 +55,8 @@ std::vector<std::string> field_names(const OpenDataset& dataset) {
         for (const core::StoredScalar& each : dataset.store->layout().scalars)
             names.push_back(each.name);
     names.push_back(dataset.info.velocity);
-    for (const auto derived : {core::deformation_name, core::approximated_name})
+    for (const auto derived : {core::deformation_name, core::approximated_name,
+                               core::vorticity_name, core::q_criterion_name})
         if (std::ranges::find(names, derived) == names.end())
             names.emplace_back(derived);
     return names;

@@ -120,32 +120,28 @@ describe('colours', () => {
         await page.getByRole('radio', { name: 'Viridis' }).click();
     });
 
-    it('are those of what the server computes on demand, once it has come', async () => {
+    it.each([
+        ['q_criterion', 'Q '],
+        ['deformation', 'Stretching'],
+    ])('are those of what the server computes on demand, once it has come: %s', async (field, title) => {
         const before = await ask(page, (hook) => hook.displayed!.epoch);
-        await page.getByLabel('Colour by').selectOption('deformation');
+        await page.getByLabel('Colour by').selectOption(field);
         await page.waitForFunction(
             (epoch) => window.wakesurf!.phase === 'final' && window.wakesurf!.displayed!.epoch > epoch,
             before,
         );
-        await page.waitForFunction(() =>
-            /^Colours: Stretching/.test(
-                document
-                    .querySelector('wakesurf-app')!
-                    .shadowRoot!.querySelector('wakesurf-scalar-bar')!
-                    .shadowRoot!.querySelector('figure')!.ariaLabel ?? '',
-            ),
-        );
+        await expect.poll(scalarBar).toMatch(new RegExp(`^Colours: ${title}`));
         await drawn();
         const session = await ask(page, (hook) => hook.session);
         const record = (await server.call('session.state', { session })) as { snapshot?: unknown };
-        expect(JSON.stringify(record)).toContain('"fields":["deformation"]');
+        expect(JSON.stringify(record)).toMatch(new RegExp(`"fields":\\[[^\\]]*"${field}"`));
         const values = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar);
         const half = Math.max(...values.map(Math.abs));
         expect(half).toBeGreaterThan(1);
         const seen = await seenVertices(page, 3);
         expect(await page.getByRole('radio', { name: 'Cool to warm' }).isChecked()).toBe(true);
         expect(agreement(seen, ({ scalar }) => scalar, { map: 'coolToWarm', range: [-half, half] })).toBeGreaterThan(0.95);
-        await screenshot(page, 'look-deformation');
+        await screenshot(page, `look-${field}`);
     });
 
     it('are those of the speed again at once', async () => {

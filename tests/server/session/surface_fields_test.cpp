@@ -58,7 +58,7 @@ class ShearStore {
         dataset_.info.velocity = "U";
         dataset_.info.fields = {
             {"U", 3, core::FieldInfo::Source::Point, {}, ""},
-            {"vorticity", 3, core::FieldInfo::Source::Point, {}, ""},
+            {"heat flux", 3, core::FieldInfo::Source::Point, {}, ""},
             {"p", 1, core::FieldInfo::Source::Point, {}, ""},
             {"holes", 1, core::FieldInfo::Source::Cell, {}, ""},
         };
@@ -241,6 +241,24 @@ TEST(SurfaceFields, DeformationIsTheAreaRatioOfTheFlowMapInEveryPass) {
     }
 }
 
+// The flow shears at 0.5 / s: so much it turns, and turning and straining are equal.
+TEST(SurfaceFields, VorticityAndQAreThoseOfTheShearInEveryPass) {
+    const core::SteadyClock clock;
+    const ShearStore store;
+    for (const SurfaceKind kind : kinds) {
+        SurfaceBuild build(store.job(kind, {"vorticity", "q_criterion"}), clock);
+        for (const SurfacePass& pass : all_passes()) {
+            const Update update = update_of(build, pass);
+            const WireMesh& state = *update.wire.state;
+            ASSERT_EQ(state.codes.size(), 5u);
+            for (std::size_t v = 0; v < state.vertices(); ++v) {
+                ASSERT_NEAR(value(state, 3, v), 0.5, 1e-5) << static_cast<int>(kind);
+                ASSERT_NEAR(value(state, 4, v), 0.0, 1e-5) << static_cast<int>(kind);
+            }
+        }
+    }
+}
+
 TEST(SurfaceFields, ApproximatedMarksAsManyVerticesAsTheStatisticsCount) {
     const core::SteadyClock clock;
     for (const SurfaceKind kind : kinds) {
@@ -293,8 +311,9 @@ TEST(SurfaceFields, NamesAreFoundInTheDatasetFirst) {
     EXPECT_EQ(find_field(store.dataset(), "deformation").value().source, Source::Deformation);
     const auto unknown = find_field(store.dataset(), "T");
     EXPECT_EQ(unknown.error().code, core::Error::Code::InvalidArgument);
-    EXPECT_EQ(unknown.error().hint, "there is p, holes, U, deformation, approximated");
-    const auto vector = find_field(store.dataset(), "vorticity");
+    EXPECT_EQ(unknown.error().hint,
+              "there is p, holes, U, deformation, approximated, vorticity, q_criterion");
+    const auto vector = find_field(store.dataset(), "heat flux");
     EXPECT_NE(vector.error().message.find("a store holds one vector"), std::string::npos);
     const auto names = [&](const std::vector<std::string>& asked) {
         std::vector<std::string> out;

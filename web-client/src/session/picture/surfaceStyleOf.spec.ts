@@ -22,6 +22,7 @@ describe('styleOf', () => {
         expect(of('speed')).toMatchObject({ source: 'scalar', scalar: 'speed', range: [1, 3] });
         expect(of('field:p')).toMatchObject({ source: 'scalar', scalar: 'p', range: [-2, 5] });
         expect(of('deformation')).toMatchObject({ source: 'scalar', scalar: 'deformation', range: null });
+        expect(of('q_criterion')).toMatchObject({ source: 'scalar', scalar: 'q_criterion', range: null });
         expect(of('age')).toMatchObject({ source: 'age', range: null });
         expect(of('constant')).toMatchObject({ source: 'constant', color: '#123456' });
         const locked = styleOf({ ...facts, look: { ...usualLook, range: [0, 1] } });

@@ -4,6 +4,9 @@ import type { ColorSource, SurfaceStyle } from '../../scene/surface/surfaceStyle
 import type { SurfaceLook } from '../../state/surfaceLook.ts';
 
 export const deformation = 'deformation';
+export const vorticity = 'vorticity';
+export const qCriterion = 'q_criterion';
+const derived: readonly string[] = [deformation, vorticity, qCriterion, 'approximated'];
 const fieldMark = 'field:';
 const usualColour = '#8fb8de';
 
@@ -40,7 +43,12 @@ export function colourByField(name: string): string {
 /** The name of what the server has to send; null for what it always sends or what is made here. */
 export function fieldOf(colourBy: string): string | null {
     if (colourBy.startsWith(fieldMark)) return colourBy.slice(fieldMark.length);
-    return [deformation, 'approximated'].includes(colourBy) ? colourBy : null;
+    return derived.includes(colourBy) ? colourBy : null;
+}
+
+/** With a sign that says something: stretched or gathered, turning or straining. */
+export function isSigned(colourBy: string): boolean {
+    return colourBy === deformation || colourBy === qCriterion;
 }
 
 /** The attribute on the wire; null for what is made from s and t, or is constant. */

@@ -1,7 +1,7 @@
 // What a surface can be coloured by, and the colour maps, in words.
 import type { DatasetDescription, SurfaceKind } from '../../protocol/messages.ts';
 import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
-import { canCome, colourByField, colourFields, deformation } from '../../session/picture/surfaceStyleOf.ts';
+import { canCome, colourByField, colourFields, deformation, qCriterion, vorticity } from '../../session/picture/surfaceStyleOf.ts';
 import type { ColourMap } from '../../state/surfaceLook.ts';
 import type { Choice } from './lookStyles.ts';
 
@@ -32,6 +32,8 @@ export function colourChoices(
     }));
     const derived = [
         { value: deformation, words: 'Stretching' },
+        { value: vorticity, words: 'Vorticity' },
+        { value: qCriterion, words: 'Vortices (Q)' },
         { value: 'approximated', words: 'Approximated' },
     ];
     return [
@@ -51,6 +53,8 @@ export function colourTitle({ source, scalar }: SurfaceStyle, dataset: DatasetDe
     if (source === 's') return 'Place on the rake';
     if (source === 'age') return ageName(kind);
     if (scalar === deformation) return 'Stretching (log₂ of area)';
+    if (scalar === vorticity) return 'Vorticity';
+    if (scalar === qCriterion) return 'Q (above 0: vortex)';
     if (scalar === 'approximated') return 'Approximated (0: no, 1: yes)';
     const field = dataset?.fields.find(({ name }) => name === (scalar === 'speed' ? dataset.velocity : scalar));
     const name = scalar === 'speed' ? 'Speed' : scalar;

@@ -1,7 +1,7 @@
 // What the selected surface is coloured by, with which colours, over which range.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colorTable, tableSize } from '../../scene/surface/colorMap.ts';
-import { attributeOf, deformation, fieldOf, withField } from '../../session/picture/surfaceStyleOf.ts';
+import { attributeOf, fieldOf, isSigned, withField } from '../../session/picture/surfaceStyleOf.ts';
 import { colourMaps, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { AppModel } from '../base/appModel.ts';
 import { colourChoices, mapNames } from './colourNames.ts';
@@ -101,8 +101,7 @@ export class ColourPanel extends SignalElement {
         const field = fieldOf(colourBy);
         const fields = state.surface.value?.fields ?? [];
         if (field !== null && !fields.includes(field)) edits.changeSurface({ fields: withField(fields, field) });
-        // Stretched or gathered: a quantity with a sign.
-        const signed = colourBy === deformation;
+        const signed = isSigned(colourBy);
         const wasSigned = before.map === 'coolToWarm' && before.centre !== null;
         const map = signed ? 'coolToWarm' : wasSigned ? 'viridis' : before.map;
         this.change({ colourBy, range: null, log: false, centre: signed ? 0 : null, map });
