@@ -178,7 +178,10 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         ->capture_default_str();
     command.add_option("--angle", options.angle, "Cells that meet at more degrees are refined")
         ->capture_default_str();
-    command.add_option("--fields", options.fields, "Scalar fields to write at the vertices, a,b")
+    command
+        .add_option(
+            "--fields", options.fields,
+            "Scalar fields to write at the vertices, a,b; vorticity and q_criterion are derived")
         ->delimiter(',');
     command.add_option("--max-quads", options.max_quads, "Most quads to build")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}))
