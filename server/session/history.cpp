@@ -23,8 +23,21 @@ EditStep* find_step(Edit& edit, const RecordKey& key) {
     return found == edit.steps.end() ? nullptr : &*found;
 }
 
+/// `next` deletes what `into` made, and with it what others had made of that: forgotten with the one, the other could not
+/// come back.
+bool takes_others_along(Edit& into, const Edit& next) {
+    bool unmakes = false;
+    bool takes = false;
+    for (const EditStep& each : next.steps) {
+        const EditStep* mine = find_step(into, each.key);
+        unmakes = unmakes || (!each.after && mine != nullptr && !mine->before);
+        takes = takes || (!each.after && mine == nullptr);
+    }
+    return unmakes && takes;
+}
+
 /// Makes `into`, of the same gesture, the edit that did both. False where something else came between, or it would be
-/// of too many records.
+/// of too many records, or could not be turned.
 bool merge(Edit& into, const Edit& next) {
     if (next.gesture.empty() || into.gesture != next.gesture)
         return false;
@@ -35,10 +48,11 @@ bool merge(Edit& into, const Edit& next) {
             return false;
         more += mine == nullptr ? 1 : 0;
     }
-    if (into.steps.size() + more > limits::gesture_records)
+    if (into.steps.size() + more > limits::gesture_records || takes_others_along(into, next))
         return false;
     for (const EditStep& each : next.steps) {
         if (EditStep* mine = find_step(into, each.key)) {
+            mine->latest = std::max({mine->latest, mine->after_rev, each.latest});
             mine->after = each.after;
             mine->after_rev = each.after_rev;
         } else {

@@ -27,6 +27,7 @@ struct EditStep {
     std::shared_ptr<const Record> after;
     std::uint64_t before_rev = 0; ///< its revision while it is as before; 0: not there
     std::uint64_t after_rev = 0;
+    std::uint64_t latest = 0; ///< the highest it had between, where a gesture left it gone
 
     /// What the record becomes.
     const std::shared_ptr<const Record>& to(Turn turn) const {

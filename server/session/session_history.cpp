@@ -19,7 +19,7 @@ std::shared_ptr<const Record> at_new_rev(const EditStep& step, Turn turn) {
     if (!step.to(turn))
         return nullptr;
     Record record = *step.to(turn);
-    set_rev(record, std::max({step.before_rev, step.after_rev, rev_of(record)}) + 1);
+    set_rev(record, std::max({step.before_rev, step.after_rev, step.latest, rev_of(record)}) + 1);
     if (auto* rake = std::get_if<protocol::RakeRecord>(&record)) {
         rake->dragging = false;
         rake->leased_by.clear();

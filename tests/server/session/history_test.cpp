@@ -220,6 +220,29 @@ TEST_F(HistoryTest, WhatAGestureMadeAndDeletedNeverWas) {
     EXPECT_TRUE(session.rakes().empty());
 }
 
+TEST_F(HistoryTest, WhatOthersMadeOfItComesBackAllTheSame) {
+    const auto press = in_gesture(bench.ada, "g");
+    const auto rake = make_rake(press);
+    const auto surface = session.set_surface(surface_on(rake), bench.bob)->surface;
+    const auto before = content(session.records(), false);
+    ASSERT_TRUE(session.delete_rake(rake, press));
+    undo(bench.ada);
+    EXPECT_EQ(content(session.records(), false), before);
+    EXPECT_TRUE(session.surface(surface));
+}
+
+TEST_F(HistoryTest, WhatAGestureDeletedComesBackAtALaterRevisionThanItEverHad) {
+    const auto rake = make_rake(bench.ada, 0);
+    const auto press = in_gesture(bench.ada, "g");
+    for (int x = 1; x <= 5; ++x)
+        move(press, rake, x);
+    const auto last = session.rake(rake)->rev;
+    ASSERT_TRUE(session.delete_rake(rake, press));
+    undo(bench.ada);
+    EXPECT_EQ(x_of(rake), 0);
+    EXPECT_GT(session.rake(rake)->rev, last);
+}
+
 TEST_F(HistoryTest, AGestureGathersABoundedNumberOfRecords) {
     const auto press = in_gesture(bench.ada, "g");
     for (std::size_t i = 0; i < server::limits::gesture_records + 5; ++i)
