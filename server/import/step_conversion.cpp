@@ -1,6 +1,7 @@
 #include "server/import/step_conversion.hpp"
 
 #include "core/base/half.hpp"
+#include "core/base/vec3.hpp"
 #include "server/import/assembly/same_mesh.hpp"
 
 #include <algorithm>
@@ -69,10 +70,11 @@ scalar_of(const FirstStep& first, const SourceStep& step, const ChosenScalar& sc
 
 std::vector<float> magnitudes(const std::vector<float>& vectors) {
     std::vector<float> out(vectors.size() / 3);
-    for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = static_cast<float>(std::hypot(static_cast<double>(vectors[3 * i]),
-                                               static_cast<double>(vectors[3 * i + 1]),
-                                               static_cast<double>(vectors[3 * i + 2])));
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const core::Vec3 v(vectors[3 * i], vectors[3 * i + 1], vectors[3 * i + 2]);
+        // Not std::hypot: of three, it loses a NaN where the others are 0 (libstdc++ 12).
+        out[i] = static_cast<float>(glm::length(v));
+    }
     return out;
 }
 

@@ -1,4 +1,5 @@
 // What wakesurf-import makes of good sources.
+#include "server/import/step_conversion.hpp"
 #include "tests/server/import/import_fixture.hpp"
 
 #include <vtkDataArray.h>
@@ -10,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
 
 namespace wakesurf::server {
@@ -164,6 +166,15 @@ TEST_F(Import, KeepsOtherVectorsAsTheirMagnitudes) {
                                     "vorticity, force"),
               std::string::npos)
         << stored.info.note;
+}
+
+TEST(Magnitudes, OfAVectorThatLacksAComponentThereIsNone) {
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    const auto out = magnitudes({0, none, 0, 0, 0, none, none, 1, 2, 3, 4, 12});
+    ASSERT_EQ(out.size(), 4u);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_TRUE(std::isnan(out[static_cast<std::size_t>(i)])) << i;
+    EXPECT_EQ(out[3], 13.0f);
 }
 
 TEST_F(Import, ZeroesTheSolidAndInvertsAMaskThatMarksIt) {
