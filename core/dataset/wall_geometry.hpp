@@ -1,4 +1,5 @@
-// Obstacle geometry for display: triangles, counter-clockwise as seen from the fluid.
+// Obstacle geometry for display: triangles, of built-in bodies counter-clockwise as seen from the fluid, of stored walls in the
+// order that their source has.
 #pragma once
 
 #include "core/base/vec3.hpp"

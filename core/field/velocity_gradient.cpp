@@ -17,50 +17,61 @@ namespace {
 constexpr std::size_t most_at_once = std::size_t{1} << 16;
 constexpr std::size_t places = 7; ///< a point and its neighbours: below and above along x, y, z
 
-/// Where the velocity is asked for, for each of some points, and which of the places are in the flow.
+constexpr int halvings = 6; ///< of the step, where the flow is thinner than it
+
+/// Where the velocity is asked for, for each of some points.
 struct Star {
     std::array<Vec3, places> at;
-    std::array<bool, places> inside{};
+    std::array<bool, places> inside{}; ///< the place is in the flow
+    std::array<double, 3> step{};
 };
 
-Star star_of(const Flow& flow, const Vec3& point, double step) {
+Star star_of(const Flow& flow, const Vec3& point, double longest) {
     Star star;
     star.at.fill(point);
-    for (int axis = 0; axis < 3; ++axis) {
-        star.at[1 + 2 * axis][axis] -= step;
-        star.at[2 + 2 * axis][axis] += step;
-    }
-    for (std::size_t k = 0; k < places; ++k) {
-        star.inside[k] = flow.status(star.at[k]) == PointStatus::Inside;
-        // Not asked for where it means nothing.
-        if (!star.inside[k])
-            star.at[k] = point;
+    star.inside[0] = flow.status(point) == PointStatus::Inside;
+    for (std::size_t axis = 0; star.inside[0] && axis < 3; ++axis) {
+        const std::size_t below = 1 + 2 * axis;
+        double step = longest;
+        for (int tries = 0; tries <= halvings; ++tries, step /= 2.0) {
+            star.step[axis] = step;
+            for (const std::size_t place : {below, below + 1}) {
+                Vec3 at = point;
+                at[static_cast<int>(axis)] += place == below ? -step : step;
+                star.inside[place] = flow.status(at) == PointStatus::Inside;
+                // Not asked for where it means nothing.
+                star.at[place] = star.inside[place] ? at : point;
+            }
+            if (star.inside[below] || star.inside[below + 1])
+                break;
+        }
     }
     return star;
 }
 
-glm::dmat3 gradient_of(const Star& star, const Vec3* velocity, double step) {
-    glm::dmat3 out(std::numeric_limits<double>::quiet_NaN());
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto below = static_cast<std::size_t>(1 + 2 * axis);
+glm::dmat3 gradient_of(const Star& star, const Vec3* velocity) {
+    glm::dmat3 out;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t below = 1 + 2 * axis;
         const std::size_t from = star.inside[below] ? below : 0;
         const std::size_t to = star.inside[below + 1] ? below + 1 : 0;
-        const double distance = (from == 0 ? 0.0 : step) + (to == 0 ? 0.0 : step);
-        out[axis] = star.inside[0] && distance > 0.0
-                        ? (velocity[to] - velocity[from]) / distance
-                        : Vec3(std::numeric_limits<double>::quiet_NaN());
+        const int sides = (from == 0 ? 0 : 1) + (to == 0 ? 0 : 1);
+        out[static_cast<int>(axis)] =
+            sides > 0 ? (velocity[to] - velocity[from]) / (sides * star.step[axis])
+                      : Vec3(std::numeric_limits<double>::quiet_NaN());
     }
     return out;
 }
 
-} // namespace
-
-Result<std::vector<glm::dmat3>> velocity_gradients(const Flow& flow,
-                                                   std::span<const Vec3> positions,
-                                                   std::span<const double> times,
-                                                   double step,
-                                                   const std::stop_token& stop) {
-    std::vector<glm::dmat3> out(positions.size());
+/// Calls `take` with the number of each point and the gradient there, some points at a time, in the order of time: then
+/// each time-step is loaded about once.
+template <class Take>
+Result<void> each_gradient(const Flow& flow,
+                           std::span<const Vec3> positions,
+                           std::span<const double> times,
+                           double step,
+                           const std::stop_token& stop,
+                           Take take) {
     std::vector<std::size_t> order(positions.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return times[i]; });
@@ -76,20 +87,33 @@ Result<std::vector<glm::dmat3>> velocity_gradients(const Flow& flow,
         velocity.resize(places * count);
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& range) {
             for (std::size_t i = range.begin(); i != range.end() && !stop.stop_requested(); ++i) {
+                const auto first = static_cast<std::ptrdiff_t>(places * i);
                 stars[i] = star_of(flow, positions[points[i]], step);
-                std::ranges::copy(stars[i].at,
-                                  asked.begin() + static_cast<std::ptrdiff_t>(places * i));
-                std::fill_n(when.begin() + static_cast<std::ptrdiff_t>(places * i), places,
-                            times[points[i]]);
+                std::ranges::copy(stars[i].at, asked.begin() + first);
+                std::fill_n(when.begin() + first, places, times[points[i]]);
             }
         });
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "sampling was cancelled");
         if (auto sampled = flow.sample(asked, when, velocity, stop); !sampled)
-            return tl::unexpected(sampled.error());
+            return sampled;
         for (std::size_t i = 0; i < count; ++i)
-            out[points[i]] = gradient_of(stars[i], velocity.data() + places * i, step);
+            take(points[i], gradient_of(stars[i], velocity.data() + places * i));
     }
+    return {};
+}
+
+} // namespace
+
+Result<std::vector<glm::dmat3>> velocity_gradients(const Flow& flow,
+                                                   std::span<const Vec3> positions,
+                                                   std::span<const double> times,
+                                                   double step,
+                                                   const std::stop_token& stop) {
+    std::vector<glm::dmat3> out(positions.size());
+    const auto keep = [&](std::size_t i, const glm::dmat3& gradient) { out[i] = gradient; };
+    if (auto done = each_gradient(flow, positions, times, step, stop, keep); !done)
+        return tl::unexpected(done.error());
     return out;
 }
 
@@ -115,19 +139,23 @@ std::optional<GradientField> find_gradient_field(std::string_view name) {
     return std::nullopt;
 }
 
-Result<std::vector<float>> sample_gradient_field(GradientField field,
-                                                 const Flow& flow,
-                                                 std::span<const Vec3> positions,
-                                                 std::span<const double> times,
-                                                 const std::stop_token& stop) {
-    const auto gradients = velocity_gradients(flow, positions, times, flow.finest_spacing(), stop);
-    if (!gradients)
-        return tl::unexpected(gradients.error());
-    std::vector<float> out;
-    out.reserve(gradients->size());
-    for (const glm::dmat3& gradient : *gradients)
-        out.push_back(static_cast<float>(
-            field == GradientField::Vorticity ? vorticity(gradient) : q_criterion(gradient)));
+Result<std::vector<std::vector<float>>>
+sample_gradient_fields(std::span<const GradientField> fields,
+                       const Flow& flow,
+                       std::span<const Vec3> positions,
+                       std::span<const double> times,
+                       const std::stop_token& stop) {
+    std::vector<std::vector<float>> out(fields.size(), std::vector<float>(positions.size()));
+    const auto keep = [&](std::size_t i, const glm::dmat3& gradient) {
+        for (std::size_t k = 0; k < fields.size(); ++k)
+            out[k][i] =
+                static_cast<float>(fields[k] == GradientField::Vorticity ? vorticity(gradient)
+                                                                         : q_criterion(gradient));
+    };
+    if (fields.empty())
+        return out;
+    if (auto done = each_gradient(flow, positions, times, flow.finest_spacing(), stop, keep); !done)
+        return tl::unexpected(done.error());
     return out;
 }
 

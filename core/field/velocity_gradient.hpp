@@ -18,7 +18,7 @@
 namespace wakesurf::core {
 
 /// Column k is the derivative of the velocity along axis k, by central differences over two steps; one-sided where a neighbour
-/// is outside the domain or in an obstacle, NaN where both are. Second order in the step.
+/// is outside the domain or in an obstacle, over shorter steps where both are, NaN where the point is. Second order in the step.
 /// @param times  one a point
 /// @param step   > 0, for a stored field its node spacing
 /// Error: Cancelled, what sampling reports. Cost: seven samples a point; time-steps are asked for in their order.
@@ -43,12 +43,13 @@ inline constexpr std::string_view q_criterion_name = "q_criterion";
 /// By the names that files and frames have for it.
 std::optional<GradientField> find_gradient_field(std::string_view name);
 
-/// Of the flow's finest detail; NaN where the gradient is.
+/// One list of values a field, nothing sampled where there is none; of the flow's finest detail, NaN where the gradient is.
 /// Error: Cancelled, what sampling reports. Thread safety: concurrent calls are fine.
-Result<std::vector<float>> sample_gradient_field(GradientField field,
-                                                 const Flow& flow,
-                                                 std::span<const Vec3> positions,
-                                                 std::span<const double> times,
-                                                 const std::stop_token& stop);
+Result<std::vector<std::vector<float>>>
+sample_gradient_fields(std::span<const GradientField> fields,
+                       const Flow& flow,
+                       std::span<const Vec3> positions,
+                       std::span<const double> times,
+                       const std::stop_token& stop);
 
 } // namespace wakesurf::core

@@ -52,20 +52,31 @@ core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset
         return tl::unexpected(known.error());
     protocol::MeshScalars scalars;
     const auto times = core::vertex_times(surface, parameters);
+    std::vector<core::GradientField> derived;
+    std::vector<std::string> derived_names;
     for (const std::string& name : fields) {
         if (written_anyhow(dataset, name))
             continue;
-        const auto derived = derived_here(dataset, name);
-        auto values = derived
-                          ? core::sample_gradient_field(*derived, *dataset.flow,
-                                                        surface.mesh.position, times, stop)
-                          : core::sample_scalar(*dataset.flow, *dataset.store,
-                                                *core::find_scalar(dataset.store->layout(), name),
-                                                surface.mesh.position, times, stop);
+        if (const auto field = derived_here(dataset, name)) {
+            derived.push_back(*field);
+            derived_names.push_back(name);
+            continue;
+        }
+        auto values = core::sample_scalar(*dataset.flow, *dataset.store,
+                                          *core::find_scalar(dataset.store->layout(), name),
+                                          surface.mesh.position, times, stop);
         if (!values)
             return tl::unexpected(values.error());
         scalars[name] = std::move(*values);
     }
+    if (derived.empty())
+        return scalars;
+    auto values =
+        core::sample_gradient_fields(derived, *dataset.flow, surface.mesh.position, times, stop);
+    if (!values)
+        return tl::unexpected(values.error());
+    for (std::size_t k = 0; k < derived.size(); ++k)
+        scalars[derived_names[k]] = std::move((*values)[k]);
     return scalars;
 }
 

@@ -97,6 +97,15 @@ core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> f
     std::vector<double> when;
     if (asks_for(fields, Source::Scalar) || asks_for(fields, Source::Gradient))
         when = times();
+    // Together: each of them takes seven samples a vertex.
+    std::vector<core::GradientField> derived;
+    for (const SurfaceField& field : fields)
+        if (field.source == Source::Gradient)
+            derived.push_back(*core::find_gradient_field(field.name));
+    auto gradients = core::sample_gradient_fields(derived, flow, mesh.position, when, stop);
+    if (!gradients)
+        return tl::unexpected(gradients.error());
+    std::size_t next = 0;
     for (const SurfaceField& field : fields) {
         if (field.source == Source::Speed) {
             out.push_back(speeds_of(mesh));
@@ -104,12 +113,11 @@ core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> f
             out.push_back(values_of(mesh.deformation, mesh));
         } else if (field.source == Source::Approximated) {
             out.push_back(values_of(mesh.approximated, mesh));
+        } else if (field.source == Source::Gradient) {
+            out.push_back(std::move((*gradients)[next++]));
         } else {
             auto values =
-                field.source == Source::Scalar
-                    ? core::sample_scalar(flow, *store, field.scalar, mesh.position, when, stop)
-                    : core::sample_gradient_field(*core::find_gradient_field(field.name), flow,
-                                                  mesh.position, when, stop);
+                core::sample_scalar(flow, *store, field.scalar, mesh.position, when, stop);
             if (!values)
                 return tl::unexpected(values.error());
             out.push_back(std::move(*values));

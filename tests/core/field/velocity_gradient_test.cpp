@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -87,6 +89,31 @@ TEST(VelocityGradient, IsOneSidedAtWallsAndTheEndOfTheDomainAndNowhereElse) {
     const auto corner = gradients(*sphere, {sphere->domain().hi}, step).front();
     EXPECT_TRUE(finite(corner[0]) && finite(corner[1]) && finite(corner[2]));
     EXPECT_FALSE(finite(gradients(*sphere, {Vec3(0.1)}, step).front()[0])) << "in the body";
+}
+
+// As between two plates, or of data that have no depth.
+TEST(VelocityGradient, TakesShorterStepsWhereTheFlowIsThinnerThanTheStep) {
+    const auto flow = *make_analytic_flow("shear?g=0.8");
+    const double width = glm::length(flow->domain().extent());
+    const auto gradient = gradients(*flow, points_in(*flow, 20), 4.0 * width);
+    for (const glm::dmat3& each : gradient)
+        EXPECT_NEAR(vorticity(each), 0.8, 1e-9);
+}
+
+TEST(VelocityGradient, FieldsAreThoseOfTheGradientsTogetherOrAlone) {
+    const auto flow = *make_analytic_flow("lamb-oseen");
+    const std::vector<Vec3> points = points_in(*flow, 40);
+    const std::vector<double> times(points.size(), 0.0);
+    constexpr std::array both{GradientField::QCriterion, GradientField::Vorticity};
+    const auto together = sample_gradient_fields(both, *flow, points, times, {});
+    const auto alone = sample_gradient_fields({both.data() + 1, 1}, *flow, points, times, {});
+    const auto all = gradients(*flow, points, flow->finest_spacing(), 0.0);
+    ASSERT_TRUE(together && alone);
+    EXPECT_EQ((*together)[1], (*alone)[0]);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_FLOAT_EQ((*together)[0][i], static_cast<float>(q_criterion(all[i])));
+        EXPECT_FLOAT_EQ((*together)[1][i], static_cast<float>(vorticity(all[i])));
+    }
 }
 
 TEST(VelocityGradient, OfAPointDoesNotDependOnTheOthersAndTheirTimes) {
