@@ -8,9 +8,11 @@ import { ImportWait } from './importWait.ts';
 const stopped = new CallError({ kind: 'rpc', code: -32800, message: 'cancelled', hint: '' });
 const lost = new CallError({ kind: 'disconnected', code: 0, message: 'gone', hint: '' });
 
-function bench() {
+const importing: DatasetEntry = { dataset: 'd', name: 'd', state: 'importing' };
+
+function bench(first: DatasetEntry['state'] = 'importing') {
     const state = new AppState();
-    state.datasetEntry.value = { dataset: 'd', name: 'd', state: 'importing' };
+    state.datasetEntry.value = { ...importing, state: first };
     const calls: { reject: (error: Error) => void; resolve: (entry: DatasetEntry) => void }[] = [];
     const call = (_method: string, _params: object, signal: AbortSignal) =>
         new Promise((resolve, reject) => {
@@ -33,6 +35,45 @@ describe('waiting for an import', () => {
         imports.again();
         expect(calls).toHaveLength(2);
         expect(imports.left.value).toBe(false);
+    });
+
+    it('goes on when the server has no more patience, so that it can still be stopped', async () => {
+        const { state, calls, imports } = bench();
+        calls[0]!.resolve(state.datasetEntry.value!);
+        await settled();
+        expect(calls).toHaveLength(2);
+        imports.stop();
+        await settled();
+        expect(imports.left.value).toBe(true);
+        expect(calls).toHaveLength(2);
+    });
+
+    it('begins when somebody else has a stopped import go on, unless this user has left it', async () => {
+        const { state, calls, imports } = bench('stopped');
+        expect(calls).toHaveLength(0);
+        state.datasetEntry.value = importing;
+        expect(calls).toHaveLength(1);
+        imports.stop();
+        await settled();
+        state.datasetEntry.value = { ...importing, state: 'stopped' };
+        state.datasetEntry.value = { ...importing };
+        await settled();
+        expect(calls).toHaveLength(1);
+        expect(imports.left.value).toBe(true);
+    });
+
+    it('that somebody else has ended is left while the import is stopped, and not before or after', async () => {
+        const { state, calls, imports } = bench();
+        calls[0]!.reject(stopped);
+        await settled();
+        // The entry of before the stop is no reason to have it go on.
+        state.datasetEntry.value = { ...importing, progress: 0.5 };
+        expect(calls).toHaveLength(1);
+        state.datasetEntry.value = { ...importing, state: 'stopped' };
+        expect(imports.left.value).toBe(true);
+        state.datasetEntry.value = importing;
+        expect(imports.left.value).toBe(false);
+        expect(calls).toHaveLength(2);
     });
 
     it('ends with the connection as if it had not begun, and when somebody else has stopped the import', async () => {

@@ -1,6 +1,7 @@
 // Waits for the import of the dataset that is opened, as one of all who do, until this page's user stops it: the last one who
 // does ends the import (protocol/README.md, "Datasets that are imported").
-import { effect, signal } from '@preact/signals-core';
+import { effect, signal, untracked } from '@preact/signals-core';
+import type { DatasetEntry } from '../protocol/messages.ts';
 import type { AppState } from '../state/appState.ts';
 import { CallError, type WorkerClient } from '../worker/workerClient.ts';
 
@@ -16,12 +17,16 @@ export class ImportWait {
     readonly left = signal(false);
     private readonly options: ImportWaitOptions;
     private waiting: AbortController | null = null;
+    /** This user has stopped; what others go on with is not waited for again before this user says so. */
+    private own = false;
+    /** The entry has said that the import is stopped, since it was last waited for. */
+    private seenStopped = false;
 
     constructor(options: ImportWaitOptions) {
         this.options = options;
-        // Of a dataset that becomes ready, whoever has seen to it, there is nothing left to wait for.
         effect(() => {
-            if (options.state.datasetEntry.value?.state === 'ready') this.left.value = false;
+            const entry = options.state.datasetEntry.value;
+            if (entry !== null) untracked(() => this.follow(entry));
         });
     }
 
@@ -30,23 +35,47 @@ export class ImportWait {
         if (this.waiting !== null) return;
         const waiting = new AbortController();
         this.waiting = waiting;
+        this.own = false;
+        this.seenStopped = false;
         this.left.value = false;
         try {
-            await this.options.worker.call('dataset.open', { dataset }, waiting.signal);
+            // The server's patience ends before a long import does.
+            while (!waiting.signal.aborted) {
+                const entry = await this.options.worker.call('dataset.open', { dataset }, waiting.signal);
+                if (entry.state !== 'importing') break;
+            }
         } catch (error) {
             // Other failures are told by the dataset's entry, or by the connection.
             if (error instanceof CallError && error.failure.code === cancelled) this.left.value = true;
         } finally {
             this.waiting = null;
+            const entry = this.options.state.datasetEntry.value;
+            if (this.own) this.left.value = true;
+            else if (this.left.value && entry !== null) this.follow(entry);
         }
     }
 
     stop(): void {
-        this.waiting?.abort();
+        if (this.waiting === null) return;
+        this.own = true;
+        this.waiting.abort();
     }
 
     again(): void {
         const dataset = this.options.state.datasetEntry.value?.dataset;
         if (dataset !== undefined) void this.begin(dataset);
+    }
+
+    private follow({ dataset, state }: DatasetEntry): void {
+        if (state === 'stopped') this.seenStopped = true;
+        // Of a dataset that becomes ready, whoever has seen to it, there is nothing left to wait for.
+        if (state === 'ready') {
+            this.left.value = false;
+            this.own = false;
+        }
+        if (state !== 'importing' || this.own || this.waiting !== null) return;
+        // The entry may be older than the news that somebody has stopped: to wait at once would have it go on.
+        if (this.left.value && !this.seenStopped) return;
+        void this.begin(dataset);
     }
 }
