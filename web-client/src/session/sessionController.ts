@@ -6,6 +6,7 @@ import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
 import { keep, recall } from '../state/browserMemory.ts';
 import { CallError, type WorkerClient, type WorkerEvent } from '../worker/workerClient.ts';
+import { isDisconnected, tellUnlessCut } from './base/lostConnection.ts';
 import { defaultLength, defaultRake, defaultSeeds } from './edits/defaults.ts';
 import type { Edits } from './edits/edits.ts';
 import { makeAnew, rememberedOf } from './view/madeAnew.ts';
@@ -99,7 +100,7 @@ export class SessionController {
             state.stage.value = 'running';
             this.options.views.restore();
         } catch (error) {
-            if (gone() || (error instanceof CallError && error.failure.kind === 'disconnected')) return;
+            if (gone() || isDisconnected(error)) return;
             state.stage.value = 'failed';
             state.notice.value = error instanceof Error ? error.message : String(error);
         }
@@ -153,7 +154,7 @@ export class SessionController {
             await this.enter(this.session);
             this.options.state.problems.solved('name');
         } catch (error) {
-            this.options.state.problems.tell('name', error);
+            tellUnlessCut(this.options.state.problems, 'name', error);
         }
     }
 
@@ -234,7 +235,7 @@ export class SessionController {
             await this.subscribe(surface);
         } catch (error) {
             // A lost connection is told of elsewhere, and all are subscribed again after it.
-            if (error instanceof CallError && error.failure.kind === 'disconnected') return;
+            if (isDisconnected(error)) return;
             this.options.state.notice.value = error instanceof Error ? error.message : String(error);
         }
     }

@@ -2,6 +2,7 @@
 import type { MethodName, ParamsOf, ResultOf } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
+import { tellUnlessCut } from './lostConnection.ts';
 
 const edits = new Set<MethodName>(['annotation.set', 'annotation.delete', 'bookmark.set', 'bookmark.delete']);
 
@@ -25,7 +26,7 @@ export class Calls {
             if (edits.has(method)) this.edited();
             return result;
         } catch (error) {
-            this.state.problems.tell(method, error);
+            tellUnlessCut(this.state.problems, method, error);
             return null;
         }
     }

@@ -1,13 +1,14 @@
 // What becomes of an edit that the server does not take: words for the user, and whether it must be taken back on this page.
 import type { AppState } from '../../state/appState.ts';
 import { CallError } from '../../worker/workerClient.ts';
+import { tellUnlessCut } from '../base/lostConnection.ts';
 
 const notPermitted = -32003;
 const leased = -32011;
 
 /** @param about what was edited. True: it is not for this user to change that, now or ever. */
 export function tellFailure({ problems }: AppState, about: string, error: unknown): boolean {
-    problems.tell(about, error);
+    tellUnlessCut(problems, about, error);
     if (!(error instanceof CallError)) return false;
     const { code, message } = error.failure;
     // The hint is for scripts, which can take the rake away from others.

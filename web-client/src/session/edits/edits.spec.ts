@@ -9,6 +9,7 @@ import { Edits, type EditsOptions } from './edits.ts';
 type Call = [method: string, params: Record<string, unknown>];
 
 const leased = new CallError({ kind: 'rpc', code: -32011, message: 'rake r1 is being dragged by Ann', hint: 'force' });
+const lost = new CallError({ kind: 'disconnected', code: 0, message: 'gone', hint: '' });
 
 function rakeOf(rake: string, rest: Partial<RakeRecord> = {}): RakeRecord {
     const points: Vec3[] = [[0, 0, 0], [0, 0, 1]];
@@ -61,6 +62,11 @@ class Bench {
     async refuse(error: Error): Promise<void> {
         this.waiting.shift()?.reject(error);
         for (let i = 0; i < 6; ++i) await settled();
+    }
+
+    /** What the problems that are told are about. */
+    get told(): string[] {
+        return [...this.state.problems.all.value.keys()];
     }
 
     get sent(): unknown[] {
@@ -191,6 +197,19 @@ describe('an edit of a surface', () => {
         bench.edits.changeSurface({ length: 3 });
         bench.edits.flush();
         expect(bench.calls.at(-1)![1]).toMatchObject({ to: 3, separation: 0.5 });
+    });
+});
+
+describe('what is said of an edit', () => {
+    it('is nothing where it ended with the connection, which says so itself', async () => {
+        const bench = new Bench();
+        bench.edits.changeRake('r1', { seeds: 20 });
+        bench.edits.changeSurface({ length: 5 });
+        bench.edits.flush();
+        await bench.refuse(lost);
+        await bench.refuse(lost);
+        expect(bench.state.editsPending.value).toBe(false);
+        expect(bench.told).toEqual([]);
     });
 });
 

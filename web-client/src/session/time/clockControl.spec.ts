@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { settled } from '../../connection/fakeClock.ts';
 import { AppState } from '../../state/appState.ts';
+import { CallError } from '../../worker/workerClient.ts';
 import { ClockControl, type ClockControlOptions } from './clockControl.ts';
 
 function bench(refusal: Error | null = null) {
@@ -42,5 +43,13 @@ describe('ClockControl', () => {
         clock.flush();
         await settled();
         expect([...state.problems.all.value.values()]).toEqual(['your role may not do this']);
+    });
+
+    it('leaves it to the connection to say that it is lost', async () => {
+        const { state, clock } = bench(new CallError({ kind: 'disconnected', code: 0, message: 'gone', hint: '' }));
+        clock.set(1);
+        clock.flush();
+        await clock.play({ speed: 1 });
+        expect(state.problems.all.value.size).toBe(0);
     });
 });

@@ -3,6 +3,7 @@ import { EditWindow } from '../../connection/editWindow.ts';
 import type { ParamsOf } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
+import { tellUnlessCut } from '../base/lostConnection.ts';
 
 export interface ClockControlOptions {
     state: AppState;
@@ -49,7 +50,7 @@ export class ClockControl {
             await call();
             problems.solved('clock');
         } catch (error) {
-            problems.tell('clock', error);
+            tellUnlessCut(problems, 'clock', error);
         }
     }
 }

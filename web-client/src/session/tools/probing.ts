@@ -5,6 +5,7 @@ import type { Vec3 } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ProbeReading, ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
+import { tellUnlessCut } from '../base/lostConnection.ts';
 import { aim, type Sight } from './aiming.ts';
 import { shownTime } from '../time/shownTime.ts';
 
@@ -95,7 +96,7 @@ export class Probing implements PointerTool {
             state.problems.solved('probe');
             pageView.probe.value = { point, time, inside: inside[0] === true, values: Object.entries(values).map(at) };
         } catch (error) {
-            state.problems.tell('probe', error);
+            tellUnlessCut(state.problems, 'probe', error);
         } finally {
             this.asking = false;
             requestFrame();
