@@ -213,6 +213,31 @@ describe('what is said of an edit', () => {
     });
 });
 
+describe('that no time is left for a surface', () => {
+    async function without(): Promise<Bench> {
+        const bench = new Bench();
+        bench.state.dataset.value = { dataset: 'd', bounds: [0, 1, 0, 1, 0, 1], times: [0, 4], fields: [] } as unknown as DatasetDescription;
+        bench.edits.changeSurface({ separation: 0.5 });
+        bench.edits.flush();
+        bench.edits.changeSurface({ kind: 'path', from: 4 });
+        await bench.answer(2, { surface: 's1', epoch: 2 });
+        expect(bench.told).toEqual(['surface s1 time']);
+        return bench;
+    }
+
+    it('stays said when an earlier edit is answered, until there is some', async () => {
+        const bench = await without();
+        bench.edits.changeSurface({ from: 3 });
+        expect(bench.told).toEqual([]);
+    });
+
+    it('is of no interest once another surface is shown', async () => {
+        const bench = await without();
+        bench.edits.chooseRake('r2');
+        expect(bench.told).toEqual([]);
+    });
+});
+
 describe('undo', () => {
     const undone = { undone: [{}], undo: 0, redo: 0, skipped: [] };
     const redone = { redone: [{}], undo: 0, redo: 0, skipped: [] };

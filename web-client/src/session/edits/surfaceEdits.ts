@@ -1,7 +1,7 @@
 // The user's edits of surfaces on their way to the server; what the controls show stays ahead of the record meanwhile.
 import { signal } from '@preact/signals-core';
 import { EditWindow } from '../../connection/editWindow.ts';
-import type { SurfaceEpoch, SurfaceSetting } from '../../protocol/messages.ts';
+import type { SurfaceEpoch, SurfaceRecord, SurfaceSetting } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
@@ -39,6 +39,8 @@ export class SurfaceEdits {
     private readonly options: SurfaceEditsOptions;
     private readonly edited = new Map<string, OneSurface>();
     private intentOf = '';
+    /** Of what the intent asks for no time is left. */
+    private timeless: string | null = null;
 
     constructor(options: SurfaceEditsOptions) {
         this.options = options;
@@ -64,9 +66,11 @@ export class SurfaceEdits {
         this.intent.value = intent;
         const setting = settingOf(intent, record, state.times.value, dataset?.steady ?? false);
         if (setting === null) {
-            state.problems.say(`surface ${record.surface}`, noTimeLeft(intent));
+            this.timeless = record.surface;
+            state.problems.say(timeOf(record.surface), noTimeLeft(intent));
             return;
         }
+        this.timeFound();
         const one = this.edited.get(record.surface) ?? this.track(record.surface);
         one.last = setting;
         const editedAt = performance.now();
@@ -82,18 +86,28 @@ export class SurfaceEdits {
         const one = this.edited.get(record?.surface ?? '');
         const another = this.intentOf !== (record?.surface ?? '');
         this.intentOf = record?.surface ?? '';
-        if (record === undefined) this.intent.value = null;
-        else if (another || one === undefined) this.intent.value = intentOf(record);
+        if (record === undefined) this.takeOver(null);
+        else if (another || one === undefined) this.takeOver(record);
         // A record that is what was asked for brings no news of other people, and less than the intent says.
         else if (!one.window.busy && !(one.last !== null && fulfils(record, one.last))) {
             // Overtaken: should it come back, by a redo, it is news again.
             one.last = null;
-            this.intent.value = intentOf(record);
+            this.takeOver(record);
         }
     }
 
     reconnected(): void {
         for (const one of this.edited.values()) one.last = null;
+    }
+
+    private takeOver(record: SurfaceRecord | null): void {
+        this.intent.value = record === null ? null : intentOf(record);
+        this.timeFound();
+    }
+
+    private timeFound(): void {
+        if (this.timeless !== null) this.options.state.problems.solved(timeOf(this.timeless));
+        this.timeless = null;
     }
 
     private track(surface: string): OneSurface {
@@ -130,6 +144,11 @@ export class SurfaceEdits {
             if (one !== undefined) one.refused ||= refused;
         }
     }
+}
+
+/** What of a surface it is that words about its time are about: an answer to an earlier edit does not take them away. */
+function timeOf(surface: string): string {
+    return `surface ${surface} time`;
 }
 
 function noTimeLeft({ kind, direction }: SurfaceIntent): string {
