@@ -213,6 +213,23 @@ describe('what is said of an edit', () => {
     });
 });
 
+describe('an edit that waits to be sent', () => {
+    it('is none any more once its rake and surface are deleted, and undo does not wait for it', async () => {
+        const bench = new Bench();
+        bench.edits.changeRake('r1', { seeds: 20 });
+        bench.edits.flush();
+        await bench.answer();
+        bench.edits.changeRake('r1', { seeds: 21 });
+        bench.edits.changeSurface({ length: 5 });
+        expect(bench.state.editsPending.value).toBe(true);
+        bench.records([rakeOf('r2')], [surfaceOf('s2', 'r2')]);
+        expect(bench.state.editsPending.value).toBe(false);
+        void bench.edits.undo();
+        for (let i = 0; i < 4; ++i) await settled();
+        expect(bench.calls.map(([method]) => method)).toEqual(['rake.set', 'history.undo']);
+    });
+});
+
 describe('that no time is left for a surface', () => {
     async function without(): Promise<Bench> {
         const bench = new Bench();

@@ -100,7 +100,7 @@ export class RakeEdits {
     /** Takes over the active rake's record unless an edit of ours is ahead of it. */
     recordsChanged(): void {
         const { state, dragging } = this.options;
-        for (const rake of this.edited.keys()) if (!state.rakes.value.has(rake)) this.edited.delete(rake);
+        this.forgetAllBut(state.rakes.value);
         const record = state.rake.value;
         const own = this.edited.get(record?.rake ?? '');
         if (dragging() || own?.window.busy === true) return;
@@ -113,6 +113,13 @@ export class RakeEdits {
     /** A new connection, perhaps to a server that counts anew. */
     reconnected(): void {
         for (const one of this.edited.values()) one.answeredRev = 0;
+    }
+
+    /** What was still to be said of a rake that somebody has deleted is not sent any more. */
+    private forgetAllBut(rakes: ReadonlyMap<string, RakeRecord>): void {
+        const gone = [...this.edited.keys()].filter((rake) => !rakes.has(rake));
+        for (const rake of gone) this.edited.delete(rake);
+        if (gone.length > 0) this.options.onChange();
     }
 
     private submit(rake: string, change: RakeChange, how: Pick<RakeEdit, 'dragging' | 'editedAt' | 'gesture'>): void {

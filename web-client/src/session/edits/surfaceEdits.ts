@@ -81,7 +81,7 @@ export class SurfaceEdits {
     /** Takes over the active surface's record unless an edit of ours is ahead of it. */
     recordsChanged(): void {
         const { surfaces, surface } = this.options.state;
-        for (const id of this.edited.keys()) if (!surfaces.value.has(id)) this.edited.delete(id);
+        this.forgetAllBut(surfaces.value);
         const record = surface.value;
         const one = this.edited.get(record?.surface ?? '');
         const another = this.intentOf !== (record?.surface ?? '');
@@ -98,6 +98,13 @@ export class SurfaceEdits {
 
     reconnected(): void {
         for (const one of this.edited.values()) one.last = null;
+    }
+
+    /** What was still to be said of a surface that somebody has deleted is not sent any more. */
+    private forgetAllBut(surfaces: ReadonlyMap<string, SurfaceRecord>): void {
+        const gone = [...this.edited.keys()].filter((id) => !surfaces.has(id));
+        for (const id of gone) this.edited.delete(id);
+        if (gone.length > 0) this.options.onChange();
     }
 
     private takeOver(record: SurfaceRecord | null): void {
