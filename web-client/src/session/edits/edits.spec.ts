@@ -211,6 +211,23 @@ describe('what is said of an edit', () => {
         expect(bench.state.editsPending.value).toBe(false);
         expect(bench.told).toEqual([]);
     });
+
+    it('goes with its rake and surface, and nothing is said of them afterwards', async () => {
+        const bench = new Bench();
+        for (const seeds of [20, 21]) {
+            bench.edits.changeRake('r1', { seeds });
+            bench.edits.changeSurface({ length: seeds });
+            bench.edits.flush();
+        }
+        await bench.refuse(leased);
+        await bench.refuse(leased);
+        expect(bench.told).toEqual(['rake r1', 'surface s1']);
+        bench.records([rakeOf('r2')], [surfaceOf('s2', 'r2')]);
+        expect(bench.told).toEqual([]);
+        await bench.refuse(leased);
+        await bench.refuse(leased);
+        expect(bench.told).toEqual([]);
+    });
 });
 
 describe('an edit that waits to be sent', () => {

@@ -118,7 +118,10 @@ export class RakeEdits {
     /** What was still to be said of a rake that somebody has deleted is not sent any more. */
     private forgetAllBut(rakes: ReadonlyMap<string, RakeRecord>): void {
         const gone = [...this.edited.keys()].filter((rake) => !rakes.has(rake));
-        for (const rake of gone) this.edited.delete(rake);
+        for (const rake of gone) {
+            this.edited.delete(rake);
+            this.options.state.problems.solved(`rake ${rake}`);
+        }
         if (gone.length > 0) this.options.onChange();
     }
 
@@ -173,8 +176,9 @@ export class RakeEdits {
                 requested({ surface, epoch });
             }
         } catch (error) {
+            // It was deleted meanwhile, which everybody sees.
+            if (one === undefined || !this.edited.has(edit.rake)) return;
             const refused = tellFailure(state, `rake ${edit.rake}`, error);
-            if (one === undefined) return;
             one.answeredRev = 0;
             one.refused ||= refused;
         }

@@ -103,7 +103,10 @@ export class SurfaceEdits {
     /** What was still to be said of a surface that somebody has deleted is not sent any more. */
     private forgetAllBut(surfaces: ReadonlyMap<string, SurfaceRecord>): void {
         const gone = [...this.edited.keys()].filter((id) => !surfaces.has(id));
-        for (const id of gone) this.edited.delete(id);
+        for (const id of gone) {
+            this.edited.delete(id);
+            this.options.state.problems.solved(`surface ${id}`);
+        }
         if (gone.length > 0) this.options.onChange();
     }
 
@@ -146,9 +149,11 @@ export class SurfaceEdits {
             latency.answered(surface, epoch, editedAt);
             requested({ surface, epoch });
         } catch (error) {
-            const refused = tellFailure(state, `surface ${id}`, error);
             const one = this.edited.get(id);
-            if (one !== undefined) one.refused ||= refused;
+            // It was deleted meanwhile, which everybody sees.
+            if (one === undefined) return;
+            const refused = tellFailure(state, `surface ${id}`, error);
+            one.refused ||= refused;
         }
     }
 }
