@@ -5,6 +5,7 @@ import { AppState } from '../../state/appState.ts';
 import { LatencyLog } from '../../state/latency.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import { Edits, type EditsOptions } from './edits.ts';
+import { numberProblems } from './rakeEdits.ts';
 
 type Call = [method: string, params: Record<string, unknown>];
 
@@ -226,6 +227,30 @@ describe('what is said of an edit', () => {
         expect(bench.told).toEqual([]);
         await bench.refuse(leased);
         await bench.refuse(leased);
+        expect(bench.told).toEqual([]);
+    });
+});
+
+describe('that a rake cannot have a number', () => {
+    function refused(): Bench {
+        const bench = new Bench();
+        for (const about of Object.values(numberProblems)) bench.state.problems.say(about, 'it ends there');
+        return bench;
+    }
+
+    it('is solved by a change of the same, wherever that is made', () => {
+        const bench = refused();
+        bench.drag(1);
+        expect(bench.told).toEqual([numberProblems.seeds]);
+        bench.edits.changeRake('r1', { seeds: 20 });
+        expect(bench.told).toEqual([]);
+    });
+
+    it('is of no interest once another rake is shown', () => {
+        const bench = refused();
+        bench.edits.chooseSurface('s1');
+        expect(bench.told).toHaveLength(2);
+        bench.edits.chooseRake('r2');
         expect(bench.told).toEqual([]);
     });
 });

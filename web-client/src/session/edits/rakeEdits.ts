@@ -14,6 +14,9 @@ import type { UndoHistory } from './undoHistory.ts';
 
 const numbersEveryMs = 200;
 
+/** Of numbers that the active rake cannot have: told where they are typed, and solved by whatever changes the same of it. */
+export const numberProblems = { shape: 'rake outside', seeds: 'seeds' } as const;
+
 /** All of a rake that people set. */
 interface RakeEdit {
     rake: string;
@@ -55,6 +58,7 @@ export class RakeEdits {
     private readonly options: RakeEditsOptions;
     private readonly edited = new Map<string, OneRake>();
     private numbersShownAt = 0;
+    private shown: string | undefined;
     /** Of the drag that goes on. */
     private drag: string | null = null;
 
@@ -102,6 +106,10 @@ export class RakeEdits {
         const { state, dragging } = this.options;
         this.forgetAllBut(state.rakes.value);
         const record = state.rake.value;
+        if (record?.rake !== this.shown) {
+            for (const about of Object.values(numberProblems)) state.problems.solved(about);
+        }
+        this.shown = record?.rake;
         const own = this.edited.get(record?.rake ?? '');
         if (dragging() || own?.window.busy === true) return;
         // The record that the answer spoke of is still on its way.
@@ -129,6 +137,8 @@ export class RakeEdits {
         const { state } = this.options;
         const record = state.rakes.value.get(rake);
         if (record === undefined) return;
+        if (change.shape !== undefined) state.problems.solved(numberProblems.shape);
+        if (change.seeds !== undefined) state.problems.solved(numberProblems.seeds);
         const own = this.edited.get(rake);
         const base = own?.window.busy === true ? own.newest : settingsOf(record);
         const edit: RakeEdit = { ...base, rake, ...change, ...how };

@@ -8,6 +8,7 @@ import { gripOf, type Handle } from '../../scene/rake/rakeHandles.ts';
 import { asKind, circleOf, circleShape, withoutPoint, withPointAfter } from '../../scene/rake/rakeShape.ts';
 import { gridStep, unitAxis } from '../../scene/rake/snapping.ts';
 import { niceStep, shortNumber } from '../../scene/base/ticks.ts';
+import { numberProblems } from '../../session/edits/rakeEdits.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import type { AppModel } from '../base/appModel.ts';
 import { handleNameOf, handleRows } from './rakeRows.ts';
@@ -316,8 +317,8 @@ export class RakePanel extends SignalElement {
         const { problems } = this.model.state;
         if (typed < low || typed > high) {
             const [from, to] = [shortNumber(low), shortNumber(high)];
-            problems.say('rake outside', `The domain goes from ${axes[axis]} = ${from} to ${to}: the rake ends there.`);
-        } else problems.solved('rake outside');
+            problems.say(numberProblems.shape, `The domain goes from ${axes[axis]} = ${from} to ${to}: the rake ends there.`);
+        } else problems.solved(numberProblems.shape);
         field.value = numberText(this.placeOf(handle)[axis]);
     }
 
@@ -340,9 +341,11 @@ export class RakePanel extends SignalElement {
         const field = event.target as HTMLInputElement;
         const seeds = Math.round(field.valueAsNumber);
         if (seeds >= 2 && seeds <= mostSeeds) {
-            state.problems.solved('seeds');
             edits.changeRake(state.activeRake.value ?? '', { seeds });
-        } else state.problems.say('seeds', `A rake has 2 to ${mostSeeds} seeds. It keeps its ${edits.seeds.value}.`);
+        } else {
+            const words = `A rake has 2 to ${mostSeeds} seeds. It keeps its ${edits.seeds.value}.`;
+            state.problems.say(numberProblems.seeds, words);
+        }
         field.value = String(edits.seeds.value);
     }
 }
