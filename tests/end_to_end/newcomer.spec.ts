@@ -15,7 +15,18 @@ describe('a server with several datasets', () => {
     it('offers them, and shows the body of a flow by formula where it is', async () => {
         const page = await stand.visit(size);
         const first = await ask(page, (hook) => hook.session);
-        await page.getByLabel('Dataset').selectOption('sphere');
+        const open = page.getByRole('button', { name: 'Open', exact: true });
+        await open.waitFor();
+        expect(await open.isDisabled()).toBe(true);
+        // By keyboard: to choose is not to open yet.
+        const select = page.getByLabel('Dataset');
+        await select.focus();
+        await page.keyboard.press('ArrowDown');
+        await expect.poll(() => open.isEnabled()).toBe(true);
+        expect(await select.inputValue()).toBe('sphere');
+        expect(await ask(page, (hook) => hook.session)).toBe(first);
+        await page.keyboard.press('Tab');
+        await page.keyboard.press('Enter');
         await page.waitForFunction(() => window.wakesurf?.bounds?.[1] === 10);
         await page.getByText('a flow by formula, 1 time-step').waitFor();
         await finalSurface(page);
@@ -42,6 +53,10 @@ describe('a server with several datasets', () => {
         await expect.poll(async () => (await ring(0.9)).every((grey) => grey)).toBe(true);
         expect((await ring(1.1)).some((grey) => grey)).toBe(false);
         await screenshot(page, 'body-of-a-formula');
+        await page.goBack();
+        await page.waitForFunction((session) => window.wakesurf?.session === session, first);
+        await finalSurface(page);
+        expect(await ask(page, (hook) => hook.bounds![1])).not.toBe(10);
         await page.context().close();
     });
 
@@ -53,6 +68,7 @@ describe('a server with several datasets', () => {
         await page.goto(link.href);
         await page.getByText('does not have the dataset of this link').waitFor();
         await page.getByLabel('Dataset').selectOption('sqcyl');
+        await page.getByRole('button', { name: 'Open', exact: true }).click();
         await finalSurface(page);
         await context.close();
     });

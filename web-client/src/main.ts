@@ -27,7 +27,7 @@ import { SurfaceProgress } from './session/surface/surfaceProgress.ts';
 import { SurfaceFeed } from './session/surface/surfaceFeed.ts';
 import { showTheme } from './session/picture/themeInPicture.ts';
 import { showUnits } from './session/picture/unitsInPicture.ts';
-import { baseUrl, readFragment, showFragment, writeFragment } from './session/view/urlState.ts';
+import { baseUrl, followHistory, readFragment, showFragment, writeFragment } from './session/view/urlState.ts';
 import { Views } from './session/view/views.ts';
 import { AppState } from './state/appState.ts';
 import { LatencyLog } from './state/latency.ts';
@@ -125,6 +125,7 @@ function start(app: App): void {
     listenForViewKeys(model);
     listenForPresses(edits.gestures);
     listenForUndoKeys(edits);
+    followHistory(() => state.session.value);
     app.begin(model);
     addEventListener('online', () => worker.retryNow());
     worker.start(baseUrl(), url.token);

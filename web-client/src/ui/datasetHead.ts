@@ -1,8 +1,9 @@
 // What is shown: the dataset and how large it is; where the server has several, a choice. Another dataset is another session,
 // so that nobody is taken away from what they look at.
+import { signal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { DatasetEntry } from '../protocol/messages.ts';
-import { showFragment, writeFragment } from '../session/view/urlState.ts';
+import { openFragment, writeFragment } from '../session/view/urlState.ts';
 import type { AppModel } from './base/appModel.ts';
 import { sharedStyles } from './base/sharedStyles.ts';
 import { SignalElement } from './base/signalElement.ts';
@@ -11,13 +12,20 @@ import { countWords } from './base/statusWords.ts';
 export class DatasetHead extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: AppModel;
+    /** Not opened yet: the arrow keys go through all of them. */
+    private readonly chosen = signal<string | null>(null);
 
     static override styles = [
         sharedStyles,
         css`
-            select {
-                width: 100%;
+            div {
+                display: flex;
+                gap: 6px;
                 margin: 4px 0 2px;
+            }
+            select {
+                flex: 1;
+                min-width: 0;
             }
             p {
                 margin: 2px 0 0;
@@ -44,19 +52,22 @@ export class DatasetHead extends SignalElement {
         const others = datasets.value.filter(({ dataset }) => dataset !== shown);
         // Whoever was invited was so to this session.
         if (others.length === 0 || role.value !== 'host') return name === '' ? nothing : html`<p>${name}</p>`;
-        return html`<select id="dataset" aria-label="Dataset" @change=${this.open}>
-            ${shown === '' ? html`<option value="">Choose a dataset</option>` : nothing}
-            ${datasets.value.map(
-                (each) => html`<option value=${each.dataset} .selected=${each.dataset === shown}>${optionWords(each, datasets.value)}</option>`,
-            )}
-        </select>`;
+        const chosen = this.chosen.value ?? shown;
+        return html`<div>
+            <select id="dataset" aria-label="Dataset" @change=${this.choose}>
+                ${shown === '' ? html`<option value="">Choose a dataset</option>` : nothing}
+                ${datasets.value.map(
+                    (each) => html`<option value=${each.dataset} .selected=${each.dataset === chosen}>${optionWords(each, datasets.value)}</option>`,
+                )}
+            </select>
+            <button type="button" ?disabled=${chosen === shown || chosen === ''} @click=${() => openFragment(writeFragment(null, chosen))}>
+                Open
+            </button>
+        </div>`;
     }
 
-    private open(event: Event): void {
-        const dataset = (event.target as HTMLSelectElement).value;
-        if (dataset === '') return;
-        showFragment(writeFragment(null, dataset));
-        location.reload();
+    private choose(event: Event): void {
+        this.chosen.value = (event.target as HTMLSelectElement).value;
     }
 }
 

@@ -31,9 +31,28 @@ export function writeFragment(session: string | null, dataset: string | null, st
     return text === '' ? '' : `#${text}`;
 }
 
+let leaving = false;
+
 /** Replaces the fragment in the address bar without a new entry in the history. */
 export function showFragment(fragment: string): void {
-    history.replaceState(null, '', location.pathname + location.search + fragment);
+    // The address is that of the page which comes next.
+    if (!leaving) history.replaceState(null, '', location.pathname + location.search + fragment);
+}
+
+/** Begins anew at another fragment; the browser's Back leads here again. */
+export function openFragment(fragment: string): void {
+    leaving = true;
+    history.pushState(null, '', location.pathname + location.search + fragment);
+    location.reload();
+}
+
+/** Back and forward between sessions: of the same page, the browser changes nothing but the address. */
+export function followHistory(session: () => string | null): void {
+    addEventListener('popstate', () => {
+        if (readFragment(location.hash).session === session()) return;
+        leaving = true;
+        location.reload();
+    });
 }
 
 /** Address of the page without its last part: everything else is found relative to it. */
