@@ -25,6 +25,8 @@ core::Result<std::optional<std::string>> read_work_token(const Call& call) {
         return core::fail(core::Error::Code::InvalidArgument,
                           "`workDoneToken` must be a string or a whole number",
                           "choose one for each call; $/progress repeats it");
+    if (!call.stop.stop_possible()) // nothing would say that the caller has gone
+        return std::nullopt;
     return protocol::json_text(*found);
 }
 

@@ -15,7 +15,8 @@
 
 namespace wakesurf::server {
 
-/// A token as its JSON text: a string or a whole number. Error: InvalidArgument for anything else.
+/// A token as its JSON text: a string or a whole number. None of a call that nothing stops when its caller goes: over HTTP,
+/// or a notification. Error: InvalidArgument for anything else.
 core::Result<std::optional<std::string>> read_work_token(const Call& call);
 
 /// Loop thread only. Ends with the answer: destroy it just before. Says nothing once its call was cancelled, and never
@@ -25,7 +26,7 @@ class WorkProgress {
     /// What the work would report now, or nothing new. Members of `value` beside `kind`.
     using Look = std::function<nlohmann::json()>;
 
-    /// Tells `begin` at once. REQUIRES: call.client.
+    /// Tells `begin` at once. REQUIRES: call.client, and a token that read_work_token gave.
     WorkProgress(const Call& call, std::string token, std::string title, Look look);
     /// Tells `end`.
     ~WorkProgress();

@@ -166,4 +166,25 @@ TEST_F(Cancel, ProgressOfACancelledCallStopsWithItsAnswer) {
         -32602);
 }
 
+TEST_F(Cancel, NoProgressIsToldOfANotificationWhichNothingCouldStop) {
+    const std::string surface = long_surface();
+    const auto notify = [&](WebSocketClient& from) {
+        from.send({{"jsonrpc", "2.0"},
+                   {"method", "surface.wait"},
+                   {"params",
+                    {{"surface", surface}, {"timeoutMs", 60000}, {"workDoneToken", "unheard"}}}});
+    };
+    {
+        WebSocketClient eve(server);
+        notify(eve);
+        eve.result("server.ping");
+    }
+    notify(client);
+    const int id = wait_for(surface, {{"workDoneToken", "heard"}});
+    EXPECT_EQ(client.notification("$/progress")["token"], "heard");
+    EXPECT_EQ(client.notification("$/progress")["token"], "heard") << "and later";
+    cancel(id);
+    EXPECT_EQ(client.answer(id)["error"]["code"], -32800);
+}
+
 } // namespace wakesurf::tests
