@@ -97,8 +97,10 @@ void open_one(const Call& call, Reply reply) {
             const auto now = imports->status(id);
             return now ? look_at(*now) : json::object();
         });
+    // Of a notification nobody hears the answer: it begins an import, but waits for none.
+    const bool unheard = call.client != nullptr && !call.stop.stop_possible();
     const std::uint64_t ticket = imports->wait(
-        id, std::chrono::milliseconds(patience),
+        id, std::chrono::milliseconds(unheard ? 0 : patience),
         [opening](const core::Result<DatasetStatus>& now) { answer_opening(*opening, now); });
     if (ticket == 0)
         return;

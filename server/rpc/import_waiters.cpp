@@ -9,15 +9,15 @@ namespace wakesurf::server {
 
 std::uint64_t
 ImportWaiters::wait(const std::string& dataset, std::chrono::milliseconds patience, Waiter waiter) {
+    catalogue_.start_import(dataset);
+    const auto status = catalogue_.status(dataset);
+    if (!status || status->state != DatasetState::Importing || patience.count() <= 0) {
+        waiter(status);
+        return 0;
+    }
     if (waiting_.size() >= limits::import_waiters) {
         waiter(core::over_limit(limits::import_waiters, "too many wait for imports",
                                 "wait until some of them have their answers"));
-        return 0;
-    }
-    catalogue_.start_import(dataset);
-    const auto status = catalogue_.status(dataset);
-    if (!status || status->state != DatasetState::Importing) {
-        waiter(status);
         return 0;
     }
     const std::uint64_t id = next_++;

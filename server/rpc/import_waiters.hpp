@@ -32,9 +32,9 @@ class ImportWaiters {
         return catalogue_.status(dataset);
     }
 
-    /// Calls the waiter once the dataset is ready or has failed, at once if it has already, or after `patience` with how it
-    /// stands then. An import that was stopped begins again. Returns a ticket for leave(); 0 once the waiter has been called.
-    /// Error, by the waiter: NotFound, OverLimit, what the import failed with.
+    /// Calls the waiter once the import is ready, has failed or was stopped, at once if it is ready or has failed already, or
+    /// after `patience` with how it stands then: at once without any. An import that was stopped begins again. Returns a
+    /// ticket for leave(); 0 once the waiter has been called. Error, by the waiter: NotFound, OverLimit.
     std::uint64_t
     wait(const std::string& dataset, std::chrono::milliseconds patience, Waiter waiter);
 

@@ -145,4 +145,20 @@ TEST_F(DatasetOpen, AnswersAtOnceWhereThereIsNothingToWaitFor) {
     EXPECT_EQ(entry(ada)["state"], "importing") << "whose patience ends stops nothing";
 }
 
+TEST_F(DatasetOpen, ANotificationGoesOnWithAnImportButNeitherWaitsNorIsToldOfIt) {
+    const int mine = open(ada);
+    cancel(ada, mine);
+    ada.answer(mine);
+    ASSERT_EQ(entry(ada)["state"], "stopped");
+    bob.send({{"jsonrpc", "2.0"},
+              {"method", "dataset.open"},
+              {"params", {{"dataset", "u_00"}, {"workDoneToken", "unheard"}}}});
+    EXPECT_EQ(entry(bob)["state"], "importing");
+    const int heard = open(bob, {{"workDoneToken", "heard"}});
+    EXPECT_EQ(bob.notification("$/progress")["token"], "heard");
+    cancel(bob, heard);
+    bob.answer(heard);
+    EXPECT_EQ(entry(bob)["state"], "stopped") << "nobody else waits";
+}
+
 } // namespace wakesurf::tests
