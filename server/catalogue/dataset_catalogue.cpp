@@ -176,10 +176,7 @@ void DatasetCatalogue::show_what_is_there(Entry& entry, const std::filesystem::p
     auto opened = reopened(entry, folder);
     if (!opened)
         return;
-    const DatasetState state = state_of(entry);
-    finish(entry, std::move(opened));
-    const std::scoped_lock lock(mutex_);
-    entry.status.state = state == DatasetState::Stopped ? state : DatasetState::Importing;
+    finish(entry, std::move(opened), Ending::Stopped);
 }
 
 bool DatasetCatalogue::stop_import(std::string_view dataset) {
@@ -265,7 +262,7 @@ bool DatasetCatalogue::show(Entry& entry,
     return true;
 }
 
-void DatasetCatalogue::finish(Entry& entry, core::Result<LoadedDataset> opened) {
+void DatasetCatalogue::finish(Entry& entry, core::Result<LoadedDataset> opened, Ending how) {
     std::size_t ready = 0;
     if (opened) {
         opened->info.dataset = entry.status.dataset;
@@ -283,8 +280,10 @@ void DatasetCatalogue::finish(Entry& entry, core::Result<LoadedDataset> opened) 
         entry.status.error = opened.error();
         return;
     }
-    entry.status.state = DatasetState::Ready;
-    entry.status.error.reset();
+    if (how == Ending::Whole) {
+        entry.status.state = DatasetState::Ready;
+        entry.status.error.reset();
+    }
     entry.status.steps_ready = ready;
     entry.status.steps_total = opened->info.times.size();
     entry.status.progress = 1.0;

@@ -79,6 +79,9 @@ class DatasetCatalogue {
         std::chrono::steady_clock::time_point rests_until{}; ///< it is not looked at before
     };
 
+    /// Of an import. Stopped: whoever stops and starts it says how the dataset stands.
+    enum class Ending { Whole, Stopped };
+
     DatasetCatalogue(OpenOptions options, Listener listener)
         : options_(std::move(options)), listener_(std::move(listener)) {}
 
@@ -98,7 +101,7 @@ class DatasetCatalogue {
                                          const std::filesystem::path& folder) const;
     void give_up(Entry& entry, const std::filesystem::path& folder, const core::Error& error);
     bool show(Entry& entry, const ImportProgress& progress, const std::filesystem::path& folder);
-    void finish(Entry& entry, core::Result<LoadedDataset> opened);
+    void finish(Entry& entry, core::Result<LoadedDataset> opened, Ending how = Ending::Whole);
 
     OpenOptions options_;
     Listener listener_;
