@@ -11,6 +11,15 @@ namespace wakesurf::server {
 
 using core::Error;
 
+namespace {
+
+// What an import under way does not change: one that is ready grows and is told when it has. One that failed is imported again.
+bool settled(DatasetState state) {
+    return state == DatasetState::Ready || state == DatasetState::Stopped;
+}
+
+} // namespace
+
 core::Result<std::unique_ptr<DatasetCatalogue>> DatasetCatalogue::open(
     const std::vector<std::string>& arguments, OpenOptions options, Listener listener) {
     const auto stored = std::count_if(arguments.begin(), arguments.end(),
@@ -239,8 +248,8 @@ void DatasetCatalogue::give_up(Entry& entry,
 bool DatasetCatalogue::show(Entry& entry,
                             const ImportProgress& progress,
                             const std::filesystem::path& folder) {
-    if (state_of(entry) != DatasetState::Importing)
-        return false; // grows: told when it has; or was stopped
+    if (settled(state_of(entry)))
+        return false;
     std::shared_ptr<const LoadedDataset> first;
     if (progress.phase == "import" && !entry.open)
         if (auto opened = open_store(folder, options_.cache)) {
@@ -251,7 +260,7 @@ bool DatasetCatalogue::show(Entry& entry,
     const std::scoped_lock lock(mutex_);
     if (first)
         entry.open = std::move(first);
-    if (entry.status.state != DatasetState::Importing)
+    if (settled(entry.status.state))
         return false;
     entry.status.steps_ready = progress.done;
     entry.status.steps_total = progress.total;

@@ -234,5 +234,26 @@ TEST(DatasetCatalogue, TakesATimeStepThatIsStillBeingWrittenOnceItIsWhole) {
     EXPECT_EQ(bench.catalogue->find("u_0").value()->cache->acquire(1).value()->velocity()[0], 1.0f);
 }
 
+TEST(DatasetCatalogue, AFailedSourceThatIsImportedAgainIsUsableFromItsFirstTimeStep) {
+    const TemporaryFolder folder;
+    const auto source = write_slow_series(folder.path());
+    const auto good = folder / "good";
+    std::filesystem::rename(source, good);
+    write_file(source, "nonsense");
+    Bench bench({source});
+    ASSERT_EQ(bench.wait_until_settled("u_00").state, DatasetState::Failed);
+    std::filesystem::rename(good, source);
+    const auto begun = bench.wait_until(
+        "u_00", [](const DatasetStatus& status) { return status.steps_ready > 0; });
+    EXPECT_LT(begun.steps_ready, 40u);
+    const auto open = bench.catalogue->find("u_00");
+    ASSERT_TRUE(open.has_value()) << open.error().message;
+    EXPECT_EQ((*open)->cache->acquire(0).value()->velocity()[0], 0.5f);
+    const auto ready = bench.wait_until(
+        "u_00", [](const DatasetStatus& status) { return status.state == DatasetState::Ready; });
+    EXPECT_EQ(ready.steps_ready, 40u);
+    EXPECT_FALSE(ready.error.has_value());
+}
+
 } // namespace
 } // namespace wakesurf::server
