@@ -18,6 +18,10 @@ bool settled(DatasetState state) {
     return state == DatasetState::Ready || state == DatasetState::Stopped;
 }
 
+double share(std::size_t part, std::size_t whole) {
+    return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
 } // namespace
 
 core::Result<std::unique_ptr<DatasetCatalogue>> DatasetCatalogue::open(
@@ -264,9 +268,7 @@ bool DatasetCatalogue::show(Entry& entry,
         return false;
     entry.status.steps_ready = progress.done;
     entry.status.steps_total = progress.total;
-    entry.status.progress = progress.total == 0 ? 0.0
-                                                : static_cast<double>(progress.done) /
-                                                      static_cast<double>(progress.total);
+    entry.status.progress = share(progress.done, progress.total);
     entry.status.remaining = progress.remaining;
     return true;
 }
@@ -295,7 +297,7 @@ void DatasetCatalogue::finish(Entry& entry, core::Result<LoadedDataset> opened, 
     }
     entry.status.steps_ready = ready;
     entry.status.steps_total = opened->info.times.size();
-    entry.status.progress = 1.0;
+    entry.status.progress = how == Ending::Whole ? 1.0 : share(ready, entry.status.steps_total);
     entry.open = std::make_shared<const LoadedDataset>(std::move(*opened));
 }
 

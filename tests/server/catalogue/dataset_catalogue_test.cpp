@@ -138,6 +138,13 @@ TEST(DatasetCatalogue, AnImportThatIsStoppedKeepsWhatItHasAndGoesOnFromThere) {
     EXPECT_LT(stopped.steps_ready, stopped.steps_total);
     EXPECT_FALSE(bench.catalogue->stop_import("u_00"));
     EXPECT_TRUE(bench.tidies_up());
+    for (int i = 0; i < 10; ++i) { // also once what there is has been opened
+        const auto later = bench.catalogue->status("u_00").value();
+        EXPECT_EQ(later.state, DatasetState::Stopped);
+        EXPECT_LT(later.progress, 1.0);
+        EXPECT_NEAR(later.progress, static_cast<double>(later.steps_ready) / 40.0, 1e-12);
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
     const auto open = bench.catalogue->find("u_00").value();
     EXPECT_EQ(open->cache->acquire(0).value()->velocity()[0], 0.5f);
     EXPECT_TRUE(bench.catalogue->start_import("u_00"));
