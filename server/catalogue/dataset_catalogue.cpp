@@ -18,6 +18,15 @@ bool settled(DatasetState state) {
     return state == DatasetState::Ready || state == DatasetState::Stopped;
 }
 
+std::size_t steps_ready(const LoadedDataset& open) {
+    if (!open.cache)
+        return open.info.times.size();
+    std::size_t ready = 0;
+    for (std::size_t i = 0; i < open.info.times.size(); ++i)
+        ready += open.cache->source().ready(i) ? 1 : 0;
+    return ready;
+}
+
 double share(std::size_t part, std::size_t whole) {
     return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -84,8 +93,9 @@ void DatasetCatalogue::import_all(const std::stop_token& stop) {
         if (entry->argument.kind == DatasetArgument::Kind::Flow)
             continue;
         if (state_of(*entry) == DatasetState::Stopped) // while the ones before it were imported
-            continue;
-        import_one(*entry, stop);
+            show_what_is_there(*entry, store_folder(options_.store_root, entry->argument));
+        else
+            import_one(*entry, stop);
         listener_(entry->status.dataset);
     }
     watch(stop);
@@ -182,12 +192,10 @@ core::Result<void> DatasetCatalogue::run_import(Entry& entry,
                               source.get_token());
 }
 
-// Of an import that was stopped; by now it may be wanted again.
+// Of an import that was stopped, or of an earlier one; by now it may be wanted again.
 void DatasetCatalogue::show_what_is_there(Entry& entry, const std::filesystem::path& folder) {
-    if (!entry.open)
-        return;
     auto opened = reopened(entry, folder);
-    if (!opened)
+    if (!opened || (!entry.open && steps_ready(*opened) == 0))
         return;
     finish(entry, std::move(opened), Ending::Stopped);
 }
@@ -278,12 +286,7 @@ void DatasetCatalogue::finish(Entry& entry, core::Result<LoadedDataset> opened, 
     if (opened) {
         opened->info.dataset = entry.status.dataset;
         opened->info.name = entry.status.name;
-        ready = opened->info.times.size();
-        if (opened->cache) {
-            ready = 0;
-            for (std::size_t i = 0; i < opened->info.times.size(); ++i)
-                ready += opened->cache->source().ready(i) ? 1 : 0;
-        }
+        ready = steps_ready(*opened);
     }
     const std::scoped_lock lock(mutex_);
     if (!opened) {

@@ -19,8 +19,13 @@ using namespace tests;
 // A catalogue and a way to wait for what its import thread tells.
 class Bench {
   public:
-    explicit Bench(const std::vector<std::string>& arguments) {
-        OpenOptions options{folder_ / "cache", {}, WAKESURF_IMPORT_BINARY};
+    explicit Bench(const std::vector<std::string>& arguments)
+        : Bench(arguments, std::filesystem::path()) {}
+
+    /// With the stores of an earlier one.
+    Bench(const std::vector<std::string>& arguments, const std::filesystem::path& stores) {
+        OpenOptions options{
+            stores.empty() ? folder_ / "cache" : stores, {}, WAKESURF_IMPORT_BINARY};
         options.watch_period = std::chrono::milliseconds(20);
         auto opened = DatasetCatalogue::open(arguments, options, [this](const std::string&) {
             const std::scoped_lock lock(mutex_);
@@ -167,6 +172,20 @@ TEST(DatasetCatalogue, AnImportThatWaitsForItsTurnIsStoppedToo) {
     EXPECT_TRUE(bench.catalogue->start_import("sqcyl"));
     EXPECT_EQ(bench.wait_until_settled("sqcyl").state, DatasetState::Ready);
     EXPECT_EQ(bench.catalogue->status("u_00")->state, DatasetState::Stopped);
+}
+
+TEST(DatasetCatalogue, WhatAnEarlierRunImportedIsThereThoughItsTurnWasStopped) {
+    const TemporaryFolder folder;
+    const auto stores = folder / "stores";
+    Bench({bundled}, stores).wait_until_settled("sqcyl");
+    Bench bench({write_slow_series(folder.path()), bundled}, stores);
+    ASSERT_TRUE(bench.catalogue->stop_import("sqcyl"));
+    ASSERT_TRUE(bench.catalogue->stop_import("u_00")); // its turn comes
+    const auto status =
+        bench.wait_until("sqcyl", [](const DatasetStatus& each) { return each.steps_ready > 0; });
+    EXPECT_EQ(status.state, DatasetState::Stopped);
+    EXPECT_EQ(status.steps_ready, 16u);
+    EXPECT_EQ(bench.catalogue->find("sqcyl").value()->cache->acquire(15).value()->time, 16.0);
 }
 
 TEST(DatasetCatalogue, OnlyAnImportCanBeStoppedAndOnlyAStoppedOneStarted) {
