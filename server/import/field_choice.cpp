@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
 #include <set>
 #include <string_view>
 
@@ -77,30 +78,49 @@ std::string stored_name(const FieldInfo& field) {
     return field.components == 1 ? field.name : field.name + " magnitude";
 }
 
+// Of points before cells.
+std::vector<FieldInfo> possible_scalars(const std::vector<FieldInfo>& fields,
+                                        const FieldParts& velocity) {
+    std::vector<FieldInfo> out;
+    for (const auto source : {FieldInfo::Source::Point, FieldInfo::Source::Cell})
+        for (const auto& field : fields) {
+            const bool component = velocity.arrays.size() > 1 && contains(velocity.arrays, field);
+            const bool vector = field.components == 3 && !contains(velocity.arrays, field) &&
+                                field.name != velocity.arrays.front().name;
+            if (field.source == source && (field.components == 1 || vector) && !is_mask(field) &&
+                !component)
+                out.push_back(field);
+        }
+    return out;
+}
+
+// Of those with one name the first stays; a scalar of the source goes before a magnitude.
+std::vector<FieldInfo> each_name_once(const std::vector<FieldInfo>& fields) {
+    std::vector<FieldInfo> out;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        bool stays = true;
+        for (std::size_t j = 0; j < fields.size(); ++j)
+            if (j != i && stored_name(fields[j]) == stored_name(fields[i]))
+                stays = stays && (fields[i].components < fields[j].components ||
+                                  (fields[i].components == fields[j].components && i < j));
+        if (stays)
+            out.push_back(fields[i]);
+    }
+    return out;
+}
+
 void choose_scalars(const std::vector<FieldInfo>& fields,
                     const std::vector<std::string>& wanted,
                     FieldChoice& choice) {
-    std::vector<FieldInfo> found;
+    const auto found = possible_scalars(fields, choice.velocity);
     std::vector<FieldInfo> named;
-    for (const auto source : {FieldInfo::Source::Point, FieldInfo::Source::Cell})
-        for (const auto& field : fields) {
-            const bool twice = std::any_of(found.begin(), found.end(), [&](const FieldInfo& other) {
-                return stored_name(other) == stored_name(field);
-            });
-            const bool component =
-                choice.velocity.arrays.size() > 1 && contains(choice.velocity.arrays, field);
-            const bool vector = field.components == 3 && !contains(choice.velocity.arrays, field) &&
-                                field.name != choice.velocity.arrays.front().name;
-            if (field.source != source || (field.components != 1 && !vector) || is_mask(field) ||
-                twice || component)
-                continue;
-            found.push_back(field);
-            if (std::find(wanted.begin(), wanted.end(), field.name) != wanted.end() &&
-                !contains(choice.velocity.divisor, field))
-                named.push_back(field);
-        }
+    std::copy_if(found.begin(), found.end(), std::back_inserter(named),
+                 [&](const FieldInfo& field) {
+                     return std::find(wanted.begin(), wanted.end(), field.name) != wanted.end() &&
+                            !contains(choice.velocity.divisor, field);
+                 });
     std::set<std::string> taken{std::string(core::velocity_stem)};
-    for (const auto& field : named.empty() ? found : named) {
+    for (const auto& field : each_name_once(named.empty() ? found : named)) {
         const std::string first = slug(stored_name(field));
         std::string stem = first;
         for (int i = 2; !taken.insert(stem).second; ++i)

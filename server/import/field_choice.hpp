@@ -39,7 +39,7 @@ struct FieldChoice {
 /// Velocity: the array chosen by velocity_choice.hpp. Mask: the 1-component array called mask, fluid, fluid_mask or
 /// vtkValidPointMask (1 = fluid), or solid, solid_mask or obstacle (1 = solid). Scalars: all other 1-component arrays, and the
 /// magnitudes of other vectors as `NAME magnitude`; or those among `wanted` (--fields) where it names some; of two of one name
-/// that of the points.
+/// that of the points, but an array before a magnitude.
 /// Error: NotFound (no velocity; a wanted field is not there), InvalidArgument (several candidates), Unsupported (a
 /// momentum without its density), each listing what there is.
 core::Result<FieldChoice> choose_fields(const std::vector<core::FieldInfo>& fields,

@@ -47,8 +47,8 @@ TEST(FieldChoice, TellsWhichOfTwoFieldsOfOneNameItLeavesOut) {
 }
 
 TEST(FieldChoice, StoresOtherVectorsAsTheirMagnitudes) {
-    const Fields fields{point("U", 3), cell("vorticity", 3), point("p", 1),
-                        cell("B", 3),  point("B", 3),        cell("B magnitude", 1)};
+    const Fields fields{point("U", 3), cell("vorticity", 3), point("p", 1), cell("B", 3),
+                        point("B", 3)};
     const auto choice = choose_fields(fields, {}).value();
     std::vector<std::string> names;
     for (const ChosenScalar& each : choice.scalars)
@@ -62,6 +62,21 @@ TEST(FieldChoice, StoresOtherVectorsAsTheirMagnitudes) {
                            "left out, since a store holds one vector: B of the cells");
     EXPECT_EQ(stems(fields, {"U", "vorticity"}), (std::vector<std::string>{"vorticity-magnitude"}));
     EXPECT_EQ(stems(fields, {"U", "p"}), (std::vector<std::string>{"p"}));
+}
+
+TEST(FieldChoice, KeepsAScalarThatIsNamedAsTheMagnitudeOfAVector) {
+    const Fields fields{point("U", 3), point("F", 3), cell("F magnitude", 1), point("B", 3)};
+    const auto choice = choose_fields(fields, {}).value();
+    ASSERT_EQ(choice.scalars.size(), 2u);
+    EXPECT_EQ(choice.scalars[0].stored.name, "B magnitude");
+    EXPECT_EQ(choice.scalars[1].stored.name, "F magnitude");
+    EXPECT_EQ(choice.scalars[1].field.name, "F magnitude");
+    EXPECT_FALSE(choice.scalars[1].is_magnitude());
+    EXPECT_EQ(choice.note, "stored as magnitudes, since a store holds one vector: B; "
+                           "left out, since a store holds one vector: F");
+    const auto named = choose_fields(fields, {"U", "F"}).value();
+    ASSERT_EQ(named.scalars.size(), 1u);
+    EXPECT_EQ(named.scalars[0].field.name, "F") << "whoever names the vector means it";
 }
 
 TEST(FieldChoice, JoinsThreeComponentsInTheirOrder) {
