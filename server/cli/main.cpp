@@ -31,7 +31,8 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
         ->check(CLI::Range(1, 256));
     command
         .add_option("--fields", options.fields,
-                    "Fields to import, a,b (default: the velocity and all scalars)")
+                    "Fields to import, a,b (default: the velocity, all scalars, and the magnitudes "
+                    "of other vectors)")
         ->delimiter(',');
     command.add_option("--times", options.times, "T0:T1[:EVERY]");
 }

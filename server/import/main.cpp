@@ -65,7 +65,8 @@ int main(int argc, char** argv) {
         ->required();
     auto* folder = app.add_option("STORE_DIR", store, "the store's folder, made when missing");
     app.add_option("--fields", request.fields,
-                   "names of the velocity (or of its parts) and the scalars")
+                   "names of the velocity (or of its parts), of scalars, and of vectors to keep "
+                   "the magnitudes of")
         ->delimiter(',');
     app.add_option("--times", times, "T0:T1[:EVERY], both included; every EVERY-th time-step");
     app.add_option("--precision", precision, "single, or half: half the size, rounded to 2^-11")

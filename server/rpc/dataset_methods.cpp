@@ -166,7 +166,7 @@ std::vector<Method> dataset_methods() {
     const Parameter patience{
         "timeoutMs",
         fmt::format(R"({{"type":"integer","minimum":0,"maximum":{}}})", limits::wait_ms), false,
-        "left out: as long as may be"};
+        "left out: as long as may be; 0: no waiting"};
     const Parameter work_token{"workDoneToken", R"({"type":["string","integer"]})", false,
                                "on a WebSocket: $/progress with this token tells how far it is"};
     return {
@@ -193,7 +193,7 @@ std::vector<Method> dataset_methods() {
          "ended. $/cancelRequest ends the waiting, and the import with it when nobody else waits; "
          "a connection that is lost ends no import.",
          {dataset, patience, work_token},
-         "an entry of dataset.list; its state is importing when the time ran out",
+         "an entry of dataset.list; its state is importing when timeoutMs ran out",
          any_viewer,
          open_one},
         {"cache.status",

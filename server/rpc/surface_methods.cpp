@@ -93,7 +93,8 @@ std::vector<Parameter> set_parameters() {
          false,
          "further attributes of the vertices, in frames and exports: scalar fields of the dataset, "
          "its velocity (the "
-         "magnitude), `deformation`, `approximated`"},
+         "magnitude), `deformation`, `approximated`, "
+         "`vorticity` (its magnitude), `q_criterion`"},
         gesture_parameter(),
         {"ifRev", R"({"type":"integer"})", false, "refuse if the surface is at another revision"}};
 }
