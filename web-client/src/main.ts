@@ -85,7 +85,10 @@ function start(app: App): void {
         controls: scene.controls,
         requestFrame: scene.loop.request,
     });
-    const calls = new Calls(state, worker, () => edits.history.noted(edits.gestures.begin()));
+    const calls = new Calls(state, worker, {
+        begin: () => edits.gestures.begin(),
+        taken: (gesture) => edits.history.noted(gesture),
+    });
     const progress = new SurfaceProgress({ state, worker, calls });
     showPeople(state, view, scene);
     showTheme(view, scene);

@@ -6,24 +6,31 @@ import { tellUnlessCut } from './lostConnection.ts';
 
 const edits = new Set<MethodName>(['annotation.set', 'annotation.delete', 'bookmark.set', 'bookmark.delete']);
 
+/** What names an act of the user's, and counts it once the server has taken it. */
+export interface Acts {
+    begin: () => string;
+    taken: (gesture: string) => void;
+}
+
 export class Calls {
     private readonly state: AppState;
     private readonly worker: Pick<WorkerClient, 'call'>;
-    /** Called when the server has taken one that undo can take back. */
-    private readonly edited: () => void;
+    private readonly acts: Acts;
 
-    constructor(state: AppState, worker: Pick<WorkerClient, 'call'>, edited: () => void) {
+    constructor(state: AppState, worker: Pick<WorkerClient, 'call'>, acts: Acts) {
         this.state = state;
         this.worker = worker;
-        this.edited = edited;
+        this.acts = acts;
     }
 
     /** Null when it failed; why is on the screen by then. */
     async try<M extends MethodName>(method: M, params: ParamsOf<M>): Promise<ResultOf<M> | null> {
         try {
-            const result = await this.worker.call(method, params);
+            // Named before it is sent: what plays meanwhile goes with it, here as on the server.
+            const gesture = edits.has(method) ? this.acts.begin() : null;
+            const result = await this.worker.call(method, gesture === null ? params : { ...params, gesture });
             this.state.problems.solved(method);
-            if (edits.has(method)) this.edited();
+            if (gesture !== null) this.acts.taken(gesture);
             return result;
         } catch (error) {
             tellUnlessCut(this.state.problems, method, error);

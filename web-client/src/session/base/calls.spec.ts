@@ -1,0 +1,50 @@
+import { describe, expect, it } from 'vitest';
+import { settled } from '../../connection/fakeClock.ts';
+import { AppState } from '../../state/appState.ts';
+import { Gestures } from '../edits/gestures.ts';
+import { UndoHistory } from '../edits/undoHistory.ts';
+import { Calls } from './calls.ts';
+
+function bench() {
+    const state = new AppState();
+    const sent: [method: string, params: Record<string, unknown>][] = [];
+    const answers: { resolve: (result: unknown) => void; reject: (error: Error) => void }[] = [];
+    const worker = {
+        call: (method: string, params: Record<string, unknown>) => {
+            sent.push([method, params]);
+            return new Promise((resolve, reject) => answers.push({ resolve, reject }));
+        },
+    } as never;
+    const [gestures, history] = [new Gestures(), new UndoHistory(state, worker)];
+    const acts = { begin: () => gestures.begin(), taken: (gesture: string) => history.noted(gesture) };
+    return { state, sent, answers, gestures, history, calls: new Calls(state, worker, acts) };
+}
+
+describe('a note or a view that is kept', () => {
+    it('is one step with what plays from when it is sent, and told to the server as such', async () => {
+        const { sent, answers, gestures, history, calls } = bench();
+        history.noted(gestures.begin());
+        void calls.try('annotation.set', { text: 'Here', position: [0, 0, 0] });
+        const playing = gestures.current;
+        expect(sent).toEqual([['annotation.set', { text: 'Here', position: [0, 0, 0], gesture: playing }]]);
+        history.noted(playing);
+        answers[0]!.resolve({});
+        await settled();
+        history.noted(gestures.current);
+        expect(history.undoable.value).toBe(2);
+    });
+
+    it('counts for nothing when it is refused, and what is no edit is no act', async () => {
+        const { state, sent, answers, gestures, history, calls } = bench();
+        const refused = calls.try('bookmark.delete', { bookmark: 'b1' });
+        answers[0]!.reject(new Error('no'));
+        expect(await refused).toBeNull();
+        expect(state.problems.all.value.has('bookmark.delete')).toBe(true);
+        const before = gestures.current;
+        void calls.try('session.fork', {});
+        answers[1]!.resolve({});
+        await settled();
+        expect(sent[1]).toEqual(['session.fork', {}]);
+        expect([history.undoable.value, gestures.current]).toEqual([0, before]);
+    });
+});
