@@ -126,6 +126,25 @@ describe('a drag on its way to the server', () => {
         expect(bench.state.editsPending.value).toBe(false);
     });
 
+    it('is an act of its own when the one before it ended with its rake, even if that is there again', () => {
+        const bench = new Bench();
+        const records = [...bench.state.rakes.value.values()];
+        const drag = (rake: string, x: number): void => {
+            bench.edits.chooseRake(rake);
+            bench.drag(x);
+            bench.edits.flush();
+        };
+        drag('r1', 1);
+        bench.records([rakeOf('r2')]);
+        drag('r2', 2);
+        bench.held = false;
+        bench.records(records);
+        drag('r2', 3);
+        drag('r2', 4);
+        const named = bench.calls.map(([, { gesture }]) => gesture);
+        expect(named.map((each) => named.indexOf(each))).toEqual([0, 1, 2, 2]);
+    });
+
     it('keeps its last edit when another rake is chosen and edited in the same frame', () => {
         const bench = new Bench();
         bench.drag(5, false);

@@ -59,8 +59,8 @@ export class RakeEdits {
     private readonly edited = new Map<string, OneRake>();
     private numbersShownAt = 0;
     private shown: string | undefined;
-    /** Of the drag that goes on. */
-    private drag: string | null = null;
+    /** The one that goes on; it ends without a last move where its rake is deleted. */
+    private drag: { rake: string; gesture: string } | null = null;
 
     constructor(options: RakeEditsOptions) {
         this.options = options;
@@ -79,8 +79,8 @@ export class RakeEdits {
         const { state } = this.options;
         const rake = state.activeRake.value;
         if (rake === null) return;
-        const gesture = this.drag ?? this.options.gestures.begin();
-        this.drag = dragging ? gesture : null;
+        const gesture = this.drag?.rake === rake ? this.drag.gesture : this.options.gestures.begin();
+        this.drag = dragging ? { rake, gesture } : null;
         const kept = dragging ? shape : this.inDomain(shape);
         // The numbers in the panel need not follow every frame: drawing text costs as much as the surface.
         if (!dragging || movedAt - this.numbersShownAt > numbersEveryMs) {
@@ -104,6 +104,7 @@ export class RakeEdits {
     /** Takes over the active rake's record unless an edit of ours is ahead of it. */
     recordsChanged(): void {
         const { state, dragging } = this.options;
+        if (!dragging()) this.drag = null;
         this.forgetAllBut(state.rakes.value);
         const record = state.rake.value;
         if (record?.rake !== this.shown) {
