@@ -303,8 +303,10 @@ export class FlowScene {
         this.loop.request();
     }
 
-    /** While something is moved, software rendering saves pixels: a late picture is worse than a soft one. */
+    /** While something is moved, no picture may be late: none is exact, and software rendering draws fewer pixels. */
     private hold(held: boolean): void {
+        this.stillness.hold(held);
+        if (held) this.exactNext = false;
         if (!this.software) return;
         this.renderer.setPixelRatio(held ? movingPixelRatio : 1);
         this.loop.request();

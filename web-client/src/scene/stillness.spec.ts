@@ -55,4 +55,26 @@ describe('stillness', () => {
         clock.pass(10_000);
         expect(reached).toBe(0);
     });
+
+    it('is not reached while something is held, however long the hand rests, but 300 ms after it is let go', () => {
+        stillness.drawn(true);
+        clock.pass(200);
+        stillness.hold(true);
+        clock.pass(10_000);
+        stillness.drawn(true);
+        clock.pass(10_000);
+        stillness.hold(false);
+        clock.pass(299);
+        expect(reached).toBe(0);
+        clock.pass(1);
+        expect(reached).toBe(1);
+    });
+
+    it('is not reached again by a press that draws nothing', () => {
+        stillness.drawn(false);
+        stillness.hold(true);
+        stillness.hold(false);
+        clock.pass(10_000);
+        expect(reached).toBe(0);
+    });
 });

@@ -1,4 +1,4 @@
-// Tells, once, when nothing has been drawn for a while: time for a picture that takes longer.
+// Tells, once, when nothing has been drawn for a while and nothing is held: time for a picture that takes longer.
 
 const restMs = 300;
 
@@ -17,6 +17,9 @@ export class Stillness {
     private readonly reached: () => void;
     private readonly timers: Timers;
     private pending: unknown = null;
+    /** The last picture could be better. */
+    private worth = false;
+    private held = false;
 
     constructor(reached: () => void, timers: Timers = browserTimers) {
         this.reached = reached;
@@ -25,8 +28,20 @@ export class Stillness {
 
     /** Something has been drawn that is worth a better picture, or is not. */
     drawn(worth: boolean): void {
+        this.worth = worth;
+        this.wait();
+    }
+
+    /** A hand that rests may move on at any moment, and must not find that picture under way. */
+    hold(held: boolean): void {
+        if (held === this.held) return;
+        this.held = held;
+        this.wait();
+    }
+
+    private wait(): void {
         if (this.pending !== null) this.timers.clear(this.pending);
-        this.pending = worth ? this.timers.set(this.end, restMs) : null;
+        this.pending = this.worth && !this.held ? this.timers.set(this.end, restMs) : null;
     }
 
     private readonly end = (): void => {
