@@ -27,6 +27,20 @@ describe('the view of a session that is made anew', () => {
         expect(url.state?.view).toEqual({ surface: 's4', looks: { s4: { opacity: 0.7 } }, masks: { s4: 'linked' } });
         expect(masks.get('s4')).toBe('ofseven');
     });
+
+    it('shows all of a surface whose painting is too intricate to be taken along', () => {
+        const [state, view] = [new AppState(), new ViewState()];
+        const masks = new Map<string, string | null>([['s4', null], ['s7', 'ofseven']]);
+        const surfaces = { maskCode: (id: string) => masks.get(id), setMask: (id: string, code: string) => masks.set(id, code) };
+        const scene = { onDraw: () => undefined, surfaces } as unknown as ViewsOptions['scene'];
+        const url = { token: null, session: null, dataset: null, state: null };
+        const views = new Views({ state, view, scene, url });
+        const painted = { ...usualLook, opacity: 0.4, painting: true };
+        view.looks.value = new Map(['s4', 's7'].map((id) => [id, painted]));
+        views.madeAnew({ rakes: new Map(), surfaces: new Map([['s4', 's1'], ['s7', 's4']]) });
+        expect([...view.looks.value]).toEqual([['s1', { ...painted, painting: false }], ['s4', painted]]);
+        expect(masks.get('s4')).toBe('ofseven');
+    });
 });
 
 describe('what is painted', () => {

@@ -103,19 +103,23 @@ export class Views {
             const code = scene.surfaces.maskCode(id);
             return typeof code === 'string' ? [[id, code]] : [];
         });
+        const looks = [...view.looks.value].map(([id, look]): [string, SurfaceLook] => {
+            // All of the surface rather than nothing.
+            return [id, scene.surfaces.maskCode(id) === null ? { ...look, painting: false } : look];
+        });
         for (const [id, code] of renamed(masks)) scene.surfaces.setMask(id, code);
         batch(() => {
-            view.looks.value = new Map(renamed(view.looks.value));
+            view.looks.value = new Map(renamed(looks));
             state.activeRake.value = rakes.get(state.activeRake.value ?? '') ?? null;
             state.activeSurface.value = surfaces.get(state.activeSurface.value ?? '') ?? null;
         });
         if (url.state === null) return;
-        const { surface: _, looks, masks: linked, ...kept } = url.state.view;
+        const { surface: _, looks: linkedLooks, masks: linked, ...kept } = url.state.view;
         const surface = surfaces.get(url.state.view.surface ?? '');
         url.state.view = {
             ...kept,
             ...(surface === undefined ? {} : { surface }),
-            ...(looks === undefined ? {} : { looks: Object.fromEntries(renamed(Object.entries(looks))) }),
+            ...(linkedLooks === undefined ? {} : { looks: Object.fromEntries(renamed(Object.entries(linkedLooks))) }),
             ...(linked === undefined ? {} : { masks: Object.fromEntries(renamed(Object.entries(linked))) }),
         };
     }
