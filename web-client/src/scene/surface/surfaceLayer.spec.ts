@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { maskSize } from './maskCode.ts';
 import type { MeshChange } from './surfaceMesh.ts';
 import { SurfaceLayer } from './surfaceLayer.ts';
 import { plainStyle } from './surfaceStyle.ts';
@@ -31,5 +32,39 @@ describe('SurfaceLayer', () => {
         const mask = layer.all[0]?.mask;
         expect(mask?.isRevealed(0.5, 0.5)).toBe(true);
         expect([mask?.tStart, mask?.tLength]).toEqual([0, 1]);
+    });
+
+    it('shows a painted surface that was deleted as it was when that is taken back, however intricate', () => {
+        const layer = new SurfaceLayer();
+        const comeBack = (): void => {
+            layer.set('s1', meshOf(3));
+            layer.setStyle('s1', { ...plainStyle, painting: true });
+        };
+        comeBack();
+        layer.revealAll('s1', true);
+        const before = layer.all[0]!.mask!.texels;
+        before.forEach((_, i) => {
+            // A patchwork whose patches are as large as texels of the coarsest code.
+            const [row, column] = [Math.floor(i / maskSize / 8), Math.floor((i % maskSize) / 8)];
+            before[i] = (row * row * 31 + column * column * 17 + row * column) % 7 < 3 ? 255 : 0;
+        });
+        const painted = before.slice();
+        expect(layer.maskCode('s1')).toBeNull();
+        layer.remove('s1');
+        expect(layer.maskCode('s1')).toBeNull();
+        comeBack();
+        expect(layer.all[0]!.mask!.texels.every((texel, i) => texel === painted[i])).toBe(true);
+    });
+
+    it('knows nothing of masks any more when its surfaces are others', () => {
+        const layer = new SurfaceLayer();
+        for (const id of ['s1', 's2']) {
+            layer.set(id, meshOf(3));
+            layer.setStyle(id, { ...plainStyle, painting: true });
+            layer.revealAll(id, true);
+        }
+        layer.remove('s2');
+        layer.forgetMasks();
+        expect(['s1', 's2'].map((id) => layer.maskCode(id))).toEqual([undefined, undefined]);
     });
 });

@@ -43,8 +43,8 @@ export class SurfaceLayer {
     readonly transparency = new Transparency(this.shared.depthRange.value, this.shared);
     private readonly surfaces = new Map<string, DrawnSurface>();
     private readonly styles = new Map<string, SurfaceStyle>();
-    /** Codes of masks for surfaces that are not painted, or not there, so far. */
-    private readonly wishedMasks = new Map<string, string>();
+    /** Masks, or their codes, for surfaces that are not painted, or not there, at the moment. */
+    private readonly wishedMasks = new Map<string, string | SurfaceMask>();
     /** How often the painter has changed something. */
     strokes = 0;
     private clipped = false;
@@ -110,6 +110,14 @@ export class SurfaceLayer {
         surface.mesh.dispose();
         surface.materials.dispose();
         surface.mask?.dispose();
+        // Its deletion may be taken back.
+        if (surface.mask !== null) this.wishedMasks.set(id, surface.mask);
+    }
+
+    /** For surfaces that are others now, whatever their names. */
+    forgetMasks(): void {
+        this.wishedMasks.clear();
+        for (const surface of this.surfaces.values()) this.dropMask(surface);
     }
 
     get all(): DrawnSurface[] {
@@ -145,8 +153,8 @@ export class SurfaceLayer {
 
     /** What the painter has left of a surface, as a text; null: it is too intricate for one. Undefined: nothing is painted. */
     maskCode(id: string): string | null | undefined {
-        const mask = this.surfaces.get(id)?.mask;
-        return mask ? mask.code : this.wishedMasks.get(id);
+        const mask = this.surfaces.get(id)?.mask ?? this.wishedMasks.get(id);
+        return mask instanceof SurfaceMask ? mask.code : mask;
     }
 
     /** As the code says, from now on or when the surface is painted; one that cannot be read says that nothing is revealed. */
@@ -155,10 +163,14 @@ export class SurfaceLayer {
         this.wishedMasks.set(id, code);
         const surface = this.surfaces.get(id);
         if (surface === undefined) return;
+        this.dropMask(surface);
+        this.restyle(surface);
+    }
+
+    private dropMask(surface: DrawnSurface): void {
         surface.materials.setMask(null, 0, 1);
         surface.mask?.dispose();
         surface.mask = null;
-        this.restyle(surface);
     }
 
     /** Null for a surface that is empty so far: a mask could not tell where its t is. */
@@ -170,7 +182,8 @@ export class SurfaceLayer {
     }
 
     private newMask({ id, mesh }: DrawnSurface): SurfaceMask {
-        const wished = decodeMask(this.wishedMasks.get(id) ?? '');
+        const kept = this.wishedMasks.get(id) ?? '';
+        const wished = typeof kept === 'string' ? decodeMask(kept) : kept;
         this.wishedMasks.delete(id);
         const [low, high] = mesh.tRange;
         // One of other times altogether has nothing to do with this surface, and would be doubled for long to reach it.

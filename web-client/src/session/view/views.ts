@@ -20,7 +20,7 @@ export interface ViewsOptions {
     state: AppState;
     view: ViewState;
     scene: Pick<FlowScene, 'controls' | 'loop' | 'onDraw'> & {
-        surfaces: Pick<SurfaceLayer, 'maskCode' | 'setMask' | 'strokes'>;
+        surfaces: Pick<SurfaceLayer, 'maskCode' | 'setMask' | 'forgetMasks' | 'strokes'>;
     };
     url: UrlState;
 }
@@ -107,6 +107,8 @@ export class Views {
             // All of the surface rather than nothing.
             return [id, scene.surfaces.maskCode(id) === null ? { ...look, painting: false } : look];
         });
+        // A surface that is made later may bear the name of one that was painted.
+        scene.surfaces.forgetMasks();
         for (const [id, code] of renamed(masks)) scene.surfaces.setMask(id, code);
         batch(() => {
             view.looks.value = new Map(renamed(looks));
