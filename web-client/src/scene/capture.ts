@@ -49,8 +49,9 @@ function drawnSide(scene: FlowScene, pixelRatio: number): number {
     const gl = scene.renderer.getContext();
     const dims = gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array;
     const limits = [gl.MAX_TEXTURE_SIZE, gl.MAX_RENDERBUFFER_SIZE].map((name) => Number(gl.getParameter(name)));
-    // A tile that were nothing but margin would be none.
-    return Math.min(Math.max(tileSide, 6 * tileMargin * pixelRatio), dims[0] ?? 0, dims[1] ?? 0, ...limits);
+    // Where the margin is wide, a somewhat larger tile is mostly picture all the same.
+    const margin = Math.min(tileMargin * pixelRatio, tileSide / 4);
+    return Math.min(Math.max(tileSide, 6 * margin), dims[0] ?? 0, dims[1] ?? 0, ...limits);
 }
 
 /** Error: in words. @param side of tiles, in pixels; without it as large as they are best */

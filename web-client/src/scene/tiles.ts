@@ -17,11 +17,13 @@ export interface Tile {
 
 /**
  * All are drawn equally large, at most `side` pixels a side; even offsets keep differences between neighbouring pixels the same.
- * REQUIRES: side > 2 margin + 4
+ * A margin of more than a quarter of a tile is cut down to that: tiles that were little but margin would be too many.
+ * REQUIRES: side >= 8
  */
 export function tilesOf({ width, height }: ScreenSize, side: number, margin: number): Tile[] {
-    const columns = stretchesOf(width, side, margin);
-    return stretchesOf(height, side, margin).flatMap((row) =>
+    const edge = 2 * Math.ceil(Math.floor(Math.min(margin, side / 4)) / 2);
+    const columns = stretchesOf(width, side, edge);
+    return stretchesOf(height, side, edge).flatMap((row) =>
         columns.map((column) => ({
             drawn: { x: column.drawn, y: row.drawn, width: column.drawnLength, height: row.drawnLength },
             kept: { x: column.kept, y: row.kept, width: column.keptLength, height: row.keptLength },
@@ -37,9 +39,8 @@ interface Stretch {
 }
 
 /** Of one side of the picture. */
-function stretchesOf(length: number, side: number, margin: number): Stretch[] {
+function stretchesOf(length: number, side: number, edge: number): Stretch[] {
     if (length <= side) return [{ drawn: 0, drawnLength: length, kept: 0, keptLength: length }];
-    const edge = 2 * Math.ceil(margin / 2);
     const count = Math.ceil(length / (2 * Math.floor((side - 2 * edge) / 2)));
     const step = 2 * Math.ceil(length / count / 2);
     return Array.from({ length: Math.ceil(length / step) }, (_, i) => ({
