@@ -279,8 +279,11 @@ export class FlowScene {
             const [width, height] = [size.width * part.pixelRatio, size.height * part.pixelRatio];
             camera.setViewOffset(width, height, part.x, part.y, part.width, part.height);
         }
-        this.renderer.render(this.scene, camera);
-        if (part !== null) camera.clearViewOffset();
+        try {
+            this.renderer.render(this.scene, camera);
+        } finally {
+            if (part !== null) camera.clearViewOffset();
+        }
         this.transparency = !transparency.isNeeded ? 'none' : exact ? 'exact' : 'blended';
         this.stillness.drawn(this.exactWhenStill && this.transparency === 'blended');
         this.framesDrawn += 1;
