@@ -20,6 +20,16 @@ describe('what a slider sends', () => {
         gestures.release();
         expect(gestures.slid('length', 120_000)).not.toBe(name);
     });
+
+    it('is one act too when it is held again at once, and the hand rests then', () => {
+        const gestures = new Gestures();
+        gestures.press();
+        const name = gestures.slid('length', 0);
+        gestures.release();
+        gestures.press();
+        expect(gestures.slid('length', 500)).toBe(name);
+        expect(gestures.slid('length', 60_000)).toBe(name);
+    });
 });
 
 describe('what a button sends', () => {

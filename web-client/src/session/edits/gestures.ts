@@ -41,7 +41,8 @@ export class Gestures {
     slid(what: string, at: number): string {
         const goesOn = this.continues(what) || (this.newest.what === what && at - this.newest.at < pauseMs);
         if (!goesOn) return this.started(what, at);
-        this.newest.at = at;
+        // A hold that goes on with what was just done is of one piece with it, however long it rests later.
+        this.newest = { what, at, press: this.presses };
         return this.current;
     }
 

@@ -8,7 +8,9 @@ export function listenForPresses(gestures: Gestures): void {
     addEventListener('keydown', ({ repeat }) => {
         if (!repeat) gestures.press();
     }, capture);
-    for (const type of ['pointerup', 'pointercancel', 'keyup', 'blur']) {
+    for (const type of ['pointerup', 'pointercancel', 'keyup']) {
         addEventListener(type, () => gestures.release(), capture);
     }
+    // Of the window alone: elements lose the focus while a handle is held.
+    addEventListener('blur', () => gestures.release());
 }
