@@ -106,8 +106,9 @@ TEST_F(DatasetMethods, TheCacheTellsWhichTimeStepsAreInMemory) {
 TEST_F(DatasetMethods, ChangesOfTheCacheAreAnnounced) {
     ServerProcess server({*folder_ / "gyre"});
     WebSocketClient client(server);
-    client.call("probe.sample",
-                {{"dataset", "gyre"}, {"points", {{0.5, 0.5, 0.0}}}, {"time", 0.5}});
+    client.result("dataset.open", {{"dataset", "gyre"}});
+    client.result("probe.sample",
+                  {{"dataset", "gyre"}, {"points", {{0.5, 0.5, 0.0}}}, {"time", 0.5}});
     std::set<int> resident;
     while (resident.size() < 2) {
         const auto news = client.notification("cache.patched");
