@@ -193,8 +193,7 @@ describe('a picture', () => {
                 for (let i = 0; i < 45; i += 1) await new Promise(requestAnimationFrame);
                 return window.wakesurf!.framesDrawn - before;
             });
-        await expect.poll(drawnMeanwhile).toBe(0);
-        expect(await whole(page)).toBe('exact');
+        await expect.poll(async () => [await drawnMeanwhile(), await whole(page)], { timeout: 20_000 }).toEqual([0, 'exact']);
 
         // A picture in exact order comes after one that is not, when the camera has stopped.
         const frames = await ask(page, (hook) => hook.framesDrawn);

@@ -6,6 +6,7 @@ import type { RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/proto
 import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { Guest } from './support/guest.ts';
 import { dragHandle, type HandleName, takeHandle } from './support/rake_drag.ts';
+import { expectServersMesh } from './support/server_mesh.ts';
 import { takeScriptTimes, timeScripts } from './support/script_time.ts';
 import { useStand } from './support/stand.ts';
 
@@ -259,14 +260,17 @@ describe('without dragging', () => {
         expect(nudged.points[1]![0] - start[1]![0]).toBeCloseTo(0.05, 9);
         expect(nudged.points[1]![2] - start[1]![2]).toBeCloseTo(-0.05, 9);
 
-        // On the surface that is there: where the picture shows it.
-        const vertex = await ask(page, (hook) => hook.vertices(1)[Math.floor(hook.displayed!.vertices / 3)]!.point);
-        const [at] = await onScreen([vertex]);
+        // On the surface of the nudged rake, where the picture shows it: beside it the end would be kept inside the domain.
+        await expectServersMesh(stand.server, page);
+        const at = await ask(page, (hook) => {
+            const seen = hook.vertices(7).map(({ point }) => hook.project(point)!);
+            return seen.slice(Math.floor(seen.length / 3)).find((place) => typeof hook.pick(place)?.surface === 'string')!;
+        });
         await click('Place End with a click');
-        await page.mouse.click(at!.x, at!.y);
+        await page.mouse.click(at.x, at.y);
         const placed = await recorded(0, nudged.points);
         const [seen] = await onScreen([placed.points[1]!]);
-        expect(Math.hypot(seen!.x - at!.x, seen!.y - at!.y)).toBeLessThan(1.5);
+        expect(Math.hypot(seen!.x - at.x, seen!.y - at.y)).toBeLessThan(1.5);
 
         await click('Turn left');
         await click('Add point after');
