@@ -78,7 +78,8 @@ describe('an import', () => {
         // The one who had left is told as well.
         await one.page.getByText(/The import of u_000 was stopped/).waitFor();
         await screenshot(two.page, 'import-stopped');
-        expect((await entry()).steps).toEqual(stopped.steps);
+        // The step that was being written when it was stopped may be one of them.
+        expect((await entry()).steps.ready - stopped.steps.ready).toBeLessThanOrEqual(1);
 
         await two.page.getByRole('button', { name: 'Go on importing' }).click();
         await expect.poll(async () => (await entry()).steps.ready, { timeout: 30_000 }).toBeGreaterThan(stopped.steps.ready);

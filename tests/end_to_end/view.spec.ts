@@ -188,18 +188,23 @@ describe('what a brush has revealed', () => {
         await page.mouse.move(x + 60, y, { steps: 4 });
         await page.mouse.up();
         await expect.poll(async () => (await shown(page)).size).toBeGreaterThan(100);
+        // The picture has the whole stroke, and so has the address, which follows within half a second.
+        let last = '';
+        const settled = async (): Promise<boolean> => {
+            const now = JSON.stringify([masksOf(page), [...(await shown(page))]]);
+            return now === last || ((last = now), false);
+        };
+        await expect.poll(settled, { interval: 800, timeout: 20_000 }).toBe(true);
         const painted = await shown(page);
-        await expect.poll(() => Object.keys(masksOf(page))).toHaveLength(1);
+        expect(Object.keys(masksOf(page))).toHaveLength(1);
         const before = JSON.stringify(masksOf(page));
         expect(before.length).toBeLessThan(850);
 
         const link = new URL(page.url());
         link.hash += `&token=${stand.server.token}`;
         const other = await stand.visit({ width: 900, height: 560, link: link.href });
-        await expect.poll(async () => (await shown(other)).size).toBeGreaterThan(100);
-        const there = await shown(other);
         // Texels of the code are some pixels wide: what differs is the border.
-        expect(apart(painted, there)).toBeLessThan(0.1 * painted.size);
+        await expect.poll(async () => apart(painted, await shown(other))).toBeLessThan(0.1 * painted.size);
         await screenshot(other, 'painted-by-link');
         await other.context().close();
 
