@@ -76,9 +76,11 @@ describe('a streak surface', () => {
             await page.waitForFunction(() => window.wakesurf?.connection !== 'open');
             const before = await played();
             stand.network.mend();
+            // What was under way may still have been drawn: news of the new connection count, and before it nothing can be clicked.
+            await page.waitForFunction(() => window.wakesurf?.connection === 'open');
             await page.waitForFunction(
                 ({ keys, deltas }) => window.wakesurf!.displayed!.keys + window.wakesurf!.displayed!.deltas > keys + deltas,
-                before,
+                await played(),
             );
             const after = await played();
             short = performance.now() - begun < 4000 && after.time > before.time;
