@@ -44,11 +44,11 @@ export class TimeBar extends SignalElement {
 
     override render(): TemplateResult {
         const { playback } = this.model;
-        const viewer = this.model.state.role.value === 'viewer';
+        const locked = this.model.state.locked.value;
         const none = playback.mode.value === 'none';
         return html`
             <div class="row">
-                ${this.buttons(viewer || none)} ${this.speed(viewer || none)}
+                ${this.buttons(locked || none)} ${this.speed(locked || none)}
                 <label for="go-to"
                     ><span class="quiet">${playback.mode.value === 'clock' ? 'shown' : 'frozen'} at</span>
                     <input
@@ -56,7 +56,7 @@ export class TimeBar extends SignalElement {
                         type="number"
                         step="any"
                         aria-label=${playback.mode.value === 'clock' ? 'Shown at time' : 'Frozen at time'}
-                        ?disabled=${viewer || none}
+                        ?disabled=${locked || none}
                         .value=${this.typing ? noChange : live(numberText(playback.time.value))}
                         @focus=${() => (this.typing = true)}
                         @blur=${this.left}
@@ -174,7 +174,7 @@ export class TimeBar extends SignalElement {
     private readonly keyed = (event: KeyboardEvent): void => {
         const { playback, state } = this.model;
         const key = timeKeyOf(event);
-        if (key === null || playback.mode.value === 'none' || state.role.value === 'viewer') return;
+        if (key === null || playback.mode.value === 'none' || state.locked.value) return;
         event.preventDefault();
         if (key === 'toggle') void playback.toggle();
         else void playback.step(key === 'forward' ? 1 : -1);

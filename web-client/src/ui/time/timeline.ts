@@ -174,7 +174,7 @@ export class Timeline extends SignalElement {
     }
 
     private get mayNot(): boolean {
-        return this.model.state.role.value === 'viewer';
+        return this.model.state.locked.value;
     }
 
     private place(handle: string, time: number): string | typeof noChange | ReturnType<typeof live> {
