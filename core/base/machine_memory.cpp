@@ -2,7 +2,108 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
 namespace wakesurf::core {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
+
+std::vector<std::string> split(const std::string& text, char at) {
+    std::vector<std::string> out;
+    std::istringstream in(text);
+    for (std::string part; std::getline(in, part, at);)
+        out.push_back(part);
+    return out;
+}
+
+bool among(const std::string& wanted, const std::string& list) {
+    const auto all = split(list, ',');
+    return std::find(all.begin(), all.end(), wanted) != all.end();
+}
+
+/// Where a hierarchy of control groups with the memory controller is mounted. (proc(5), /proc/self/mountinfo)
+struct Hierarchy {
+    int version;
+    fs::path top; ///< the group that is mounted, as /proc/self/cgroup names groups
+    fs::path mounted;
+};
+
+std::vector<Hierarchy> hierarchies(const fs::path& root) {
+    std::vector<Hierarchy> out;
+    std::ifstream file(root / "proc/self/mountinfo");
+    for (std::string line; std::getline(file, line);) {
+        const auto dash = line.find(" - ");
+        const auto before = split(line.substr(0, dash), ' ');
+        const auto after = dash == std::string::npos ? std::vector<std::string>{}
+                                                     : split(line.substr(dash + 3), ' ');
+        if (before.size() < 5 || after.size() < 3)
+            continue;
+        const bool first = after[0] == "cgroup" && among("memory", after[2]);
+        if (first || after[0] == "cgroup2")
+            out.push_back({first ? 1 : 2, before[3], before[4]});
+    }
+    return out;
+}
+
+/// The group of this process in a hierarchy. (cgroups(7): hierarchy:controllers:path)
+std::optional<fs::path> own_group(const fs::path& root, int version) {
+    std::ifstream file(root / "proc/self/cgroup");
+    for (std::string line; std::getline(file, line);) {
+        const auto first = line.find(':');
+        const auto second = line.find(':', first + 1);
+        if (first == std::string::npos || second == std::string::npos)
+            continue;
+        const std::string controllers = line.substr(first + 1, second - first - 1);
+        if (version == 2 ? controllers.empty() : among("memory", controllers))
+            return fs::path(line.substr(second + 1));
+    }
+    return std::nullopt;
+}
+
+/// Of one file: a number, or "max".
+std::uint64_t limit_in(const fs::path& file) {
+    std::ifstream in(file);
+    std::uint64_t bytes = 0;
+    return in >> bytes ? bytes : unlimited;
+}
+
+/// Of a group itself, without those it is in.
+std::uint64_t limit_of(const fs::path& group, int version) {
+    if (version == 1)
+        return limit_in(group / "memory.limit_in_bytes");
+    return std::min(limit_in(group / "memory.max"), limit_in(group / "memory.high"));
+}
+
+std::uint64_t least_limit(const fs::path& root, const Hierarchy& hierarchy) {
+    const auto own = own_group(root, hierarchy.version);
+    if (!own)
+        return unlimited;
+    const fs::path mounted = root / hierarchy.mounted.relative_path();
+    // Inside a container the mount may show no more than the container's group, which is then its top.
+    fs::path below = own->lexically_relative(hierarchy.top);
+    if (below.empty() || *below.begin() == "..")
+        below = ".";
+    std::uint64_t least = limit_of(mounted, hierarchy.version);
+    fs::path group = mounted;
+    for (const fs::path& name : below) {
+        group /= name;
+        least = std::min(least, limit_of(group, hierarchy.version));
+    }
+    return least;
+}
+
+} // namespace
 
 std::uint64_t machine_memory() {
     const auto pages = ::sysconf(_SC_PHYS_PAGES);
@@ -10,6 +111,20 @@ std::uint64_t machine_memory() {
     return pages > 0 && page > 0
                ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page)
                : 0;
+}
+
+std::uint64_t granted_memory(const fs::path& root) {
+    std::uint64_t least = machine_memory() > 0 ? machine_memory() : unlimited;
+    for (const Hierarchy& each : hierarchies(root))
+        least = std::min(least, least_limit(root, each));
+    return least == unlimited ? 0 : least;
+}
+
+std::uint64_t resident_memory() {
+    std::ifstream file("/proc/self/statm");
+    std::uint64_t all = 0, resident = 0;
+    const auto page = ::sysconf(_SC_PAGESIZE);
+    return file >> all >> resident && page > 0 ? resident * static_cast<std::uint64_t>(page) : 0;
 }
 
 } // namespace wakesurf::core

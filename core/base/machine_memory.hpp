@@ -1,11 +1,21 @@
-// How much memory the machine has: the limit where an allocation fails.
+// How much memory the machine has, and how much of it this process may have: the limit where an allocation fails or the kernel
+// ends the process.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 
 namespace wakesurf::core {
 
 /// Bytes; 0 where the system does not say.
 std::uint64_t machine_memory();
+
+/// The least of machine_memory() and the limits of the control groups that this process is in, version 1 or 2, nested ones too.
+/// Bytes; 0 where the system does not say.
+/// @param root  where /proc and /sys are, for tests
+std::uint64_t granted_memory(const std::filesystem::path& root = "/");
+
+/// What this process holds of the machine's memory, in bytes; 0 where the system does not say. Cost: some 10 microseconds.
+std::uint64_t resident_memory();
 
 } // namespace wakesurf::core

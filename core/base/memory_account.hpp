@@ -1,0 +1,118 @@
+// The one account of a process's memory: whatever takes much opens a share and grows it before it allocates. What does not fit
+// is asked back from those who hold something that can be had again, in the order of `GiveBack`, or refused.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+namespace wakesurf::core {
+
+/// What memory is taken for.
+enum class MemoryUse {
+    TimeSteps,
+    Meshes,    ///< grids of datasets, what finds cells in them, obstacles
+    Builds,    ///< surfaces while they are computed and encoded
+    Surfaces,  ///< what a surface that is shown keeps
+    Rings,     ///< encoded updates, until the last reader has them
+    Histories, ///< checkpoints of moving surfaces
+    Downloads,
+    Importers, ///< other processes
+    Other,     ///< what the process was seen to take beyond its shares
+};
+inline constexpr std::size_t memory_uses = 9;
+
+/// For metrics and statistics: "timeSteps", "meshes", ...
+std::string_view name_of(MemoryUse use);
+
+/// Who is asked first: what is cheapest to have again.
+enum class GiveBack {
+    SpareTimeSteps, ///< nobody waits for, beyond the smallest window
+    Downloads,      ///< finished files that are kept for the next who asks
+    Rings,          ///< updates that only those who have fallen behind would read
+    Histories,      ///< checkpoints that nobody plays
+    Surfaces,       ///< surfaces nobody looks at: they fall back to their parameters
+};
+
+/// Thread safety: everything may be called from any thread, a Share by one thread at a time. Copies are the same account.
+class MemoryAccount {
+    struct State;
+    struct Giver;
+
+  public:
+    /// @param budget  bytes of all shares together
+    explicit MemoryAccount(std::size_t budget);
+
+    /// A part of the account, from open() until its end.
+    class Share {
+      public:
+        Share() = default; ///< of no account: everything fits
+        ~Share();
+        Share(Share&& other) noexcept;
+        Share& operator=(Share&& other) noexcept;
+
+        /// False: it does not fit, even after others were asked to give back; the share is as it was. Does not wait. Cost where it
+        /// fits: 50 ns.
+        bool grow_to(std::size_t bytes);
+
+        /// The same, and waits for what others need some time to give back. Not on a thread on which they do that.
+        bool
+        grow_to(std::size_t bytes, const std::stop_token& stop, std::chrono::milliseconds patience);
+
+        /// The same within what is free: nobody is asked.
+        bool grow_within_free(std::size_t bytes);
+
+        /// Nothing where it is smaller already.
+        void shrink_to(std::size_t bytes);
+
+        /// What has been taken already, whether it fits or not.
+        void set(std::size_t bytes);
+
+        /// Takes over all bytes of another share of the same account.
+        void join(Share&& other);
+
+        std::size_t bytes() const { return bytes_; }
+
+      private:
+        friend class MemoryAccount;
+
+        Share(std::shared_ptr<State> state, MemoryUse use) : state_(std::move(state)), use_(use) {}
+
+        std::shared_ptr<State> state_;
+        MemoryUse use_ = MemoryUse::Other;
+        std::size_t bytes_ = 0;
+    };
+
+    Share open(MemoryUse use) const;
+
+    /// `give_back` is called with how many bytes are wanted, on the thread of whoever wants them, without the account's lock, and not
+    /// from two threads at once. It shrinks its shares at once, or sees to it on another thread, and must not grow any. Until the
+    /// ticket is dropped, which waits for a call under way.
+    [[nodiscard]] std::shared_ptr<void>
+    on_need(GiveBack order, std::function<void(std::size_t wanted)> give_back) const;
+
+    std::size_t budget() const;
+    std::size_t used() const;
+    std::size_t used(MemoryUse use) const;
+    std::size_t free() const; ///< 0 where more is taken than there may be
+
+    /// How often something did not fit.
+    std::size_t refused() const;
+
+    /// Asks others, in their order, until so many bytes are free or all have been asked.
+    void make_room(std::size_t bytes) const;
+
+    /// OverLimit, for people. @param what   begins the sentence: "a surface of 4000000 quads"
+    Error refusal(std::string_view what, std::size_t bytes) const;
+
+  private:
+    std::shared_ptr<State> state_;
+};
+
+} // namespace wakesurf::core
