@@ -2,6 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
+import { thirdPartyNotices } from './tools/third_party_notices.ts';
 
 /** The client for Python lies beside the page, so that whoever copies a script from it can fetch what the script needs. */
 const pythonClient: Plugin = {
@@ -13,9 +14,11 @@ const pythonClient: Plugin = {
     },
 };
 
+const notices = thirdPartyNotices();
+
 export default defineConfig({
     base: './',
-    plugins: [pythonClient],
+    plugins: [pythonClient, notices.page],
     build: {
         target: 'es2022',
         outDir: 'dist',
@@ -23,5 +26,5 @@ export default defineConfig({
         modulePreload: { polyfill: false },
         chunkSizeWarningLimit: 900,
     },
-    worker: { format: 'es' },
+    worker: { format: 'es', plugins: notices.worker },
 });
