@@ -8,6 +8,7 @@
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
