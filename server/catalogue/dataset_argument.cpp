@@ -65,6 +65,8 @@ fs::path default_store_root() {
         const char* value = std::getenv(variable);
         return value == nullptr ? fs::path() : fs::path(value);
     };
+    if (auto named = folder("WAKESURF_STORE"); !named.empty())
+        return named;
     if (const auto cache = folder("XDG_CACHE_HOME"); cache.is_absolute())
         return cache / "wakesurf";
     if (const auto home = folder("HOME"); home.is_absolute())

@@ -22,7 +22,7 @@ struct DatasetArgument {
 /// files of a series. Error: NotFound, Io.
 core::Result<DatasetArgument> resolve_dataset(const std::string& argument);
 
-/// $XDG_CACHE_HOME/wakesurf, else ~/.cache/wakesurf, else wakesurf-cache beside the current directory.
+/// $WAKESURF_STORE, else $XDG_CACHE_HOME/wakesurf, else ~/.cache/wakesurf, else wakesurf-cache beside the current directory.
 std::filesystem::path default_store_root();
 
 /// <root>/<name>-<16 hex digits of the canonical source path>, so that equal names do not meet.

@@ -1,8 +1,11 @@
 #include "server/cli/serve_command.hpp"
 
 #include "server/catalogue/dataset_argument.hpp"
+#include "server/catalogue/shipped_files.hpp"
+#include "server/cli/environment.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/memory_size.hpp"
+#include "server/cli/writable_folder.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/server.hpp"
 #include "server/net/token_file.hpp"
@@ -11,6 +14,7 @@
 #include <fmt/core.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <csignal>
@@ -76,22 +80,62 @@ std::string shown_host(const std::string& host) {
     return host.find(':') == std::string::npos ? host : "[" + host + "]";
 }
 
-/// Error: InvalidArgument, wrong usage; anything else, a token file that cannot be used.
+/// What was named; where nothing was, WAKESURF_DATASET, or else the bundled simulation.
+std::vector<std::string> datasets_to_serve(const ServeOptions& options) {
+    if (!options.datasets.empty())
+        return options.datasets;
+    if (const std::string named = from_environment("WAKESURF_DATASET"); !named.empty())
+        return {named};
+    if (const auto bundled = bundled_simulation()) {
+        spdlog::info("event=bundled_simulation message=\"no dataset was named: this is the bundled "
+                     "simulation\" hint=\"name your own: wakesurf serve CASE\"");
+        return {bundled->string()};
+    }
+    spdlog::warn("event=no_dataset message=\"no dataset was named, and the bundled simulation is "
+                 "not beside this program: there is nothing to show\" "
+                 "hint=\"name one: wakesurf serve CASE\"");
+    return {};
+}
+
+/// What has to be kept must be writable; the store need not be while all that is served is already in it.
+core::Result<void> check_folders(const ServeOptions& options, const ServerOptions& server) {
+    std::error_code ignored;
+    if (!options.token_file.empty() && !options.no_auth &&
+        !std::filesystem::exists(options.token_file, ignored))
+        if (auto made =
+                check_writable(std::filesystem::absolute(options.token_file, ignored).parent_path(),
+                               "--token-file");
+            !made)
+            return made;
+    if (!options.state.empty())
+        if (auto kept = check_writable(options.state, "--state"); !kept)
+            return kept;
+    if (const auto store = check_writable(server.store_root, "--store"); !store)
+        spdlog::warn("event=store_read_only message=\"the folder for imported data cannot be "
+                     "written: only what is imported already can be served\" hint=\"give it to "
+                     "user {}, or name another with --store\"",
+                     ::geteuid());
+    return {};
+}
+
+/// Error: InvalidArgument, wrong usage; anything else, a file or folder that cannot be used.
 core::Result<ServerOptions> server_options(const ServeOptions& options) {
     const auto address = parse_address(options.listen);
     if (!address)
         return tl::unexpected(address.error());
     if (auto origins = check_origins(options.origins); !origins)
         return tl::unexpected(origins.error());
+    ServerOptions server;
+    server.store_root =
+        options.store.empty() ? default_store_root() : std::filesystem::path(options.store);
+    if (auto folders = check_folders(options, server); !folders)
+        return tl::unexpected(folders.error());
     const auto token = choose_token(options, *address);
     if (!token)
         return tl::unexpected(token.error());
-    ServerOptions server;
-    server.datasets = options.datasets;
+    server.datasets = datasets_to_serve(options);
     server.host = address->host;
     server.port = address->port;
-    server.store_root =
-        options.store.empty() ? default_store_root() : std::filesystem::path(options.store);
     server.state = options.state;
     server.memory = options.memory;
     server.threads = options.threads;
@@ -111,7 +155,10 @@ core::Result<void> serve(const ServerOptions& options) {
     fmt::print("wakesurf: {}://{}:{}/{}{}\n", tls ? "https" : "http", shown_host(options.host),
                (*running)->port(), options.token.empty() ? "" : "#token=", options.token);
     std::fflush(stdout);
-    if (!tls && !is_loopback(options.host))
+    if (!tls && in_container()) // which cannot know where its port is published
+        spdlog::info("event=no_tls message=\"this port speaks plain HTTP\" hint=\"publish it on "
+                     "127.0.0.1 only, or put TLS in front of it\"");
+    else if (!tls && !is_loopback(options.host))
         spdlog::warn(
             "event=no_tls message=\"everybody on the way can read the token and the data\" "
             "hint=\"give --tls-cert and --tls-key\"");
@@ -122,21 +169,30 @@ core::Result<void> serve(const ServerOptions& options) {
 } // namespace
 
 void add_serve_options(CLI::App& command, ServeOptions& options) {
+    options.listen = from_environment("WAKESURF_LISTEN", options.listen);
+    options.state = from_environment("WAKESURF_STATE");
+    options.token_file = from_environment("WAKESURF_TOKEN_FILE");
     command.add_option("DATASET", options.datasets,
-                       "files or folders VTK can read, stores, or flow:NAME[?k=v,...]");
-    command.add_option("--listen", options.listen, "HOST:PORT; port 0 picks a free one")
+                       "files or folders VTK can read, stores, or flow:NAME[?k=v,...] (default: "
+                       "$WAKESURF_DATASET, or the bundled simulation)");
+    command
+        .add_option("--listen", options.listen,
+                    "HOST:PORT; port 0 picks a free one (default also by $WAKESURF_LISTEN)")
         ->capture_default_str();
-    command.add_option("--store", options.store,
-                       "folder imports are kept in (default: ~/.cache/wakesurf)");
+    command.add_option(
+        "--store", options.store,
+        "folder imports are kept in (default: $WAKESURF_STORE, or ~/.cache/wakesurf)");
     command.add_option("--state", options.state,
-                       "folder sessions are kept in (default: none, they end with the server)");
+                       "folder sessions are kept in (default: $WAKESURF_STATE, or none: they end "
+                       "with the server)");
     command.add_option("--memory", options.memory, "for time-steps, for example 4GiB")
         ->transform(as_memory_size())
         ->default_str("4GiB");
     command.add_option("--threads", options.threads, "that compute (default: one a core)")
         ->check(CLI::Range(1, 1024));
     auto* const file = command.add_option("--token-file", options.token_file,
-                                          "take the token from this file; made if it is not there");
+                                          "take the token from this file; made if it is not there "
+                                          "(default: $WAKESURF_TOKEN_FILE, or a fresh token)");
     command.add_flag("--no-auth", options.no_auth, "no token; only on a loopback address")
         ->excludes(file);
     command.add_option("--origin", options.origins,

@@ -216,7 +216,9 @@ std::uint16_t Server::port() const {
 void Server::run() {
     Parts& all = *parts_;
     if (all.files.empty())
-        spdlog::warn("event=no_web_client hint=\"scripts can connect all the same\"");
+        spdlog::warn("event=no_web_client message=\"the page is not beside this program\" "
+                     "hint=\"build it, as ./run "
+                     "does, or name its folder with --web; scripts can connect all the same\"");
     if (!all.journal)
         spdlog::info("event=sessions_not_kept hint=\"--state DIR keeps them\"");
     asio::signal_set signals(all.context, SIGINT, SIGTERM);

@@ -11,6 +11,47 @@
 
 namespace wakesurf::tests {
 
+namespace {
+
+struct Ended {
+    int status = 0;
+    std::string text; ///< standard error
+};
+
+/// `wakesurf serve ARGUMENTS` with variables of the environment before it, until it ends by itself.
+Ended serve(const std::string& variables, const std::string& arguments) {
+    std::FILE* pipe = ::popen(
+        (variables + " " + WAKESURF_BINARY + " serve " + arguments + " 2>&1 >/dev/null").c_str(),
+        "r");
+    Ended ended;
+    std::array<char, 1024> part{};
+    while (std::fgets(part.data(), part.size(), pipe) != nullptr)
+        ended.text += part.data();
+    ended.status = WEXITSTATUS(::pclose(pipe));
+    return ended;
+}
+
+} // namespace
+
+TEST(ServeCommand, TakesDefaultsFromTheEnvironmentAndTheCommandLineWins) {
+    // What it says shows what it took: an address it cannot parse, or, with a good one, a flow it does not know.
+    EXPECT_NE(serve("WAKESURF_LISTEN=from-the-environment", "flow:nonsense")
+                  .text.find("from-the-environment"),
+              std::string::npos);
+    const auto overridden =
+        serve("WAKESURF_LISTEN=from-the-environment", "flow:nonsense --listen 127.0.0.1:0");
+    EXPECT_NE(overridden.text.find("lamb-oseen"), std::string::npos) << overridden.text;
+    EXPECT_NE(
+        serve("WAKESURF_DATASET=flow:nonsense", "--listen 127.0.0.1:0").text.find("lamb-oseen"),
+        std::string::npos);
+    EXPECT_NE(serve("WAKESURF_TOKEN_FILE=/etc/hostname", "flow:abc --listen 127.0.0.1:0")
+                  .text.find("32 to 512"),
+              std::string::npos);
+    const auto no_token =
+        serve("WAKESURF_TOKEN_FILE=/etc/hostname", "flow:nonsense --listen 127.0.0.1:0 --no-auth");
+    EXPECT_NE(no_token.text.find("lamb-oseen"), std::string::npos) << no_token.text;
+}
+
 TEST(ServeCommand, SaysInOneLineWhyItCannotServe) {
     const std::vector<std::tuple<std::string, int, std::string>> cases{
         {"/nonexistent --listen 127.0.0.1:0", 1, "nonexistent"},
@@ -34,16 +75,8 @@ TEST(ServeCommand, SaysInOneLineWhyItCannotServe) {
          "--tls-cert holds no PEM certificate"},
     };
     for (const auto& [arguments, status, words] : cases) {
-        std::FILE* pipe = ::popen(
-            (std::string(WAKESURF_BINARY) + " serve " + arguments + " 2>&1 >/dev/null").c_str(),
-            "r");
-        ASSERT_NE(pipe, nullptr);
-        std::string text;
-        std::array<char, 1024> part{};
-        while (std::fgets(part.data(), part.size(), pipe) != nullptr)
-            text += part.data();
-        const int end = ::pclose(pipe);
-        EXPECT_EQ(WEXITSTATUS(end), status) << arguments << "\n" << text;
+        const auto [end, text] = serve("", arguments);
+        EXPECT_EQ(end, status) << arguments << "\n" << text;
         EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << arguments << "\n" << text;
         EXPECT_NE(text.find(words), std::string::npos) << arguments << "\n" << text;
     }
