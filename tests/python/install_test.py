@@ -1,0 +1,66 @@
+"""`cmake --install`: a prefix from which the program serves, without the sources it was built from."""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import urllib.request
+
+from real_server import BINARY, ROOT
+
+sys.path.insert(0, os.path.join(ROOT, "protocol/python"))
+from wakesurf import Client  # noqa: E402
+
+
+class InstallTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.prefix = os.path.join(cls.folder.name, "prefix")
+        tree = os.path.dirname(os.path.dirname(os.path.abspath(BINARY)))
+        subprocess.run(["cmake", "--install", tree, "--component", "program", "--prefix", cls.prefix], check=True,
+                       stdout=subprocess.DEVNULL)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_it_has_the_licences(self):
+        for name in ("LICENSE", "THIRD_PARTY.txt"):
+            with open(os.path.join(ROOT, name), encoding="utf-8") as file:
+                expected = file.read()
+            with open(os.path.join(self.prefix, "share/doc/wakesurf", name), encoding="utf-8") as file:
+                self.assertEqual(file.read(), expected)
+
+    def test_it_has_nothing_of_the_engine_for_other_programs(self):
+        self.assertEqual(sorted(os.listdir(self.prefix)), ["bin", "share"])
+        self.assertEqual(sorted(os.listdir(os.path.join(self.prefix, "bin"))), ["wakesurf", "wakesurf-import"])
+
+    def test_without_arguments_it_serves_the_bundled_simulation_and_its_page(self):
+        page = os.path.join(self.prefix, "share/wakesurf/web")
+        if not os.path.exists(os.path.join(page, "index.html")):  # the web client was not built yet
+            shutil.rmtree(page, ignore_errors=True)
+            os.makedirs(page)
+            with open(os.path.join(page, "index.html"), "w", encoding="utf-8") as file:
+                file.write("<title>wakesurf</title>")
+        environment = {name: value for name, value in os.environ.items() if not name.startswith("WAKESURF_")}
+        server = subprocess.Popen(
+            [os.path.join(self.prefix, "bin/wakesurf"), "serve", "--listen", "127.0.0.1:0",
+             "--store", os.path.join(self.folder.name, "store")],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
+        try:
+            address = server.stdout.readline().split()[1]
+            with urllib.request.urlopen(address.split("#")[0], timeout=20) as response:
+                self.assertIn("<title>", response.read().decode())
+            names = [each["name"] for each in Client(address).call("dataset.list")["datasets"]]
+            self.assertEqual(names, ["sqcyl"])
+        finally:
+            server.terminate()
+            _, log = server.communicate(timeout=20)
+        self.assertIn("event=bundled_simulation", log)
+        self.assertNotIn("level=warn", log)
+
+
+if __name__ == "__main__":
+    unittest.main()
