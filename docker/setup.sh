@@ -4,6 +4,7 @@
 
 release=$root/build/release
 web=$root/web-client
+vtk='' # where VTK's headers are, unless the system has them
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -39,6 +40,10 @@ setup_packages() {
     [ "${WAKESURF_PACKAGES:-}" = present ] && return
     # Asked for first, in sight: sudo may want a password.
     "$root/docker/install_packages" "$@" >&2
+    vtk=$("$root/docker/unpack_vtk" "$root/build/vtk") || {
+        say "VTK's headers could not be had: install libvtk9-dev by hand, then start again"
+        return 1
+    }
 }
 
 setup_npm() {
@@ -76,10 +81,12 @@ configure() {
     home=$(cached "$tree" CMAKE_HOME_DIRECTORY)
     [ -n "$home" ] && [ "$home" != "$root" ] && rm -rf "$tree"
     if [ -f "$tree/build.ninja" ] && [ "$(cached "$tree" WAKESURF_TESTS)" = "$tests" ] &&
+        [ "$(cached "$tree" CMAKE_PREFIX_PATH)" = "$vtk" ] &&
         [ ! "$root/CMakePresets.json" -nt "$tree/CMakeCache.txt" ]; then
         return
     fi
-    (cd "$root" && stage "configuring $1" cmake --preset "$1" -DWAKESURF_TESTS="$tests") || return 1
+    (cd "$root" && stage "configuring $1" \
+        cmake --preset "$1" -DWAKESURF_TESTS="$tests" -DCMAKE_PREFIX_PATH="$vtk") || return 1
     touch "$tree/CMakeCache.txt"
 }
 
@@ -88,5 +95,11 @@ build() {
     local preset=$1 tests=$2
     shift 2
     configure "$preset" "$tests" || return 1
+    # Measured: a quarter of an hour of one core for the programs, and three with all tests.
+    local minutes=15 cores
+    [ "$tests" = ON ] && minutes=45
+    cores=$(nproc)
+    [ -n "$(ls "$root/build/$preset/bin" 2>/dev/null)" ] ||
+        say "the first build takes some $(((minutes + cores - 1) / cores)) min on the $cores cores of this machine"
     stage "building $preset" cmake --build "$root/build/$preset" --target "$@"
 }
