@@ -106,20 +106,6 @@ struct Adder {
     }
 };
 
-core::Result<std::vector<core::Vec3f>> narrowed_positions(const core::QuadComplex& mesh) {
-    std::vector<core::Vec3f> out;
-    out.reserve(mesh.vertices());
-    for (const core::Vec3& p : mesh.position) {
-        out.emplace_back(p);
-        if (!usable(out.back()))
-            return core::fail(Error::Code::Corrupt,
-                              "vertex " + std::to_string(out.size() - 1) +
-                                  " is not finite, or beyond 1e38",
-                              "write .vtp, .ply or .obj, which keep 64 bits");
-    }
-    return out;
-}
-
 /// How Draco rounds coordinates, in its own arithmetic (attribute_quantization_transform, quantization_utils).
 struct Rounding {
     core::Vec3f origin{largest};
@@ -221,6 +207,20 @@ std::vector<MeshAttribute> mesh_attributes(const core::QuadComplex& mesh,
     out.push_back({"approximated", mesh.approximated, 0});
     for (const auto& [name, values] : scalars)
         out.push_back(of_floats(name, values));
+    return out;
+}
+
+core::Result<std::vector<core::Vec3f>> narrowed_positions(const core::QuadComplex& mesh) {
+    std::vector<core::Vec3f> out;
+    out.reserve(mesh.vertices());
+    for (const core::Vec3& p : mesh.position) {
+        out.emplace_back(p);
+        if (!usable(out.back()))
+            return core::fail(Error::Code::Corrupt,
+                              "vertex " + std::to_string(out.size() - 1) +
+                                  " is not finite, or beyond 1e38",
+                              "write .vtp, .ply or .obj, which keep 64 bits");
+    }
     return out;
 }
 

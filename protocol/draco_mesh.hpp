@@ -30,6 +30,9 @@ struct MeshAttribute {
 std::vector<MeshAttribute> mesh_attributes(const core::QuadComplex& mesh,
                                            const MeshScalars& scalars);
 
+/// As floats. Error: Corrupt for positions that are not finite or beyond 1e38.
+core::Result<std::vector<core::Vec3f>> narrowed_positions(const core::QuadComplex& mesh);
+
 struct DracoMesh {
     std::string bytes;
     std::size_t points = 0;    ///< as a decoder will find them

@@ -36,6 +36,8 @@ std::vector<std::string> mesh_comments(const MeshMetadata& metadata) {
         lines.push_back("sweep " + points_text({*metadata.sweep}));
     lines.push_back("from " + number_text(metadata.from));
     lines.push_back("to " + number_text(metadata.to));
+    if (metadata.time)
+        lines.push_back("time " + number_text(*metadata.time));
     if (metadata.release_until)
         lines.push_back("releaseUntil " + number_text(*metadata.release_until));
     lines.push_back("separation " + number_text(metadata.separation));

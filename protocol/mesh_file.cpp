@@ -1,7 +1,6 @@
 #include "protocol/mesh_file.hpp"
 
 #include "protocol/mesh_drc.hpp"
-#include "protocol/mesh_glb.hpp"
 #include "protocol/mesh_obj.hpp"
 #include "protocol/mesh_ply.hpp"
 #include "protocol/mesh_vtp.hpp"
@@ -27,7 +26,7 @@ std::string_view extension(MeshFormat format) {
 std::string_view content_type(MeshFormat format) {
     switch (format) {
     case MeshFormat::Vtp:
-        return "application/vnd.vtk.polydata+xml"; // not registered; what is in it is no plain XML
+        return "application/vnd.vtk.polydata+xml"; // not registered
     case MeshFormat::Glb:
         return "model/gltf-binary";
     case MeshFormat::Ply:
@@ -60,10 +59,11 @@ std::string mesh_extensions() {
 core::Result<std::string> mesh_file(MeshFormat format,
                                     const core::QuadComplex& mesh,
                                     const MeshMetadata& metadata,
-                                    const MeshScalars& scalars) {
+                                    const MeshScalars& scalars,
+                                    GlbCoding glb) {
     switch (format) {
     case MeshFormat::Glb:
-        return mesh_glb(mesh, metadata, scalars);
+        return mesh_glb(mesh, metadata, scalars, glb);
     case MeshFormat::Ply:
         return mesh_ply(mesh, metadata, scalars);
     case MeshFormat::Obj:

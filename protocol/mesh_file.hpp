@@ -3,6 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "core/surface/quad_complex.hpp"
+#include "protocol/mesh_glb.hpp"
 #include "protocol/mesh_metadata.hpp"
 
 #include <array>
@@ -29,10 +30,12 @@ std::optional<MeshFormat> mesh_format(std::string_view extension);
 /// All extensions with dots, for messages: `.vtp, .glb, .ply, .obj or .drc`.
 std::string mesh_extensions();
 
+/// @param glb  of no other format
 /// Same input, same bytes. Error: of .glb and .drc, see encode_triangles. REQUIRES: as mesh_vtp.
 core::Result<std::string> mesh_file(MeshFormat format,
                                     const core::QuadComplex& mesh,
                                     const MeshMetadata& metadata,
-                                    const MeshScalars& scalars);
+                                    const MeshScalars& scalars,
+                                    GlbCoding glb = GlbCoding::Draco);
 
 } // namespace wakesurf::protocol

@@ -2,8 +2,10 @@
 
 #include "protocol/draco_mesh.hpp"
 #include "protocol/mesh_names.hpp"
+#include "protocol/mesh_normals.hpp"
 #include "protocol/surface_names.hpp"
 
+#include <glm/common.hpp>
 #include <tiny_gltf.h>
 
 #include <sstream>
@@ -35,6 +37,8 @@ tinygltf::Value extras(const MeshMetadata& metadata, const std::vector<MeshAttri
         out["rake2"] = numbers(metadata.rake2);
     if (metadata.sweep)
         out["sweep"] = numbers({*metadata.sweep}).Get(0);
+    if (metadata.time)
+        out["time"] = Value(*metadata.time);
     if (metadata.release_until)
         out["releaseUntil"] = Value(*metadata.release_until);
     Value::Object missing;
@@ -80,13 +84,36 @@ int add(tinygltf::Model& model, tinygltf::Accessor accessor) {
     return static_cast<int>(model.accessors.size()) - 1;
 }
 
-void add_mesh(tinygltf::Model& model,
-              const DracoMesh& draco,
-              const std::vector<MeshAttribute>& attributes,
-              const std::vector<std::string>& names) {
-    tinygltf::Primitive primitive;
+void add_buffer(tinygltf::Model& model, std::vector<unsigned char> bytes) {
+    tinygltf::Buffer buffer;
+    buffer.data = std::move(bytes);
+    model.buffers.push_back(std::move(buffer));
+}
+
+int add_view(tinygltf::Model& model, std::size_t offset, std::size_t length, int target = 0) {
+    tinygltf::BufferView view;
+    view.buffer = 0;
+    view.byteOffset = offset;
+    view.byteLength = length;
+    view.target = target;
+    model.bufferViews.push_back(view);
+    return static_cast<int>(model.bufferViews.size()) - 1;
+}
+
+void add_primitive(tinygltf::Model& model, tinygltf::Primitive primitive) {
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
     primitive.material = 0;
+    tinygltf::Mesh mesh;
+    mesh.name = "surface";
+    mesh.primitives.push_back(std::move(primitive));
+    model.meshes.push_back(std::move(mesh));
+}
+
+void add_compressed(tinygltf::Model& model,
+                    const DracoMesh& draco,
+                    const std::vector<MeshAttribute>& attributes,
+                    const std::vector<std::string>& names) {
+    tinygltf::Primitive primitive;
     primitive.indices = add(model, accessor(draco.triangles * 3, TINYGLTF_TYPE_SCALAR,
                                             TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT));
     auto positions = accessor(draco.points, TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_FLOAT);
@@ -100,19 +127,84 @@ void add_mesh(tinygltf::Model& model,
     }
     primitive.extensions[extension] = tinygltf::Value(tinygltf::Value::Object{
         {"bufferView", tinygltf::Value(0)}, {"attributes", tinygltf::Value(ids)}});
-    tinygltf::Buffer buffer;
-    buffer.data.assign(draco.bytes.begin(), draco.bytes.end());
-    model.buffers.push_back(std::move(buffer));
-    tinygltf::BufferView view;
-    view.buffer = 0;
-    view.byteLength = draco.bytes.size();
-    model.bufferViews.push_back(view);
-    tinygltf::Mesh mesh;
-    mesh.name = "surface";
-    mesh.primitives.push_back(std::move(primitive));
-    model.meshes.push_back(std::move(mesh));
+    add_buffer(model, {draco.bytes.begin(), draco.bytes.end()});
+    add_view(model, 0, draco.bytes.size());
+    add_primitive(model, std::move(primitive));
     model.extensionsUsed = {extension};
     model.extensionsRequired = {extension};
+}
+
+/// Arrays one behind the other in the file's one buffer.
+class PlainArrays {
+  public:
+    explicit PlainArrays(tinygltf::Model& model) : model_(model) {}
+
+    template <class T>
+    int
+    array(const std::vector<T>& values, int type, int component, std::size_t count, int target) {
+        auto out = accessor(count, type, component);
+        const std::size_t first = bytes_.size();
+        const auto* data = reinterpret_cast<const unsigned char*>(values.data());
+        bytes_.insert(bytes_.end(), data, data + values.size() * sizeof(T));
+        out.bufferView = add_view(model_, first, bytes_.size() - first, target);
+        return add(model_, std::move(out));
+    }
+
+    int vertices(const std::vector<core::Vec3f>& values) {
+        return array(values, TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_FLOAT, values.size(),
+                     TINYGLTF_TARGET_ARRAY_BUFFER);
+    }
+
+    int vertices(const std::vector<float>& values) {
+        return array(values, TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_FLOAT, values.size(),
+                     TINYGLTF_TARGET_ARRAY_BUFFER);
+    }
+
+    /// As floats: glTF has the elements of an attribute begin at multiples of 4 bytes.
+    template <class Whole>
+    int vertices(const std::vector<Whole>& values) {
+        return vertices(std::vector<float>(values.begin(), values.end()));
+    }
+
+    void finish() { add_buffer(model_, std::move(bytes_)); }
+
+  private:
+    tinygltf::Model& model_;
+    std::vector<unsigned char> bytes_;
+};
+
+void set_bounds(tinygltf::Accessor& positions, const std::vector<core::Vec3f>& values) {
+    core::Vec3f lo = values.front(), hi = values.front();
+    for (const core::Vec3f& p : values) {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
+    positions.minValues = {lo.x, lo.y, lo.z};
+    positions.maxValues = {hi.x, hi.y, hi.z};
+}
+
+core::Result<void> add_plain(tinygltf::Model& model,
+                             const core::QuadComplex& mesh,
+                             const std::vector<Triangle>& triangles,
+                             const std::vector<MeshAttribute>& attributes,
+                             const std::vector<std::string>& names) {
+    const auto positions = narrowed_positions(mesh);
+    if (!positions)
+        return tl::unexpected(positions.error());
+    PlainArrays arrays(model);
+    tinygltf::Primitive primitive;
+    primitive.indices =
+        arrays.array(triangles, TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                     triangles.size() * 3, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    primitive.attributes["POSITION"] = arrays.vertices(*positions);
+    set_bounds(model.accessors.back(), *positions);
+    primitive.attributes["NORMAL"] = arrays.vertices(vertex_normals(mesh, triangles));
+    for (std::size_t i = 0; i < attributes.size(); ++i)
+        primitive.attributes[names[i]] = std::visit(
+            [&](const auto& values) { return arrays.vertices(values); }, attributes[i].values);
+    arrays.finish();
+    add_primitive(model, std::move(primitive));
+    return {};
 }
 
 tinygltf::Material both_sides() {
@@ -126,8 +218,10 @@ tinygltf::Material both_sides() {
 
 } // namespace
 
-core::Result<std::string>
-mesh_glb(const core::QuadComplex& mesh, const MeshMetadata& metadata, const MeshScalars& scalars) {
+core::Result<std::string> mesh_glb(const core::QuadComplex& mesh,
+                                   const MeshMetadata& metadata,
+                                   const MeshScalars& scalars,
+                                   GlbCoding coding) {
     const auto attributes = mesh_attributes(mesh, scalars);
     tinygltf::Model model;
     model.asset.version = "2.0";
@@ -138,10 +232,16 @@ mesh_glb(const core::QuadComplex& mesh, const MeshMetadata& metadata, const Mesh
     scene.nodes = {0};
     model.defaultScene = 0;
     if (!mesh.cells.empty()) {
-        const auto draco = encode_triangles(mesh, triangles_of(mesh), attributes, nullptr);
-        if (!draco)
-            return tl::unexpected(draco.error());
-        add_mesh(model, *draco, attributes, attribute_names(attributes, scalars));
+        const auto triangles = triangles_of(mesh);
+        const auto names = attribute_names(attributes, scalars);
+        if (coding == GlbCoding::Draco) {
+            const auto draco = encode_triangles(mesh, triangles, attributes, nullptr);
+            if (!draco)
+                return tl::unexpected(draco.error());
+            add_compressed(model, *draco, attributes, names);
+        } else if (auto added = add_plain(model, mesh, triangles, attributes, names); !added) {
+            return tl::unexpected(added.error());
+        }
         model.materials.push_back(both_sides());
         node.mesh = 0;
     }

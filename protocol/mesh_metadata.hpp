@@ -22,6 +22,7 @@ struct MeshMetadata {
     std::optional<double> release_until{}; ///< these three only where the surface has them
     std::vector<core::Vec3> rake2{};
     std::optional<core::Vec3> sweep{};
+    std::optional<double> time{}; ///< at which it is shown, where that is not its end
 };
 
 /// Further vertex arrays by name, each with one value a vertex.

@@ -2,10 +2,16 @@
 
 #include "protocol/mesh_comments.hpp"
 #include "protocol/mesh_names.hpp"
+#include "protocol/mesh_normals.hpp"
 #include "protocol/mesh_triangles.hpp"
+#include "protocol/number_text.hpp"
+#include "protocol/viridis.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
@@ -52,24 +58,50 @@ Faces faces_of(const core::QuadComplex& mesh) {
     return faces;
 }
 
+/// The slowest and the fastest vertex, between which the colours lie; both 0 without vertices.
+struct SpeedRange {
+    float lo = 0.0F, hi = 0.0F;
+
+    explicit SpeedRange(const std::vector<float>& speeds) {
+        bool any = false;
+        for (const float speed : speeds) {
+            if (!std::isfinite(speed))
+                continue;
+            lo = any ? std::min(lo, speed) : speed;
+            hi = any ? std::max(hi, speed) : speed;
+            any = true;
+        }
+    }
+
+    std::array<std::uint8_t, 3> colour(float speed) const {
+        return viridis(hi > lo ? double(speed - lo) / double(hi - lo) : 0.0);
+    }
+};
+
 std::string header(const core::QuadComplex& mesh,
                    const MeshMetadata& metadata,
                    const MeshScalars& scalars,
+                   const SpeedRange& range,
                    std::size_t faces) {
     std::string text = "ply\nformat binary_little_endian 1.0\n";
     for (const std::string& line : mesh_comments(metadata))
         text += "comment " + line + "\n";
+    text += "comment colours viridis, speed " + number_text(range.lo) + " to " +
+            number_text(range.hi) + "\ncomment texture s, t\n";
     text += "element vertex " + std::to_string(mesh.vertices()) + "\n";
     for (const char* name : {"x", "y", "z", "s", "t"})
         text += std::string("property double ") + name + "\n";
-    for (const char* name : {"speed", "vx", "vy", "vz"})
+    for (const char* name : {"speed", "vx", "vy", "vz", "nx", "ny", "nz", "u", "v"})
         text += std::string("property float ") + name + "\n";
+    for (const char* name : {"red", "green", "blue"})
+        text += std::string("property uchar ") + name + "\n";
     if (!mesh.deformation.empty())
         text += "property float deformation\n";
     text += "property uint component\nproperty uchar approximated\n";
     for (const std::string& name :
-         words_of(scalars, {"x", "y", "z", "s", "t", "speed", "vx", "vy", "vz", "deformation",
-                            "component", "approximated"}))
+         words_of(scalars, {"x",   "y",     "z",    "s",           "t",         "speed",       "vx",
+                            "vy",  "vz",    "nx",   "ny",          "nz",        "u",           "v",
+                            "red", "green", "blue", "deformation", "component", "approximated"}))
         text += "property float " + name + "\n";
     text += "element face " + std::to_string(faces) +
             "\nproperty list uchar int vertex_indices\nend_header\n";
@@ -81,14 +113,24 @@ std::string header(const core::QuadComplex& mesh,
 std::string
 mesh_ply(const core::QuadComplex& mesh, const MeshMetadata& metadata, const MeshScalars& scalars) {
     const Faces faces = faces_of(mesh);
-    std::string out = header(mesh, metadata, scalars, faces.count);
-    out.reserve(out.size() + mesh.vertices() * (65 + 4 * scalars.size()) + faces.bytes.size());
+    const auto normals = vertex_normals(mesh, triangles_of(mesh));
+    std::vector<float> speeds;
+    speeds.reserve(mesh.vertices());
+    for (std::size_t v = 0; v < mesh.vertices(); ++v)
+        speeds.push_back(static_cast<float>(mesh.speed(static_cast<core::VertexId>(v))));
+    const SpeedRange range(speeds);
+    std::string out = header(mesh, metadata, scalars, range, faces.count);
+    out.reserve(out.size() + mesh.vertices() * (88 + 4 * scalars.size()) + faces.bytes.size());
     for (std::size_t v = 0; v < mesh.vertices(); ++v) {
         put(out, mesh.position[v]);
         put(out, mesh.s[v]);
         put(out, mesh.t[v]);
-        put(out, static_cast<float>(mesh.speed(static_cast<core::VertexId>(v))));
+        put(out, speeds[v]);
         put(out, mesh.velocity[v]);
+        put(out, normals[v]);
+        put(out, static_cast<float>(mesh.s[v]));
+        put(out, static_cast<float>(mesh.t[v]));
+        put(out, range.colour(speeds[v]));
         if (!mesh.deformation.empty())
             put(out, mesh.deformation[v]);
         put(out, mesh.component[v]);

@@ -2,8 +2,8 @@
 
 #include "protocol/number_text.hpp"
 #include "protocol/surface_names.hpp"
+#include "protocol/vtk_inline.hpp"
 
-#include <array>
 #include <bit>
 #include <cassert>
 #include <cstdint>
@@ -15,13 +15,6 @@ namespace wakesurf::protocol {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the file says byte_order LittleEndian");
-
-/// The XML in front of the data and, in the same order, the arrays it points into.
-struct AppendedFile {
-    std::string xml;
-    std::vector<std::span<const std::byte>> blocks;
-    std::uint64_t offset = 0;
-};
 
 std::string escaped(std::string_view text) {
     std::string out;
@@ -70,18 +63,16 @@ void field_numbers(std::string& xml,
 }
 
 template <class T>
-void block(AppendedFile& file,
+void block(std::string& xml,
            std::string_view type,
            std::string_view name,
            const std::vector<T>& values,
            int components = 1) {
-    file.xml += "<DataArray type=\"";
-    file.xml += type;
-    file.xml += "\" Name=\"" + escaped(name) + "\" NumberOfComponents=\"" +
-                std::to_string(components) + "\" format=\"appended\" offset=\"" +
-                std::to_string(file.offset) + "\"/>\n";
-    file.blocks.push_back(std::as_bytes(std::span(values)));
-    file.offset += sizeof(std::uint64_t) + file.blocks.back().size();
+    xml += "<DataArray type=\"";
+    xml += type;
+    xml += "\" Name=\"" + escaped(name) + "\" NumberOfComponents=\"" + std::to_string(components) +
+           "\" format=\"binary\">" + vtk_inline(std::as_bytes(std::span(values))) +
+           "</DataArray>\n";
 }
 
 struct Polygons {
@@ -126,6 +117,8 @@ void field_data(std::string& xml, const MeshMetadata& metadata) {
         field_points(xml, "sweep", std::span(&*metadata.sweep, 1));
     field_numbers(xml, "from", std::span(&metadata.from, 1));
     field_numbers(xml, "to", std::span(&metadata.to, 1));
+    if (metadata.time) // VTK's own name: ParaView puts a series of files in order by it
+        field_numbers(xml, "TimeValue", std::span(&*metadata.time, 1));
     if (metadata.release_until)
         field_numbers(xml, "releaseUntil", std::span(&*metadata.release_until, 1));
     field_numbers(xml, "separation", std::span(&metadata.separation, 1));
@@ -134,24 +127,21 @@ void field_data(std::string& xml, const MeshMetadata& metadata) {
     xml += "</FieldData>\n";
 }
 
-void point_data(AppendedFile& file,
-                const core::QuadComplex& mesh,
-                const std::vector<float>& speed,
-                const MeshScalars& scalars) {
-    file.xml += "<PointData Scalars=\"speed\" Vectors=\"velocity\">\n";
-    block(file, "Float64", "s", mesh.s);
-    block(file, "Float64", "t", mesh.t);
-    block(file, "Float32", "speed", speed);
-    block(file, "Float32", "velocity", mesh.velocity, 3);
+void point_data(std::string& xml, const core::QuadComplex& mesh, const MeshScalars& scalars) {
+    xml += "<PointData Scalars=\"speed\" Vectors=\"velocity\">\n";
+    block(xml, "Float64", "s", mesh.s);
+    block(xml, "Float64", "t", mesh.t);
+    block(xml, "Float32", "speed", speeds_of(mesh));
+    block(xml, "Float32", "velocity", mesh.velocity, 3);
     if (!mesh.deformation.empty() || mesh.vertices() == 0)
-        block(file, "Float32", "deformation", mesh.deformation);
-    block(file, "UInt32", "component", mesh.component);
-    block(file, "UInt8", "approximated", mesh.approximated);
+        block(xml, "Float32", "deformation", mesh.deformation);
+    block(xml, "UInt32", "component", mesh.component);
+    block(xml, "UInt8", "approximated", mesh.approximated);
     for (const auto& [name, values] : scalars) {
         assert(values.size() == mesh.vertices());
-        block(file, "Float32", name, values);
+        block(xml, "Float32", name, values);
     }
-    file.xml += "</PointData>\n";
+    xml += "</PointData>\n";
 }
 
 } // namespace
@@ -160,33 +150,22 @@ std::string
 mesh_vtp(const core::QuadComplex& mesh, const MeshMetadata& metadata, const MeshScalars& scalars) {
     static_assert(sizeof(core::Vec3) == 3 * sizeof(double) &&
                   sizeof(core::Vec3f) == 3 * sizeof(float));
+    std::string xml = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
+                      "byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+                      "compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n";
+    field_data(xml, metadata);
+    xml += "<Piece NumberOfPoints=\"" + std::to_string(mesh.vertices()) +
+           "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
+           std::to_string(mesh.cells.size()) + "\">\n";
+    point_data(xml, mesh, scalars);
+    xml += "<Points>\n";
+    block(xml, "Float64", "Points", mesh.position, 3);
+    xml += "</Points>\n<Polys>\n";
     const Polygons polygons = polygons_of(mesh);
-    const std::vector<float> speed = speeds_of(mesh);
-    AppendedFile file;
-    file.xml = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
-               "byte_order=\"LittleEndian\" "
-               "header_type=\"UInt64\">\n<PolyData>\n";
-    field_data(file.xml, metadata);
-    file.xml += "<Piece NumberOfPoints=\"" + std::to_string(mesh.vertices()) +
-                "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
-                std::to_string(mesh.cells.size()) + "\">\n";
-    point_data(file, mesh, speed, scalars);
-    file.xml += "<Points>\n";
-    block(file, "Float64", "Points", mesh.position, 3);
-    file.xml += "</Points>\n<Polys>\n";
-    block(file, "Int64", "connectivity", polygons.connectivity);
-    block(file, "Int64", "offsets", polygons.offsets);
-    file.xml += "</Polys>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
-    std::string bytes = std::move(file.xml);
-    bytes.reserve(bytes.size() + file.offset + 64);
-    for (const auto data : file.blocks) {
-        const auto size =
-            std::bit_cast<std::array<char, sizeof(std::uint64_t)>>(std::uint64_t{data.size()});
-        bytes.append(size.data(), size.size());
-        bytes.append(reinterpret_cast<const char*>(data.data()), data.size());
-    }
-    bytes += "\n</AppendedData>\n</VTKFile>\n";
-    return bytes;
+    block(xml, "Int64", "connectivity", polygons.connectivity);
+    block(xml, "Int64", "offsets", polygons.offsets);
+    xml += "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+    return xml;
 }
 
 } // namespace wakesurf::protocol

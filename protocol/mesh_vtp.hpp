@@ -1,4 +1,4 @@
-// A surface -> the bytes of a .vtp file (VTK XML PolyData, appended raw data): one polygon a cell, corners and
+// A surface -> the bytes of a .vtp file (VTK XML PolyData, inline, compressed by zlib): one polygon a cell, corners and
 // hanging nodes in order, so that the polygons share points and the file is as watertight as the surface.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace wakesurf::protocol {
 
-/// Coordinates as computed (Float64). Same input, same bytes. About 100 bytes and 0.2 microseconds a vertex.
+/// Coordinates as computed (Float64). Same input, same bytes. About 60 bytes and 2 microseconds a vertex and core.
 /// REQUIRES: every per-vertex array of `mesh` and `scalars` has mesh.vertices() entries; `deformation` may be empty.
 std::string mesh_vtp(const core::QuadComplex& mesh,
                      const MeshMetadata& metadata,

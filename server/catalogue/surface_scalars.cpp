@@ -3,7 +3,6 @@
 #include "core/field/sample_scalar.hpp"
 #include "core/field/velocity_gradient.hpp"
 #include "core/surface/vertex_attributes.hpp"
-#include "core/surface/vertex_times.hpp"
 
 namespace wakesurf::server {
 
@@ -44,14 +43,13 @@ core::Result<void> check_fields(const LoadedDataset& dataset,
 }
 
 core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset,
-                                                    const core::Surface& surface,
-                                                    const core::SurfaceParameters& parameters,
+                                                    const core::QuadComplex& mesh,
+                                                    const std::vector<double>& times,
                                                     const std::vector<std::string>& fields,
                                                     const std::stop_token& stop) {
     if (auto known = check_fields(dataset, fields); !known)
         return tl::unexpected(known.error());
     protocol::MeshScalars scalars;
-    const auto times = core::vertex_times(surface, parameters);
     std::vector<core::GradientField> derived;
     std::vector<std::string> derived_names;
     for (const std::string& name : fields) {
@@ -64,15 +62,14 @@ core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset
         }
         auto values = core::sample_scalar(*dataset.flow, *dataset.store,
                                           *core::find_scalar(dataset.store->layout(), name),
-                                          surface.mesh.position, times, stop);
+                                          mesh.position, times, stop);
         if (!values)
             return tl::unexpected(values.error());
         scalars[name] = std::move(*values);
     }
     if (derived.empty())
         return scalars;
-    auto values =
-        core::sample_gradient_fields(derived, *dataset.flow, surface.mesh.position, times, stop);
+    auto values = core::sample_gradient_fields(derived, *dataset.flow, mesh.position, times, stop);
     if (!values)
         return tl::unexpected(values.error());
     for (std::size_t k = 0; k < derived.size(); ++k)

@@ -1,8 +1,7 @@
 // Scalar fields of a dataset, stored or derived from its velocity, at the vertices of a surface, for exports.
 #pragma once
 
-#include "core/surface/surface.hpp"
-#include "core/surface/surface_parameters.hpp"
+#include "core/surface/quad_complex.hpp"
 #include "protocol/mesh_metadata.hpp"
 #include "server/catalogue/open_dataset.hpp"
 
@@ -17,11 +16,11 @@ namespace wakesurf::server {
 core::Result<void> check_fields(const LoadedDataset& dataset,
                                 const std::vector<std::string>& fields);
 
-/// Each named field, with a value a vertex. The velocity, deformation and approximated may be named too: every export has them.
+/// Each named field, with a value a vertex, at the time in `times`. The velocity, deformation and approximated may be named too: every export has them.
 /// Error: as check_fields, and what reading reports.
 core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset,
-                                                    const core::Surface& surface,
-                                                    const core::SurfaceParameters& parameters,
+                                                    const core::QuadComplex& mesh,
+                                                    const std::vector<double>& times,
                                                     const std::vector<std::string>& fields,
                                                     const std::stop_token& stop);
 

@@ -1,6 +1,7 @@
 #include "server/cli/surface_command.hpp"
 
 #include "core/surface/surface_builder.hpp"
+#include "core/surface/vertex_times.hpp"
 #include "protocol/json_text.hpp"
 #include "protocol/mesh_file.hpp"
 #include "protocol/statistics_json.hpp"
@@ -79,10 +80,11 @@ core::Result<void> write(const SurfaceOptions& options,
     // Checked before the work began; the name has one of the extensions.
     const auto format =
         protocol::mesh_format(std::filesystem::path(options.output).extension().string().substr(1));
-    auto written = protocol::mesh_file(*format, surface.mesh, metadata, scalars)
-                       .and_then([&](const std::string& bytes) {
-                           return write_whole_file(options.output, bytes);
-                       });
+    auto written =
+        protocol::mesh_file(*format, surface.mesh, metadata, scalars,
+                            options.draco ? protocol::GlbCoding::Draco : protocol::GlbCoding::Plain)
+            .and_then(
+                [&](const std::string& bytes) { return write_whole_file(options.output, bytes); });
     if (!written || options.stats.empty())
         return written;
     const auto statistics = protocol::statistics_json(surface.statistics);
@@ -133,7 +135,8 @@ make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop
     if (stop.stop_requested())
         return core::fail(core::Error::Code::Cancelled, "stopped, nothing was written");
     const auto scalars =
-        surface_scalars(*dataset, *surface, request.parameters, options.fields, stop);
+        surface_scalars(*dataset, surface->mesh, core::vertex_times(*surface, request.parameters),
+                        options.fields, stop);
     if (!scalars)
         return tl::unexpected(scalars.error());
     if (auto written = write(options, request, dataset->info, *surface, *scalars); !written)
@@ -195,6 +198,8 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
     command
         .add_option("-o,--output", options.output, "FILE.vtp, .glb, .ply, .obj or .drc to write")
         ->required();
+    command.add_flag("--draco,!--no-draco", options.draco,
+                     "Compress .glb files; --no-draco: for readers that cannot, as ParaView's");
     command.add_option("--stats", options.stats, "FILE.json to write statistics to");
 }
 

@@ -34,6 +34,7 @@ struct SurfaceOptions {
     std::uint64_t memory = std::uint64_t{4} << 30;
     int threads = 0; ///< 0: one a core
     std::string output;
+    bool draco = true; ///< in .glb files
     std::string stats;
     std::string store;
 };

@@ -129,6 +129,9 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
         return tl::unexpected(checked.error());
     if (auto checked = check_output(options.output, "-o", true); !checked)
         return tl::unexpected(checked.error());
+    if (!options.draco && std::filesystem::path(options.output).extension() == ".drc")
+        return core::fail(Code::InvalidArgument, "--no-draco: a .drc file is Draco's",
+                          "write .glb");
     if (!options.stats.empty()) {
         if (auto checked = check_output(options.stats, "--stats", false); !checked)
             return tl::unexpected(checked.error());

@@ -30,9 +30,11 @@ const MeshMetadata metadata{.kind = core::SurfaceKind::Path,
                             .dataset = "a \"b\"\nc",
                             .version = "1.2.3"};
 
-std::string
-written(MeshFormat format, const core::QuadComplex& mesh, const MeshScalars& scalars = {}) {
-    auto file = mesh_file(format, mesh, metadata, scalars);
+std::string written(MeshFormat format,
+                    const core::QuadComplex& mesh,
+                    const MeshScalars& scalars = {},
+                    GlbCoding glb = GlbCoding::Draco) {
+    auto file = mesh_file(format, mesh, metadata, scalars, glb);
     EXPECT_TRUE(file.has_value()) << (file ? "" : file.error().message);
     return file.value_or("");
 }
@@ -169,6 +171,74 @@ TEST(MeshFile, GlbHoldsEveryTriangleAndArrayWithinItsQuantisation) {
         EXPECT_EQ(read.arrays.at("_APPROXIMATED")[i], mesh.approximated[v]);
         EXPECT_NEAR(read.arrays.at("_P__MEAN_")[i], scalars.at("p (mean)")[v], 1e-4);
     }
+}
+
+TEST(MeshFile, PlainGlbHoldsTheMeshAsFloatsWithoutAnyExtension) {
+    const auto& mesh = surface();
+    const auto scalars = pressure(mesh);
+    const auto read = tests::read_glb(written(MeshFormat::Glb, mesh, scalars, GlbCoding::Plain));
+    const json gltf = json::parse(read.json);
+    EXPECT_FALSE(gltf.contains("extensionsRequired"));
+    EXPECT_FALSE(gltf.contains("extensionsUsed"));
+    ASSERT_EQ(read.points.size(), mesh.vertices());
+    const auto corners = triangles_of(mesh);
+    ASSERT_EQ(read.faces.size(), corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        EXPECT_EQ(read.faces[i], (std::vector(corners[i].begin(), corners[i].end())));
+    for (std::size_t v = 0; v < mesh.vertices(); ++v) {
+        EXPECT_EQ(core::Vec3f(read.points[v]), core::Vec3f(mesh.position[v]));
+        EXPECT_EQ(read.arrays.at("_T")[v], double(static_cast<float>(mesh.t[v])));
+        EXPECT_EQ(read.arrays.at("_VELOCITY")[3 * v + 1], double(mesh.velocity[v].y));
+        EXPECT_EQ(read.arrays.at("_COMPONENT")[v], mesh.component[v]);
+        EXPECT_EQ(read.arrays.at("_P__MEAN_")[v], double(scalars.at("p (mean)")[v]));
+        const core::Vec3 normal(read.arrays.at("NORMAL")[3 * v],
+                                read.arrays.at("NORMAL")[3 * v + 1],
+                                read.arrays.at("NORMAL")[3 * v + 2]);
+        EXPECT_NEAR(glm::length(normal), 1.0, 1e-6);
+    }
+    const auto& positions =
+        gltf["accessors"]
+            [gltf["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<std::size_t>()];
+    EXPECT_EQ(positions["max"].size(), 3u);
+}
+
+TEST(MeshFile, PlyHasNormalsTextureCoordinatesAndColoursForThoseWhoShowNothingElse) {
+    auto mesh = tests::small_mesh();
+    for (std::size_t v = 0; v < mesh.vertices(); ++v)
+        mesh.velocity[v] = core::Vec3f(static_cast<float>(v), 0, 0);
+    const auto read = tests::read_ply(written(MeshFormat::Ply, mesh));
+    for (std::size_t v = 0; v < mesh.vertices(); ++v) {
+        EXPECT_EQ(read.arrays.at("u")[v], double(static_cast<float>(mesh.s[v])));
+        EXPECT_EQ(read.arrays.at("v")[v], double(static_cast<float>(mesh.t[v])));
+        const core::Vec3 normal(read.arrays.at("nx")[v], read.arrays.at("ny")[v],
+                                read.arrays.at("nz")[v]);
+        EXPECT_NEAR(glm::length(normal), 1.0, 1e-6);
+    }
+    const auto colour = [&](std::size_t v) {
+        return core::Vec3(read.arrays.at("red")[v], read.arrays.at("green")[v],
+                          read.arrays.at("blue")[v]);
+    };
+    // The ends of the table in web-client/src/scene/surface/viridis.ts.
+    for (int channel = 0; channel < 3; ++channel) {
+        EXPECT_NEAR(colour(0)[channel], core::Vec3(0x44, 0x01, 0x54)[channel], 4.0);
+        EXPECT_NEAR(colour(7)[channel], core::Vec3(0xfd, 0xe7, 0x25)[channel], 4.0);
+    }
+    EXPECT_EQ(read.about.at("colours"), "viridis, speed 0 to 7");
+}
+
+TEST(MeshFile, SaysAtWhichTimeItIsShownWhereThatIsNotItsEnd) {
+    MeshMetadata then = metadata;
+    then.time = 2.5;
+    const auto file = [&](MeshFormat format) {
+        return mesh_file(format, tests::small_mesh(), then, {}).value();
+    };
+    EXPECT_NE(file(MeshFormat::Vtp).find("Name=\"TimeValue\""), std::string::npos);
+    EXPECT_EQ(tests::read_ply(file(MeshFormat::Ply)).about.at("time"), "2.5");
+    EXPECT_EQ(
+        json::parse(tests::read_glb(file(MeshFormat::Glb)).json)["scenes"][0]["extras"]["time"],
+        2.5);
+    EXPECT_FALSE(
+        tests::read_ply(written(MeshFormat::Ply, tests::small_mesh())).about.contains("time"));
 }
 
 TEST(MeshFile, GlbNamesItsExtensionAndItsBounds) {

@@ -77,6 +77,25 @@ TEST(MeshVtp, SaysWhatTheSurfaceWasReleasedFromWhereThatIsMoreThanARake) {
         EXPECT_NE(file.find(part), std::string::npos) << part;
 }
 
+TEST(MeshVtp, CutsLongArraysIntoBlocksThatReadBackWhole) {
+    for (const std::size_t vertices :
+         {1u, 32767u, 32768u, 32769u, 200000u}) { // 8 bytes: 2^18 a block
+        core::QuadComplex mesh;
+        mesh.position.resize(vertices);
+        mesh.velocity.resize(vertices);
+        mesh.component.resize(vertices);
+        mesh.approximated.resize(vertices);
+        mesh.t.resize(vertices);
+        for (std::size_t v = 0; v < vertices; ++v)
+            mesh.s.push_back(static_cast<double>(v * v % 1009) / 1009.0);
+        EXPECT_EQ(array_of<double>(mesh_vtp(mesh, metadata), "Float64", "s"), mesh.s) << vertices;
+    }
+}
+
+TEST(MeshVtp, HasNoAppendedDataWhichSomeReadersCannotTake) {
+    EXPECT_EQ(mesh_vtp(small_mesh(), metadata).find("ppended"), std::string::npos);
+}
+
 TEST(MeshVtp, GivesTheSameBytesForTheSameMesh) {
     EXPECT_EQ(mesh_vtp(small_mesh(), metadata), mesh_vtp(small_mesh(), metadata));
 }

@@ -85,6 +85,64 @@ ReadMesh read_draco(std::string_view bytes, const std::map<int, std::string>& na
     return out;
 }
 
+ReadMesh compressed_primitive(const json& gltf, std::string_view rest) {
+    const json& primitive = gltf["meshes"][0]["primitives"][0];
+    const json& draco = primitive["extensions"]["KHR_draco_mesh_compression"];
+    const json& view = gltf["bufferViews"][draco["bufferView"].get<std::size_t>()];
+    std::map<int, std::string> names;
+    for (const auto& [name, id] : draco["attributes"].items())
+        names[id.get<int>()] = name;
+    ReadMesh out = read_draco(
+        rest.substr(view.value("byteOffset", 0u), view["byteLength"].get<std::size_t>()), names);
+    const auto accessor = [&](const json& index) {
+        return gltf["accessors"][index.get<std::size_t>()];
+    };
+    require(accessor(primitive["indices"])["count"] == out.faces.size() * 3,
+            "another number of indices");
+    for (const auto& [name, index] : primitive["attributes"].items()) {
+        require(accessor(index)["count"] == out.points.size(), name + ": another number of points");
+        require(name == "POSITION" || out.arrays.contains(name), name + " is missing");
+        require(!accessor(index).contains("bufferView"), name + " has an uncompressed copy");
+    }
+    return out;
+}
+
+/// One value an element of an accessor of 32-bit floats or whole numbers, each component in a row.
+std::vector<double> elements(const json& gltf, const json& index, std::string_view binary) {
+    const json& accessor = gltf["accessors"][index.get<std::size_t>()];
+    const json& view = gltf["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+    require(!view.contains("byteStride") && accessor.value("byteOffset", 0) == 0, "interleaved");
+    const auto first = view.value("byteOffset", std::size_t{0});
+    require(first % 4 == 0, "an array that does not begin at a multiple of 4 bytes");
+    std::string_view bytes = binary.substr(first, view["byteLength"].get<std::size_t>());
+    const bool whole = accessor["componentType"] == 5125;
+    require(whole || accessor["componentType"] == 5126, "a type that is neither float nor uint");
+    const std::size_t width = accessor["type"] == "VEC3" ? 3 : 1;
+    const auto values = accessor["count"].get<std::size_t>() * width;
+    require(bytes.size() == values * 4, "another number of bytes");
+    std::vector<double> out;
+    for (std::size_t i = 0; i < values; ++i)
+        out.push_back(whole ? take<std::uint32_t>(bytes) : double(take<float>(bytes)));
+    return out;
+}
+
+ReadMesh plain_primitive(const json& gltf, std::string_view rest) {
+    const json& primitive = gltf["meshes"][0]["primitives"][0];
+    ReadMesh out;
+    const auto corners = elements(gltf, primitive["indices"], rest);
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+        out.faces.push_back({static_cast<std::uint32_t>(corners[i]),
+                             static_cast<std::uint32_t>(corners[i + 1]),
+                             static_cast<std::uint32_t>(corners[i + 2])});
+    for (const auto& [name, index] : primitive["attributes"].items())
+        out.arrays[name] = elements(gltf, index, rest);
+    const auto& xyz = out.arrays.at("POSITION");
+    for (std::size_t i = 0; i < xyz.size(); i += 3)
+        out.points.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
+    out.arrays.erase("POSITION");
+    return out;
+}
+
 } // namespace
 
 ReadMesh read_ply(const std::string& bytes) {
@@ -177,26 +235,10 @@ ReadMesh read_glb(const std::string& bytes) {
         const auto binary_length = take<std::uint32_t>(rest);
         require(take<std::uint32_t>(rest) == 0x004e4942 && binary_length == rest.size(),
                 "no BIN chunk");
-        const json& primitive = gltf["meshes"][0]["primitives"][0];
-        const json& draco = primitive["extensions"]["KHR_draco_mesh_compression"];
-        const json& view = gltf["bufferViews"][draco["bufferView"].get<std::size_t>()];
-        std::map<int, std::string> names;
-        for (const auto& [name, id] : draco["attributes"].items())
-            names[id.get<int>()] = name;
-        out = read_draco(
-            rest.substr(view.value("byteOffset", 0u), view["byteLength"].get<std::size_t>()),
-            names);
-        const auto accessor = [&](const json& index) {
-            return gltf["accessors"][index.get<std::size_t>()];
-        };
-        require(accessor(primitive["indices"])["count"] == out.faces.size() * 3,
-                "another number of indices");
-        for (const auto& [name, index] : primitive["attributes"].items()) {
-            require(accessor(index)["count"] == out.points.size(),
-                    name + ": another number of points");
-            require(name == "POSITION" || out.arrays.contains(name), name + " is missing");
-            require(!accessor(index).contains("bufferView"), name + " has an uncompressed copy");
-        }
+        if (gltf["meshes"][0]["primitives"][0].contains("extensions"))
+            out = compressed_primitive(gltf, rest);
+        else
+            out = plain_primitive(gltf, rest);
     }
     out.json = text;
     return out;
