@@ -1,5 +1,7 @@
 #include "protocol/json_text.hpp"
 
+#include "protocol/json_fault.hpp"
+
 #include <nlohmann/json.hpp>
 
 namespace wakesurf::protocol {
@@ -37,8 +39,10 @@ core::Result<nlohmann::json> parse_json(std::string_view text, JsonLimits limits
         return core::fail(Error::Code::OverLimit, "the JSON text is nested deeper than " +
                                                       std::to_string(limits.depth) + " levels");
     auto value = nlohmann::json::parse(text, nullptr, false);
-    if (value.is_discarded())
-        return core::fail(Error::Code::Corrupt, "the text is not valid JSON");
+    if (value.is_discarded()) {
+        JsonFault fault = json_fault(text);
+        return core::fail(Error::Code::Corrupt, std::move(fault.message), std::move(fault.hint));
+    }
     return value;
 }
 

@@ -1,5 +1,6 @@
 #include "server/rpc/dispatcher.hpp"
 
+#include "protocol/nearest_name.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/call_log.hpp"
 #include "server/rpc/held_answer.hpp"
@@ -37,17 +38,28 @@ struct Batch {
     }
 };
 
+/// Of all things of this kind, the one somebody may have meant by `name`.
+template <class Things>
+std::string hint(const std::string& name, const Things& things, std::string otherwise) {
+    std::vector<std::string> names;
+    for (const auto& each : things)
+        names.push_back(each.name);
+    const std::string meant = protocol::nearest_name(name, names);
+    return meant.empty() ? std::move(otherwise) : "did you mean `" + meant + "`?";
+}
+
 std::optional<RpcFault> unknown_parameter(const Method& method, const json& parameters) {
     if (!parameters.is_object())
         return std::nullopt;
     for (const auto& [name, value] : parameters.items()) {
         const auto same = [&key = name](const Parameter& each) { return each.name == key; };
         if (std::none_of(method.parameters.begin(), method.parameters.end(), same))
-            return RpcFault{RpcCode::InvalidParameters,
-                            "`" + name.substr(0, 64) + "` is not a parameter of " + method.name,
-                            "rpc.discover lists the parameters of each method",
-                            {},
-                            {}};
+            return RpcFault{
+                RpcCode::InvalidParameters,
+                "`" + name.substr(0, 64) + "` is not a parameter of " + method.name,
+                hint(name, method.parameters, "rpc.discover lists the parameters of each method"),
+                {},
+                {}};
     }
     return std::nullopt;
 }
@@ -148,7 +160,7 @@ void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, An
     if (method == nullptr)
         return reply.fault({RpcCode::MethodNotFound,
                             "there is no method `" + call.method.substr(0, 64) + "`",
-                            "rpc.discover lists the methods",
+                            hint(call.method, methods_, "rpc.discover lists the methods"),
                             {},
                             {}});
     if (method->traits.websocket_only && caller.client == nullptr)

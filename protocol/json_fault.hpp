@@ -1,0 +1,17 @@
+// Why a text is not JSON, in words that name the place: most often a script has sent NaN.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace wakesurf::protocol {
+
+struct JsonFault {
+    std::string message;
+    std::string hint;
+};
+
+/// REQUIRES: nlohmann::json::parse refuses the text. Cost: as parsing it.
+JsonFault json_fault(std::string_view text);
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,15 @@
+// "Did you mean": the name somebody most likely wanted.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace wakesurf::protocol {
+
+/// The one of `names` that is spelt most alike, whatever the case and the underscores: `max_quads` is maxQuads, `color` is
+/// colour. Empty where none is near: up to a third of the letters, at most three, may be others. The first of several. Looks
+/// at 64 letters.
+std::string nearest_name(std::string_view wanted, std::span<const std::string> names);
+
+} // namespace wakesurf::protocol

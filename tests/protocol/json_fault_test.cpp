@@ -1,0 +1,58 @@
+#include "protocol/json_fault.hpp"
+#include "protocol/json_rpc.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wakesurf::protocol {
+
+namespace {
+
+std::string fault(const std::string& text) {
+    const RpcMessage message = parse_rpc(text, {65536, 32, 64});
+    EXPECT_EQ(message.calls.size(), 1u);
+    EXPECT_TRUE(message.calls.at(0).refused);
+    EXPECT_EQ(message.calls.at(0).refused->code, RpcCode::ParseError);
+    EXPECT_FALSE(message.calls.at(0).refused->hint.empty());
+    return message.calls.at(0).refused->message;
+}
+
+std::string call(const std::string& parameters) {
+    return R"({"jsonrpc":"2.0","id":1,"method":"rake.set","params":{)" + parameters + "}}";
+}
+
+} // namespace
+
+TEST(JsonFault, NamesTheParameterThatIsNoNumberInJson) {
+    for (const std::string word : {"NaN", "Infinity", "-Infinity", "nan", "inf", "-inf"}) {
+        EXPECT_EQ(fault(call(R"("points":[[0,1,2],[3,)" + word + "]]")),
+                  "`points[1][1]` is " + word + ", which is no number in JSON");
+        EXPECT_EQ(fault(call(R"("seeds":9,"to":)" + word)),
+                  "`to` is " + word + ", which is no number in JSON");
+    }
+    EXPECT_EQ(fault(call(R"("view":{"camera":[1,NaN]})")),
+              "`view.camera[1]` is NaN, which is no number in JSON");
+    EXPECT_EQ(fault("[" + call(R"("a":1)") + "," + call(R"("to":NaN)") + "]"),
+              "`to` is NaN, which is no number in JSON");
+    EXPECT_EQ(fault("NaN"), "the text is NaN, which is no number in JSON");
+}
+
+TEST(JsonFault, SaysWhereOtherTextsEndToBeJson) {
+    const std::string text = call(R"("to":nothing)");
+    EXPECT_EQ(fault(text), "the text is not valid JSON from byte " +
+                               std::to_string(text.find("othing")) + " on, in `to`")
+        << "an n may begin null";
+    EXPECT_EQ(fault(""), "the text is not valid JSON from byte 0 on");
+    EXPECT_EQ(fault("{"), "the text is not valid JSON from byte 1 on");
+    EXPECT_EQ(fault("\xff\xfe"), "the text is not valid JSON from byte 0 on");
+}
+
+TEST(JsonFault, NamesANumberThatIsTooLarge) {
+    EXPECT_EQ(fault(call(R"("points":[[0,-1e999,2]])")),
+              "`points[0][1]` is beyond 1.8e308, the largest number there is");
+}
+
+TEST(JsonFault, CutsNamesThatAreLong) {
+    EXPECT_LT(fault(R"({")" + std::string(5000, 'x') + R"(":NaN})").size(), 200u);
+}
+
+} // namespace wakesurf::protocol
