@@ -165,8 +165,9 @@ std::vector<Method> dataset_methods() {
     const Parameter dataset{"dataset", R"({"type":"string"})", true, "an id from dataset.list"};
     const Parameter patience{
         "timeoutMs",
-        fmt::format(R"({{"type":"integer","minimum":0,"maximum":{}}})", limits::wait_ms), false,
-        "left out: as long as may be; 0: no waiting"};
+        fmt::format(R"({{"type":"integer","minimum":0,"maximum":{0},"default":{0}}})",
+                    limits::wait_ms),
+        false, "left out: as long as may be; 0: no waiting"};
     const Parameter work_token{"workDoneToken", R"({"type":["string","integer"]})", false,
                                "on a WebSocket: $/progress with this token tells how far it is"};
     return {

@@ -1,5 +1,6 @@
 #include "server/rpc/openrpc.hpp"
 
+#include "server/rpc/method_examples.hpp"
 #include "server/rpc/result_schemas.hpp"
 
 #include <nlohmann/json.hpp>
@@ -81,7 +82,7 @@ json shared_errors() {
         errors[std::string(protocol::kind_of(each.code))] = {
             {"code", static_cast<int>(each.code)},
             {"message", each.message},
-            {"x-dataSchema", {{"$ref", "#/components/schemas/ErrorData"}}}};
+            {"data", {{"kind", protocol::kind_of(each.code)}, {"hint", "what to do about it"}}}};
     return errors;
 }
 
@@ -96,14 +97,25 @@ json parameter_json(const Parameter& parameter) {
             {"schema", json::parse(parameter.schema)}};
 }
 
-json method_json(const Method& method) {
+/// Parameters in the order of the method's, as by position would be.
+json example_json(const Method& method, const json& example) {
+    json parameters = json::array();
+    for (const Parameter& each : method.parameters)
+        if (const auto value = example["params"].find(each.name); value != example["params"].end())
+            parameters.push_back({{"name", each.name}, {"value", *value}});
+    return {{"name", method.name},
+            {"params", std::move(parameters)},
+            {"result", {{"name", "result"}, {"value", example["result"]}}}};
+}
+
+json method_json(const Method& method, const json& examples) {
     json parameters = json::array();
     // Required ones come first, as the specification asks.
     for (const bool required : {true, false})
         for (const Parameter& each : method.parameters)
             if (each.required == required)
                 parameters.push_back(parameter_json(each));
-    return {
+    json out = {
         {"name", method.name},
         {"summary", method.about},
         {"tags", json::array({{{"name", method.name.substr(0, method.name.find_first_of("./"))}}})},
@@ -114,23 +126,32 @@ json method_json(const Method& method) {
         {"errors", errors_json(method)},
         {"x-leastRole", role_name(method.traits.least)},
         {"x-websocketOnly", method.traits.websocket_only}};
+    if (const auto example = examples.find(method.name); example != examples.end())
+        out["examples"] = json::array({example_json(method, *example)});
+    return out;
 }
 
 } // namespace
 
 std::string openrpc_document(const std::vector<Method>& methods) {
     json list = json::array();
+    const json examples = method_examples();
     for (const Method& each : methods)
-        list.push_back(method_json(each));
-    return json{{"openrpc", "1.3.2"},
-                {"info",
-                 {{"title", "wakesurf"},
-                  {"version", WAKESURF_VERSION},
-                  {"description", "Integral surfaces of flows, computed where the data are."}}},
-                {"servers", json::array({{{"name", "http"}, {"url", "/rpc"}},
-                                         {{"name", "websocket"}, {"url", "/ws"}}})},
-                {"methods", std::move(list)},
-                {"components", {{"schemas", shared_schemas()}, {"errors", shared_errors()}}}}
+        list.push_back(method_json(each, examples));
+    return json{
+        {"openrpc", "1.3.2"},
+        {"info",
+         {{"title", "wakesurf"},
+          {"version", WAKESURF_VERSION},
+          {"description",
+           "Integral surfaces of flows, computed where the data are. Calls go to /rpc (POST) and "
+           "/ws "
+           "(WebSocket) of the server that gave this document; `data` of errors is a "
+           "components/schemas/ErrorData."}}},
+        // Not `servers`: the specification has whole addresses there, and a server does not know all of its own.
+        {"x-paths", {{"http", "/rpc"}, {"websocket", "/ws"}}},
+        {"methods", std::move(list)},
+        {"components", {{"schemas", shared_schemas()}, {"errors", shared_errors()}}}}
         .dump();
 }
 

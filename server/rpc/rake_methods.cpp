@@ -117,7 +117,8 @@ std::vector<Method> rake_methods() {
            fmt::format("true: nobody else may edit the rake for {} s from now; false: they may "
                        "again; left out: as it was",
                        limits::lease.count() / 1000)},
-          {"force", flag, false, "a host's edit goes before somebody else's lease"},
+          {"force", R"({"type":"boolean","default":false})", false,
+           "a host's edit goes before somebody else's lease"},
           gesture_parameter(),
           if_rev},
          "{rake, rev, seq, clipped, points, surfaces: [{surface, epoch}]}: points as clipped to "
@@ -129,7 +130,8 @@ std::vector<Method> rake_methods() {
          "Deletes a rake and the surfaces that hang on it.",
          {session_parameter(),
           rake,
-          {"force", flag, false, "although somebody else drags it"},
+          {"force", R"({"type":"boolean","default":false})", false,
+           "although somebody else drags it"},
           gesture_parameter(),
           if_rev},
          "{seq}",

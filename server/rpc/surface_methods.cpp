@@ -17,8 +17,22 @@ namespace {
 constexpr RecordHandlers<protocol::SurfaceRecord> handlers{
     "surface", &Session::surface, protocol::surface_json, &Session::delete_surface};
 
+/// Without `from` it is the dataset's first time; what is wrong with the dataset is told later.
+json with_from(const Call& call) {
+    json out = call.parameters;
+    if (!out.value("from", json()).is_null())
+        return out;
+    out["from"] = 0.0;
+    if (const auto dataset = out.find("dataset"); dataset != out.end() && dataset->is_string())
+        if (const auto open = call.context.datasets.open(dataset->get<std::string>());
+            open && !open->info.times.empty())
+            out["from"] = open->info.times.front();
+    return out;
+}
+
 void set(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
+    const json parameters = with_from(call);
+    protocol::CheckedJson in(parameters);
     const auto setting = protocol::read_surface_setting(
         in, {limits::quads_default, limits::quads_most, limits::fields});
     const std::string gesture = read_gesture(in);
@@ -71,24 +85,28 @@ std::vector<Parameter> set_parameters() {
         {"kind", R"({"enum":["stream","path","streak","time"]})", true,
          "stream: the field frozen at `from`"},
         {"dataset", text, true, "an id from dataset.list"},
-        {"from", number, true, "time of release; streak: of the first one"},
+        {"from", number, false,
+         "time of release; streak: of the first one; left out: the dataset's first time"},
         {"to", number, true, "time the surface is shown until"},
-        {"direction", R"({"enum":["forward","backward","both"]})", false, "forward"},
+        {"direction", R"({"enum":["forward","backward","both"],"default":"forward"})", false,
+         "which way in time particles go"},
         {"releaseUntil", number, false, "streak: the release stops here; left out: `to`"},
         {"sweep", R"({"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3})", false,
          "time: the patch is the rake swept along this vector"},
         {"rake2", text, false, "time: or it lies between the rake and this one"},
         {"separation", number, false, "longest edge; left out: the dataset's finest spacing"},
-        {"accuracy", R"({"enum":["fast","balanced","exact"]})", false, "balanced"},
-        {"merge", R"({"type":"number","minimum":0,"maximum":0.5})", false,
-         "0.35; cells merge below this part of the separation, 0: never"},
-        {"angle", R"({"type":"number","minimum":0,"maximum":180})", false,
-         "20; cells that meet at more degrees are refined, 180: never"},
+        {"accuracy", R"({"enum":["fast","balanced","exact"],"default":"balanced"})", false,
+         "of the integration, and of how vertices are put in"},
+        {"merge", R"({"type":"number","minimum":0,"maximum":0.5,"default":0.35})", false,
+         "cells merge below this part of the separation, 0: never"},
+        {"angle", R"({"type":"number","minimum":0,"maximum":180,"default":20})", false,
+         "cells that meet at more degrees are refined, 180: never"},
         {"maxQuads",
-         fmt::format(R"({{"type":"integer","minimum":1,"maximum":{}}})", limits::quads_most), false,
-         fmt::format("{}", limits::quads_default)},
+         fmt::format(R"({{"type":"integer","minimum":1,"maximum":{},"default":{}}})",
+                     limits::quads_most, limits::quads_default),
+         false, "cells to build at most"},
         {"fields",
-         fmt::format(R"({{"type":"array","items":{{"type":"string"}},"maxItems":{}}})",
+         fmt::format(R"({{"type":"array","items":{{"type":"string"}},"maxItems":{},"default":[]}})",
                      limits::fields),
          false,
          "further attributes of the vertices, in frames and exports: scalar fields of the dataset, "
