@@ -6,6 +6,8 @@
 #include <boost/asio/ssl/stream.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
 
 #include <optional>
 #include <string>
@@ -240,6 +242,14 @@ void ByteStream::expires_never() {
 
 bool ByteStream::timed_out() const {
     return state_->timed_out;
+}
+
+bool ByteStream::peer_gone() const {
+    tcp_info info{};
+    socklen_t size = sizeof info;
+    const int socket = state_->socket.native_handle();
+    return getsockopt(socket, IPPROTO_TCP, TCP_INFO, &info, &size) != 0 ||
+           info.tcpi_state != TCP_ESTABLISHED;
 }
 
 bool ByteStream::encrypted() const {

@@ -93,6 +93,9 @@ class ByteStream {
 
     bool encrypted() const;
 
+    /// Whether the other side has hung up, or will send nothing more; also where what it sent before has not been read.
+    bool peer_gone() const;
+
     static constexpr std::chrono::seconds linger{2};
 
     // How Beast's WebSocket ends the stream below it.

@@ -1,20 +1,23 @@
 #include "server/net/downloads.hpp"
 
+#include "core/base/crc32c.hpp"
 #include "core/surface/obstacle_surface.hpp"
-#include "core/surface/surface_builder.hpp"
 #include "protocol/bytes.hpp"
+#include "protocol/json_text.hpp"
 #include "protocol/mesh_encoder.hpp"
 #include "protocol/mesh_file.hpp"
 #include "server/catalogue/surface_scalars.hpp"
-#include "server/limits.hpp"
+#include "server/net/download_request.hpp"
 #include "server/net/http_error.hpp"
-#include "server/session/background.hpp"
+#include "server/net/url_query.hpp"
+#include "server/session/surface_mesh.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <array>
-#include <functional>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace wakesurf::server {
@@ -23,9 +26,6 @@ using core::Error;
 using core::fail;
 
 namespace {
-
-using File = std::shared_ptr<const std::string>;
-using Body = core::Result<File>;
 
 std::vector<std::string> split(std::string_view path) {
     std::vector<std::string> parts;
@@ -53,8 +53,13 @@ core::Result<core::QuadComplex> obstacle_of(const LoadedDataset& dataset) {
     return core::wall_surface(*walls);
 }
 
+/// Whose turn it is in the pool: one file of each link and session at a time, beside what is computed to be looked at.
+std::string turns_of(const std::string& session, const Identity& identity) {
+    return "\n" + session + "\n" + identity.grant; // no session is called like that
+}
+
 /// Frames, each preceded by its length.
-Body obstacle_frames(const LoadedDataset& dataset) {
+core::Result<std::string> obstacle_frames(const LoadedDataset& dataset) {
     const auto mesh = obstacle_of(dataset);
     if (!mesh)
         return tl::unexpected(mesh.error());
@@ -65,51 +70,102 @@ Body obstacle_frames(const LoadedDataset& dataset) {
         protocol::encode_state(*mesh, protocol::lattice_over(dataset.info.bounds), options);
     if (!state)
         return tl::unexpected(state.error());
-    auto out = std::make_shared<std::string>();
+    std::string out;
     for (const auto& frame : state->frames) {
         protocol::Bytes length;
         protocol::append(length, static_cast<std::uint32_t>(frame->size()));
-        out->append(reinterpret_cast<const char*>(length.data()), length.size());
-        out->append(reinterpret_cast<const char*>(frame->data()), frame->size());
+        out.append(reinterpret_cast<const char*>(length.data()), length.size());
+        out.append(reinterpret_cast<const char*>(frame->data()), frame->size());
     }
     return out;
 }
 
-/// Builds the surface again, which gives the same bytes: keeping every finished mesh would cost 100 MB a million quads.
-Body surface_file(const SurfaceJob& job,
-                  const LoadedDataset& dataset,
-                  const std::vector<std::string>& fields,
-                  protocol::MeshFormat format,
-                  const std::stop_token& stop) {
-    core::SurfaceParameters parameters = job.parameters;
-    parameters.deformation = true;
-    const auto surface = core::build_surface(*job.flow, job.rake, parameters, stop);
-    if (!surface)
-        return tl::unexpected(surface.error());
-    const auto scalars = surface_scalars(dataset, *surface, parameters, fields, stop);
-    if (!scalars)
-        return tl::unexpected(scalars.error());
-    protocol::MeshMetadata metadata{.kind = parameters.kind,
-                                    .rake = job.rake.points,
-                                    .from = parameters.from,
-                                    .to = parameters.to,
-                                    .separation = parameters.separation,
-                                    .dataset = dataset.info.dataset,
-                                    .version = WAKESURF_VERSION,
-                                    .release_until = parameters.release_until,
-                                    .sweep = parameters.sweep};
-    if (parameters.rake2)
-        metadata.rake2 = parameters.rake2->points;
-    return protocol::mesh_file(format, surface->mesh, metadata, *scalars)
-        .map([](std::string&& bytes) {
-            return std::make_shared<const std::string>(std::move(bytes));
-        });
+/// What of a surface's file is not the mesh itself.
+protocol::MeshMetadata metadata_of(const SurfaceJob& job,
+                                   const core::SurfaceStatistics& statistics,
+                                   const LoadedDataset& dataset,
+                                   std::optional<double> time) {
+    const core::SurfaceParameters& p = job.parameters;
+    protocol::MeshMetadata out{.kind = p.kind,
+                               .rake = job.rake.points,
+                               .from = p.from,
+                               .to = p.to,
+                               .separation = statistics.separation,
+                               .dataset = dataset.info.dataset,
+                               .version = WAKESURF_VERSION,
+                               .release_until = p.release_until,
+                               .sweep = p.sweep,
+                               .time = time};
+    if (p.rake2)
+        out.rake2 = p.rake2->points;
+    return out;
 }
 
-/// From `mesh.ply`.
-std::optional<protocol::MeshFormat> format_of(std::string_view file) {
-    constexpr std::string_view stem = "mesh.";
-    return file.starts_with(stem) ? protocol::mesh_format(file.substr(stem.size())) : std::nullopt;
+/// A vertex of a mesh, its arrays and its part of the cells; and of a file, which is made beside it.
+constexpr std::size_t mesh_bytes = 180;
+constexpr std::size_t file_bytes = 220;
+constexpr std::size_t building_bytes = 450;         ///< while it is computed
+constexpr std::chrono::seconds memory_patience{20}; ///< for what others give back
+
+/// What a file is made from. Finished meshes are not kept: 100 MB a million quads.
+struct FileJob {
+    SurfaceJob surface;
+    std::shared_ptr<const LoadedDataset> dataset;
+    std::vector<std::string> fields;
+    DownloadRequest request;
+    std::optional<double> time;
+    std::size_t expected; ///< vertices, as far as is known
+    const core::MemoryAccount* account;
+
+    core::Result<void>
+    take(std::size_t bytes, const std::stop_token& stop, core::MemoryAccount::Share& share) const {
+        if (share.grow_to(bytes, stop, memory_patience))
+            return {};
+        if (stop.stop_requested())
+            return core::fail(Error::Code::Cancelled, "who asked for the file is gone");
+        return tl::unexpected(account->refusal("a file of this surface", bytes));
+    }
+
+    core::Result<std::string> make(const std::stop_token& stop,
+                                   core::MemoryAccount::Share& share) const {
+        if (auto taken = take(expected * building_bytes, stop, share); !taken)
+            return tl::unexpected(taken.error());
+        const auto shown = surface_mesh(surface, time, core::SteadyClock{}, stop);
+        if (!shown)
+            return tl::unexpected(shown.error());
+        const std::size_t needed =
+            shown->mesh.vertices() * (mesh_bytes + file_bytes + 8 * fields.size());
+        if (auto taken = take(needed, stop, share); !taken)
+            return tl::unexpected(taken.error());
+        const auto scalars = surface_scalars(*dataset, shown->mesh, shown->times, fields, stop);
+        if (!scalars)
+            return tl::unexpected(scalars.error());
+        return protocol::mesh_file(request.format, shown->mesh,
+                                   metadata_of(surface, shown->statistics, *dataset, time),
+                                   *scalars, request.glb);
+    }
+};
+
+/// Changes with whatever the file's bytes follow from.
+/// @param steps  time-steps of the dataset that can be read: more may come
+std::string tag_of(const protocol::SurfaceRecord& record,
+                   const SurfaceJob& job,
+                   const DownloadRequest& request,
+                   std::optional<double> time,
+                   std::size_t steps) {
+    std::string all = protocol::json_text(protocol::surface_json(record));
+    for (const core::Rake* rake :
+         {&job.rake, job.parameters.rake2 ? &*job.parameters.rake2 : nullptr})
+        if (rake != nullptr) {
+            all += fmt::format("|{} {}", int(rake->kind), rake->seeds);
+            for (const core::Vec3& p : rake->points)
+                all += fmt::format(" {},{},{}", p.x, p.y, p.z);
+        }
+    all += fmt::format("|{} {}", steps, WAKESURF_VERSION);
+    return fmt::format("\"{}-{}-{:08x}-{}-{}{}\"", record.surface, record.epoch,
+                       core::crc32c(std::as_bytes(std::span(all))),
+                       time ? fmt::format("{}", *time) : "end", protocol::extension(request.format),
+                       request.glb == protocol::GlbCoding::Plain ? "-plain" : "");
 }
 
 /// Whether an If-None-Match names this tag; weak ones count (RFC 9110, 13.1.2).
@@ -117,140 +173,123 @@ bool names(std::string_view if_none_match, std::string_view tag) {
     return if_none_match == "*" || if_none_match.find(tag) != std::string_view::npos;
 }
 
-HttpResponse file_response(const SurfaceOutcome& outcome,
+HttpResponse file_response(const std::string& surface,
                            protocol::MeshFormat format,
                            const std::string& tag,
                            const File& body) {
     return {200,
             {{"Content-Type", std::string(protocol::content_type(format))},
-             {"Content-Disposition", fmt::format("attachment; filename=\"{}.{}\"", outcome.surface,
-                                                 protocol::extension(format))},
+             {"Content-Disposition",
+              fmt::format("attachment; filename=\"{}.{}\"", surface, protocol::extension(format))},
              {"Cache-Control", "private, no-cache"},
              {"ETag", tag}},
             body};
 }
 
-/// One of the downloads that are computed at a time.
-class Place {
-  public:
-    explicit Place(std::size_t& taken) : taken_(taken) { ++taken_; }
-
-    ~Place() { --taken_; }
-
-    Place(const Place&) = delete;
-    Place& operator=(const Place&) = delete;
-
-  private:
-    std::size_t& taken_;
-};
-
 } // namespace
-
-struct Downloads::State {
-    Loop& loop;
-    ComputePool& pool;
-    const SessionDirectory& sessions;
-    const DatasetCatalogue& catalogue;
-    std::stop_source stop;
-    std::map<std::string, std::shared_ptr<const std::string>> obstacles;
-    std::size_t computing = 0;
-};
 
 Downloads::Downloads(Loop& loop,
                      ComputePool& pool,
                      const SessionDirectory& sessions,
-                     const DatasetCatalogue& catalogue)
-    : state_(new State{loop, pool, sessions, catalogue, {}, {}, 0}) {}
-
-Downloads::~Downloads() {
-    state_->stop.request_stop();
+                     const DatasetCatalogue& catalogue,
+                     const core::MemoryAccount& account)
+    : sessions_(sessions), catalogue_(catalogue), account_(account), files_(loop, pool, &account_) {
 }
 
-bool Downloads::handle(const HttpRequest& request, const Respond& respond) {
+bool Downloads::handle(const HttpRequest& request,
+                       const Identity& identity,
+                       const Respond& respond) {
     const auto parts = split(request.path);
     if (parts.size() < 6 || !parts[0].empty() || parts[1] != "api" || parts[2] != "v1")
         return false;
     if (parts.size() == 6 && parts[3] == "datasets" && parts[5] == "obstacle.bin")
-        obstacle(parts[4], respond);
+        obstacle(request, identity, parts[4], respond);
     else if (parts.size() == 8 && parts[3] == "sessions" && parts[5] == "surfaces")
-        surface(request, parts[4], parts[6], parts[7], respond);
+        surface(request, identity, {parts[4], parts[6], parts[7]}, respond);
     else
         return false;
     return true;
 }
 
-void Downloads::obstacle(const std::string& id, const Respond& respond) {
-    const auto send = [respond](const std::shared_ptr<const std::string>& body) {
-        respond({200,
-                 {{"Content-Type", "application/octet-stream"}, {"Cache-Control", "no-cache"}},
-                 body});
-    };
-    if (const auto known = state_->obstacles.find(id); known != state_->obstacles.end())
-        return send(known->second);
-    const auto dataset = state_->catalogue.find(id);
+void Downloads::obstacle(const HttpRequest& request,
+                         const Identity& identity,
+                         const std::string& id,
+                         const Respond& respond) {
+    const auto dataset = catalogue_.find(id);
     if (!dataset)
         return respond(http_error(dataset.error()));
-    compute<File>(
-        state_->loop, state_->pool, [loaded = *dataset] { return obstacle_frames(*loaded); },
-        [state = state_, id, respond, send](const Body& body) {
-            if (!body)
-                return respond(http_error(body.error()));
-            state->obstacles[id] = *body;
-            send(*body);
+    files_.get(
+        "obstacle " + id, turns_of("", identity),
+        [loaded = *dataset](const std::stop_token&, core::MemoryAccount::Share&) {
+            return obstacle_frames(*loaded);
+        },
+        request.gone,
+        [respond](const core::Result<File>& file) {
+            if (!file)
+                return respond(http_error(file.error()));
+            respond({200,
+                     {{"Content-Type", "application/octet-stream"}, {"Cache-Control", "no-cache"}},
+                     *file});
         });
 }
 
-void Downloads::surface(const HttpRequest& request,
-                        const std::string& session_id,
-                        const std::string& surface_id,
-                        const std::string& file,
-                        const Respond& respond) {
-    const auto format = format_of(file);
-    if (!format)
-        return respond(
-            http_error(404, "there is no such file", "ask for mesh" + protocol::mesh_extensions()));
-    const auto session = state_->sessions.find(session_id);
+core::Result<void> Downloads::offer(const HttpRequest& request,
+                                    const Identity& identity,
+                                    const Place& place,
+                                    const Respond& respond) {
+    const auto query = url_query(request.query);
+    if (!query)
+        return tl::unexpected(query.error());
+    const auto wanted = read_download(place.file, *query);
+    if (!wanted)
+        return tl::unexpected(wanted.error());
+    const auto session = sessions_.find(place.session);
     if (!session)
-        return respond(http_error(session.error()));
-    const auto live = (*session)->live(surface_id);
-    const auto record = (*session)->surface(surface_id);
-    if (!live || !record)
-        return respond(http_error(record.error()));
-    const auto dataset = state_->catalogue.find(record->dataset);
+        return tl::unexpected(session.error());
+    const auto record = (*session)->surface(place.surface);
+    if (!record)
+        return tl::unexpected(record.error());
+    // What there was to say against it, as that somebody has stopped it, holds for its file as well.
+    const auto live = (*session)->live(place.surface);
+    if (!live)
+        return tl::unexpected(live.error());
+    if (const auto wrong = (*live)->outcome().error)
+        return tl::unexpected(*wrong);
+    const auto dataset = catalogue_.find(record->dataset);
     if (!dataset)
-        return respond(http_error(dataset.error()));
-    const std::string known(request.header("if-none-match"));
-    (*live)->wait(
-        (*live)->epoch(), std::chrono::milliseconds(limits::wait_ms),
-        [=, live = *live, state = state_, record = *record, dataset = *dataset,
-         format = *format](const core::Result<SurfaceOutcome>& outcome) {
-            if (!outcome)
-                return respond(http_error(outcome.error()));
-            if (!outcome->complete)
-                return respond(
-                    http_error(503, "the surface is not complete yet", "ask again later"));
-            const std::string tag =
-                fmt::format("\"{}-{}-{}-{:08x}-{}\"", outcome->surface, record.rev, outcome->epoch,
-                            outcome->crc, protocol::extension(format));
-            if (names(known, tag))
-                return respond({304, {{"ETag", tag}, {"Cache-Control", "private, no-cache"}}});
-            if (state->computing >= limits::downloads)
-                return respond(http_over_limit(
-                    503, limits::downloads,
-                    fmt::format("{} downloads are being made already", limits::downloads),
-                    "ask again in a few seconds"));
-            compute<File>(
-                state->loop, state->pool,
-                [job = live->wanted(), dataset, fields = record.fields, format,
-                 stop = state->stop.get_token()] {
-                    return surface_file(job, *dataset, fields, format, stop);
-                },
-                [respond, outcome = *outcome, tag, format, state,
-                 place = std::make_shared<Place>(state->computing)](const Body& body) {
-                    respond(body ? file_response(outcome, format, tag, *body)
-                                 : http_error(body.error()));
-                });
+        return tl::unexpected(dataset.error());
+    SurfaceJob job = (*live)->wanted();
+    job.parameters.deformation = true;
+    const auto time = shown_at(*wanted, job.parameters, (*session)->clock().time());
+    if (!time)
+        return tl::unexpected(time.error());
+    const auto status = catalogue_.status(record->dataset);
+    const std::string tag = tag_of(*record, job, *wanted, *time, status ? status->steps_ready : 0);
+    if (names(request.header("if-none-match"), tag)) {
+        respond({304, {{"ETag", tag}, {"Cache-Control", "private, no-cache"}}});
+        return {};
+    }
+    files_.get(
+        tag + place.session, turns_of(place.session, identity),
+        [file = FileJob{std::move(job), *dataset, record->fields, *wanted, *time,
+                        (*live)->outcome().statistics.vertices, &account_}](
+            const std::stop_token& stop, core::MemoryAccount::Share& share) {
+            return file.make(stop, share);
+        },
+        request.gone,
+        [respond, surface = place.surface, format = wanted->format,
+         tag](const core::Result<File>& file) {
+            respond(file ? file_response(surface, format, tag, *file) : http_error(file.error()));
         });
+    return {};
+}
+
+void Downloads::surface(const HttpRequest& request,
+                        const Identity& identity,
+                        const Place& place,
+                        const Respond& respond) {
+    if (const auto offered = offer(request, identity, place, respond); !offered)
+        respond(http_error(offered.error()));
 }
 
 } // namespace wakesurf::server

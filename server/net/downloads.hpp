@@ -1,44 +1,54 @@
 // Whole meshes over HTTP: a surface as a file for other programs, and a dataset's obstacle for the page.
 #pragma once
 
+#include "core/base/memory_account.hpp"
 #include "server/catalogue/dataset_catalogue.hpp"
 #include "server/net/http_message.hpp"
-#include "server/session/compute_pool.hpp"
-#include "server/session/loop.hpp"
+#include "server/net/shared_files.hpp"
+#include "server/session/identity.hpp"
 #include "server/session/session_directory.hpp"
 
-#include <map>
-#include <memory>
-#include <stop_token>
 #include <string>
 
 namespace wakesurf::server {
 
-/// Loop thread only; the work is done in the pool.
+/// Loop thread only; the work is done in the pool, in turn with what is computed to be looked at, once for all who ask for the same.
 class Downloads {
   public:
+    /// All outlive it.
     Downloads(Loop& loop,
               ComputePool& pool,
               const SessionDirectory& sessions,
-              const DatasetCatalogue& catalogue);
-    ~Downloads();
+              const DatasetCatalogue& catalogue,
+              const core::MemoryAccount& account);
     Downloads(const Downloads&) = delete;
     Downloads& operator=(const Downloads&) = delete;
 
     /// A path below /api/v1/. False: no such path.
-    bool handle(const HttpRequest& request, const Respond& respond);
+    bool handle(const HttpRequest& request, const Identity& identity, const Respond& respond);
 
   private:
-    struct State;
+    struct Place {
+        std::string session, surface, file;
+    };
 
     void surface(const HttpRequest& request,
-                 const std::string& session,
-                 const std::string& surface,
-                 const std::string& file,
+                 const Identity& identity,
+                 const Place& place,
                  const Respond& respond);
-    void obstacle(const std::string& dataset, const Respond& respond);
+    core::Result<void> offer(const HttpRequest& request,
+                             const Identity& identity,
+                             const Place& place,
+                             const Respond& respond);
+    void obstacle(const HttpRequest& request,
+                  const Identity& identity,
+                  const std::string& dataset,
+                  const Respond& respond);
 
-    std::shared_ptr<State> state_;
+    const SessionDirectory& sessions_;
+    const DatasetCatalogue& catalogue_;
+    core::MemoryAccount account_;
+    SharedFiles files_;
 };
 
 } // namespace wakesurf::server

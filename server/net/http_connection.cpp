@@ -8,6 +8,7 @@
 #include "server/net/websocket_connection.hpp"
 
 #include <boost/asio/ssl/error.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/parser.hpp>
@@ -22,6 +23,8 @@
 #include <cctype>
 #include <memory>
 #include <optional>
+#include <stop_token>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -34,6 +37,9 @@ namespace {
 
 /// What is read while a connection has not asked for anything yet.
 constexpr std::size_t first_bytes = 1024;
+
+/// Between two looks whether who waits for an answer is still there.
+constexpr std::chrono::milliseconds gone_check{250};
 
 /// Errors of reading that deserve an answer before the connection closes.
 std::optional<HttpResponse> answer_to(error_code error) {
@@ -82,7 +88,8 @@ class HttpConnection final : public Connection,
     HttpConnection(tcp::socket socket,
                    std::unique_ptr<Admission::Place> place,
                    NetServices services)
-        : stream_(std::move(socket), services.tls), services_(services), place_(std::move(place)) {
+        : stream_(std::move(socket), services.tls), services_(services), place_(std::move(place)),
+          waiting_(stream_.get_executor()) {
         services_.connections.add(*this);
     }
 
@@ -105,6 +112,7 @@ class HttpConnection final : public Connection,
     void read_body();
     void failed(error_code error);
     void handle(Request request);
+    void look_whether_gone();
     void upgrade(const HttpRequest& request, const Identity& identity);
     void respond(const HttpResponse& response, bool keep_alive, bool head);
     void write();
@@ -118,6 +126,8 @@ class HttpConnection final : public Connection,
     std::shared_ptr<const std::string> body_; ///< of the response under way
     std::optional<Response> response_;
     std::optional<http::response_serializer<http::span_body<const char>>> serializer_;
+    std::optional<std::stop_source> gone_; ///< while an answer is awaited
+    boost::asio::steady_timer waiting_;
     bool named_ = false; ///< came over TLS, under a name that others know this machine by
 };
 
@@ -125,7 +135,10 @@ HttpRequest plain(const http::request<http::string_body>& request) {
     HttpRequest out;
     out.method = std::string(request.method_string());
     const auto target = request.target();
-    out.path = std::string(target.substr(0, target.find('?')));
+    const auto mark = target.find('?');
+    out.path = std::string(target.substr(0, mark));
+    if (mark != target.npos)
+        out.query = std::string(target.substr(mark + 1));
     for (const auto& field : request) {
         std::string name(field.name_string());
         for (char& c : name)
@@ -206,7 +219,7 @@ void HttpConnection::failed(error_code error) {
 
 void HttpConnection::handle(Request request) {
     stream_.expires_never(); // an answer may take its time; writing it sets the clock again
-    const HttpRequest values = plain(request);
+    HttpRequest values = plain(request);
     const auto host = host_name(values.header("host"));
     named_ = stream_.encrypted() && host && !is_loopback(*host);
     if (values.upgrade) {
@@ -215,12 +228,28 @@ void HttpConnection::handle(Request request) {
             return respond(identity.error(), false, false);
         return upgrade(values, *identity);
     }
+    values.gone = gone_.emplace().get_token();
+    look_whether_gone();
     const bool keep_alive = request.keep_alive();
     const bool head = request.method() == http::verb::head;
     services_.routes.handle(
         values, [self = shared_from_this(), keep_alive, head](const HttpResponse& response) {
             self->respond(response, keep_alive, head);
         });
+}
+
+/// While somebody waits for an answer nothing is read: only the kernel knows that they have hung up.
+void HttpConnection::look_whether_gone() {
+    waiting_.expires_after(gone_check);
+    waiting_.async_wait([weak = weak_from_this()](error_code error) {
+        const auto self = weak.lock();
+        if (error || !self || !self->gone_)
+            return;
+        if (!self->stream_.peer_gone())
+            return self->look_whether_gone();
+        self->stream_.close();
+        std::exchange(self->gone_, std::nullopt)->request_stop();
+    });
 }
 
 void HttpConnection::upgrade(const HttpRequest& request, const Identity& identity) {
@@ -238,6 +267,8 @@ void HttpConnection::respond(const HttpResponse& response, bool keep_alive, bool
         services_.metrics.reject(*reason);
         spdlog::debug("event=refused client={} status={}", place_->number(), response.status);
     }
+    gone_.reset();
+    waiting_.cancel();
     body_ = response.body;
     response_.emplace();
     response_->result(response.status);

@@ -52,7 +52,10 @@ HttpResponse http_error(const core::Error& error) {
                             : error.code == Code::Cancelled                         ? 503
                             : error.code == Code::Corrupt || error.code == Code::Io ? 500
                                                                                     : 400;
-    return fault_response(status, protocol::fault_of(error));
+    HttpResponse response = fault_response(status, protocol::fault_of(error));
+    if (status == 503)
+        response.headers.emplace_back("Retry-After", "5");
+    return response;
 }
 
 HttpResponse

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,9 +14,11 @@ namespace wakesurf::server {
 struct HttpRequest {
     std::string method;
     std::string path;                                         ///< as received, without the query
+    std::string query;                                        ///< what stands behind its `?`
     std::vector<std::pair<std::string, std::string>> headers; ///< names in lower case
     std::string body;
     bool upgrade = false; ///< to a WebSocket
+    std::stop_token gone; ///< fires on the loop's thread when nobody takes the answer any more
 
     /// The values of a header, in order.
     std::vector<std::string_view> all(std::string_view name) const {

@@ -42,7 +42,7 @@ nlohmann::json dataset_entries(const DatasetCatalogue& catalogue) {
 /// In order of need: what goes first is declared last. Connections end with the context's handlers, jobs with the pool.
 struct Server::Parts {
     Parts(const ServerOptions& options, std::optional<KeptSessions> found)
-        : kept(std::move(found)), pool(options.threads),
+        : memory(options.memory), kept(std::move(found)), pool(options.threads),
           files(StaticFiles::load(options.web.empty() ? find_web_client() : options.web)) {}
 
     void serve(const ServerOptions& options) {
@@ -62,7 +62,7 @@ struct Server::Parts {
                           prober, grants, clock, loop, journal.get(), [this] { return standing(); },
                           &metrics, &imports.emplace(*catalogue, loop)},
             protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
-        downloads.emplace(loop, pool, *sessions, *catalogue);
+        downloads.emplace(loop, pool, *sessions, *catalogue, memory);
         routes.emplace(*gate, files, *dispatcher, *downloads,
                        [this] { return metrics.text(standing()); });
         if (kept)
@@ -136,6 +136,7 @@ struct Server::Parts {
             context.poll();
     }
 
+    core::MemoryAccount memory;
     std::optional<KeptSessions> kept;
     SystemEntropy entropy;
     core::SteadyClock clock;

@@ -4,6 +4,7 @@
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -76,6 +77,14 @@ TEST_F(ByteStreamTest, TakesNoMoreAtOnceThanTheSocketAndGoesOnFromThere) {
     const std::string rest(large.size() - sent, 'r');
     write_whole(rest);
     EXPECT_TRUE(read(large.size()) == large.substr(0, sent) + rest);
+}
+
+TEST_F(ByteStreamTest, KnowsThatTheOtherSideHasHungUpAlsoBehindWhatNobodyHasRead) {
+    EXPECT_FALSE(stream->peer_gone());
+    asio::write(other, asio::buffer(std::string("more")));
+    EXPECT_FALSE(stream->peer_gone());
+    other.close();
+    EXPECT_TRUE(stream->peer_gone());
 }
 
 TEST_F(ByteStreamTest, EndsWhatWaitsForAWriteWhenItIsClosed) {

@@ -5,11 +5,18 @@
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <fstream>
+#include <functional>
+#include <optional>
 #include <span>
+#include <sstream>
 #include <string>
+#include <thread>
+#include <tuple>
 
 namespace wakesurf::tests {
 
@@ -42,10 +49,72 @@ class DownloadsTest : public testing::Test {
     }
 
     static HttpReply get(const std::string& file, Headers more = {}) {
+        return get_of(surface_, file, std::move(more));
+    }
+
+    static HttpReply
+    get_of(const std::string& surface, const std::string& file, Headers more = {}) {
         Headers headers = server_->bearer();
         headers.insert(headers.end(), more.begin(), more.end());
         return http(server_->port(), "GET",
-                    "/api/v1/sessions/main/surfaces/" + surface_ + "/" + file, headers);
+                    "/api/v1/sessions/main/surfaces/" + surface + "/" + file, headers);
+    }
+
+    /// A path surface from 0 to 2.
+    static std::string make_moving(WebSocketClient& client) {
+        return make_in(client, "main", "lamb-oseen", 0.1, "path");
+    }
+
+    static std::string make_in(WebSocketClient& client,
+                               const std::string& session,
+                               const std::string& dataset,
+                               double separation,
+                               const std::string& kind = "stream",
+                               double to = 2.0) {
+        const json rake = client.result("rake.set", {{"session", session},
+                                                     {"kind", "line"},
+                                                     {"points", {{0.2, 0, -1}, {1, 0, -1}}},
+                                                     {"seeds", 9}});
+        return client.result("surface.set", {{"session", session},
+                                             {"rake", rake["rake"]},
+                                             {"kind", kind},
+                                             {"dataset", dataset},
+                                             {"from", 0},
+                                             {"to", to},
+                                             {"maxQuads", 4'000'000},
+                                             {"separation", separation}})["surface"];
+    }
+
+    /// Of the flow abc: shown as it is just after its release, which is nothing to compute; later it is much.
+    static std::string slow_to_download(WebSocketClient& client, const std::string& session) {
+        client.result("time.set", {{"session", session}, {"time", 0.0}});
+        const std::string surface = make_in(client, session, "abc", 0.002, "streak", 500.0);
+        client.result("surface.wait",
+                      {{"session", session}, {"surface", surface}, {"timeoutMs", 60000}});
+        return surface;
+    }
+
+    /// Of 10 ms each, used by a process so far.
+    static long processor_ticks(pid_t process) {
+        std::ifstream file(fmt::format("/proc/{}/stat", process));
+        std::string text((std::istreambuf_iterator<char>(file)), {});
+        std::istringstream words(text.substr(text.rfind(')') + 1));
+        std::string skipped;
+        for (int i = 0; i < 11; ++i)
+            words >> skipped;
+        long user = 0, system = 0;
+        words >> user >> system;
+        return user + system;
+    }
+
+    static bool within(std::chrono::milliseconds patience, const std::function<bool()>& done) {
+        const auto end = std::chrono::steady_clock::now() + patience;
+        while (!done()) {
+            if (std::chrono::steady_clock::now() > end)
+                return false;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return true;
     }
 
     static ServerProcess* server_;
@@ -115,6 +184,103 @@ TEST_F(DownloadsTest, ChangeTheirTagWithTheSurface) {
     const HttpReply after = get("mesh.ply", {{"If-None-Match", before}});
     EXPECT_EQ(after.status, 200);
     EXPECT_NE(after.header("etag"), before);
+}
+
+TEST_F(DownloadsTest, AreAsTheSessionShowsThemAtTheTimeOfItsClock) {
+    WebSocketClient client(*server_);
+    const std::string path = make_moving(client);
+    const auto ply = [&](const std::string& query) {
+        const HttpReply reply = get_of(path, "mesh.ply" + query);
+        EXPECT_EQ(reply.status, 200) << reply.body.substr(0, 300);
+        return reply;
+    };
+    const auto end = ply("");
+    EXPECT_EQ(read_ply(end.body).about.count("time"), 0u);
+    client.result("time.set", {{"time", 1.0}});
+    const auto then = ply("");
+    EXPECT_EQ(read_ply(then.body).about.at("time"), "1");
+    EXPECT_NE(then.header("etag"), end.header("etag"));
+    EXPECT_EQ(get_of(path, "mesh.ply", {{"If-None-Match", end.header("etag")}}).status, 200);
+    const json stats = client.result("surface.wait", {{"surface", path}, {"timeoutMs", 60000}});
+    EXPECT_EQ(read_ply(then.body).points.size(), stats["vertices"]) << "what the page shows";
+    EXPECT_LT(read_ply(then.body).points.size(), read_ply(end.body).points.size());
+    EXPECT_EQ(ply("?time=end").body, end.body);
+    EXPECT_EQ(ply("?time=1").body, then.body);
+    client.result("time.set", {{"time", nullptr}});
+    EXPECT_EQ(ply("").body, end.body);
+    EXPECT_EQ(ply("?time=1").header("etag"), then.header("etag"));
+}
+
+TEST_F(DownloadsTest, SayWhatIsWrongWithTheirQuery) {
+    WebSocketClient client(*server_);
+    const std::string path = make_moving(client);
+    for (const auto& [query, code, word] : std::vector<std::tuple<std::string, int, std::string>>{
+             {"?time=NaN", -32602, "`time`"},
+             {"?time=7", -32013, "0 to 2"},
+             {"?draco=maybe", -32602, "`draco`"},
+             {"?when=1", -32602, "`when`"},
+             {"?time", -32602, "query"},
+             {"?time=1&time=2", -32602, "query"}}) {
+        const HttpReply reply = get_of(path, "mesh.glb" + query);
+        EXPECT_EQ(reply.status, 400) << query;
+        const json error = json::parse(reply.body)["error"];
+        EXPECT_EQ(error["code"], code) << query;
+        EXPECT_NE(error["message"].get<std::string>().find(word), std::string::npos) << error;
+        EXPECT_FALSE(error["data"]["hint"].get<std::string>().empty());
+    }
+}
+
+TEST_F(DownloadsTest, GiveAGlbWithoutDracoToWhoAsks) {
+    const auto plain = read_glb(get("mesh.glb?draco=false").body);
+    EXPECT_EQ(json::parse(plain.json).count("extensionsRequired"), 0u);
+    EXPECT_TRUE(plain.arrays.contains("_SPEED"));
+    EXPECT_EQ(plain.points.size(), read_glb(get("mesh.glb").body).points.size());
+    EXPECT_NE(get("mesh.glb?draco=false").header("etag"), get("mesh.glb").header("etag"));
+}
+
+TEST_F(DownloadsTest, OfOneLinkNeverKeepAnotherSessionsWaiting) {
+    const ServerProcess server({"flow:abc", "flow:lamb-oseen"});
+    WebSocketClient host(server, {});
+    const std::string theirs = host.result("session.create", {{"name", "theirs"}})["session"];
+    const std::string surface = slow_to_download(host, theirs);
+    const std::string key =
+        host.result("session.share", {{"session", theirs}, {"role", "viewer"}})["key"];
+    std::vector<RawSocket> guests;
+    for (int i = 1; i <= 16; ++i) {
+        guests.emplace_back(server.port());
+        guests.back().send(
+            fmt::format("GET /api/v1/sessions/{}/surfaces/{}/mesh.ply?time={} HTTP/1.1\r\n"
+                        "Host: 127.0.0.1:{}\r\nAuthorization: Bearer {}\r\n\r\n",
+                        theirs, surface, 100 + i, server.port(), key));
+    }
+    const std::string mine = make_in(host, "main", "lamb-oseen", 0.1);
+    for (int i = 0; i < 20; ++i) {
+        const HttpReply reply = http(server.port(), "GET",
+                                     fmt::format("/api/v1/sessions/main/surfaces/{}/mesh.{}", mine,
+                                                 i % 2 == 0 ? "ply" : "obj"),
+                                     server.bearer());
+        EXPECT_EQ(reply.status, 200) << reply.body.substr(0, 200);
+    }
+}
+
+TEST_F(DownloadsTest, ComputeNoFurtherWhenWhoAskedHasHungUp) {
+    const ServerProcess server({"flow:abc"});
+    WebSocketClient host(server);
+    const std::string surface = slow_to_download(host, "main");
+    std::optional<RawSocket> guest(server.port());
+    guest->send(fmt::format("GET /api/v1/sessions/main/surfaces/{}/mesh.ply?time=end HTTP/1.1\r\n"
+                            "Host: 127.0.0.1:{}\r\nAuthorization: Bearer {}\r\n\r\n",
+                            surface, server.port(), server.token()));
+    const auto begun = processor_ticks(server.pid());
+    EXPECT_TRUE(within(std::chrono::seconds(20), [&] {
+        return processor_ticks(server.pid()) - begun > 30;
+    })) << "it does not compute";
+    guest.reset();
+    EXPECT_TRUE(within(std::chrono::seconds(20), [&] {
+        const auto before = processor_ticks(server.pid());
+        std::this_thread::sleep_for(std::chrono::milliseconds(500));
+        return processor_ticks(server.pid()) - before < 3;
+    })) << "it goes on";
 }
 
 TEST_F(DownloadsTest, OfFilesThereAreNotAre404AndSayWhichThereAre) {

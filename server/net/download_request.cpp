@@ -1,0 +1,86 @@
+#include "server/net/download_request.hpp"
+
+#include "server/session/surface_build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::fail;
+
+namespace {
+
+std::optional<double> finite_number(const std::string& text) {
+    double value = 0.0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, value);
+    if (read.ec != std::errc{} || read.ptr != end || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+core::Result<void> read_time(const std::string& text, DownloadRequest& out) {
+    out.at_the_end = text == "end";
+    out.time = finite_number(text);
+    if (out.at_the_end || out.time)
+        return {};
+    return fail(Error::Code::InvalidArgument, "`time` is neither a finite number nor `end`",
+                "as in ?time=2.5; left out, it is the time of the session's clock");
+}
+
+core::Result<void> read_draco(const std::string& text, DownloadRequest& out) {
+    if (text != "true" && text != "false")
+        return fail(Error::Code::InvalidArgument, "`draco` is neither true nor false",
+                    "?draco=false is a .glb that readers without Draco open");
+    if (text == "false" && out.format == protocol::MeshFormat::Drc)
+        return fail(Error::Code::InvalidArgument, "a .drc file is Draco's", "ask for mesh.glb");
+    out.glb = text == "false" ? protocol::GlbCoding::Plain : protocol::GlbCoding::Draco;
+    return {};
+}
+
+} // namespace
+
+core::Result<DownloadRequest> read_download(std::string_view file,
+                                            const std::map<std::string, std::string>& query) {
+    constexpr std::string_view stem = "mesh.";
+    const auto format =
+        file.starts_with(stem) ? protocol::mesh_format(file.substr(stem.size())) : std::nullopt;
+    if (!format)
+        return fail(Error::Code::NotFound, "there is no such file",
+                    "ask for mesh" + protocol::mesh_extensions());
+    DownloadRequest out;
+    out.format = *format;
+    for (const auto& [name, value] : query) {
+        core::Result<void> read = name == "time" ? read_time(value, out)
+                                  : name == "draco"
+                                      ? read_draco(value, out)
+                                      : fail(Error::Code::InvalidArgument,
+                                             "a download has no `" + name.substr(0, 64) + "`",
+                                             "there is ?time=2.5, ?time=end and ?draco=false");
+        if (!read)
+            return tl::unexpected(read.error());
+    }
+    return out;
+}
+
+core::Result<std::optional<double>> shown_at(const DownloadRequest& request,
+                                             const core::SurfaceParameters& p,
+                                             std::optional<double> clock) {
+    if (!moves(p) || request.at_the_end)
+        return std::nullopt;
+    const auto [first, last] = std::minmax({p.from, end_time(p)});
+    if (request.time && !(*request.time >= first && *request.time <= last))
+        return fail(Error::Code::OutOfTime,
+                    fmt::format("time {} is outside of {} to {}, which the surface is shown over",
+                                *request.time, first, last),
+                    "choose a `time` inside it, or `end`");
+    const auto time = request.time ? request.time : clock;
+    return time ? std::optional(p.from + time_sign(p) * age_at(p, time)) : std::nullopt;
+}
+
+} // namespace wakesurf::server

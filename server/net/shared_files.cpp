@@ -1,0 +1,132 @@
+#include "server/net/shared_files.hpp"
+
+#include "server/session/log_text.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <new>
+#include <optional>
+#include <utility>
+
+namespace wakesurf::server {
+
+namespace {
+
+struct Waiter {
+    SharedFiles::Done done;
+    std::optional<std::stop_callback<std::function<void()>>> gone;
+};
+
+constexpr std::size_t kept_files = 64; ///< finished ones, for the next who asks
+constexpr std::size_t kept_bytes = std::size_t{256} << 20;
+
+/// A file being made.
+struct Flight {
+    std::stop_source stop;
+    std::map<std::uint64_t, Waiter> waiters;
+};
+
+} // namespace
+
+struct SharedFiles::State {
+    Loop& loop;
+    ComputePool& pool;
+    const core::MemoryAccount* account;
+    KeptFiles kept;
+    std::map<std::string, std::shared_ptr<Flight>> flights{}; ///< by tag
+    std::uint64_t next = 0;
+
+    void
+    leave(const std::string& tag, const std::shared_ptr<Flight>& flight, std::uint64_t ticket) {
+        // Its stop callback, which is running, lives until the next turn of the loop.
+        auto waiter = std::make_shared<std::map<std::uint64_t, Waiter>::node_type>(
+            flight->waiters.extract(ticket));
+        loop.post([waiter] {});
+        if (!flight->waiters.empty())
+            return;
+        flight->stop.request_stop();
+        if (const auto found = flights.find(tag); found != flights.end() && found->second == flight)
+            flights.erase(found);
+    }
+
+    void made(const std::string& tag,
+              const std::shared_ptr<Flight>& flight,
+              const core::Result<File>& file) {
+        if (const auto found = flights.find(tag); found != flights.end() && found->second == flight)
+            flights.erase(found);
+        if (file)
+            kept.keep(tag, *file);
+        for (auto& [ticket, waiter] : std::exchange(flight->waiters, {})) {
+            waiter.gone.reset();
+            waiter.done(file);
+        }
+    }
+};
+
+SharedFiles::SharedFiles(Loop& loop, ComputePool& pool, const core::MemoryAccount* account)
+    : state_(new State{loop, pool, account, {account, kept_bytes, kept_files}}) {}
+
+SharedFiles::~SharedFiles() {
+    for (auto& [tag, flight] : std::exchange(state_->flights, {})) {
+        flight->stop.request_stop();
+        flight->waiters.clear();
+    }
+}
+
+std::size_t SharedFiles::making() const {
+    return state_->flights.size();
+}
+
+void SharedFiles::get(const std::string& tag,
+                      const std::string& asker,
+                      Make make,
+                      const std::stop_token& gone,
+                      Done done) {
+    if (const File kept = state_->kept.find(tag))
+        return done(kept);
+    auto& flight = state_->flights[tag];
+    const bool first = !flight;
+    if (first)
+        flight = std::make_shared<Flight>();
+    const std::uint64_t ticket = state_->next++;
+    Waiter& waiter = flight->waiters[ticket];
+    waiter.done = std::move(done);
+    if (first)
+        state_->pool.run(
+            asker, Pace::Long,
+            [flight, make = std::move(make), tag, weak = std::weak_ptr(state_),
+             &loop = state_->loop, account = state_->account] {
+                core::MemoryAccount::Share share = account != nullptr
+                                                       ? account->open(core::MemoryUse::Downloads)
+                                                       : core::MemoryAccount::Share{};
+                auto file = std::make_shared<core::Result<File>>(core::fail(
+                    core::Error::Code::OverLimit, "there is not enough memory for this file",
+                    "ask again later, or for a surface of fewer quads"));
+                try {
+                    auto bytes = make(flight->stop.get_token(), share);
+                    if (bytes)
+                        share.set(bytes->size());
+                    *file = std::move(bytes).map([&](std::string&& made) {
+                        return counted_file(std::move(made), std::move(share));
+                    });
+                } catch (const std::bad_alloc&) {       // said above
+                } catch (const std::exception& error) { // what libraries throw ends this file only
+                    spdlog::error("making a file failed: {}", without_paths(error.what()));
+                    *file = core::fail(core::Error::Code::Io,
+                                       "making the file failed inside the server",
+                                       "the server's log has the details");
+                }
+                loop.post([weak, flight, tag, file] {
+                    if (const auto state = weak.lock())
+                        state->made(tag, flight, *file);
+                });
+            });
+    // Last: it may fire at once.
+    if (gone.stop_possible())
+        waiter.gone.emplace(gone, [weak = std::weak_ptr(state_), tag, flight = flight, ticket] {
+            if (const auto state = weak.lock())
+                state->leave(tag, flight, ticket);
+        });
+}
+
+} // namespace wakesurf::server
