@@ -6,10 +6,10 @@
         print(server.datasets())
         session = server.session()                                 # the one called "main"
         rake = session.rake(line=[(-1.5, -1.2, 1), (-1.5, 1.2, 5)], seeds=64)
-        surface = session.surface(rake, "stream", dataset="sqcyl", to=28.5)
+        surface = session.surface(rake, "streak", dataset="sqcyl", to=16)
         print(surface.wait()["quads"])
         mesh = surface.mesh()                                      # mesh.points, mesh.polygons, mesh["speed"]: numpy
-        surface.export("wake.glb")
+        surface.export("wake.vtp")                                 # for ParaView, see also .glb, .ply, .obj
 
 Everything goes over HTTP (urllib). Only `Surface.watch` needs a WebSocket, and for it the package `websocket-client`
 (Debian: python3-websocket). What live frames carry is compressed with Draco, which this file does not decode: `watch`
@@ -21,8 +21,10 @@ Objects may be used by one thread at a time.
 """
 from __future__ import annotations
 
+import base64
 import itertools
 import json
+import math
 import os
 import ssl
 import struct
@@ -30,6 +32,7 @@ import time
 import urllib.error
 import urllib.parse
 import urllib.request
+import zlib
 import xml.etree.ElementTree
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
@@ -46,6 +49,7 @@ Json = Dict[str, Any]
 _LONGEST_WAIT_MS = 60_000
 _NULL = object()  # a parameter that is null, not left out
 _FORMATS = (".vtp", ".glb", ".ply", ".obj", ".drc")
+_PROBE_BYTES, _PROBE_POINTS = 48_000, 4096  # of one call; the server takes 65,536 bytes
 
 
 class WakesurfError(Exception):
@@ -169,6 +173,7 @@ class Client:
             handlers.append(urllib.request.ProxyHandler({}))
         self._opener = urllib.request.build_opener(*handlers)
         self._ids = itertools.count(1)
+        self._velocities: Dict[str, str] = {}
 
     def __enter__(self) -> "Client":
         return self
@@ -212,7 +217,7 @@ class Client:
         """Any method of the server, by its name; parameters that are None are left out. Waits and asks again, up to
         five times, where the server says that calls come too fast."""
         request = {"jsonrpc": "2.0", "id": next(self._ids), "method": method,
-                   "params": {name: _plain(value) for name, value in parameters.items() if value is not None}}
+                   "params": {name: _plain(value, name) for name, value in parameters.items() if value is not None}}
         for attempt in range(6):
             answer = self._rpc(request, _timeout)
             if "error" not in answer:
@@ -224,7 +229,8 @@ class Client:
 
     def batch(self, calls: Iterable[Tuple[str, Json]]) -> List[Any]:
         """Several calls in one message. Results in order; a call that failed gives its error as a value."""
-        requests = [{"jsonrpc": "2.0", "id": next(self._ids), "method": method, "params": _plain(parameters)}
+        requests = [{"jsonrpc": "2.0", "id": next(self._ids), "method": method,
+                     "params": {name: _plain(value, name) for name, value in parameters.items()}}
                     for method, parameters in calls]
         if not requests:
             return []
@@ -253,15 +259,29 @@ class Client:
 
     def probe(self, dataset: str, points: Iterable[Point], time: float,
               fields: Optional[Sequence[str]] = None) -> Dict[str, np.ndarray]:
-        """Fields at points, (n,) or (n, 3) each, NaN outside of the fluid; `inside` says which points are in it."""
+        """Fields at points, (n,) or (n, 3) each, NaN outside of the fluid; `inside` says which points are in it. Many
+        points are asked for in several calls, as a message has at most 64 KiB: some 1,000 points each."""
+        parts = [self._probe(dataset, part, time, fields) for part in _slices(_plain(list(points), "points"))]
+        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+    def _probe(self, dataset: str, points: Sequence[Point], time: float,
+               fields: Optional[Sequence[str]]) -> Dict[str, np.ndarray]:
         answer = self.call("probe.sample", dataset=dataset, points=points, time=time, fields=fields)
         out: Dict[str, np.ndarray] = {}
         for name, values in answer["values"].items():
-            width = next((len(value) for value in values if isinstance(value, list)), 1)
-            missing = [np.nan] * width if width > 1 else np.nan
-            out[name] = np.array([missing if value is None else value for value in values], dtype=float)
+            vector = any(isinstance(value, list) for value in values) or (
+                all(value is None for value in values) and name == self._velocity(dataset))
+            missing = [np.nan] * 3 if vector else np.nan
+            found = np.array([missing if value is None else value for value in values], dtype=float)
+            out[name] = found.reshape(-1, 3) if vector else found
         out["inside"] = np.array(answer["inside"], dtype=bool)
         return out
+
+    def _velocity(self, dataset: str) -> str:
+        """Of a part that lies outside as a whole, nothing else tells that it is a vector."""
+        if dataset not in self._velocities:
+            self._velocities[dataset] = self.describe(dataset)["velocity"]
+        return self._velocities[dataset]
 
     def sessions(self) -> List["Session"]:
         """Those this token lets in."""
@@ -317,12 +337,23 @@ class Session:
     def rakes(self) -> List["Rake"]:
         return [Rake(self, each["rake"]) for each in self.call("rake.list")["rakes"]]
 
-    def surface(self, rake: Union["Rake", str], kind: str, dataset: str, to: float, from_: float = 0.0,
+    def surface(self, rake: Union["Rake", str], kind: str, dataset: str, to: float, from_: Optional[float] = None, *,
+                direction: Optional[str] = None, separation: Optional[float] = None, accuracy: Optional[str] = None,
+                merge: Optional[float] = None, angle: Optional[float] = None, max_quads: Optional[int] = None,
+                release_until: Optional[float] = None, sweep: Optional[Point] = None,
+                rake2: Optional[Union["Rake", str]] = None, fields: Optional[Sequence[str]] = None,
                 **more: Any) -> "Surface":
-        """Makes a surface and starts computing it: `kind` is stream, path, streak or time. `more` as in `surface.set`:
-        direction, separation, accuracy, maxQuads, releaseUntil, sweep, rake2, fields, ... What `fields` names (at most
-        4) is also in `Surface.mesh`, by name."""
-        answer = self.call("surface.set", rake=_id(rake), kind=kind, dataset=dataset, to=to, **{"from": from_}, **more)
+        """Makes a surface and starts computing it: `kind` is stream, path, streak or time. Without `from_` it begins at
+        the dataset's first time. The rest as in `surface.set`, whose spelling, as in maxQuads, is taken too. What `fields`
+        names (at most 4) is also in `Surface.mesh`, by name."""
+        given = {"from": from_, "direction": direction, "separation": separation, "accuracy": accuracy, "merge": merge,
+                 "angle": angle, "maxQuads": max_quads, "releaseUntil": release_until, "sweep": sweep, "rake2": rake2,
+                 "fields": fields}
+        twice = [name for name, value in given.items() if value is not None and name in more]
+        if twice:
+            raise InvalidParameters(f"`{twice[0]}` is given twice", -32602, "invalidParameters", "give it once")
+        given.update(more)
+        answer = self.call("surface.set", rake=_id(rake), kind=kind, dataset=dataset, to=to, **given)
         return Surface(self, answer["surface"])
 
     def surfaces(self) -> List["Surface"]:
@@ -420,9 +451,9 @@ class Surface(_Record):
         self._kept: Optional[Tuple[str, Mesh]] = None
 
     def set(self, if_rev: Optional[int] = None, **changes: Any) -> Json:
-        """Changes the parameters given (`from_` is `from`) and computes it again. {rev, epoch, ...}"""
-        if "from_" in changes:
-            changes["from"] = changes.pop("from_")
+        """Changes the parameters given, as in `Session.surface`, and computes it again. {rev, epoch, ...}"""
+        spelt = {"from_": "from", "max_quads": "maxQuads", "release_until": "releaseUntil"}
+        changes = {spelt.get(name, name): value for name, value in changes.items()}
         return self._change(self._MEMBERS, changes, if_rev)
 
     def stats(self) -> Json:
@@ -446,26 +477,37 @@ class Surface(_Record):
                 raise WaitTimeout(f"surface {self.id} is not complete after {timeout} s",
                                   hint="wait again, or ask for less: a larger separation, fewer seeds")
 
-    def download(self, format: str = "ply", timeout: float = 600.0) -> bytes:
-        """The whole mesh as the bytes of a .vtp, .glb, .ply, .obj or .drc file; waits until it is complete."""
-        return self._fetch(format, None, timeout)[1]
+    def download(self, format: str = "ply", timeout: float = 600.0, *, time: Union[float, str, None] = None,
+                 draco: bool = True) -> bytes:
+        """The whole mesh as the bytes of a .vtp, .glb, .ply, .obj or .drc file, once it is computed: as the session shows
+        it, at the time of its clock. `time`: at another time instead, or "end". `draco=False`: a .glb for readers that
+        cannot decompress, as ParaView's, some 12 times as large."""
+        return self._fetch(format, None, timeout, time, draco)[1]
 
-    def _fetch(self, format: str, tag: Optional[str], timeout: float) -> Tuple[str, bytes]:
+    def _fetch(self, format: str, tag: Optional[str], timeout: float, time: Union[float, str, None],
+               draco: bool = True) -> Tuple[str, bytes]:
         path = "/api/v1/sessions/{}/surfaces/{}/mesh.{}".format(
             *(urllib.parse.quote(word, safe="") for word in (self.session.id, self.id, format)))
+        query = {} if time is None else {"time": time if isinstance(time, str) else repr(float(_plain(time, "time")))}
+        if not draco:
+            query["draco"] = "false"
+        if query:
+            path += "?" + urllib.parse.urlencode(query)
         headers = {"If-None-Match": tag} if tag else {}
         status, reply, body = self.session.client._request(path, None, headers, timeout)
         if status not in (200, 304):
             raise _error(json.loads(body)["error"])
         return reply.get("ETag", ""), body if status == 200 else b""
 
-    def export(self, path: Union[str, "os.PathLike[str]"], timeout: float = 600.0) -> None:
-        """Writes the mesh to a file, in the format of its extension; nothing half-written is left behind."""
+    def export(self, path: Union[str, "os.PathLike[str]"], timeout: float = 600.0, *,
+               time: Union[float, str, None] = None, draco: bool = True) -> None:
+        """Writes the mesh to a file, in the format of its extension; nothing half-written is left behind. `time` and
+        `draco` as in `download`."""
         path = os.fspath(path)
         extension = os.path.splitext(path)[1]
-        if extension not in _FORMATS:
+        if extension.lower() not in _FORMATS:
             raise ValueError(f"{path!r} has no known extension: one of {', '.join(_FORMATS)}")
-        body = self.download(extension[1:], timeout)
+        body = self.download(extension[1:].lower(), timeout, time=time, draco=draco)
         part = path + ".part"
         try:
             with open(part, "wb") as file:
@@ -475,9 +517,10 @@ class Surface(_Record):
             if os.path.exists(part):
                 os.remove(part)
 
-    def mesh(self, timeout: float = 600.0) -> "Mesh":
-        """The whole mesh as numpy arrays, once it is complete; not fetched again while it is the same."""
-        tag, body = self._fetch("vtp", self._kept[0] if self._kept else None, timeout)
+    def mesh(self, timeout: float = 600.0, *, time: Union[float, str, None] = None) -> "Mesh":
+        """The whole mesh as numpy arrays, once it is computed: as the session shows it, at the time of its clock, or at
+        `time`, or at its "end". Not fetched again while it is the same."""
+        tag, body = self._fetch("vtp", self._kept[0] if self._kept else None, timeout, time)
         if body:
             self._kept = (tag, Mesh.from_vtp(body))
         assert self._kept is not None
@@ -544,7 +587,8 @@ class Update:
 class Mesh:
     """A surface as arrays: `points` (n, 3), and cell i's vertices `connectivity[offsets[i]:offsets[i + 1]]`. By name, as
     in `mesh["speed"]`, the arrays at the vertices: s, t, speed, velocity (n, 3), deformation, component, approximated
-    and the scalar fields asked for. `about`: kind, dataset, rake, from, to, separation, version."""
+    and the scalar fields asked for. `about`: kind, dataset, rake, from, to, separation, version; `time` where it is not
+    shown at its end."""
 
     points: np.ndarray
     connectivity: np.ndarray
@@ -592,10 +636,10 @@ class Mesh:
 
     @staticmethod
     def from_vtp(data: bytes) -> "Mesh":
-        """Reads the .vtp files wakesurf writes (appended raw data), also those of the command line."""
-        start = data.index(b"<AppendedData")
-        base = data.index(b"_", start) + 1
-        root = xml.etree.ElementTree.fromstring(data[:start] + b"</VTKFile>")
+        """Reads the .vtp files wakesurf writes (inline, compressed), also those of the command line."""
+        root = xml.etree.ElementTree.fromstring(data)
+        if root.get("compressor") != "vtkZLibDataCompressor" or root.get("header_type") != "UInt64":
+            raise ValueError("this .vtp was not written by this version of wakesurf: read it with VTK")
         types = {"Float64": "<f8", "Float32": "<f4", "Int64": "<i8", "UInt32": "<u4", "UInt8": "u1"}
         arrays: Dict[str, np.ndarray] = {}
         about: Json = {}
@@ -607,15 +651,23 @@ class Mesh:
                     about[name] = bytes(int(word) for word in words[:-1]).decode()
                 else:
                     numbers = np.array(words, dtype=float)
+                    name = "time" if name == "TimeValue" else name
                     about[name] = numbers.reshape(-1, width) if width > 1 else float(numbers[0])
                 continue
-            at = base + int(node.get("offset", "0"))
-            (size,) = struct.unpack_from("<Q", data, at)
-            dtype = np.dtype(types[node.get("type", "")])
-            values = np.frombuffer(data, dtype, size // dtype.itemsize, at + 8)
+            values = np.frombuffer(_inline(node.text or ""), np.dtype(types[node.get("type", "")]))
             arrays[name] = values.reshape(-1, width) if width > 1 else values
         offsets = np.concatenate([[0], arrays.pop("offsets")]).astype(np.int64)
         return Mesh(arrays.pop("Points"), arrays.pop("connectivity"), offsets, arrays, about)
+
+
+def _inline(text: str) -> bytes:
+    """The bytes of an array in a .vtp: how many blocks there are and how long they are, then the blocks."""
+    (blocks,) = struct.unpack("<Q", base64.b64decode(text[:12])[:8])
+    header_text = (8 * (3 + blocks) + 2) // 3 * 4
+    sizes = struct.unpack(f"<{3 + blocks}Q", base64.b64decode(text[:header_text]))[3:]
+    packed = memoryview(base64.b64decode(text[header_text:]))
+    ends = list(itertools.accumulate(sizes, initial=0))
+    return b"".join(zlib.decompress(packed[first:last]) for first, last in zip(ends, ends[1:]))
 
 
 class _Socket:
@@ -700,21 +752,38 @@ def _header(frame: bytes) -> Optional[Json]:
             "cells": cells, "crc": crc, "time": when, "last": index + 1 == count}
 
 
-def _plain(value: Any) -> Any:
-    """Arrays, records and tuples as JSON has them."""
+def _plain(value: Any, where: str = "") -> Any:
+    """Arrays, records and tuples as JSON has them. Error: InvalidParameters for numbers JSON has not, saying `where`."""
     if value is _NULL:
         return None
     if isinstance(value, _Record):
         return value.id
     if isinstance(value, np.ndarray):
-        return value.tolist()
+        if value.dtype.kind != "f" or np.isfinite(value).all():
+            return value.tolist()
+        value = value.tolist()
     if isinstance(value, np.generic):
-        return value.item()
+        value = value.item()
+    if isinstance(value, float) and not math.isfinite(value):
+        raise InvalidParameters(f"`{where}` is {value}, which is no number to compute with", -32602, "invalidParameters",
+                                "give a finite number")
     if isinstance(value, Mapping):
-        return {name: _plain(each) for name, each in value.items()}
+        return {name: _plain(each, f"{where}.{name}") for name, each in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_plain(each) for each in value]
+        return [_plain(each, f"{where}[{i}]") for i, each in enumerate(value)]
     return value
+
+
+def _slices(points: Sequence[Point]) -> Iterator[Sequence[Point]]:
+    """Parts that fit into one message each; one empty part of none."""
+    first = size = 0
+    for i, point in enumerate(points):
+        more = len(json.dumps(point)) + 2
+        if size + more > _PROBE_BYTES or i - first >= _PROBE_POINTS:
+            yield points[first:i]
+            first, size = i, 0
+        size += more
+    yield points[first:]
 
 
 def _id(record: Union[_Record, str]) -> str:

@@ -74,7 +74,80 @@ class ClientTest(unittest.TestCase):
         np.testing.assert_allclose(velocity[0], [0, 1, 1])
         self.assertTrue(np.isnan(velocity[1]).all())
 
+    def test_many_points_are_asked_for_in_several_calls(self):
+        grid = np.stack(np.meshgrid(np.linspace(-24, 24, 60), np.linspace(-24, 24, 60), [0.1]), axis=-1).reshape(-1, 3)
+        calls = []
+        send = self.client._request
+        self.client._request = lambda path, body=None, *more, **named: calls.append(len(body)) or send(path, body, *more,
+                                                                                                       **named)
+        try:
+            answer = self.client.probe("abc", grid, time=0)
+        finally:
+            del self.client._request
+        self.assertGreater(len(calls), 2)
+        self.assertLessEqual(max(calls), 65536)
+        velocity = answer[self.client.describe("abc")["velocity"]]
+        np.testing.assert_array_equal(answer["inside"], (np.abs(grid) <= 20).all(axis=1))
+        inside = grid[answer["inside"]]
+        x, _, z = inside.T
+        np.testing.assert_allclose(velocity[answer["inside"]], np.stack([np.sin(z), np.sin(x) + np.cos(z), np.cos(x)], axis=1),
+                                   atol=1e-6)
+        self.assertEqual(velocity.shape, (3600, 3))
+        self.assertTrue(np.isnan(velocity[~answer["inside"]]).all())
+
+    def test_points_that_all_lie_outside_are_vectors_all_the_same(self):
+        answer = self.client.probe("abc", [(50, 0, 0)] * 3, time=0)
+        self.assertEqual(answer[self.client.describe("abc")["velocity"]].shape, (3, 3))
+
+    def test_numbers_that_json_has_not_are_named_before_anything_is_sent(self):
+        with self.assertRaisesRegex(wakesurf.InvalidParameters, r"`points\[1\]\[2\]` is nan"):
+            self.client.probe("abc", np.array([[0, 0, 0], [1, 2, np.nan]]), time=0)
+        with self.assertRaisesRegex(wakesurf.InvalidParameters, r"`points\[0\]\[0\]` is inf"):
+            self.session.rake(line=[(float("inf"), 0, 0), (1, 0, 0)])
+        with self.assertRaisesRegex(wakesurf.InvalidParameters, "`to` is nan"):
+            self.surface(to=float("nan"))
+        with self.assertRaisesRegex(wakesurf.InvalidParameters, "`time` is -inf"):
+            self.session.set_time(-np.inf)
+        with self.assertRaisesRegex(wakesurf.InvalidParameters, "`view.camera"):
+            self.session.call("bookmark.set", name="x", view={"camera": np.array([1, np.nan])})
+
     # Rakes and surfaces.
+
+    def test_a_surface_begins_at_the_datasets_first_time_unless_it_is_said(self):
+        surface = self.surface()
+        self.assertEqual(surface.record()["from"], self.client.describe("lamb-oseen")["times"][0])
+        self.assertEqual(self.surface(from_=0.5).record()["from"], 0.5)
+
+    def test_parameters_have_the_spelling_of_python_and_that_of_the_api(self):
+        self.assertEqual(self.surface(max_quads=5000).record()["maxQuads"], 5000)
+        surface = self.surface(maxQuads=6000)
+        surface.set(max_quads=7000)
+        self.assertEqual(surface.record()["maxQuads"], 7000)
+        with self.assertRaises(wakesurf.InvalidParameters):
+            self.surface(max_quads=5000, maxQuads=6000)
+        with self.assertRaisesRegex(wakesurf.InvalidParameters, "did you mean `separation`"):
+            self.surface(seperation=1)
+        with self.assertRaisesRegex(wakesurf.MethodNotFound, "did you mean `surface.list`"):
+            self.session.call("surfaces.list")
+
+    def test_a_mesh_is_the_one_the_session_shows(self):
+        rake = self.session.rake(line=LINE, seeds=9)
+        surface = self.session.surface(rake, "path", dataset="lamb-oseen", to=2, separation=0.1)
+        end = surface.mesh()
+        self.assertNotIn("time", end.about)
+        self.session.set_time(0.5)
+        then = surface.mesh()
+        self.assertEqual(len(then.points), surface.wait()["vertices"])
+        self.assertEqual(then.about["time"], 0.5)
+        self.assertLess(then["t"].max(), 0.5 + 1e-9)
+        self.assertIs(surface.mesh(), then)
+        np.testing.assert_array_equal(surface.mesh(time="end").points, end.points)
+        self.assertLess(len(surface.mesh(time=0.25).points), len(then.points))
+        self.assertEqual(self.session.state()["clock"]["time"], 0.5, "nobody else's time has changed")
+        with self.assertRaises(wakesurf.OutsideTimeRange):
+            surface.mesh(time=3)
+        with self.assertRaises(wakesurf.InvalidParameters):
+            surface.mesh(time=float("nan"))
 
     def test_makes_a_surface_and_gives_its_mesh_as_arrays(self):
         stats = self.surface().wait(60)
@@ -227,6 +300,11 @@ class ClientTest(unittest.TestCase):
                 surface.export(path)
                 with open(path, "rb") as file:
                     self.assertTrue(file.read(8).startswith(start), extension)
+            plain = os.path.join(folder, "mesh.GLB")
+            surface.export(plain, draco=False)
+            with open(plain, "rb") as file:
+                self.assertNotIn(b"KHR_draco", file.read())
+            os.remove(plain)
             with self.assertRaises(ValueError):
                 surface.export(os.path.join(folder, "mesh.stl"))
             surface.delete()

@@ -1,0 +1,97 @@
+"""The examples of the documents, as they stand there: only the address of the server is another."""
+import ast
+import contextlib
+import io
+import os
+import re
+import shlex
+import subprocess
+import tempfile
+import textwrap
+import unittest
+
+from real_server import BINARY, ROOT, RealServer
+import wakesurf
+
+ADDRESS = "http://127.0.0.1:8080/#token=..."
+
+
+def text_of(name):
+    with open(os.path.join(ROOT, name), encoding="utf-8") as file:
+        return file.read()
+
+
+def fenced(name):
+    """The blocks of a document that begin with the import of the client."""
+    blocks = re.findall(r"^```\w*\n(.*?)^```$", text_of(name), re.S | re.M)
+    return [block for block in blocks if "from wakesurf import" in block]
+
+
+def docstring_example():
+    lines = ast.get_docstring(ast.parse(text_of("protocol/python/wakesurf.py"))).split("\n")
+    first = next(i for i, line in enumerate(lines) if line.startswith("    "))
+    last = next(i for i in range(first, len(lines)) if lines[i] and not lines[i].startswith("    "))
+    return textwrap.dedent("\n".join(lines[first:last]))
+
+
+class ExamplesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.server = RealServer(os.path.join(ROOT, "data/sqcyl/sqcyl.pvd"), "flow:tornado", "--store", cls.folder.name)
+        wakesurf.Client(cls.server.url).call("dataset.open", 120, dataset="sqcyl")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.stop()
+        cls.folder.cleanup()
+
+    def run_example(self, code):
+        """What it prints, and the files it leaves, with their first bytes."""
+        self.assertEqual(code.count(ADDRESS), 1, code)
+        printed = io.StringIO()
+        here = os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                os.chdir(folder)
+                with contextlib.redirect_stdout(printed):
+                    exec(compile(code.replace(ADDRESS, self.server.url), "example", "exec"), {})
+            finally:
+                os.chdir(here)
+            files = {}
+            for name in os.listdir(folder):
+                with open(os.path.join(folder, name), "rb") as file:
+                    files[name] = file.read(4)
+        return printed.getvalue(), files
+
+    def test_that_of_the_clients_docstring(self):
+        printed, files = self.run_example(docstring_example())
+        self.assertRegex(printed, r"'dataset': 'sqcyl'")
+        self.assertGreater(int(printed.strip().split("\n")[-1]), 100)
+        self.assertEqual(files, {"wake.vtp": b"<?xm"})
+
+    def test_that_of_the_first_page(self):
+        (block,) = fenced("README.md")
+        printed, files = self.run_example(block)
+        self.assertGreater(int(printed.split()[0]), 100)
+        self.assertEqual(files, {"wake.vtp": b"<?xm"})
+
+    def test_that_of_the_protocol(self):
+        (block,) = fenced("protocol/README.md")
+        printed, _ = self.run_example(block)
+        self.assertGreater(float(printed), 0)
+
+    def test_the_command_line_of_the_first_page(self):
+        (line,) = re.findall(r"^build/release/bin/(wakesurf surface .*)$", text_of("README.md"), re.M)
+        with tempfile.TemporaryDirectory() as folder:
+            os.symlink(os.path.join(ROOT, "data"), os.path.join(folder, "data"))
+            ran = subprocess.run([BINARY, *shlex.split(line)[1:], "--store", os.path.join(folder, "store")], cwd=folder,
+                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=120)
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            with open(os.path.join(folder, "surface.vtp"), "rb") as file:
+                mesh = wakesurf.Mesh.from_vtp(file.read())
+        self.assertIn(f" {len(mesh.polygons)} quads", ran.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
