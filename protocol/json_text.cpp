@@ -8,9 +8,14 @@ namespace wakesurf::protocol {
 
 namespace {
 
-std::size_t nesting(std::string_view text) {
-    std::size_t depth = 0;
+struct Shape {
     std::size_t deepest = 0;
+    std::size_t values = 1; ///< at most so many
+};
+
+Shape shape_of(std::string_view text) {
+    Shape shape;
+    std::size_t depth = 0;
     bool quoted = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
@@ -20,12 +25,15 @@ std::size_t nesting(std::string_view text) {
         } else if (c == '"') {
             quoted = true;
         } else if (c == '[' || c == '{') {
-            deepest = std::max(deepest, ++depth);
+            shape.deepest = std::max(shape.deepest, ++depth);
+            ++shape.values;
+        } else if (c == ',') {
+            ++shape.values;
         } else if ((c == ']' || c == '}') && depth > 0) {
             --depth;
         }
     }
-    return deepest;
+    return shape;
 }
 
 } // namespace
@@ -35,9 +43,13 @@ core::Result<nlohmann::json> parse_json(std::string_view text, JsonLimits limits
     if (text.size() > limits.bytes)
         return core::fail(Error::Code::OverLimit, "the JSON text is longer than " +
                                                       std::to_string(limits.bytes) + " bytes");
-    if (nesting(text) > limits.depth)
+    const Shape shape = shape_of(text);
+    if (shape.deepest > limits.depth)
         return core::fail(Error::Code::OverLimit, "the JSON text is nested deeper than " +
                                                       std::to_string(limits.depth) + " levels");
+    if (shape.values > limits.values)
+        return core::fail(Error::Code::OverLimit, "the JSON text has more than " +
+                                                      std::to_string(limits.values) + " values");
     auto value = nlohmann::json::parse(text, nullptr, false);
     if (value.is_discarded()) {
         JsonFault fault = json_fault(text);

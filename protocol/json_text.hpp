@@ -15,9 +15,10 @@ namespace wakesurf::protocol {
 struct JsonLimits {
     std::size_t bytes = std::size_t{64} << 10;
     std::size_t depth = 32;
+    std::size_t values = std::size_t{1} << 22; ///< each takes some 40 bytes of memory
 };
 
-/// Error: OverLimit (too long, too deep), Corrupt (not JSON, not UTF-8, a number beyond double).
+/// Error: OverLimit (too long, too deep, too many values), Corrupt (not JSON, not UTF-8, a number beyond double).
 core::Result<nlohmann::json> parse_json(std::string_view text, JsonLimits limits);
 
 /// Compact, or indented where `indent` >= 0. Never throws: what is not UTF-8 is replaced by U+FFFD.

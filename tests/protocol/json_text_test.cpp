@@ -41,4 +41,13 @@ TEST(JsonText, ReplacesBytesThatAreNotUtf8) {
 }
 
 } // namespace
+
+TEST(JsonText, AFewBytesThatWouldBecomeManyValuesAreRefusedBeforeTheyDo) {
+    constexpr JsonLimits few{1000, 4, 10};
+    EXPECT_TRUE(parse_json("[1,2,3,4,5,6,7,8]", few));
+    EXPECT_TRUE(parse_json(R"(["a,b,c,d,e,f,g,h,i,j,k,l"])", few)) << "commas in texts are none";
+    EXPECT_EQ(parse_json("[1,2,3,4,5,6,7,8,9,10]", few).error().code, core::Error::Code::OverLimit);
+    EXPECT_EQ(parse_json("[[],[],[],[],[],[]]", few).error().code, core::Error::Code::OverLimit);
+}
+
 } // namespace wakesurf::protocol
