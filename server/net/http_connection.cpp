@@ -6,6 +6,7 @@
 #include "server/net/http_error.hpp"
 #include "server/net/security_headers.hpp"
 #include "server/net/websocket_connection.hpp"
+#include "server/session_limits.hpp"
 
 #include <boost/asio/ssl/error.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -40,12 +41,16 @@ constexpr std::size_t first_bytes = 1024;
 
 /// Between two looks whether who waits for an answer is still there.
 constexpr std::chrono::milliseconds gone_check{250};
+HttpResponse too_long(std::size_t longest_body) {
+    return http_over_limit(413, longest_body,
+                           "the body is longer than " + std::to_string(longest_body) + " bytes",
+                           "send less at once");
+}
 
 /// Errors of reading that deserve an answer before the connection closes.
-std::optional<HttpResponse> answer_to(error_code error) {
+std::optional<HttpResponse> answer_to(error_code error, std::size_t longest_body) {
     if (error == http::error::body_limit)
-        return http_over_limit(413, limits::message_bytes, "the body is longer than 65536 bytes",
-                               "send less at once");
+        return too_long(longest_body);
     if (error == http::error::header_limit)
         return http_over_limit(431, limits::http_header_bytes,
                                "the header is longer than 8192 bytes", "send fewer headers");
@@ -128,10 +133,11 @@ class HttpConnection final : public Connection,
     std::optional<http::response_serializer<http::span_body<const char>>> serializer_;
     std::optional<std::stop_source> gone_; ///< while an answer is awaited
     boost::asio::steady_timer waiting_;
+    std::size_t longest_body_ = limits::message_bytes; ///< of the request being read
     bool named_ = false; ///< came over TLS, under a name that others know this machine by
 };
 
-HttpRequest plain(const http::request<http::string_body>& request) {
+HttpRequest plain(const http::request_header<>& request) {
     HttpRequest out;
     out.method = std::string(request.method_string());
     const auto target = request.target();
@@ -145,7 +151,6 @@ HttpRequest plain(const http::request<http::string_body>& request) {
             c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
         out.headers.emplace_back(std::move(name), std::string(field.value()));
     }
-    out.body = request.body();
     out.upgrade = beast::websocket::is_upgrade(request);
     return out;
 }
@@ -176,14 +181,18 @@ void HttpConnection::await_request(std::chrono::seconds patience) {
 void HttpConnection::read_header() {
     parser_.emplace();
     parser_->header_limit(limits::http_header_bytes);
-    parser_->body_limit(limits::message_bytes);
+    parser_->body_limit(limits::session_file_bytes); // by the header it will be less
     stream_.expires_after(limits::handshake);
-    http::async_read_header(stream_, buffer_, *parser_,
-                            [self = shared_from_this()](error_code error, std::size_t) {
-                                if (error)
-                                    return self->failed(error);
-                                self->read_body();
-                            });
+    http::async_read_header(
+        stream_, buffer_, *parser_, [self = shared_from_this()](error_code error, std::size_t) {
+            self->longest_body_ =
+                error && error != http::error::body_limit
+                    ? limits::message_bytes
+                    : self->services_.routes.longest_body(plain(self->parser_->get()));
+            if (error)
+                return self->failed(error);
+            self->read_body();
+        });
 }
 
 void HttpConnection::read_body() {
@@ -193,7 +202,11 @@ void HttpConnection::read_body() {
                        false, false);
     if (parser_->is_done())
         return handle(parser_->release());
-    stream_.expires_after(limits::handshake);
+    if (const auto length = parser_->content_length(); length && *length > longest_body_)
+        return respond(too_long(longest_body_), false, false);
+    parser_->body_limit(longest_body_);
+    stream_.expires_after(longest_body_ > limits::message_bytes ? limits::session_file_time
+                                                                : limits::handshake);
     http::async_read(stream_, buffer_, *parser_,
                      [self = shared_from_this()](error_code error, std::size_t) {
                          if (error)
@@ -207,7 +220,7 @@ void HttpConnection::failed(error_code error) {
         services_.metrics.reject(Rejection::HandshakeTimeout);
         return stream_.close();
     }
-    if (const auto answer = answer_to(error))
+    if (const auto answer = answer_to(error, longest_body_))
         return respond(*answer, false, false);
     if (error.category() == boost::asio::error::get_ssl_category() ||
         error == boost::asio::error::no_protocol_option) {
@@ -220,6 +233,7 @@ void HttpConnection::failed(error_code error) {
 void HttpConnection::handle(Request request) {
     stream_.expires_never(); // an answer may take its time; writing it sets the clock again
     HttpRequest values = plain(request);
+    values.body = std::move(request.body());
     const auto host = host_name(values.header("host"));
     named_ = stream_.encrypted() && host && !is_loopback(*host);
     if (values.upgrade) {

@@ -4,6 +4,7 @@
 #include "protocol/json_text.hpp"
 #include "server/limits.hpp"
 #include "server/net/http_error.hpp"
+#include "server/session_limits.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -71,6 +72,13 @@ tl::expected<Identity, HttpResponse> Routes::admit_upgrade(const HttpRequest& re
     return std::move(*identity);
 }
 
+std::size_t Routes::longest_body(const HttpRequest& header) {
+    if (header.method != "POST" || header.path != SessionFiles::import_path)
+        return limits::message_bytes;
+    const auto identity = gate_.check(header);
+    return identity && identity->grant.empty() ? limits::session_file_bytes : limits::message_bytes;
+}
+
 void Routes::handle(const HttpRequest& request, Respond respond) {
     const bool file = files_.has(request.path);
     if (file || request.path == "/healthz" || request.path == "/api/v1/login") {
@@ -99,6 +107,9 @@ void Routes::serve(const HttpRequest& request, const Identity& identity, Respond
     if (request.path == "/rpc")
         return request.method == "POST" ? call(request, identity, std::move(respond))
                                         : respond(wrong_method("POST"));
+    if (request.path == SessionFiles::import_path)
+        return request.method == "POST" ? session_files_.post(request, identity, respond)
+                                        : respond(wrong_method("POST"));
     if (!reads(request))
         return respond(wrong_method("GET"));
     if (request.path == "/openrpc.json")
@@ -113,7 +124,8 @@ void Routes::serve(const HttpRequest& request, const Identity& identity, Respond
     if (out_of_reach(request.path, identity))
         return respond(http_error(403, "the share link is for another session",
                                   "ask a host of that session for a link to it"));
-    if (!downloads_.handle(request, identity, respond))
+    if (!session_files_.get(request, respond) &&
+        !downloads_.handle(request, identity, respond))
         respond(http_error(404, "there is nothing at this path", "README.md lists the paths"));
 }
 

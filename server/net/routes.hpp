@@ -5,11 +5,13 @@
 #include "server/net/downloads.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/http_message.hpp"
+#include "server/net/session_files.hpp"
 #include "server/net/static_files.hpp"
 #include "server/rpc/dispatcher.hpp"
 
 #include <tl/expected.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -23,9 +25,13 @@ class Routes {
            const StaticFiles& files,
            Dispatcher& dispatcher,
            Downloads& downloads,
+           SessionFiles& session_files,
            std::function<std::string()> metrics)
         : gate_(gate), files_(files), dispatcher_(dispatcher), downloads_(downloads),
-          metrics_(std::move(metrics)) {}
+          session_files_(session_files), metrics_(std::move(metrics)) {}
+
+    /// How long the body of a request may be, by its header: longer than messages only for what is known to be let in.
+    std::size_t longest_body(const HttpRequest& header);
 
     /// Whose WebSocket the request may become, or why it may not.
     tl::expected<Identity, HttpResponse> admit_upgrade(const HttpRequest& request);
@@ -43,6 +49,7 @@ class Routes {
     const StaticFiles& files_;
     Dispatcher& dispatcher_;
     Downloads& downloads_;
+    SessionFiles& session_files_;
     std::function<std::string()> metrics_;
 };
 

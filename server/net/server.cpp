@@ -55,7 +55,7 @@ struct Server::Parts {
         datasets.emplace(*catalogue);
         sessions.emplace(
             SessionServices{loop, pool, *datasets, entropy, &metrics, journal.get(), &clock});
-        sessions->on_removed([this](const std::string& id) { grants.forget(id); });
+        sessions->on_gone([this](const std::string& id) { grants.forget(id); });
         dispatcher.emplace(
             method_table(),
             MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); },
@@ -63,7 +63,8 @@ struct Server::Parts {
                           &metrics, &imports.emplace(*catalogue, loop)},
             protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
         downloads.emplace(loop, pool, *sessions, *catalogue, memory);
-        routes.emplace(*gate, files, *dispatcher, *downloads,
+        session_files.emplace(loop, pool, *sessions, *datasets, journal.get());
+        routes.emplace(*gate, files, *dispatcher, *downloads, *session_files,
                        [this] { return metrics.text(standing()); });
         if (kept)
             restore();
@@ -76,7 +77,7 @@ struct Server::Parts {
         out.clients = admission.clients();
         out.sessions = sessions->all().size();
         for (const auto& [id, session] : sessions->all()) {
-            out.surfaces += session->surfaces().size();
+            out.surfaces += session->records().count(RecordType::Surface);
             out.participants += session->participants().present().size();
         }
         for (const DatasetStatus& each : catalogue->list())
@@ -162,6 +163,7 @@ struct Server::Parts {
     std::optional<ImportWaiters> imports;
     std::optional<Dispatcher> dispatcher;
     std::optional<Downloads> downloads;
+    std::optional<SessionFiles> session_files;
     std::optional<Routes> routes;
     std::shared_ptr<Listener> listener;
     std::shared_ptr<void> waiting; ///< timer of stop_when_alone

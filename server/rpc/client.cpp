@@ -25,14 +25,14 @@ Client::Client(Wire& wire, Identity identity, Grants& grants)
 Client::~Client() {
     calls_.abandon(); // first: what is under way may want to tell this client something
     grants_.leave(identity_.grant, *this);
-    part(&Participants::lose);
+    part(&Session::lose);
 }
 
 core::Result<Joined> Client::join(std::shared_ptr<Session> session, Arrival arrival) {
     if (session != session_)
         leave();
     arrival.identity = identity_;
-    auto joined = session->participants().join(arrival, *this);
+    auto joined = session->join(arrival, *this);
     if (joined) {
         session_ = std::move(session);
         participant_ = joined->you.id;
@@ -53,12 +53,12 @@ std::string Client::participant() const {
 }
 
 void Client::leave() {
-    part(&Participants::leave);
+    part(&Session::leave);
 }
 
-void Client::part(void (Participants::*how)(const Observer&)) {
+void Client::part(void (Session::*how)(const Observer&)) {
     if (session_) {
-        (session_->participants().*how)(*this);
+        ((*session_).*how)(*this);
         session_->end_leases(participant_);
     }
     session_.reset();
@@ -132,7 +132,13 @@ void Client::sent_away(Farewell why) {
     if (why == Farewell::Removed)
         session_->end_leases(participant_);
     session_.reset();
-    if (why == Farewell::Displaced)
+    if (why == Farewell::Deleted) // the connection stays, for another session
+        wire_.send(protocol::rpc_notification(
+            "server.notice",
+            {{"kind", "sessionDeleted"},
+             {"level", "warning"},
+             {"text", "the session was deleted; a host can restore it for 30 days"}}));
+    else if (why == Farewell::Displaced)
         say_goodbye(Goodbye::Displaced, "displaced", "a newer connection has taken this place");
     else
         say_goodbye(Goodbye::Removed, "removed", "a host has ended your stay in the session");

@@ -84,7 +84,7 @@ class Client final : public Observer, public GrantHolder {
   private:
     template <class Words>
     void tell(Telling& telling, Words words);
-    void part(void (Participants::*how)(const Observer&));
+    void part(void (Session::*how)(const Observer&));
     void say_goodbye(Goodbye goodbye, const char* kind, const std::string& reason);
 
     Wire& wire_;

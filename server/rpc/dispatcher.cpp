@@ -7,6 +7,7 @@
 #include "server/rpc/openrpc.hpp"
 #include "server/rpc/permission.hpp"
 #include "server/session/log_text.hpp"
+#include "server/session_limits.hpp"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
@@ -112,7 +113,7 @@ void Dispatcher::dispatch(std::string_view text,
 }
 
 std::optional<RpcFault> Dispatcher::too_fast(bool edits, const Caller& caller) {
-    if (rates_.size() > limits::sessions * limits::grants)
+    if (rates_.size() > limits::kept_sessions * limits::grants)
         std::erase_if(rates_, [this](const auto& each) {
             return !each.first.empty() && !context_.grants.identity(each.first);
         });

@@ -11,9 +11,9 @@ namespace wakesurf::server {
 std::vector<Method> method_table() {
     std::vector<Method> table;
     for (auto part :
-         {server_methods, dataset_methods, session_methods, share_methods, presence_methods,
-          rake_methods, surface_methods, subscription_methods, wait_methods, bookmark_methods,
-          annotation_methods, history_methods, time_methods}) {
+         {server_methods, dataset_methods, session_methods, session_keeping_methods, share_methods,
+          presence_methods, rake_methods, surface_methods, subscription_methods, wait_methods,
+          bookmark_methods, annotation_methods, history_methods, time_methods}) {
         auto methods = part();
         std::move(methods.begin(), methods.end(), std::back_inserter(table));
     }
@@ -23,6 +23,13 @@ std::vector<Method> method_table() {
 Parameter session_parameter() {
     return {"session", R"({"type":"string"})", false,
             "may be left out on a WebSocket that has joined one"};
+}
+
+Parameter default_parameter() {
+    return {"default", R"({"type":"boolean","default":false})", false,
+            "true: only if nobody has edited the session and there is none yet; it counts as no "
+            "edit, so "
+            "undo does not turn it"};
 }
 
 Parameter gesture_parameter() {

@@ -10,6 +10,7 @@ namespace wakesurf::server {
 std::vector<Method> server_methods();
 std::vector<Method> dataset_methods();
 std::vector<Method> session_methods();
+std::vector<Method> session_keeping_methods();
 std::vector<Method> share_methods();
 std::vector<Method> presence_methods();
 std::vector<Method> rake_methods();
@@ -26,6 +27,9 @@ std::vector<Method> method_table();
 
 /// The `session` parameter of every method on a session's records.
 Parameter session_parameter();
+
+/// `default`, of what makes the first records of a session.
+Parameter default_parameter();
 
 /// `gesture`, of edits.
 Parameter gesture_parameter();

@@ -43,6 +43,13 @@ json patch_json(const protocol::ClockRecord& record) {
             {"record", protocol::clock_json(record)}};
 }
 
+json patch_json(const SessionName& session) {
+    return {{"op", "put"},
+            {"type", "session"},
+            {"id", session.session},
+            {"record", {{"session", session.session}, {"name", session.name}}}};
+}
+
 json patch_json(const DeletedRecord& record) {
     return {{"op", "delete"}, {"type", record.type}, {"id", record.id}};
 }

@@ -42,10 +42,12 @@ void set(const Call& call, Reply reply) {
     const auto setting = protocol::read_rake_setting(
         in, {limits::seeds_least, limits::seeds_most, limits::rake_points, limits::name_bytes});
     const std::string gesture = read_gesture(in);
+    const bool default_scene = in.flag_or("default", false);
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    const Author author = author_of(call, **session, gesture);
+    Author author = author_of(call, **session, gesture);
+    author.default_scene = default_scene;
     if (setting.rake)
         if (const auto refused =
                 refusal(**session, *setting.rake, author, setting.if_rev, setting.force, call))
@@ -119,6 +121,7 @@ std::vector<Method> rake_methods() {
                        limits::lease.count() / 1000)},
           {"force", R"({"type":"boolean","default":false})", false,
            "a host's edit goes before somebody else's lease"},
+          default_parameter(),
           gesture_parameter(),
           if_rev},
          "{rake, rev, seq, clipped, points, surfaces: [{surface, epoch}]}: points as clipped to "

@@ -153,11 +153,53 @@ constexpr std::string_view shapes = R"json({
     "session": "#Id", "name": {"type": "string"}, "rakes": {"type": "array", "items": "#Rake"},
     "surfaces": {"type": "array", "items": "#Surface"}, "bookmarks": {"type": "array", "items": "#Bookmark"},
     "annotations": {"type": "array", "items": "#Annotation"}, "clock": "#Clock"}},
+"SessionName": {"type": "object", "properties": {"session": "#Id", "name": {"type": "string"}}},
+"SessionFile": {
+  "type": "object",
+  "properties": {
+    "wakesurfSession": {"enum": [1]}, "name": {"type": "string"},
+    "exported": {"type": "string", "description": "UTC"},
+    "wakesurf": {"type": "string", "description": "version"},
+    "records": {
+      "type": "object", "description": "as in a snapshot, without rev and epoch",
+      "properties": {
+        "rakes": {"type": "array", "items": {"type": "object", "additionalProperties": true}},
+        "surfaces": {"type": "array", "items": {"type": "object", "additionalProperties": true}},
+        "bookmarks": {"type": "array", "items": {"type": "object", "additionalProperties": true}},
+        "annotations": {"type": "array", "items": {"type": "object", "additionalProperties": true}},
+        "clock": "#Clock"}},
+    "datasets": {
+      "type": "array", "description": "that surfaces name; only the id of one that cannot be used just now",
+      "items": {
+        "type": "object",
+        "properties": {
+          "dataset": "#Id", "name?": {"type": "string"}, "fingerprint?": {"type": "string"},
+          "times?": {
+            "type": "object",
+            "properties": {"count": "#Count", "first": {"type": "number"}, "last": {"type": "number"}}},
+          "bounds?": {"type": "array", "items": {"type": "number"}, "minItems": 6, "maxItems": 6}}}}}},
+"SessionEntry": {
+  "type": "object",
+  "properties": {
+    "session": "#Id", "name": {"type": "string"},
+    "participants": {"type": "integer", "minimum": 0, "description": "here now"},
+    "people": {
+      "type": "array", "description": "who was here; who came last comes first",
+      "items": {"type": "object", "properties": {"name": {"type": "string"}, "colour": {"type": "string"}}}},
+    "created?": {"type": "string", "description": "UTC; missing where the session is older than this was noted"},
+    "lastUsed": {"type": "string", "description": "UTC"},
+    "edited": {"type": "boolean", "description": "by anybody, beyond the page's default scene"},
+    "rakes": "#Count", "surfaces": "#Count", "bookmarks": "#Count", "annotations": "#Count",
+    "thumbnail": {"type": "boolean", "description": "there is a picture of it"},
+    "deletedAt?": {"type": "string", "description": "UTC"},
+    "deletedUntil?": {"type": "string", "description": "UTC; gone for good then"}}},
 "Patch": {
   "type": "object",
   "properties": {
-    "op": {"enum": ["put", "delete"]}, "type": {"enum": ["rake", "surface", "bookmark", "annotation", "clock"]},
-    "id": "#Id", "record?": {"anyOf": ["#Rake", "#Surface", "#Bookmark", "#Annotation", "#Clock"]}}},
+    "op": {"enum": ["put", "delete"]},
+    "type": {"enum": ["rake", "surface", "bookmark", "annotation", "clock", "session"]},
+    "id": "#Id",
+    "record?": {"anyOf": ["#Rake", "#Surface", "#Bookmark", "#Annotation", "#Clock", "#SessionName"]}}},
 "Changes": {
   "type": ["array", "null"],
   "items": {
@@ -215,16 +257,31 @@ constexpr std::string_view results = R"json({
       "type": "object",
       "additionalProperties": {"type": "array", "items": {"anyOf": [{"type": ["number", "null"]}, "#Vector"]}}},
     "inside": {"type": "array", "items": {"type": "boolean"}}}},
-"session.create": {"type": "object", "properties": {"session": "#Id"}},
-"session.fork": {"type": "object", "properties": {"session": "#Id"}},
+"session.create": {
+  "type": "object",
+  "properties": {
+    "session": "#Id", "name": {"type": "string"},
+    "remaining": {"type": "integer", "minimum": 0, "description": "how many more sessions can be made"}}},
+"session.fork": {
+  "type": "object",
+  "properties": {
+    "session": "#Id", "name": {"type": "string"},
+    "remaining": {"type": "integer", "minimum": 0, "description": "how many more sessions can be made"}}},
 "session.list": {
   "type": "object",
   "properties": {
-    "sessions": {
-      "type": "array",
-      "items": {
-        "type": "object",
-        "properties": {"session": "#Id", "name": {"type": "string"}, "participants": "#Count", "surfaces": "#Count"}}}}},
+    "sessions": {"type": "array", "items": "#SessionEntry"}, "limit": "#Count", "trashLimit": "#Count"}},
+"session.rename": {"type": "object", "properties": {"session": "#Id", "name": {"type": "string"}}},
+"session.delete": {"type": "object", "properties": {"session": "#Id", "deletedUntil?": {"type": "string"}}},
+"session.restore": {"type": "object", "properties": {"session": "#Id", "name": {"type": "string"}}},
+"session.export": {"type": "object", "properties": {"file": "#SessionFile"}},
+"session.import": {
+  "type": "object",
+  "properties": {
+    "session": "#Id", "name": {"type": "string"},
+    "remaining": {"type": "integer", "minimum": 0, "description": "how many more sessions can be made"},
+    "notes": {"type": "array", "items": {"type": "string"}, "description": "about datasets, for people"}}},
+"session.thumbnail": {"type": "object", "properties": {}},
 "session.join": {
   "type": "object",
   "properties": {

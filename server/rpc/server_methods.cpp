@@ -3,6 +3,7 @@
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/stats_json.hpp"
+#include "server/session_limits.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -14,8 +15,9 @@ namespace {
 
 /// What a client may look for before it relies on it.
 json capabilities() {
-    json out{"stream",  "path",     "streak",     "time",   "obstacle.bin", "lease", "clock",
-             "history", "bookmark", "annotation", "cancel", "progress",     "stop"};
+    json out{"stream", "path",     "streak",  "time",     "obstacle.bin",
+             "lease",  "clock",    "history", "bookmark", "annotation",
+             "cancel", "progress", "stop",    "trash",    "thumbnail"};
     for (const auto format : protocol::mesh_formats)
         out.push_back("mesh." + std::string(protocol::extension(format)));
     return out;
@@ -32,7 +34,9 @@ json info() {
               {"depth", limits::message_depth},
               {"clients", limits::clients},
               {"callsPerSecond", limits::calls_per_second},
-              {"sessions", limits::sessions},
+              {"sessions", limits::kept_sessions},
+              {"trash", limits::trash},
+              {"thumbnailBytes", limits::thumbnail_bytes},
               {"participants", limits::participants},
               {"rakes", limits::rakes},
               {"rakePoints", limits::rake_points},

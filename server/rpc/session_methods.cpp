@@ -6,8 +6,10 @@
 #include "server/rpc/patch_json.hpp"
 #include "server/rpc/records_json.hpp"
 #include "server/rpc/session_choice.hpp"
+#include "server/rpc/session_entry.hpp"
 #include "server/session/colours.hpp"
 #include "server/session/display_name.hpp"
+#include "server/session_limits.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -25,6 +27,12 @@ json participants_json(Session& session) {
     return list;
 }
 
+json made_json(const Call& call, const Session& session) {
+    return {{"session", session.id()},
+            {"name", session.name()},
+            {"remaining", call.context.sessions.remaining()}};
+}
+
 void create(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const std::string name = in.text_or("name", {}, limits::name_bytes);
@@ -33,7 +41,7 @@ void create(const Call& call, Reply reply) {
     const auto session = call.context.sessions.create(display_name(name, limits::name_bytes));
     if (!session)
         return reply.fault(session.error());
-    reply.result({{"session", (*session)->id()}});
+    reply.result(made_json(call, **session));
 }
 
 /// For the server's own token only: whoever came by a share link could not enter the copy.
@@ -47,25 +55,34 @@ void fork(const Call& call, Reply reply) {
         call.context.sessions.fork((*from)->id(), display_name(name, limits::name_bytes));
     if (!session)
         return reply.fault(session.error());
-    reply.result({{"session", (*session)->id()}});
+    reply.result(made_json(call, **session));
 }
 
 void list(const Call& call, Reply reply) {
+    protocol::CheckedJson in(call.parameters);
+    const bool trash = in.flag_or("trash", false);
+    if (auto verdict = in.verdict(); !verdict)
+        return reply.fault(verdict.error());
+    const SessionDirectory& sessions = call.context.sessions;
+    const std::string& own = call.identity.session;
     json out = json::array();
-    for (const auto& [id, session] : call.context.sessions.all()) {
-        if (!call.identity.session.empty() && id != call.identity.session)
-            continue;
-        out.push_back({{"session", id},
-                       {"name", session->name()},
-                       {"participants", session->participants().present().size()},
-                       {"surfaces", session->surfaces().size()}});
+    if (trash) {
+        for (const auto& [id, session] : sessions.trash().all())
+            if (own.empty())
+                out.push_back(session_entry(session));
+    } else {
+        for (const auto& [id, session] : sessions.all())
+            if (own.empty() || id == own)
+                out.push_back(session_entry(*session, sessions.unix_time()));
     }
-    reply.result({{"sessions", std::move(out)}});
+    reply.result({{"sessions", std::move(out)},
+                  {"limit", limits::kept_sessions},
+                  {"trashLimit", limits::trash}});
 }
 
 void join(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
-    const std::string id = in.text("session");
+    const std::string given = in.text_or("session", {});
     Arrival arrival;
     arrival.name = in.text_or("name", {}, limits::name_bytes);
     arrival.colour = in.text_or("colour", {});
@@ -75,7 +92,10 @@ void join(const Call& call, Reply reply) {
         in.fault("colour", "must be written #rrggbb");
     if (auto verdict = in.verdict(); !verdict)
         return reply.fault(verdict.error());
-    const auto session = call.context.sessions.find(id);
+    const std::string& own = call.identity.session;
+    const auto session = call.context.sessions.find(!given.empty() ? given
+                                                    : own.empty()  ? "main"
+                                                                   : own);
     if (!session)
         return reply.fault(session.error());
     const auto joined = call.client->join(*session, std::move(arrival));
@@ -118,27 +138,32 @@ std::vector<Method> session_methods() {
     const Parameter name{"name", text, false, "for people"};
     return {
         {"session.create",
-         "Makes a new, empty session.",
+         "Makes a new, empty session. One without a name that nobody edits, shares or is in goes "
+         "again when there are "
+         "too many; no other does.",
          {name},
-         "{session}",
+         "{session, name, remaining}: how many more can be made",
          server_editor,
          create},
         {"session.fork",
          "Makes a new session with the records of another, but none of its people, links and "
          "history. Not for share links.",
          {session_parameter(), name},
-         "{session}",
+         "{session, name, remaining}",
          server_editor,
          fork},
         {"session.list",
          "The sessions of this server; with a share link, its own.",
-         {},
-         "{sessions: [{session, name, participants, surfaces}]}",
+         {{"trash", R"({"type":"boolean"})", false, "true: those that were deleted instead"}},
+         "{sessions: [{session, name, participants, people: [{name, colour}], created?, lastUsed, "
+         "edited, rakes, surfaces, bookmarks, annotations, thumbnail, deletedAt?, deletedUntil?}], "
+         "limit, trashLimit}: participants are here now, people were, who came last first",
          any_viewer,
          list},
         {"session.join",
          "Enters a session: its changes are told to this WebSocket from now on.",
-         {{"session", text, true, "an id from session.list or session.create"},
+         {{"session", text, false,
+           "an id from session.list or session.create; left out: the share link's, else `main`"},
           name,
           {"colour", R"({"type":"string","pattern":"^#[0-9a-fA-F]{6}$"})", false,
            "#rrggbb; left out: one that few others have"},

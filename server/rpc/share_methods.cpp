@@ -39,6 +39,7 @@ void share(const Call& call, Reply reply) {
     const auto made = call.context.grants.make((*session)->id(), role, expires_in);
     if (!made)
         return reply.fault(made.error());
+    (*session)->made_on_purpose();
     json out = grant_json(made->grant);
     out["key"] = made->key;
     out["link"] = "#session=" + (*session)->id() + "&token=" + made->key;

@@ -36,12 +36,15 @@ void set(const Call& call, Reply reply) {
     const auto setting = protocol::read_surface_setting(
         in, {limits::quads_default, limits::quads_most, limits::fields});
     const std::string gesture = read_gesture(in);
+    const bool default_scene = in.flag_or("default", false);
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
     if (const auto stale = handlers.stale(**session, setting.surface, setting.if_rev))
         return reply.fault(*stale);
-    const auto record = (*session)->set_surface(setting, author_of(call, **session, gesture));
+    Author author = author_of(call, **session, gesture);
+    author.default_scene = default_scene;
+    const auto record = (*session)->set_surface(setting, author);
     if (!record)
         return reply.fault(record.error());
     reply.result({{"surface", record->surface},
@@ -113,6 +116,7 @@ std::vector<Parameter> set_parameters() {
          "its velocity (the "
          "magnitude), `deformation`, `approximated`, "
          "`vorticity` (its magnitude), `q_criterion`"},
+        default_parameter(),
         gesture_parameter(),
         {"ifRev", R"({"type":"integer"})", false, "refuse if the surface is at another revision"}};
 }

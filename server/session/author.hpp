@@ -12,6 +12,8 @@ struct Author {
     std::string name; ///< for people
     /// Which of their gestures an edit is part of: those of one are one step of undo. Empty: it is one by itself.
     std::string gesture{};
+    /// The page puts something there to begin with: not an edit of anybody's, which undo would turn.
+    bool default_scene = false;
 
     bool operator==(const Author&) const = default;
 };

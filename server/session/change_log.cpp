@@ -28,6 +28,10 @@ Key id_of(const protocol::ClockRecord&) {
     return {"clock", ""};
 }
 
+Key id_of(const SessionName& record) {
+    return {"session", record.session};
+}
+
 Key id_of(const DeletedRecord& record) {
     return {std::string(record.type), record.id};
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -122,7 +123,7 @@ Grants::restore(const std::string& session, const std::string& id, std::string_v
         const std::int64_t until = std::clamp(*kept->expires, now - 1, now + most);
         entry.end = services_.clock.now() + std::chrono::seconds(until - now);
     }
-    const bool over = !in_force(entry);
+    const bool over = expired(entry);
     entries_[id] = std::move(entry);
     if (over)
         end(id, {});
@@ -137,10 +138,27 @@ void Grants::forget(const std::string& session) {
             ids.push_back(id);
     for (const std::string& id : ids)
         end(id, "the session is gone");
+    suspended_.erase(session);
+}
+
+void Grants::suspend(const std::string& session) {
+    suspended_.insert(session);
+    for (auto& [id, entry] : entries_)
+        if (entry.grant.session == session)
+            for (GrantHolder* holder : std::exchange(entry.holders, {}))
+                holder->grant_ended("the session was deleted");
+}
+
+void Grants::resume(const std::string& session) {
+    suspended_.erase(session);
+}
+
+bool Grants::expired(const Entry& entry) const {
+    return entry.end && services_.clock.now() >= *entry.end;
 }
 
 bool Grants::in_force(const Entry& entry) const {
-    return !entry.end || services_.clock.now() < *entry.end;
+    return !expired(entry) && !suspended_.contains(entry.grant.session);
 }
 
 void Grants::end(const std::string& id, const std::string& reason) {
@@ -154,7 +172,7 @@ void Grants::end(const std::string& id, const std::string& reason) {
 void Grants::end_expired() {
     std::vector<std::string> ids;
     for (const auto& [id, entry] : entries_)
-        if (!in_force(entry))
+        if (expired(entry))
             ids.push_back(id);
     for (const std::string& id : ids)
         end(id, "the share link has expired");

@@ -87,6 +87,10 @@ class Grants {
     /// The session is gone for good.
     void forget(const std::string& session);
 
+    /// The session is in the trash: its links let nobody in until it is back; holders are told that theirs has ended.
+    void suspend(const std::string& session);
+    void resume(const std::string& session);
+
   private:
     using Time = std::chrono::steady_clock::time_point;
 
@@ -98,6 +102,7 @@ class Grants {
         std::set<GrantHolder*> holders;
     };
 
+    bool expired(const Entry& entry) const;
     bool in_force(const Entry& entry) const;
     void end(const std::string& id, const std::string& reason);
     void end_expired();
@@ -106,6 +111,7 @@ class Grants {
 
     GrantServices services_;
     std::map<std::string, Entry> entries_;
+    std::set<std::string> suspended_; ///< sessions
     std::uint64_t next_ = 1;
     std::shared_ptr<void> timer_;
 };

@@ -24,11 +24,18 @@ struct DeletedRecord {
     std::string id;
 };
 
+/// What the session is called now.
+struct SessionName {
+    std::string session;
+    std::string name;
+};
+
 using Patch = std::variant<protocol::RakeRecord,
                            protocol::SurfaceRecord,
                            protocol::BookmarkRecord,
                            protocol::AnnotationRecord,
                            protocol::ClockRecord,
+                           SessionName,
                            DeletedRecord>;
 
 /// A surface has a state of a further phase.
@@ -53,7 +60,8 @@ struct SurfaceOutcome {
 /// Why a participant is sent away.
 enum class Farewell : std::uint8_t {
     Displaced, ///< a newer connection has taken its place
-    Removed    ///< by a host
+    Removed,   ///< by a host
+    Deleted    ///< the session is, by a host
 };
 
 /// One for all observers of one event: who puts it into words leaves them here for the others.

@@ -346,14 +346,31 @@ std::size_t Participants::tell(const PresenceNews::Batch& batch) const {
     return bytes;
 }
 
+JournalEntry Participants::entry_of(const Participant& place, std::optional<std::int64_t> left) {
+    return {"participant", place.id,
+            protocol::place_text({place.name, place.colour, std::string(name(place.role)),
+                                  place.grant, digest_text(place.token), place.role_set, left,
+                                  place.former ? digest_text(*place.former) : std::string()})};
+}
+
 void Participants::keep(const Participant& place, std::optional<std::int64_t> left) {
     if (journal_ != nullptr)
-        journal_->write(
-            session_,
-            {{"participant", place.id,
-              protocol::place_text({place.name, place.colour, std::string(name(place.role)),
-                                    place.grant, digest_text(place.token), place.role_set, left,
-                                    place.former ? digest_text(*place.former) : std::string()})}});
+        journal_->write(session_, {entry_of(place, left)});
+}
+
+std::vector<JournalEntry> Participants::entries() const {
+    std::vector<JournalEntry> out;
+    for (const Participant& each : present_)
+        out.push_back(entry_of(each, std::nullopt));
+    for (const Absent& each : absent_)
+        out.push_back(entry_of(each.place, each.left));
+    return out;
+}
+
+void Participants::end() {
+    journal_ = nullptr;
+    for (const Participant& each : std::exchange(present_, {}))
+        each.observer->sent_away(Farewell::Deleted);
 }
 
 void Participants::strike(const Participant& place) {

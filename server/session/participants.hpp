@@ -85,6 +85,12 @@ class Participants {
     /// Sends somebody away for good; the place is gone. REQUIRES: find(id).
     void remove(const std::string& id);
 
+    /// The session is deleted: everybody is sent away, and nothing is kept any more.
+    void end();
+
+    /// The places as the journal has them.
+    std::vector<JournalEntry> entries() const;
+
     /// A place out of the journal. One that nobody has come back to for too long is struck from it. Error: Corrupt.
     core::Result<void> restore(const std::string& id, std::string_view record);
 
@@ -119,6 +125,7 @@ class Participants {
     void trim();
     void forget(std::deque<Absent>::iterator going);
     std::size_t tell(const PresenceNews::Batch& batch) const;
+    static JournalEntry entry_of(const Participant& place, std::optional<std::int64_t> left);
     void keep(const Participant& place, std::optional<std::int64_t> left = {});
     void strike(const Participant& place);
 

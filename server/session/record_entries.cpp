@@ -2,6 +2,7 @@
 
 #include "server/limits.hpp"
 #include "server/session/surface_rules.hpp"
+#include "server/session/thumbnail.hpp"
 
 #include <algorithm>
 #include <map>
@@ -88,6 +89,23 @@ void take_clock(const std::string& text, KeptRecords& into) {
             {clock.error().code, "clock: " + clock.error().message, clock.error().hint});
 }
 
+void take_profile(const std::string& text, KeptRecords& into) {
+    auto profile = protocol::read_profile(text);
+    if (profile)
+        into.profile = std::move(*profile);
+    else
+        into.report.refused.push_back(std::move(profile.error()));
+}
+
+void take_thumbnail(const std::string& text, KeptRecords& into) {
+    const std::string base64 = text.size() < 2 ? text : text.substr(1, text.size() - 2);
+    if (const auto image = read_thumbnail(base64))
+        into.thumbnail = base64;
+    else
+        into.report.refused.push_back(
+            {Error::Code::Corrupt, "thumbnail: " + image.error().message, {}});
+}
+
 /// Rakes kept before they had colours get one each, in the order in which they were made.
 void colour_rakes(SessionRecords& records) {
     std::map<std::uint64_t, protocol::RakeRecord> plain;
@@ -116,6 +134,10 @@ JournalEntry entry_of(const protocol::SessionHead& head) {
     return {"session", "", protocol::record_text(head)};
 }
 
+JournalEntry entry_of_thumbnail(const std::string& base64) {
+    return {"thumbnail", "", '"' + base64 + '"'}; // JSON, as all that the journal keeps
+}
+
 JournalEntry entry_without(const RecordKey& key) {
     return {std::string(name(key.type)), key.id, std::nullopt};
 }
@@ -127,6 +149,10 @@ KeptRecords read_entries(std::span<const JournalEntry> entries) {
             take_head(*entry.record, out);
         else if (entry.type == "clock" && entry.record)
             take_clock(*entry.record, out);
+        else if (entry.type == "profile" && entry.record)
+            take_profile(*entry.record, out);
+        else if (entry.type == "thumbnail" && entry.record)
+            take_thumbnail(*entry.record, out);
     for (const RecordType type : record_types) // rakes first: surfaces hang on them
         for (const JournalEntry& entry : entries) {
             if (entry.type != name(type) || !entry.record)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "protocol/messages_session.hpp"
 #include "protocol/record_text.hpp"
 #include "server/session/journal.hpp"
 #include "server/session/session_records.hpp"
@@ -18,6 +19,7 @@ namespace wakesurf::server {
 JournalEntry entry_of(const Record& record);
 JournalEntry entry_of(const protocol::ClockRecord& clock);
 JournalEntry entry_of(const protocol::SessionHead& head);
+JournalEntry entry_of_thumbnail(const std::string& base64);
 JournalEntry entry_without(const RecordKey& key);
 
 struct RestoreReport {
@@ -30,6 +32,8 @@ struct KeptRecords {
     std::uint64_t seq = 0;
     SessionRecords records;
     std::optional<protocol::ClockRecord> clock; ///< as it was when it was kept
+    std::optional<protocol::SessionProfile> profile;
+    std::string thumbnail; ///< base64
     RestoreReport report;
 };
 

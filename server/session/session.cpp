@@ -43,7 +43,8 @@ Session::Session(std::string id,
                   time_kept_ = services_.now();
                   announce({clock_.record()});
               },
-              [this](bool jumped) { time_moved(jumped); }}) {}
+              [this](bool jumped) { time_moved(jumped); }}),
+      profile_(services.unix_time) {}
 
 std::optional<std::vector<Patch>> Session::changes_since(std::uint64_t seq) const {
     auto changes = changes_.since(seq);
@@ -141,8 +142,22 @@ core::Result<core::ClippedRake> Session::clip(const protocol::RakeSetting& setti
     return best == tries.end() ? tries.front() : *best;
 }
 
+/// What a page puts into a session that nobody has edited, so that there is something to see.
+core::Result<void> Session::may_be_default(RecordType type, bool is_new) const {
+    const bool first = type == RecordType::Rake ? records_.empty() : records_.count(type) == 0;
+    if (is_new && first && !profile().edited)
+        return {};
+    return fail(Error::Code::InvalidArgument,
+                "`default` is for the first " + std::string(server::name(type)) +
+                    " of a session that nobody has edited",
+                "look at what is there, or leave `default` out");
+}
+
 core::Result<RakeChange> Session::set_rake(const protocol::RakeSetting& setting,
                                            const Author& author) {
+    if (author.default_scene)
+        if (auto may = may_be_default(RecordType::Rake, !setting.rake); !may)
+            return tl::unexpected(may.error());
     const RecordKey asked{RecordType::Rake, setting.rake.value_or("")};
     if (auto may = may_put(asked, !setting.rake); !may)
         return tl::unexpected(may.error());
@@ -220,6 +235,9 @@ core::Result<void> Session::delete_annotation(const std::string& id, const Autho
 
 core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::SurfaceSetting& asked,
                                                            const Author& author) {
+    if (author.default_scene)
+        if (auto may = may_be_default(RecordType::Surface, !asked.surface); !may)
+            return tl::unexpected(may.error());
     const RecordKey key{RecordType::Surface, asked.surface.value_or("")};
     if (asked.surface && records_.rev(key) == 0)
         return no_record(key);

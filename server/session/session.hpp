@@ -13,6 +13,7 @@
 #include "server/session/participants.hpp"
 #include "server/session/record_entries.hpp"
 #include "server/session/session_clock.hpp"
+#include "server/session/session_profile.hpp"
 #include "server/session/session_records.hpp"
 #include "server/session/session_services.hpp"
 #include "server/session/surface_builds.hpp"
@@ -62,7 +63,15 @@ class Session {
 
     Participants& participants() { return participants_; }
 
+    const Participants& participants() const { return participants_; }
+
     const SessionRecords& records() const { return records_; }
+
+    /// Since when it is there, who was in it, whether anybody edited it.
+    const protocol::SessionProfile& profile() const { return profile_.value(); }
+
+    /// The picture that a list shows, in base64; empty: nobody has sent one.
+    const std::string& thumbnail() const { return thumbnail_; }
 
     SessionClock& clock() { return clock_; }
 
@@ -83,6 +92,18 @@ class Session {
     core::Result<protocol::BookmarkRecord> bookmark(const std::string& id) const;
     core::Result<protocol::AnnotationRecord> annotation(const std::string& id) const;
     core::Result<std::shared_ptr<LiveSurface>> live(const std::string& id) const;
+
+    /// As Participants::join; the profile remembers who came.
+    core::Result<Joined> join(const Arrival& arrival, Observer& observer);
+    void leave(const Observer& observer);
+    void lose(const Observer& observer);
+
+    /// Everybody in it is told.
+    void rename(std::string name);
+    void set_thumbnail(std::string base64);
+
+    /// Somebody wants it to be there: it is never given up, however little is in it.
+    void made_on_purpose();
 
     /// Creates or replaces a rake and rebuilds the surfaces that hang on it, as rake or as rake2; `dragging` takes, renews
     /// or ends the lease. Whether somebody else has it is for the caller to ask. Error: NotFound, OverLimit,
@@ -123,7 +144,8 @@ class Session {
     /// replaced by a longer one.
     void dataset_changed(const std::string& dataset) { builds_.dataset_changed(dataset); }
 
-    /// Brings back what a journal kept, into a session without records. Its epochs and seq are above all told before.
+    /// Brings back what a journal kept, places of people and all, into a session without records. Its epochs and seq are above all told
+    /// before.
     RestoreReport restore(std::span<const JournalEntry> entries);
 
     /// Takes over another session's records as they are, into a session without records.
@@ -131,6 +153,18 @@ class Session {
 
     /// Writes the session into the journal as it is, name and all.
     void keep();
+
+    /// All that the journal has of it but its share links: restore() makes the same session of it.
+    std::vector<JournalEntry> entries() const;
+
+    /// Takes over records that have been checked, into a session without records.
+    void take_over(KeptRecords records);
+
+    /// Notes since when it is in the trash; nothing: it is not any more.
+    void delete_at(std::optional<std::int64_t> when);
+
+    /// It is deleted: its people are sent away and its jobs stopped, and nothing of it is kept any more.
+    void end();
 
     /// Writes the time into the journal if the clock runs: otherwise it is there already.
     void keep_time();
@@ -154,8 +188,14 @@ class Session {
     Epochs build(const std::vector<RecordChange>& changes, BuildTurns* turns = nullptr);
     void begin(std::uint32_t epochs_before);
     protocol::SessionHead head() const;
+    std::vector<JournalEntry> own_entries() const;
+    protocol::SessionProfile profile_of(KeptRecords& kept,
+                                        std::span<const JournalEntry> entries) const;
     void time_moved(bool jumped);
     void announce(const std::vector<Patch>& patches);
+    void keep_profile();
+    void somebody_went();
+    core::Result<void> may_be_default(RecordType type, bool is_new) const;
     SurfaceBuilds::Events build_events();
 
     std::vector<TurnResult::Skip> obstacles(const Edit& edit, Turn turn) const;
@@ -172,6 +212,9 @@ class Session {
     History history_;
     SurfaceBuilds builds_; ///< its jobs' events use what is above
     SessionClock clock_;
+    ProfileKeeper profile_;
+    std::string thumbnail_;
+    std::shared_ptr<void> alone_;                       ///< runs since the last of its people went
     std::chrono::steady_clock::time_point time_kept_{}; ///< of the clock, in the journal
 };
 

@@ -1,16 +1,26 @@
 #include "server/session/session_directory.hpp"
 
+#include "protocol/utc_text.hpp"
 #include "server/limits.hpp"
+#include "server/session/log_text.hpp"
+#include "server/session_limits.hpp"
+
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <charconv>
 #include <string_view>
+#include <utility>
 
 namespace wakesurf::server {
+
+using core::Error;
+using core::fail;
 
 namespace {
 
 constexpr std::string_view id_start = "session-";
+constexpr std::string_view main_id = "main";
 
 /// Of an id that add_new gives, else 0.
 std::size_t number_of(std::string_view id) {
@@ -20,14 +30,48 @@ std::size_t number_of(std::string_view id) {
     return number;
 }
 
+void log_event(const char* event, const std::string& id) {
+    spdlog::info("event={} session={}", event, log_value(id));
+}
+
+/// Nobody would miss it: only the page's default scene is in it, or nothing.
+bool may_go(const Session& session) {
+    return session.id() != main_id && !session.profile().edited && !session.profile().on_purpose &&
+           session.participants().present().empty();
+}
+
+bool in_trash(std::span<const JournalEntry> entries) {
+    return std::any_of(entries.begin(), entries.end(), [](const JournalEntry& each) {
+        if (each.type != "profile" || !each.record)
+            return false;
+        const auto profile = protocol::read_profile(*each.record);
+        return profile && profile->deleted;
+    });
+}
+
+TrashedSession trashed(const std::string& id,
+                       std::string name,
+                       protocol::SessionProfile profile,
+                       const SessionRecords& records,
+                       bool thumbnail) {
+    TrashedSession out{id, std::move(name), std::move(profile), {}, thumbnail, {}};
+    for (const RecordType type : record_types)
+        out.records[static_cast<std::size_t>(type)] = records.count(type);
+    return out;
+}
+
 } // namespace
 
 SessionDirectory::SessionDirectory(SessionServices services)
     : turns_(services.loop, limits::restoring),
-      histories_(limits::histories_bytes, limits::history_bytes), services_(std::move(services)) {
+      histories_(limits::histories_bytes, limits::history_bytes), services_(std::move(services)),
+      trash_(services_.loop, services_.unix_time, [this](const TrashedSession& gone) {
+          log_event("session_purged", gone.id);
+          forget(gone.id);
+      }) {
     services_.turns = &turns_;
     services_.histories = &histories_;
-    add("main", "main");
+    add(std::string(main_id), std::string(main_id));
 }
 
 std::shared_ptr<Session> SessionDirectory::add(std::string id, std::string name) {
@@ -37,9 +81,13 @@ std::shared_ptr<Session> SessionDirectory::add(std::string id, std::string name)
 }
 
 core::Result<std::shared_ptr<Session>> SessionDirectory::create(std::string name) {
+    const bool named = !name.empty();
     auto session = add_new(std::move(name));
-    if (session)
-        (*session)->keep();
+    if (!session)
+        return session;
+    if (named)
+        (*session)->made_on_purpose();
+    (*session)->keep();
     return session;
 }
 
@@ -54,61 +102,135 @@ core::Result<std::shared_ptr<Session>> SessionDirectory::fork(const std::string&
     return session;
 }
 
+core::Result<std::shared_ptr<Session>> SessionDirectory::import(KeptRecords records,
+                                                                std::string name) {
+    auto session = add_new(name.empty() ? records.name : std::move(name));
+    if (session)
+        (*session)->take_over(std::move(records));
+    return session;
+}
+
 RestoreReport SessionDirectory::restore(const std::string& id,
                                         std::string name,
                                         std::span<const JournalEntry> entries) {
-    auto& session = sessions_[id];
-    if (!session) {
-        session = std::make_shared<Session>(id, std::move(name), services_, next_surface_number_);
-        created_.push_back(id);
-        next_session_ = std::max(next_session_, number_of(id) + 1);
+    next_session_ = std::max(next_session_, number_of(id) + 1);
+    if (in_trash(entries)) {
+        KeptRecords kept = read_entries(entries);
+        TrashedSession session = trashed(id, kept.name.empty() ? id : kept.name, *kept.profile,
+                                         kept.records, !kept.thumbnail.empty());
+        for (const JournalEntry& each : entries)
+            if (each.type != "grant")
+                session.entries.push_back(each);
+        trash_.put(std::move(session));
+        return std::move(kept.report);
     }
+    auto& session = sessions_[id];
+    if (!session)
+        session = std::make_shared<Session>(id, std::move(name), services_, next_surface_number_);
     return session->restore(entries);
 }
 
 core::Result<std::shared_ptr<Session>> SessionDirectory::add_new(std::string name) {
-    if (sessions_.size() >= limits::sessions && !make_room())
-        return core::over_limit(limits::sessions,
-                                "the server has as many sessions as it may have, " +
-                                    std::to_string(limits::sessions),
-                                "join one of them: session.list");
+    if (auto room = make_room(); !room)
+        return tl::unexpected(room.error());
     std::string id = std::string(id_start) + std::to_string(next_session_++);
     if (name.empty())
         name = id;
-    created_.push_back(id);
+    log_event("session_created", id);
     return add(std::move(id), std::move(name));
 }
 
 core::Result<std::shared_ptr<Session>> SessionDirectory::find(const std::string& id) const {
-    const auto found = sessions_.find(id);
-    if (found == sessions_.end())
-        return core::fail(core::Error::Code::NotFound,
-                          "there is no session `" + id.substr(0, 64) + "`",
-                          "create one with session.create, or use `main`");
-    return found->second;
+    if (const auto found = sessions_.find(id); found != sessions_.end())
+        return found->second;
+    if (const TrashedSession* deleted = trash_.find(id))
+        return fail(Error::Code::NotFound, "the session `" + id + "` is in the trash",
+                    "session.restore brings it back until " +
+                        protocol::utc_text(deleted_until(deleted->profile)));
+    return fail(Error::Code::NotFound, "there is no session `" + id.substr(0, 64) + "`",
+                "create one with session.create, or use `main`");
 }
 
-/// Every visit of the page without a session's address makes one; most are left for good.
-bool SessionDirectory::make_room() {
-    const auto alone = [this](const std::string& id) {
-        return sessions_.at(id)->participants().present().empty();
-    };
-    const auto unused = [&](const std::string& id) {
-        return alone(id) && sessions_.at(id)->records().empty();
-    };
-    auto going = std::find_if(created_.begin(), created_.end(), unused);
-    if (going == created_.end())
-        going = std::find_if(created_.begin(), created_.end(), alone);
-    if (going == created_.end())
-        return false;
-    const std::string id = *going;
-    if (removed_)
-        removed_(id);
+std::size_t SessionDirectory::remaining() const {
+    const auto going = static_cast<std::size_t>(std::count_if(
+        sessions_.begin(), sessions_.end(), [](const auto& each) { return may_go(*each.second); }));
+    return limits::kept_sessions - std::min(limits::kept_sessions, sessions_.size() - going);
+}
+
+core::Result<void> SessionDirectory::make_room() {
+    if (sessions_.size() < limits::kept_sessions)
+        return {};
+    const Session* going = nullptr;
+    for (const auto& [id, session] : sessions_)
+        if (may_go(*session) &&
+            (going == nullptr || session->profile().last_used < going->profile().last_used))
+            going = session.get();
+    if (going == nullptr)
+        return core::over_limit(
+            limits::kept_sessions,
+            "the server keeps at most " + std::to_string(limits::kept_sessions) +
+                " sessions, and has as many",
+            "delete one that nobody needs with session.delete; session.export saves it first");
+    const std::string id = going->id();
+    log_event("session_never_used_given_up", id);
+    sessions_.erase(id);
+    forget(id);
+    return {};
+}
+
+core::Result<std::int64_t> SessionDirectory::remove(const std::string& id) {
+    const auto found = find(id);
+    if (!found)
+        return tl::unexpected(found.error());
+    if (id == main_id)
+        return fail(
+            Error::Code::InvalidArgument, "`main` is where everybody meets and cannot be deleted",
+            "delete its rakes, which takes their surfaces along, its bookmarks and its notes");
+    if (trash_.all().size() >= limits::trash)
+        return core::over_limit(limits::trash,
+                                "the trash keeps at most " + std::to_string(limits::trash) +
+                                    " sessions, and has as many",
+                                "remove some for good: session.delete with forever: true");
+    Session& session = **found;
+    session.delete_at(services_.unix_time());
+    TrashedSession deleted = trashed(id, session.name(), session.profile(), session.records(),
+                                     !session.thumbnail().empty());
+    deleted.entries = session.entries();
+    trash_.put(std::move(deleted));
+    log_event("session_deleted", id);
+    session.end();
+    sessions_.erase(id);
+    return deleted_until(trash_.find(id)->profile);
+}
+
+core::Result<std::shared_ptr<Session>> SessionDirectory::bring_back(const std::string& id) {
+    if (trash_.find(id) != nullptr)
+        if (auto room = make_room(); !room)
+            return tl::unexpected(room.error());
+    const auto kept = trash_.take(id);
+    if (!kept)
+        return tl::unexpected(kept.error());
+    auto session = add(id, kept->name);
+    session->restore(kept->entries);
+    session->delete_at(std::nullopt);
+    log_event("session_restored", id);
+    return session;
+}
+
+core::Result<void> SessionDirectory::erase(const std::string& id) {
+    if (const auto gone = trash_.take(id); !gone)
+        return tl::unexpected(gone.error());
+    log_event("session_erased", id);
+    forget(id);
+    return {};
+}
+
+/// Its links before the journal forgets it: they strike themselves from there.
+void SessionDirectory::forget(const std::string& id) {
+    if (gone_)
+        gone_(id);
     if (services_.journal != nullptr)
         services_.journal->remove(id);
-    sessions_.erase(id);
-    created_.erase(going);
-    return true;
 }
 
 void SessionDirectory::keep_times() const {

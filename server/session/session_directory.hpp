@@ -1,12 +1,12 @@
-// All sessions of the server. One, `main`, is there from the start, so that a page and a script meet without
-// arranging anything.
+// All sessions of the server, and those in the trash. One, `main`, is there from the start, so that a page and a script meet
+// without arranging anything. The server deletes nobody's work: where there are too many sessions it refuses to make more.
 #pragma once
 
 #include "server/session/build_turns.hpp"
 #include "server/session/history_budget.hpp"
 #include "server/session/session.hpp"
+#include "server/session/session_trash.hpp"
 
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -21,18 +21,40 @@ class SessionDirectory {
   public:
     explicit SessionDirectory(SessionServices services);
 
-    /// Where there are too many, the oldest that nobody is in makes room, one without records first. Error: OverLimit when all are in use.
+    /// Where there are too many, the one unused for longest goes that nobody edited, named or shared and nobody is in. Error: OverLimit
+    /// when there is none of those.
     core::Result<std::shared_ptr<Session>> create(std::string name);
 
     /// A new session with the records of another. Error: NotFound, OverLimit.
     core::Result<std::shared_ptr<Session>> fork(const std::string& id, std::string name);
 
-    /// Brings a session back from what the journal kept of it. Before anybody is served.
+    /// A new session of records that have been checked. Error: OverLimit.
+    core::Result<std::shared_ptr<Session>> import(KeptRecords records, std::string name);
+
+    /// Brings a session back from what the journal kept of it, into the trash if it was there. Before anybody is served.
     RestoreReport
     restore(const std::string& id, std::string name, std::span<const JournalEntry> entries);
 
     /// Error: NotFound.
     core::Result<std::shared_ptr<Session>> find(const std::string& id) const;
+
+    /// How many more can be made, those counted that would go for them.
+    std::size_t remaining() const;
+
+    /// Moves a session to the trash; its people are sent away. Gives the second since 1970 until which it can be brought back.
+    /// Error: NotFound, InvalidArgument (main), OverLimit (full trash).
+    core::Result<std::int64_t> remove(const std::string& id);
+
+    /// Out of the trash, as it was. Error: NotFound, OverLimit.
+    core::Result<std::shared_ptr<Session>> bring_back(const std::string& id);
+
+    /// Out of the trash for good. Error: NotFound.
+    core::Result<void> erase(const std::string& id);
+
+    /// Seconds since 1970.
+    std::int64_t unix_time() const { return services_.unix_time(); }
+
+    const SessionTrash& trash() const { return trash_; }
 
     /// Tells every session that more time-steps of a dataset can be read, or that it was opened again.
     void dataset_changed(const std::string& dataset);
@@ -40,15 +62,16 @@ class SessionDirectory {
     /// Writes the times of clocks that run into the journal: the server is ending.
     void keep_times() const;
 
-    /// Called with the id of a session that had to make room.
-    void on_removed(std::function<void(const std::string&)> tell) { removed_ = std::move(tell); }
+    /// Called with the id of a session that is gone for good.
+    void on_gone(std::function<void(const std::string&)> tell) { gone_ = std::move(tell); }
 
     const std::map<std::string, std::shared_ptr<Session>>& all() const { return sessions_; }
 
   private:
     std::shared_ptr<Session> add(std::string id, std::string name);
+    core::Result<void> make_room();
     core::Result<std::shared_ptr<Session>> add_new(std::string name);
-    bool make_room();
+    void forget(const std::string& id);
 
     BuildTurns turns_;
     HistoryBudget histories_;
@@ -56,8 +79,8 @@ class SessionDirectory {
     std::uint32_t next_surface_number_ = 1;
     std::size_t next_session_ = 1;
     std::map<std::string, std::shared_ptr<Session>> sessions_;
-    std::deque<std::string> created_; ///< ids, oldest first; without `main`
-    std::function<void(const std::string&)> removed_;
+    SessionTrash trash_;
+    std::function<void(const std::string&)> gone_;
 };
 
 } // namespace wakesurf::server

@@ -3,6 +3,7 @@
 #include "server/session/session.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <ranges>
 #include <set>
 #include <utility>
@@ -45,12 +46,15 @@ std::string gesture_of(const Author& author, std::uint64_t drag) {
     return drag == 0 ? std::string{} : "drag " + std::to_string(drag);
 }
 
-JournalEntry entry_of_patch(const Patch& patch) {
+/// Nothing for what the session's head says.
+std::optional<JournalEntry> entry_of_patch(const Patch& patch) {
     return std::visit(
-        [](const auto& each) -> JournalEntry {
+        [](const auto& each) -> std::optional<JournalEntry> {
             using Changed = std::decay_t<decltype(each)>;
             if constexpr (std::is_same_v<Changed, DeletedRecord>)
                 return JournalEntry{std::string(each.type), each.id, std::nullopt};
+            else if constexpr (std::is_same_v<Changed, SessionName>)
+                return std::nullopt;
             else if constexpr (std::is_same_v<Changed, protocol::ClockRecord>)
                 return entry_of(each);
             else
@@ -63,8 +67,10 @@ JournalEntry entry_of_patch(const Patch& patch) {
 
 Session::Epochs
 Session::edit(std::vector<RecordChange> changes, const Author& author, std::uint64_t drag) {
+    if (!author.default_scene)
+        profile_.edited();
     Epochs epochs = commit(changes);
-    if (author.participant.empty())
+    if (author.participant.empty() || author.default_scene)
         return epochs;
     Edit done{{}, gesture_of(author, drag)};
     for (const RecordChange& each : changes)
@@ -125,7 +131,10 @@ void Session::announce(const std::vector<Patch>& patches) {
     if (services_.journal != nullptr) {
         std::vector<JournalEntry> entries{entry_of(head())};
         for (const Patch& each : patches)
-            entries.push_back(entry_of_patch(each));
+            if (auto entry = entry_of_patch(each))
+                entries.push_back(std::move(*entry));
+        if (auto profile = profile_.due())
+            entries.push_back(std::move(*profile));
         services_.journal->write(id_, std::move(entries));
     }
     Telling telling;

@@ -45,6 +45,7 @@ TurnResult Session::turn(Turn turn, const Author& author) {
                 if (step.key.type == RecordType::Rake)
                     leases_.end(step.key.id);
             }
+            profile_.edited();
             commit(result.changes);
             history_.turned(author.participant, turn, std::move(*edit), revs);
         }

@@ -14,6 +14,23 @@ constexpr std::uint32_t restart_gap = 1u << 16;
 
 } // namespace
 
+/// A wakesurf that noted nothing of sessions may have kept anything in them: all count as somebody's work but empty ones.
+protocol::SessionProfile Session::profile_of(KeptRecords& kept,
+                                             std::span<const JournalEntry> entries) const {
+    protocol::SessionProfile profile;
+    if (kept.profile) {
+        profile = std::move(*kept.profile);
+    } else {
+        profile.last_used = profile_.value().last_used;
+        profile.edited = kept.seq > 0 || !records_.empty();
+        profile.on_purpose = !name_.empty() && name_ != id_;
+    }
+    profile.on_purpose =
+        profile.on_purpose || std::any_of(entries.begin(), entries.end(),
+                                          [](const auto& each) { return each.type == "grant"; });
+    return profile;
+}
+
 protocol::SessionHead Session::head() const {
     return {name_,
             seq_,
@@ -23,16 +40,37 @@ protocol::SessionHead Session::head() const {
             records_.next_number(RecordType::Annotation)};
 }
 
-void Session::keep() {
-    if (services_.journal == nullptr)
-        return;
+std::vector<JournalEntry> Session::own_entries() const {
     const auto records = records_.list();
-    std::vector<JournalEntry> entries{entry_of(head())};
+    std::vector<JournalEntry> entries{entry_of(head()), profile_.entry()};
     std::transform(records.begin(), records.end(), std::back_inserter(entries),
                    [](const Record& each) { return entry_of(each); });
     if (const protocol::ClockRecord clock = clock_.record(); clock != protocol::ClockRecord{})
         entries.push_back(entry_of(clock));
-    services_.journal->write(id_, std::move(entries));
+    if (!thumbnail_.empty())
+        entries.push_back(entry_of_thumbnail(thumbnail_));
+    return entries;
+}
+
+void Session::keep() {
+    if (services_.journal != nullptr)
+        services_.journal->write(id_, own_entries());
+}
+
+std::vector<JournalEntry> Session::entries() const {
+    auto entries = own_entries();
+    auto places = participants_.entries();
+    std::move(places.begin(), places.end(), std::back_inserter(entries));
+    return entries;
+}
+
+void Session::end() {
+    services_.journal = nullptr;
+    participants_.end();
+    for (const auto& [id, surface] : records_.all<protocol::SurfaceRecord>())
+        builds_.retire(id);
+    clock_.pause();
+    alone_.reset();
 }
 
 void Session::keep_time() {
@@ -76,13 +114,37 @@ RestoreReport Session::restore(std::span<const JournalEntry> entries) {
         clock_.restore(*kept.clock);
         builds_.show(clock_.time(), false, true);
     }
+    for (const JournalEntry& each : entries)
+        if (each.type == "participant" && each.record)
+            if (auto back = participants_.restore(each.id, *each.record); !back)
+                kept.report.refused.push_back(back.error());
+    thumbnail_ = std::move(kept.thumbnail);
+    profile_.restore(profile_of(kept, entries));
     begin(restart_gap);
     return std::move(kept.report);
 }
 
 void Session::copy(const Session& other) {
     records_ = other.records_;
+    profile_.made_on_purpose();
+    profile_.edited();
     begin(0);
+}
+
+void Session::take_over(KeptRecords kept) {
+    records_ = std::move(kept.records);
+    if (kept.clock) {
+        clock_.restore(*kept.clock);
+        builds_.show(clock_.time(), false, true);
+    }
+    profile_.made_on_purpose();
+    profile_.edited();
+    begin(0);
+}
+
+void Session::delete_at(std::optional<std::int64_t> when) {
+    profile_.deleted(when);
+    keep_profile();
 }
 
 } // namespace wakesurf::server

@@ -10,22 +10,14 @@ namespace wakesurf::server {
 
 namespace {
 
-void restore_people(const std::string& id,
-                    const std::vector<JournalEntry>& entries,
-                    Session& session,
-                    Grants& grants,
-                    std::vector<core::Error>& refused) {
-    for (const JournalEntry& each : entries) {
-        if (!each.record)
-            continue;
-        core::Result<void> done;
-        if (each.type == "grant")
-            done = grants.restore(id, each.id, *each.record);
-        else if (each.type == "participant")
-            done = session.participants().restore(each.id, *each.record);
-        if (!done)
-            refused.push_back(done.error());
-    }
+void restore_links(const std::string& id,
+                   const std::vector<JournalEntry>& entries,
+                   Grants& grants,
+                   std::vector<core::Error>& refused) {
+    for (const JournalEntry& each : entries)
+        if (each.type == "grant" && each.record)
+            if (auto done = grants.restore(id, each.id, *each.record); !done)
+                refused.push_back(done.error());
 }
 
 } // namespace
@@ -39,8 +31,9 @@ RestoredSessions restore_sessions(const std::map<std::string, std::vector<Journa
         ++out.sessions;
         out.records += report.restored;
         std::move(report.refused.begin(), report.refused.end(), std::back_inserter(out.refused));
-        if (const auto session = sessions.find(id))
-            restore_people(id, entries, **session, grants, out.refused);
+        restore_links(id, entries, grants, out.refused);
+        if (sessions.trash().find(id) != nullptr)
+            grants.suspend(id);
     }
     return out;
 }

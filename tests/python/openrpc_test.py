@@ -11,6 +11,7 @@ from real_server import RealServer
 import wakesurf
 
 GENERIC = {"type": "object"}
+PIXEL = ("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==")
 
 
 class OpenRpcTest(unittest.TestCase):
@@ -161,7 +162,25 @@ class OpenRpcTest(unittest.TestCase):
             ask("history.undo")
             ask("history.redo")
             ask("history.redo")
-            ask("session.fork", session=session)
+            fork = ask("session.fork", session=session)["session"]
+            ask("session.rename", session=fork, name="copy")
+            ask("session.thumbnail", session=fork, image=PIXEL)
+            refused(wakesurf.InvalidParameters, host, "session.thumbnail", session=fork, image="no picture")
+            file = ask("session.export", session=fork)["file"]
+            ask("session.import", file=file, name="twin")
+            refused(wakesurf.InvalidParameters, host, "session.import", file={})
+            ask("session.delete", session=fork)
+            ask("session.list", trash=True)
+            refused(wakesurf.NotFound, host, "session.export", session=fork)
+            ask("session.restore", session=fork)
+            ask("session.delete", session=fork)
+            ask("session.delete", session=fork, forever=True)
+            first = ask("session.create")["session"]
+            scene = ask("rake.set", session=first, kind="line", points=[[0, 0, 0], [1, 0, 0]], seeds=3, default=True)["rake"]
+            ask("surface.set", session=first, rake=scene, kind="stream", dataset="lamb-oseen", to=1, default=True,
+                **{"from": 0})
+            refused(wakesurf.InvalidParameters, host, "rake.set", session=first, kind="line",
+                    points=[[0, 0, 0], [1, 0, 0]], seeds=3, default=True)
             share = ask("session.share", role="viewer", expiresIn=60)
             ask("session.share", role="editor")
             ask("session.shares")

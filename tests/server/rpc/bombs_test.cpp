@@ -372,20 +372,6 @@ TEST_F(Bombs, OfASurfaceThatIsTooLargeEndAtTheQuadsItMayHave) {
     client.result("rake.delete", {{"rake", rake["rake"]}});
 }
 
-TEST_F(Bombs, OfManySessionsEndAtAQuotaThatIsNamedWhileAllAreInUse) {
-    std::vector<std::unique_ptr<WebSocketClient>> clients;
-    json last;
-    for (int i = 0; i < 200 && !last.contains("error"); ++i) {
-        clients.push_back(std::make_unique<WebSocketClient>(*server_, ""));
-        last = clients.back()->call("session.create", {{"name", "many"}});
-        if (last.contains("result"))
-            clients.back()->result("session.join", {{"session", last["result"]["session"]}});
-    }
-    expect_typed(last, "session.create");
-    EXPECT_EQ(last["error"]["code"], -32014);
-    EXPECT_TRUE(last["error"]["data"]["limit"].is_number()) << last;
-}
-
 TEST_F(Bombs, OfManyProbesEndAtAQuotaThatIsNamed) {
     const std::string probe =
         call("probe.sample", R"({"dataset":"lamb-oseen","time":0,"fields":[],"points":)" +

@@ -294,20 +294,6 @@ TEST(Document, AForkHasTheRecordsAndGoesItsOwnWay) {
     EXPECT_EQ(bench.sessions.fork("none", "").error().code, Error::Code::NotFound);
 }
 
-TEST(Document, SessionsWithoutRecordsMakeRoomFirstAndAreForgotten) {
-    SessionBench bench;
-    const auto full = *bench.sessions.create("full");
-    ASSERT_TRUE(full->set_bookmark(bookmark_of("{}"), bench.ada));
-    const auto empty = (*bench.sessions.create("empty"))->id();
-    for (std::size_t i = 3; i < server::limits::sessions; ++i)
-        ASSERT_TRUE(bench.sessions.create(""));
-    EXPECT_TRUE(bench.journal.sessions.contains(empty));
-    ASSERT_TRUE(bench.sessions.create("one more"));
-    EXPECT_TRUE(bench.sessions.find(full->id()));
-    EXPECT_FALSE(bench.sessions.find(empty));
-    EXPECT_FALSE(bench.journal.sessions.contains(empty));
-}
-
 TEST(Document, BookmarksAndAnnotationsAreLimitedInNumber) {
     SessionBench bench;
     for (std::size_t i = 0; i < server::limits::bookmarks; ++i)

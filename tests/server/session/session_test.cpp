@@ -331,16 +331,4 @@ TEST_F(SessionTest, GivesAParticipantItsPlaceAgainForItsToken) {
               first->you.id);
 }
 
-TEST_F(SessionTest, MakesRoomAmongSessionsNobodyIsIn) {
-    const std::string used = (*sessions.create("used"))->id();
-    ASSERT_TRUE((*sessions.find(used))->participants().join({"me", "", "", {}}, me));
-    const std::string oldest = (*sessions.create(""))->id();
-    for (std::size_t i = 0; i < limits::sessions; ++i)
-        ASSERT_TRUE(sessions.create(""));
-    EXPECT_EQ(sessions.all().size(), limits::sessions);
-    EXPECT_TRUE(sessions.find(used));
-    EXPECT_TRUE(sessions.find("main"));
-    EXPECT_FALSE(sessions.find(oldest));
-}
-
 } // namespace wakesurf::server

@@ -100,18 +100,30 @@ struct Onlooker final : server::Observer {
 
     void fold(const protocol::ClockRecord&) {}
 
+    void fold(const server::SessionName& now) { name = now.name; }
+
     template <class R>
     void fold(const R& record) {
         records.put(server::Record(record));
     }
 
     server::SessionRecords records;
+    std::string name; ///< empty: not renamed since
     std::uint64_t seq = 0;
     bool in_order = true;
     std::vector<server::SurfaceOutcome> outcomes;
 };
 
 struct SessionBench {
+    /// Lets time pass on the wall as well, an hour at a time.
+    void pass(std::chrono::hours time) {
+        for (std::chrono::hours each(0); each < time; ++each) {
+            wall += 3600;
+            loop.pass(std::chrono::hours(1));
+        }
+    }
+
+    std::int64_t wall = 1'800'000'000; ///< seconds since 1970
     HandLoop loop;
     server::ComputePool pool{1};
     OneFlow datasets;
@@ -129,6 +141,7 @@ struct SessionBench {
         server::SessionServices out{loop, pool, datasets, entropy};
         out.journal = &journal;
         out.clock = &loop;
+        out.unix_time = [this] { return wall; };
         return out;
     }
 };

@@ -1,0 +1,138 @@
+#include "server/net/session_files.hpp"
+
+#include "protocol/json_text.hpp"
+#include "protocol/session_file.hpp"
+#include "server/limits.hpp"
+#include "server/net/http_error.hpp"
+#include "server/rpc/session_import.hpp"
+#include "server/session/background.hpp"
+#include "server/session/secret.hpp"
+#include "server/session/session_exchange.hpp"
+#include "server/session/thumbnail.hpp"
+#include "server/session_limits.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace wakesurf::server {
+
+namespace {
+
+using Text = std::shared_ptr<const std::string>;
+
+struct Wanted {
+    std::string session;
+    std::string file;
+};
+
+std::optional<Wanted> wanted(std::string_view path) {
+    constexpr std::string_view start = "/api/v1/sessions/";
+    if (!path.starts_with(start))
+        return std::nullopt;
+    path.remove_prefix(start.size());
+    const auto slash = path.find('/');
+    if (slash == std::string_view::npos)
+        return std::nullopt;
+    Wanted out{std::string(path.substr(0, slash)), std::string(path.substr(slash + 1))};
+    if (out.file != "session.json" && out.file != "thumbnail")
+        return std::nullopt;
+    return out;
+}
+
+HttpResponse picture(const Session& session, const HttpRequest& request) {
+    const auto image = read_thumbnail(session.thumbnail());
+    if (session.thumbnail().empty() || !image)
+        return http_error(404, "nobody has sent a picture of this session",
+                          "session.thumbnail sends one");
+    const std::string tag = '"' + digest_text(secret_digest(image->bytes)).substr(0, 32) + '"';
+    HttpResponse response{
+        200,
+        {{"Content-Type", image->type}, {"Cache-Control", "private, no-cache"}, {"ETag", tag}}};
+    const std::string_view known = request.header("if-none-match");
+    if (known == "*" || known.find(tag) != std::string_view::npos)
+        response.status = 304;
+    else
+        response.body = std::make_shared<const std::string>(image->bytes);
+    return response;
+}
+
+} // namespace
+
+SessionFiles::SessionFiles(Loop& loop,
+                           ComputePool& pool,
+                           SessionDirectory& sessions,
+                           const Datasets& datasets,
+                           Journal* journal)
+    : loop_(loop), pool_(pool), sessions_(sessions), datasets_(datasets), journal_(journal) {}
+
+bool SessionFiles::get(const HttpRequest& request, const Respond& respond) {
+    const auto what = wanted(request.path);
+    if (!what)
+        return false;
+    const auto session = sessions_.find(what->session);
+    if (!session)
+        respond(http_error(session.error()));
+    else if (what->file == "thumbnail")
+        respond(picture(**session, request));
+    else
+        send_file(**session, respond);
+    return true;
+}
+
+void SessionFiles::send_file(const Session& session, const Respond& respond) {
+    compute<Text>(
+        loop_, pool_,
+        [snapshot = snapshot_of(session, datasets_, sessions_.unix_time())] {
+            const auto file = protocol::session_file_json(file_of(snapshot));
+            return std::make_shared<const std::string>(protocol::json_text(file) + "\n");
+        },
+        [respond, id = session.id()](const core::Result<Text>& text) {
+            if (!text)
+                return respond(http_error(text.error()));
+            respond({200,
+                     {{"Content-Type", "application/json"},
+                      {"Content-Disposition", "attachment; filename=\"" + id + ".session.json\""},
+                      {"Cache-Control", "no-store"}},
+                     *text});
+        });
+}
+
+void SessionFiles::post(const HttpRequest& request,
+                        const Identity& identity,
+                        const Respond& respond) {
+    if (!identity.grant.empty())
+        return respond(http_error(403, "a share link is not enough to make a session",
+                                  "use the token wakesurf printed when it was started"));
+    if (imports_ >= limits::session_imports)
+        return respond(http_over_limit(503, limits::session_imports,
+                                       "other sessions are being imported just now",
+                                       "ask again in a second"));
+    ++imports_;
+    compute<std::shared_ptr<ReadSession>>(
+        loop_, pool_,
+        [text = request.body]() -> core::Result<std::shared_ptr<ReadSession>> {
+            return read_session_text(text).map(
+                [](ReadSession&& read) { return std::make_shared<ReadSession>(std::move(read)); });
+        },
+        [this, respond](const core::Result<std::shared_ptr<ReadSession>>& read) {
+            --imports_;
+            if (!read)
+                return respond(http_error(read.error()));
+            auto made = import_session(sessions_, datasets_, std::move(**read), {});
+            if (!made)
+                return respond(http_error(made.error()));
+            if (journal_ == nullptr)
+                return respond(http_json(protocol::json_text(*made)));
+            journal_->settled([respond, answer = *made](const core::Result<void>& kept) mutable {
+                answer["durable"] = kept.has_value();
+                if (!kept)
+                    answer["hint"] = kept.error().message + ": " + kept.error().hint;
+                respond(http_json(protocol::json_text(answer)));
+            });
+        });
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,45 @@
+// What a list tells of a session besides its records, kept up to date: who was in it, when it was last used, whether
+// anybody ever edited it.
+#pragma once
+
+#include "protocol/messages_session.hpp"
+#include "server/session/journal.hpp"
+#include "server/session/unix_time.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace wakesurf::server {
+
+/// Loop thread only. Changes reach the journal with what caused them, the time of an edit once a minute.
+class ProfileKeeper {
+  public:
+    /// Of a session made now.
+    explicit ProfileKeeper(UnixTime unix_time);
+
+    const protocol::SessionProfile& value() const { return value_; }
+
+    /// Out of the journal, for a session made before now.
+    void restore(protocol::SessionProfile kept);
+
+    void arrived(protocol::SessionPerson person);
+    void used();
+    void edited();
+    void made_on_purpose();
+    void deleted(std::optional<std::int64_t> when);
+
+    /// To be written, if anything has changed that should be; it counts as written then.
+    std::optional<JournalEntry> due();
+
+    /// As it is now.
+    JournalEntry entry() const;
+
+  private:
+    UnixTime unix_time_;
+    protocol::SessionProfile value_;
+    bool changed_ = false;
+    std::int64_t kept_at_ = 0;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,73 @@
+#include "server/session/session_trash.hpp"
+
+#include "protocol/utc_text.hpp"
+#include "server/session_limits.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace wakesurf::server {
+
+namespace {
+
+/// The wall clock may be set, so it is looked at every so often however long is still to wait.
+constexpr std::chrono::hours longest_wait{1};
+
+} // namespace
+
+std::int64_t deleted_until(const protocol::SessionProfile& profile) {
+    return std::min(profile.deleted.value_or(0) + limits::trash_kept.count(),
+                    protocol::last_utc_second);
+}
+
+SessionTrash::SessionTrash(Loop& loop,
+                           UnixTime unix_time,
+                           std::function<void(const TrashedSession&)> purged)
+    : loop_(loop), unix_time_(std::move(unix_time)), purged_(std::move(purged)) {}
+
+void SessionTrash::put(TrashedSession session) {
+    std::string id = session.id;
+    sessions_[std::move(id)] = std::move(session);
+    schedule();
+}
+
+const TrashedSession* SessionTrash::find(const std::string& id) const {
+    const auto found = sessions_.find(id);
+    return found == sessions_.end() ? nullptr : &found->second;
+}
+
+core::Result<TrashedSession> SessionTrash::take(const std::string& id) {
+    auto node = sessions_.extract(id);
+    if (!node)
+        return core::fail(core::Error::Code::NotFound,
+                          "there is no session `" + id.substr(0, 64) + "` in the trash",
+                          "session.list with trash: true lists those that are");
+    return std::move(node.mapped());
+}
+
+void SessionTrash::purge() {
+    const std::int64_t now = unix_time_();
+    std::vector<std::string> over;
+    for (const auto& [id, session] : sessions_)
+        if (deleted_until(session.profile) <= now)
+            over.push_back(id);
+    for (const std::string& id : over)
+        if (const auto gone = take(id))
+            purged_(*gone);
+    timer_.reset();
+    schedule();
+}
+
+void SessionTrash::schedule() {
+    if (timer_ || sessions_.empty())
+        return;
+    std::int64_t next = protocol::last_utc_second;
+    for (const auto& [id, session] : sessions_)
+        next = std::min(next, deleted_until(session.profile));
+    const std::chrono::seconds wait(std::max<std::int64_t>(next - unix_time_(), 0));
+    timer_ =
+        loop_.after(std::min<std::chrono::milliseconds>(wait, longest_wait), [this] { purge(); });
+}
+
+} // namespace wakesurf::server

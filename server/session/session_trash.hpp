@@ -1,0 +1,65 @@
+// Sessions that were deleted: for thirty days each can be restored as it was, then it is gone for good. What is kept of one
+// is what the journal has of it, as text; nothing of it runs.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "protocol/messages_session.hpp"
+#include "server/session/journal.hpp"
+#include "server/session/loop.hpp"
+#include "server/session/session_records.hpp"
+#include "server/session/unix_time.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct TrashedSession {
+    std::string id;
+    std::string name;
+    protocol::SessionProfile profile;
+    std::array<std::size_t, record_types.size()> records{}; ///< how many of each type
+    bool thumbnail = false;
+    std::vector<JournalEntry> entries; ///< all of it but its share links
+};
+
+/// Seconds since 1970 at which it will be gone for good.
+std::int64_t deleted_until(const protocol::SessionProfile& profile);
+
+/// Loop thread only. By the wall clock, so that thirty days are thirty days across restarts.
+class SessionTrash {
+  public:
+    /// `purged` is told of each session whose time is over, after it has left the trash.
+    SessionTrash(Loop& loop, UnixTime unix_time, std::function<void(const TrashedSession&)> purged);
+    SessionTrash(const SessionTrash&) = delete;
+    SessionTrash& operator=(const SessionTrash&) = delete;
+
+    /// REQUIRES: the profile says since when it is deleted.
+    void put(TrashedSession session);
+
+    /// Null where there is none.
+    const TrashedSession* find(const std::string& id) const;
+
+    /// Out of the trash. Error: NotFound.
+    core::Result<TrashedSession> take(const std::string& id);
+
+    const std::map<std::string, TrashedSession>& all() const { return sessions_; }
+
+  private:
+    void purge();
+    void schedule();
+
+    Loop& loop_;
+    UnixTime unix_time_;
+    std::function<void(const TrashedSession&)> purged_;
+    std::map<std::string, TrashedSession> sessions_;
+    std::shared_ptr<void> timer_;
+};
+
+} // namespace wakesurf::server

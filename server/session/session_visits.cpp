@@ -1,0 +1,62 @@
+// A session as its list shows it: who comes and goes, what it is called, what it looks like.
+#include "server/limits.hpp"
+#include "server/session/session.hpp"
+
+#include <utility>
+
+namespace wakesurf::server {
+
+core::Result<Joined> Session::join(const Arrival& arrival, Observer& observer) {
+    auto joined = participants_.join(arrival, observer);
+    if (joined) {
+        profile_.arrived({joined->you.id, joined->you.name, joined->you.colour});
+        keep_profile();
+    }
+    return joined;
+}
+
+void Session::leave(const Observer& observer) {
+    participants_.leave(observer);
+    somebody_went();
+}
+
+void Session::lose(const Observer& observer) {
+    participants_.lose(observer);
+    somebody_went();
+}
+
+/// A clock that nobody looks at would have surfaces computed for ever; whoever only reloads the page finds it running.
+void Session::somebody_went() {
+    profile_.used();
+    keep_profile();
+    if (participants_.present().empty())
+        alone_ = services_.loop.after(limits::absence, [this] {
+            if (participants_.present().empty() && clock_.playing())
+                clock_.pause();
+        });
+}
+
+void Session::rename(std::string name) {
+    name_ = std::move(name);
+    profile_.made_on_purpose();
+    announce({SessionName{id_, name_}});
+}
+
+void Session::set_thumbnail(std::string base64) {
+    thumbnail_ = std::move(base64);
+    if (services_.journal != nullptr)
+        services_.journal->write(id_, {entry_of_thumbnail(thumbnail_)});
+}
+
+void Session::made_on_purpose() {
+    profile_.made_on_purpose();
+    keep_profile();
+}
+
+void Session::keep_profile() {
+    auto entry = profile_.due();
+    if (services_.journal != nullptr && entry)
+        services_.journal->write(id_, {std::move(*entry)});
+}
+
+} // namespace wakesurf::server
