@@ -283,9 +283,11 @@ class Client:
             self._velocities[dataset] = self.describe(dataset)["velocity"]
         return self._velocities[dataset]
 
-    def sessions(self) -> List["Session"]:
-        """Those this token lets in."""
-        return [Session(self, each["session"]) for each in self.call("session.list")["sessions"]]
+    def sessions(self, trash: bool = False) -> List["Session"]:
+        """Those this token lets in, or those in the trash. `Session.about` of each says what it is called, who was in it,
+        when it was last used and what it has."""
+        return [Session(self, each["session"], each)
+                for each in self.call("session.list", trash=trash or None)["sessions"]]
 
     def session(self, session: Optional[str] = None) -> "Session":
         """The session with this id; left out, the one in the address, else `main`. Error: NotFound."""
@@ -294,15 +296,32 @@ class Client:
         return found
 
     def create_session(self, name: str = "") -> "Session":
-        """A new, empty one."""
-        return Session(self, self.call("session.create", name=name)["session"])
+        """A new, empty one; `Session.about["remaining"]` says how many more there may be. Give it a name: the server may
+        give up one without a name that nobody ever edits. Error: OverLimit."""
+        made = self.call("session.create", name=name)
+        return Session(self, made["session"], made)
+
+    def import_session(self, path: Union[str, "os.PathLike[str]"], name: str = "") -> "Session":
+        """A new session of a file that `Session.export` wrote, here or on another server. `Session.about["notes"]` are
+        sentences about datasets that are not here, or are other ones. Error: InvalidParameters, OverLimit."""
+        with open(path, "rb") as file:
+            body = file.read()
+        status, _, answer = self._request("/api/v1/sessions", body)
+        made = json.loads(answer)
+        if status != 200:
+            raise _error(made["error"])
+        session = Session(self, made["session"], made)
+        if name:
+            session.rename(name)
+        return session
 
 
 class Session:
     """Rakes and surfaces that several people and scripts look at and edit together. Edits are seen by all at once."""
 
-    def __init__(self, client: Client, id: str):
+    def __init__(self, client: Client, id: str, about: Optional[Json] = None):
         self.client, self.id = client, id
+        self.about: Json = dict(about or {})  # what the call told that gave this object: see session.list
 
     def __repr__(self) -> str:
         return f"Session({self.id!r})"
@@ -314,6 +333,39 @@ class Session:
     def state(self) -> Json:
         """Every record, and who is here."""
         return self.call("session.state")
+
+    def rename(self, name: str) -> None:
+        """Another name, for everybody."""
+        self.about.update(self.call("session.rename", name=name))
+
+    def delete(self, forever: bool = False) -> None:
+        """Moves the session to the trash, where it can be restored for 30 days (`about["deletedUntil"]`); `forever`: out
+        of the trash for good. `main` cannot be deleted. Error: NotFound, NotPermitted."""
+        self.about.update(self.call("session.delete", forever=forever or None))
+
+    def restore(self) -> None:
+        """Out of the trash, as it was. Error: NotFound, OverLimit."""
+        self.about.update(self.call("session.restore"))
+
+    def export(self, path: Union[str, "os.PathLike[str]"]) -> str:
+        """Writes the session as one file: records, notes, views, and the names and fingerprints of its datasets.
+        `Client.import_session` makes a session of it again. Returns the path."""
+        status, _, body = self.client._request(f"/api/v1/sessions/{urllib.parse.quote(self.id, safe='')}/session.json")
+        if status != 200:
+            raise _error(json.loads(body)["error"])
+        with open(path, "wb") as file:
+            file.write(body)
+        return os.fspath(path)
+
+    def thumbnail(self) -> Optional[bytes]:
+        """The picture (PNG, JPEG or WebP) that a page sent of it; None where there is none."""
+        status, _, body = self.client._request(f"/api/v1/sessions/{urllib.parse.quote(self.id, safe='')}/thumbnail")
+        if status == 200:
+            return body
+        problem = _error(json.loads(body)["error"])
+        if isinstance(problem, NotFound) and self.state():
+            return None
+        raise problem
 
     def fork(self, name: str = "") -> "Session":
         """A new session with copies of the records."""

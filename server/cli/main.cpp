@@ -4,6 +4,7 @@
 #include "server/cli/import_command.hpp"
 #include "server/cli/info_command.hpp"
 #include "server/cli/serve_command.hpp"
+#include "server/cli/sessions_command.hpp"
 #include "server/cli/surface_command.hpp"
 
 #include <CLI/CLI.hpp>
@@ -52,6 +53,11 @@ int run(int argc, char** argv) {
     add_serve_options(*command("serve", "Serve datasets to browsers and scripts",
                                [&] { return run_serve(serve); }),
                       serve);
+    SessionsOptions sessions;
+    add_sessions_options(*command("sessions",
+                                  "List, rename, save and delete the sessions of a server",
+                                  [&] { return run_sessions(sessions); }),
+                         sessions);
     SurfaceOptions surface;
     add_surface_options(*command("surface", "Build one surface and write it to a file",
                                  [&] { return run_surface(surface); }),

@@ -1,0 +1,23 @@
+// The address a server prints: where it listens, and its token.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <string>
+
+namespace wakesurf::server {
+
+struct ServerAddress {
+    bool tls = false;
+    std::string host; ///< without the brackets of an IPv6 address
+    std::string port;
+    std::string token; ///< may be empty
+
+    /// As a Host header has it.
+    std::string authority() const;
+};
+
+/// From http://HOST[:PORT][/][#token=...]. Error: InvalidArgument.
+core::Result<ServerAddress> parse_server_address(const std::string& url);
+
+} // namespace wakesurf::server

@@ -1,0 +1,31 @@
+// `wakesurf sessions`: what is there, and what becomes of it; of a server that runs, or of a state folder that none uses.
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace wakesurf::server {
+
+struct SessionsOptions {
+    std::string url;   ///< empty: $WAKESURF_URL, unless `state` is given
+    std::string state; ///< folder
+    std::string authority;
+    std::string action;
+    std::string session;
+    std::string name;
+    std::string file;
+    bool trash = false;
+    bool forever = false;
+    bool json = false;
+    bool overwrite = false;
+};
+
+void add_sessions_options(CLI::App& command, SessionsOptions& options);
+
+/// Exit status.
+int run_sessions(const SessionsOptions& options);
+
+} // namespace wakesurf::server

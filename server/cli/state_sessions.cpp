@@ -1,0 +1,114 @@
+// Sessions of a state folder that no server uses, by the code a server has.
+#include "server/cli/session_server.hpp"
+#include "server/limits.hpp"
+#include "server/net/io_loop.hpp"
+#include "server/net/session_files.hpp"
+#include "server/rpc/dispatcher.hpp"
+#include "server/rpc/method_table.hpp"
+#include "server/session/session_restoring.hpp"
+#include "server/state/kept_sessions.hpp"
+#include "server/state/sqlite_journal.hpp"
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <functional>
+#include <optional>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::fail;
+
+namespace {
+
+/// Surfaces stay parameters: nothing is computed here.
+class NoDatasets final : public Datasets {
+  public:
+    std::vector<std::string> ids() const override { return {}; }
+
+    core::Result<OpenDataset> open(const std::string& id) const override {
+        return fail(Error::Code::NotFound, "no dataset `" + id + "` is open here",
+                    "serve it to look at its surfaces");
+    }
+};
+
+class StateSessions final : public SessionServer {
+  public:
+    StateSessions(KeptSessions kept, bool changes)
+        : kept_(std::move(kept)),
+          journal_(changes ? std::make_unique<SqliteJournal>(loop_, std::move(kept_.store), nullptr)
+                           : nullptr),
+          grants_({loop_, clock_, entropy_, unix_seconds, journal_.get()}),
+          sessions_({loop_, pool_, datasets_, entropy_, nullptr, journal_.get(), &clock_}),
+          dispatcher_(method_table(),
+                      {sessions_, datasets_, [] { return nlohmann::json::array(); }, prober_,
+                       grants_, clock_, loop_, journal_.get()},
+                      {limits::message_bytes, limits::message_depth, limits::batch}),
+          files_(loop_, pool_, sessions_, datasets_, journal_.get()) {
+        const auto restored =
+            restore_sessions(std::exchange(kept_.sessions, {}), sessions_, grants_);
+        for (const core::Error& each : restored.refused)
+            std::fprintf(stderr, "wakesurf: not brought back: %s\n", each.message.c_str());
+        sessions_.on_gone([this](const std::string& id) { grants_.forget(id); });
+    }
+
+    core::Result<Answer>
+    ask(const std::string& method, const std::string& path, const std::string& body) override {
+        std::optional<Answer> answer;
+        const HttpRequest request{method, path, {}, body};
+        const Respond respond = [&answer](const HttpResponse& response) {
+            answer = {response.status, *response.body};
+        };
+        if (path == "/rpc")
+            dispatcher_.dispatch(body, {}, nullptr, [&answer](std::string text) {
+                answer = {200, std::move(text)};
+            });
+        else if (method == "POST")
+            files_.post(request, {}, respond);
+        else if (!files_.get(request, respond))
+            answer = Answer{404, "{}"};
+        while (!answer)
+            context_.run_one();
+        return std::move(*answer);
+    }
+
+  private:
+    KeptSessions kept_;
+    SystemEntropy entropy_;
+    core::SteadyClock clock_;
+    boost::asio::io_context context_{1};
+    boost::asio::executor_work_guard<boost::asio::io_context::executor_type> alive_{
+        context_.get_executor()};
+    IoLoop loop_{context_};
+    NoDatasets datasets_;
+    ComputePool pool_{1};
+    Prober prober_{loop_, pool_};
+    std::unique_ptr<SqliteJournal> journal_; ///< nothing: nothing is to change
+    Grants grants_;
+    SessionDirectory sessions_;
+    Dispatcher dispatcher_;
+    SessionFiles files_;
+};
+
+} // namespace
+
+core::Result<std::unique_ptr<SessionServer>> sessions_in(const std::filesystem::path& folder,
+                                                         bool changes) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(folder / "sessions.sqlite", ignored))
+        return fail(Error::Code::NotFound, "there are no sessions in " + folder.string(),
+                    "give the folder that `wakesurf serve --state` was given");
+    auto kept = KeptSessions::open(folder);
+    if (!kept && kept.error().code == Error::Code::OverLimit)
+        return fail(Error::Code::OverLimit, "a server that runs has its sessions in this folder",
+                    "ask that server: --url with the address it printed when it started, "
+                    "http://HOST:PORT/#token=...");
+    if (!kept)
+        return tl::unexpected(kept.error());
+    return std::make_unique<StateSessions>(std::move(*kept), changes);
+}
+
+} // namespace wakesurf::server
