@@ -7,6 +7,7 @@
 #include "protocol/mesh_encoder.hpp"
 #include "protocol/mesh_file.hpp"
 #include "server/catalogue/surface_scalars.hpp"
+#include "server/limits.hpp"
 #include "server/net/download_request.hpp"
 #include "server/net/http_error.hpp"
 #include "server/net/url_query.hpp"
@@ -104,8 +105,7 @@ protocol::MeshMetadata metadata_of(const SurfaceJob& job,
 /// A vertex of a mesh, its arrays and its part of the cells; and of a file, which is made beside it.
 constexpr std::size_t mesh_bytes = 180;
 constexpr std::size_t file_bytes = 220;
-constexpr std::size_t building_bytes = 450;         ///< while it is computed
-constexpr std::chrono::seconds memory_patience{20}; ///< for what others give back
+constexpr std::size_t building_bytes = 450; ///< while it is computed
 
 /// What a file is made from. Finished meshes are not kept: 100 MB a million quads.
 struct FileJob {
@@ -119,7 +119,7 @@ struct FileJob {
 
     core::Result<void>
     take(std::size_t bytes, const std::stop_token& stop, core::MemoryAccount::Share& share) const {
-        if (share.grow_to(bytes, stop, memory_patience))
+        if (share.grow_to(bytes, stop, limits::download_memory))
             return {};
         if (stop.stop_requested())
             return core::fail(Error::Code::Cancelled, "who asked for the file is gone");

@@ -39,8 +39,6 @@ namespace {
 /// What is read while a connection has not asked for anything yet.
 constexpr std::size_t first_bytes = 1024;
 
-/// Between two looks whether who waits for an answer is still there.
-constexpr std::chrono::milliseconds gone_check{250};
 HttpResponse too_long(std::size_t longest_body) {
     return http_over_limit(413, longest_body,
                            "the body is longer than " + std::to_string(longest_body) + " bytes",
@@ -254,7 +252,7 @@ void HttpConnection::handle(Request request) {
 
 /// While somebody waits for an answer nothing is read: only the kernel knows that they have hung up.
 void HttpConnection::look_whether_gone() {
-    waiting_.expires_after(gone_check);
+    waiting_.expires_after(limits::gone_check);
     waiting_.async_wait([weak = weak_from_this()](error_code error) {
         const auto self = weak.lock();
         if (error || !self || !self->gone_)

@@ -124,8 +124,7 @@ void Routes::serve(const HttpRequest& request, const Identity& identity, Respond
     if (out_of_reach(request.path, identity))
         return respond(http_error(403, "the share link is for another session",
                                   "ask a host of that session for a link to it"));
-    if (!session_files_.get(request, respond) &&
-        !downloads_.handle(request, identity, respond))
+    if (!session_files_.get(request, respond) && !downloads_.handle(request, identity, respond))
         respond(http_error(404, "there is nothing at this path", "README.md lists the paths"));
 }
 

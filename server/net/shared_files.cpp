@@ -1,5 +1,6 @@
 #include "server/net/shared_files.hpp"
 
+#include "server/limits.hpp"
 #include "server/session/log_text.hpp"
 
 #include <spdlog/spdlog.h>
@@ -16,9 +17,6 @@ struct Waiter {
     SharedFiles::Done done;
     std::optional<std::stop_callback<std::function<void()>>> gone;
 };
-
-constexpr std::size_t kept_files = 64; ///< finished ones, for the next who asks
-constexpr std::size_t kept_bytes = std::size_t{256} << 20;
 
 /// A file being made.
 struct Flight {
@@ -64,7 +62,8 @@ struct SharedFiles::State {
 };
 
 SharedFiles::SharedFiles(Loop& loop, ComputePool& pool, const core::MemoryAccount* account)
-    : state_(new State{loop, pool, account, {account, kept_bytes, kept_files}}) {}
+    : state_(new State{
+          loop, pool, account, {account, limits::kept_download_bytes, limits::kept_downloads}}) {}
 
 SharedFiles::~SharedFiles() {
     for (auto& [tag, flight] : std::exchange(state_->flights, {})) {

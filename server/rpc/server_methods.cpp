@@ -50,7 +50,6 @@ json info() {
               {"waiters", limits::waiters},
               {"pendingCalls", limits::pending_calls},
               {"probes", limits::probes},
-              {"downloads", limits::downloads},
               {"quads", limits::quads_most},
               {"fields", limits::fields},
               {"waitMs", limits::wait_ms}}}};
