@@ -58,7 +58,10 @@ class StateSessions final : public SessionServer {
     core::Result<Answer>
     ask(const std::string& method, const std::string& path, const std::string& body) override {
         std::optional<Answer> answer;
-        const HttpRequest request{method, path, {}, body};
+        HttpRequest request;
+        request.method = method;
+        request.path = path;
+        request.body = body;
         const Respond respond = [&answer](const HttpResponse& response) {
             answer = {response.status, *response.body};
         };
