@@ -38,6 +38,16 @@ describe('accessibility', () => {
         await page.getByRole('dialog').waitFor();
         await expectNoFindings(page, 'help');
         await page.getByRole('button', { name: 'Close' }).click();
+        const { session } = await stand.server.call('session.create', { name: `Deleted ${colorScheme}` });
+        await stand.server.call('session.delete', { session });
+        await page.getByRole('button', { name: 'Sessions' }).click();
+        await page.getByRole('list', { name: 'Sessions on this server' }).waitFor();
+        await expectNoFindings(page, 'sessions');
+        await page.getByRole('button', { name: /^Trash/ }).click();
+        await page.getByText(`Deleted ${colorScheme}`).waitFor();
+        await expectNoFindings(page, 'trash');
+        await screenshot(page, `trash-${colorScheme}`);
+        await page.getByRole('button', { name: 'Close' }).click();
         await page.context().close();
     });
 

@@ -61,7 +61,7 @@ describe('a server with several datasets', () => {
     });
 
     it('offers them as well where a link asks for another', async () => {
-        const link = new URL(stand.server.link);
+        const link = new URL(await stand.server.newSession());
         link.hash = `${link.hash}&dataset=gone`;
         const context = await stand.browser.newContext({ viewport: size });
         const page = await context.newPage();

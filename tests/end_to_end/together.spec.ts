@@ -16,7 +16,7 @@ let page: Page;
 let session: string;
 
 beforeEach(async () => {
-    page = await visit(stand.server.link);
+    page = await visit(await stand.server.newSession());
     session = (await ask(page, (hook) => hook.session))!;
 });
 
@@ -116,7 +116,7 @@ describe('a link for looking on', () => {
         const { grant, link } = await share('viewer');
         const viewer = await visit(link);
         await stand.server.call('session.unshare', { session, grant });
-        await expectEnded(viewer, /expired or was taken back/);
+        await expectEnded(viewer, /share link was taken back/);
         await screenshot(viewer, 'link-ended');
         expect(await ask(page, (hook) => hook.connection)).toBe('open');
     });

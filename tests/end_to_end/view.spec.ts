@@ -3,7 +3,7 @@ import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { readFragment } from '../../web-client/src/session/view/urlState.ts';
-import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, openPage, screenshot } from './support/browser_page.ts';
 import { hitsOver } from './support/look_facts.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { useStand } from './support/stand.ts';
@@ -146,14 +146,17 @@ describe('views that are kept', () => {
         await again.close();
     });
 
-    it('bring rakes and surfaces back where the server has forgotten the session', async () => {
+    it('bring rakes and surfaces back, when asked to, where the server has forgotten the session', async () => {
         const points = await ask(page, (hook) => hook.rakePoints);
         const address = new URL(page.url());
         const values = new URLSearchParams(address.hash.slice(1));
         values.set('session', 'forgotten');
         address.hash = values.toString();
-        const again = await stand.open(page, address.href);
-        await again.getByText(/no longer exists; this is a new one with its rakes/).waitFor();
+        const { page: again } = await openPage(page.context(), address.href);
+        await again.getByText(/is not on this server\. Its rakes and surfaces are known here/).waitFor();
+        await screenshot(again, 'session-forgotten');
+        await again.getByRole('button', { name: 'Make it again' }).click();
+        await finalSurface(again);
         const rebuilt = await ask(again, (hook) => hook.rakePoints);
         rebuilt.flat().forEach((value, i) => expect(value).toBeCloseTo(points.flat()[i]!, 3));
         expect(await ask(again, (hook) => hook.session)).not.toBe(await ask(page, (hook) => hook.session));

@@ -1,5 +1,6 @@
 // Puts the page together. The path of a datum: worker/ (socket, decoding) -> session/ (records,
 // newest state) -> scene/ (pixels); the path of an edit: scene/ or ui/ -> session/edits -> worker/.
+import { logOut } from './connection/logOut.ts';
 import { probeGraphics } from './scene/graphics.ts';
 import { FlowScene } from './scene/scene.ts';
 import type { ScreenPoint } from './scene/base/view.ts';
@@ -9,6 +10,7 @@ import { Edits } from './session/edits/edits.ts';
 import { Figure } from './session/out/figure.ts';
 import { FilmMaker } from './session/out/film.ts';
 import { MeshDownload } from './session/out/meshDownload.ts';
+import { Thumbnails } from './session/out/thumbnails.ts';
 import { showExactOrder } from './session/picture/exactOrder.ts';
 import { showMarks } from './session/picture/marksInPicture.ts';
 import { Measuring } from './session/tools/measuring.ts';
@@ -23,6 +25,7 @@ import { Pointing } from './session/people/pointing.ts';
 import { Probing } from './session/tools/probing.ts';
 import { showRakes } from './session/picture/rakeScene.ts';
 import { SessionController } from './session/sessionController.ts';
+import { SessionShelf } from './session/sessions/sessionShelf.ts';
 import { SurfaceProgress } from './session/surface/surfaceProgress.ts';
 import { SurfaceFeed } from './session/surface/surfaceFeed.ts';
 import { showTheme } from './session/picture/themeInPicture.ts';
@@ -43,6 +46,8 @@ import { WorkerClient } from './worker/workerClient.ts';
 const noWebGl2 =
     'This browser offers no WebGL2, which the picture needs. Use a current browser, and allow ' +
     'hardware or software rendering in its settings.';
+
+const loggedOut = 'You are logged out. Open the link that wakesurf printed, or the one that you were given, to come back.';
 
 function start(app: App): void {
     const url = readFragment(location.hash);
@@ -107,7 +112,13 @@ function start(app: App): void {
     const feed = new SurfaceFeed({ state, scene, worker, latency });
     const views = new Views({ state, view, scene, url });
     const imports = new ImportWait({ state, worker });
-    const controller = new SessionController({ imports, state, scene, worker, edits, feed, people, progress, url, views });
+    const thumbnails = new Thumbnails({
+        ...{ state, worker, edits },
+        picture: (size) => scene.copySmall(size),
+        busy: () => scene.interaction.dragging || document.visibilityState !== 'visible',
+    });
+    const controller = new SessionController({ imports, state, scene, worker, edits, feed, people, progress, url, views, thumbnails });
+    const shelf = new SessionShelf({ state, worker, base: baseUrl(), restored: (session) => controller.restored(session) });
     const clock = new ClockControl({ state, worker, requestFrame: scene.loop.request });
     const playback = new Playback({ state, edits, clock });
     const figure = new Figure(scene, () => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null);
@@ -122,7 +133,15 @@ function start(app: App): void {
     installTestHook({ state, scene, latency, canvas, figure });
     const model: AppModel = {
         ...{ state, view, edits, clock, playback, people, scene, worker, calls, views, probing, progress, imports, figure, film, mesh },
+        shelf,
         rename: (name) => controller.rename(name),
+        restoreSession: () => controller.restore(),
+        makeSessionAgain: () => controller.makeAgain(),
+        logOut: async () => {
+            await logOut(baseUrl());
+            worker.stop();
+            app.fail(loggedOut);
+        },
         retryNow: () => worker.retryNow(),
     };
     listenForViewKeys(model);

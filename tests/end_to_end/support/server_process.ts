@@ -82,6 +82,12 @@ export class ServerProcess {
         return reply.result as Record<string, unknown>;
     }
 
+    /** A link to an empty session, made for it: a visit makes none. */
+    async newSession(name?: string): Promise<string> {
+        const { session } = await this.call('session.create', name === undefined ? {} : { name });
+        return `${this.link}&session=${String(session)}`;
+    }
+
     /** Ends the process and waits until its port is free. */
     async stop(signal: 'SIGTERM' | 'SIGKILL' = 'SIGTERM'): Promise<void> {
         if (this.child.exitCode !== null || this.child.signalCode !== null) return;

@@ -14,11 +14,11 @@ export class Stand {
     readonly complaints: string[] = [];
     private readonly contexts: BrowserContext[] = [];
 
-    /** Somebody with a browser of their own: neither cookies nor choices are shared. */
+    /** Somebody with a browser of their own, neither cookies nor choices are shared; without a link, in a session of their own. */
     async visit(options: PageOptions & { link?: string } = {}): Promise<Page> {
         const context = await newContext(this.browser, options);
         this.contexts.push(context);
-        const { page, complaints } = await openPage(context, options.link ?? this.server.link);
+        const { page, complaints } = await openPage(context, options.link ?? (await this.server.newSession()));
         page.on('close', () => this.complaints.push(...complaints));
         await finalSurface(page);
         return page;

@@ -1,6 +1,7 @@
 // Exchanges the token for a cookie, and opens the WebSocket with it. A browser hides why a WebSocket
 // failed, so an ordinary request first finds out whether the server is there and lets us in.
 import { subprotocol } from '../protocol/version.ts';
+import { faultOf } from './httpFault.ts';
 import { HopelessError, type OpenSocket } from './liveSocket.ts';
 
 const requestTimeoutMs = 8000;
@@ -12,15 +13,15 @@ export async function authorise(baseUrl: string, token: string | null): Promise<
     if (response.status === 401 || response.status === 403) {
         throw new HopelessError(token === null ? missingToken : wrongToken);
     }
-    throw new Error(`The server answered with status ${response.status}.`);
+    throw await faultOf(response);
 }
 
 const missingToken =
-    'This page needs the access token: open the whole link that wakesurf printed when it started, ' +
-    'including the part after #token=.';
+    'This page needs the access token: open the whole link that wakesurf printed when it started, or that you were given, ' +
+    'including the part after token=. If you came by a link that let you in before, it has ended or its session was deleted.';
 const wrongToken =
-    'The server does not accept the access token of this link: open the link that wakesurf printed ' +
-    'when it was last started.';
+    'The server does not accept the access token of this link: open the link that wakesurf printed when it was last started. ' +
+    'A link that you were given has ended, or its session was deleted; ask for another.';
 
 async function request(baseUrl: string, token: string | null): Promise<Response> {
     const signal = AbortSignal.timeout(requestTimeoutMs);

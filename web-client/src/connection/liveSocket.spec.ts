@@ -137,6 +137,7 @@ describe('LiveSocket', () => {
         [4001, /newer window/],
         [4002, /host has ended/],
         [4003, /expired or was taken back/],
+        [4004, /logged out/],
     ])('does not come back by itself after code %i, and says why', async (code, why) => {
         const bench = new Bench();
         await bench.start();
@@ -145,5 +146,12 @@ describe('LiveSocket', () => {
         await bench.clock.pass(600_000);
         expect(bench.sockets).toHaveLength(1);
         expect(bench.states.at(-1)).toEqual({ state: 'ended', reason: expect.stringMatching(why) });
+    });
+
+    it('says why a link has ended where the server does', async () => {
+        const bench = new Bench();
+        await bench.start();
+        bench.newest.onclose?.({ code: 4003, reason: 'the session was deleted' });
+        expect(bench.states.at(-1)).toEqual({ state: 'ended', reason: 'The session was deleted.' });
     });
 });

@@ -7,6 +7,7 @@ import type { Clock, Timer } from './clock.ts';
 export const pingEveryMs = 4000;
 export const downAfterMs = 10_000;
 
+const linkEnded = 4003;
 /**
  * Closings after which coming back by oneself is of no use (protocol/README.md). Two pages that displace each other
  * would do so for ever.
@@ -14,7 +15,8 @@ export const downAfterMs = 10_000;
 const endings: ReadonlyMap<number, string> = new Map([
     [4001, 'This place in the session has been taken by a newer window.'],
     [4002, 'A host has ended your stay in this session.'],
-    [4003, 'The link that opened this page has expired or was taken back.'],
+    [linkEnded, 'The link that opened this page has expired or was taken back.'],
+    [4004, 'This browser has logged out.'],
 ]);
 
 /** The part of WebSocket used here, already open. */
@@ -22,7 +24,7 @@ export interface OpenSocket {
     send(data: string): void;
     close(): void;
     onmessage: ((event: { data: unknown }) => void) | null;
-    onclose: ((event: { code: number }) => void) | null;
+    onclose: ((event: { code: number; reason?: string }) => void) | null;
 }
 
 /** Thrown by a connector when trying again cannot help, for example without a valid token. */
@@ -109,7 +111,7 @@ export class LiveSocket {
             this.heardAt = this.options.clock.now();
             this.options.onMessage(event.data);
         };
-        socket.onclose = ({ code }) => this.closed(code);
+        socket.onclose = ({ code, reason = '' }) => this.closed(code, reason);
         this.watch();
         this.options.onState({ state: 'open' });
     }
@@ -129,13 +131,15 @@ export class LiveSocket {
         });
     }
 
-    private closed(code: number): void {
-        const reason = endings.get(code);
-        if (reason === undefined) {
+    private closed(code: number, why: string): void {
+        const ending = endings.get(code);
+        if (ending === undefined) {
             this.lose('The server closed the connection.');
             return;
         }
         this.stop();
+        // A link ends for several reasons, and the server says which.
+        const reason = code === linkEnded && why !== '' ? `${why.charAt(0).toUpperCase()}${why.slice(1)}.` : ending;
         this.options.onState({ state: 'ended', reason });
     }
 

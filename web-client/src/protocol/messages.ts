@@ -15,9 +15,11 @@ import type {
     SurfaceRecord,
     Vec3,
 } from './records.ts';
+import type { SessionList, SessionMade } from './sessionEntries.ts';
 
 export * from './notifications.ts';
 export * from './records.ts';
+export * from './sessionEntries.ts';
 
 export interface ServerInfo {
     name: string;
@@ -56,14 +58,19 @@ export interface SurfaceEpoch {
 
 /** Everything of a record but what the server gives; what is left out of a new one gets the server's usual value. */
 export type SurfaceSetting = Pick<SurfaceRecord, 'rake' | 'kind' | 'dataset' | 'from' | 'to'> &
-    Partial<Omit<SurfaceRecord, 'rev' | 'epoch'>> & { session?: string } & InGesture;
+    Partial<Omit<SurfaceRecord, 'rev' | 'epoch'>> & { session?: string } & InGesture & AsDefault;
 
 /** Edits that follow each other with one name are one step of undo. */
 interface InGesture {
     gesture?: string;
 }
 
-export interface RakeSetting extends InGesture {
+/** For the first records of a session that nobody has edited: no edit, and refused elsewhere. */
+interface AsDefault {
+    default?: boolean;
+}
+
+export interface RakeSetting extends InGesture, AsDefault {
     rake?: string;
     kind: string;
     points: Vec3[];
@@ -90,6 +97,21 @@ export interface JoinedSession {
     you: string;
     role?: Role;
     resumeToken: string;
+    /** When the session was made, UTC. */
+    created?: string;
+}
+
+export interface ShareLink {
+    grant: string;
+    role: Role;
+    /** Seconds since 1970; missing: it holds until it is taken back. */
+    expires?: number;
+    /** Where a host has lessened the role of somebody who came by it: the role of those who come from then on. */
+    newcomers?: Role;
+    /** `grant` is the link its maker came by, if any; the name is empty for a script. */
+    madeBy?: { grant?: string; name: string };
+    /** Links in force that were made by it, or by those. */
+    children?: number;
 }
 
 export interface SampledPoints {
@@ -120,22 +142,33 @@ export interface Methods {
         params: { dataset: string; points: Vec3[]; time: number; fields?: string[] };
         result: SampledPoints;
     };
-    'session.create': { params: { name?: string }; result: { session: string } };
-    'session.fork': { params: InSession<{ name?: string }>; result: { session: string } };
+    'session.list': { params: { trash?: boolean }; result: SessionList };
+    'session.create': { params: { name?: string }; result: SessionMade };
+    'session.fork': { params: InSession<{ name?: string }>; result: SessionMade };
+    'session.rename': { params: InSession<{ name: string }>; result: { session: string; name: string } };
+    'session.delete': {
+        params: { session: string; forever?: boolean };
+        result: { session: string; deletedUntil?: string };
+    };
+    'session.restore': { params: { session: string }; result: { session: string; name: string } };
+    'session.thumbnail': { params: InSession<{ image: string }>; result: object };
     'session.join': {
-        params: { session: string; name?: string; resumeToken?: string };
+        params: { session?: string; name?: string; resumeToken?: string };
         result: JoinedSession;
     };
     'session.share': {
-        params: InSession<{ role: Role; expiresIn?: number }>;
-        result: { grant: string; key: string; link: string; role: Role; expires?: number };
+        params: InSession<{ role: Role; expiresIn?: number | null }>;
+        result: ShareLink & { key: string; link: string };
     };
-    'session.shares': {
-        params: InSession<object>;
-        result: { shares: { grant: string; role: Role; expires?: number }[] };
+    'session.shares': { params: InSession<object>; result: { shares: ShareLink[] } };
+    'session.unshare': {
+        params: InSession<{ grant: string; children?: boolean }>;
+        result: { children?: ShareLink[] };
     };
-    'session.unshare': { params: InSession<{ grant: string }>; result: object };
-    'session.setRole': { params: InSession<{ participant: string; role: Role }>; result: object };
+    'session.setRole': {
+        params: InSession<{ participant: string; role: Role }>;
+        result: { also?: string[]; newcomers?: Role };
+    };
     'session.kick': { params: InSession<{ participant: string }>; result: object };
     'presence.update': {
         params: {

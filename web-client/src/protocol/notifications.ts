@@ -32,6 +32,7 @@ export type Patch =
     | { op: 'put'; type: 'bookmark'; id: string; record: BookmarkRecord }
     | { op: 'put'; type: 'annotation'; id: string; record: AnnotationRecord }
     | { op: 'put'; type: 'clock'; record: ClockRecord }
+    | { op: 'put'; type: 'session'; record: { name: string } }
     | { op: 'delete'; type: RecordType; id: string };
 
 /** What changed of a participant; what is null has been taken away. */
@@ -105,6 +106,10 @@ function readPatch(value: unknown): Patch | null {
     const { op, id, record } = value;
     if (value['type'] === 'clock') {
         return op === 'put' && isClockRecord(record) ? { op, type: 'clock', record } : null;
+    }
+    if (value['type'] === 'session') {
+        const name = isObject(record) ? record['name'] : null;
+        return op === 'put' && typeof name === 'string' ? { op, type: 'session', record: { name } } : null;
     }
     const type = recordTypes.find((known) => known === value['type']);
     if (typeof id !== 'string' || type === undefined) return null;

@@ -229,6 +229,25 @@ export class FlowScene {
     }
 
     /**
+     * What is on the screen, cut to this shape and made as small. Drawn once more for that, because browsers keep nothing of it; null
+     * where that takes long, or nothing can be seen.
+     */
+    copySmall({ width, height }: ScreenSize): HTMLCanvasElement | null {
+        const exact = this.transparency === 'exact';
+        const copy = document.createElement('canvas');
+        const context = copy.getContext('2d');
+        const { domElement: shown } = this.renderer;
+        if (context === null || shown.width === 0 || shown.height === 0 || (exact && this.software)) return null;
+        [copy.width, copy.height] = [width, height];
+        this.draw(exact);
+        const scale = Math.min(shown.width / width, shown.height / height);
+        const [wide, high] = [width * scale, height * scale];
+        context.imageSmoothingQuality = 'high';
+        context.drawImage(shown, (shown.width - wide) / 2, (shown.height - high) / 2, wide, high, 0, 0, width, height);
+        return copy;
+    }
+
+    /**
      * For capture.ts: as if the canvas were of this size, with so many pixels for one of CSS, without what is not for figures, and
      * with everything transparent in its exact order. `use` may draw before several backgrounds, and part by part; the drawing
      * is gone when it returns.

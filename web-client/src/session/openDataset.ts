@@ -66,7 +66,7 @@ export class OpenDataset {
                 this.options.scene.setObstacle(geometry.positions, geometry.indices);
             }
         } catch (error) {
-            this.options.state.notice.value = error instanceof Error ? error.message : String(error);
+            this.options.state.notices.tell('body', error);
         }
     }
 

@@ -11,7 +11,8 @@ export interface SurfaceNews {
 }
 
 export function adoptSnapshot(state: AppState, snapshot: SessionSnapshot): void {
-    const { rakes, surfaces, bookmarks = [], annotations = [], clock = null } = snapshot;
+    const { name, rakes, surfaces, bookmarks = [], annotations = [], clock = null } = snapshot;
+    state.sessionName.value = name;
     state.rakes.value = new Map(rakes.map((record) => [record.rake, record]));
     state.surfaces.value = new Map(surfaces.map((record) => [record.surface, record]));
     state.bookmarks.value = new Map(bookmarks.map((record) => [record.bookmark, record]));
@@ -34,6 +35,7 @@ export function applyPatches(state: AppState, patches: readonly Patch[]): Surfac
             records[patch.type].delete(patch.id);
             if (patch.type === 'surface') news.removed.push(patch.id);
         } else if (patch.type === 'clock') state.clock.value = patch.record;
+        else if (patch.type === 'session') state.sessionName.value = patch.record.name;
         else if (patch.type === 'surface') {
             if (!records.surface.has(patch.id)) news.added.push(patch.id);
             records.surface.set(patch.id, patch.record);

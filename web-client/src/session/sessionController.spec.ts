@@ -1,12 +1,14 @@
 import { signal } from '@preact/signals-core';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { settled } from '../connection/fakeClock.ts';
-import type { DatasetEntry, RakeRecord, SurfaceRecord } from '../protocol/messages.ts';
+import type { DatasetEntry, RakeRecord, SessionSnapshot, SurfaceRecord } from '../protocol/messages.ts';
+import { apiLevel } from '../protocol/version.ts';
 import { AppState } from '../state/appState.ts';
 import { CallError } from '../worker/workerClient.ts';
 import { SessionController, type SessionControllerOptions } from './sessionController.ts';
 
 const notFound = new CallError({ kind: 'rpc', code: -32004, message: 'there is none', hint: '' });
+const refused = new CallError({ kind: 'rpc', code: -32602, message: 'not the first', hint: '' });
 const disconnected = new CallError({ kind: 'disconnected', code: 0, message: 'gone', hint: '' });
 
 function surfaceOf(id: string): SurfaceRecord {
@@ -17,12 +19,18 @@ function surfaceOf(id: string): SurfaceRecord {
 class Bench {
     state = new AppState();
     calls: string[] = [];
+    /** The sessions that were asked for, null where the server was to choose. */
+    joined: (string | null)[] = [];
+    people = ['p1'];
     subscribed: string[] = [];
     /** Imports that the page has begun to wait for, and whether its user has stopped that. */
     begun: string[] = [];
     left = signal(false);
     entry: Partial<DatasetEntry> = { state: 'ready' };
-    records = { session: 'session-1', name: '', rakes: [] as RakeRecord[], surfaces: [] as SurfaceRecord[] };
+    records: SessionSnapshot = { session: 'session-1', name: '', rakes: [], surfaces: [] };
+    edited = true;
+    created = 'then';
+    trash: string[] = [];
     /** Thrown by the next call of a method. */
     refusals = new Map<string, CallError>();
     beforeSubscribed: (surface: string) => void = () => undefined;
@@ -30,9 +38,9 @@ class Bench {
     token = 't';
     /** So many calls had been made when the undo history was cleared. */
     clearedAfter = 0;
-    private created = 1;
+    private made = 1;
 
-    constructor(session: string | null = 'session-1') {
+    constructor(session: string | null = 'session-1', dataset: string | null = null) {
         const worker = {
             call: (method: string, params: Record<string, unknown>) => this.answer(method, params),
         };
@@ -51,11 +59,12 @@ class Bench {
         const edits = { reconnected: () => undefined, recordsChanged: () => undefined, history };
         const people = { joined: () => undefined, patched: () => undefined };
         const scene = { setDomain: () => undefined };
-        const url = { token: null, session, dataset: null, state: null };
+        const url = { token: null, session, dataset, state: null };
         const progress = { progressed: () => undefined };
         const imports = { left: this.left, begin: async (dataset: string) => void this.begun.push(dataset) };
         const views = { restore: () => undefined, madeAnew: () => undefined };
-        const parts = { state: this.state, worker, feed, edits, people, progress, imports, scene, url, views };
+        const thumbnails = { patched: () => undefined };
+        const parts = { state: this.state, worker, feed, edits, people, progress, imports, scene, url, views, thumbnails };
         this.controller = new SessionController(parts as unknown as SessionControllerOptions);
     }
 
@@ -79,20 +88,36 @@ class Bench {
         const refusal = this.refusals.get(method);
         this.refusals.delete(method);
         if (refusal !== undefined) throw refusal;
-        if (method === 'server.info') return { apiLevel: 2, capabilities: [] };
+        if (method === 'server.info') return { apiLevel, capabilities: [] };
         if (method === 'dataset.list') return { datasets: [{ dataset: 'flow', name: 'flow', ...this.entry }] };
         if (method === 'dataset.describe') {
             return { dataset: 'flow', bounds: [0, 1, 0, 1, 0, 1], times: [0], fields: [], velocity: 'u' };
         }
         if (method === 'session.create') {
-            this.records = { session: `session-${++this.created}`, name: '', rakes: [], surfaces: [] };
+            this.records = { session: `session-${++this.made}`, name: String(params['name']), rakes: [], surfaces: [] };
+            this.edited = false;
             return { session: this.records.session };
         }
+        if (method === 'session.list') {
+            const of = (session: string): object => ({ session, name: `${session}'s name`, edited: this.edited });
+            const trashed = this.trash.map((session) => ({ ...of(session), deletedUntil: '2026-12-22T12:00:00Z' }));
+            return { sessions: params['trash'] === true ? trashed : [of(this.records.session)] };
+        }
+        if (method === 'session.restore') {
+            this.records = { ...this.records, session: String(params['session']) };
+            this.trash = [];
+            return {};
+        }
         if (method === 'session.join') {
-            if (params['session'] !== this.records.session) throw notFound;
-            return { snapshot: structuredClone(this.records), resumeToken: this.token, you: 'p1' };
+            this.joined.push((params['session'] as string | undefined) ?? null);
+            const session = params['session'] ?? this.records.session;
+            if (session !== this.records.session || this.trash.includes(String(session))) throw notFound;
+            const people = { participants: this.people.map((participant) => ({ participant })), you: 'p1' };
+            return { snapshot: structuredClone(this.records), resumeToken: this.token, created: this.created, ...people };
         }
         if (method === 'rake.set') {
+            if (params['default'] === true && this.edited) throw refused;
+            this.edited ||= params['default'] !== true;
             const rake = `r${this.records.rakes.length + 1}`;
             this.records.rakes.push({ rake, rev: 1, ...params } as unknown as RakeRecord);
             return { rake, rev: 1, surfaces: [] };
@@ -136,17 +161,18 @@ describe('the session on a page', () => {
         expect(bench.subscribed).toEqual(['s2']);
     });
 
-    it('makes a forgotten session anew, also when the connection is lost in the middle of it', async () => {
-        const bench = new Bench();
-        const points = [[0, 0, 0], [1, 0, 0]] as RakeRecord['points'];
-        for (const rake of ['r1', 'r2']) {
-            bench.records.rakes.push({ rake, rev: 1, kind: 'line', points, seeds: 8, name: rake } as RakeRecord);
-        }
+    const rakeOf = (rake: string): RakeRecord =>
+        ({ rake, rev: 1, kind: 'line', points: [[0, 0, 0], [1, 0, 0]], seeds: 8, name: rake }) as RakeRecord;
+
+    it('puts back what a server has lost, also when the connection is lost in the middle of it', async () => {
+        const bench = new Bench(null);
+        bench.records.rakes = [rakeOf('r1'), rakeOf('r2')];
         bench.records.surfaces = [surfaceOf('s1')];
         await bench.connect();
         expect(bench.state.rakes.value.size).toBe(2);
 
-        bench.records = { session: 'nobody knows', name: '', rakes: [], surfaces: [] };
+        bench.records = { session: 'session-1', name: '', rakes: [], surfaces: [] };
+        [bench.edited, bench.token] = [false, 'of another life'];
         bench.refusals.set('surface.set', disconnected);
         await bench.connect();
         expect(bench.state.rakes.value.size).toBe(2);
@@ -155,8 +181,36 @@ describe('the session on a page', () => {
         expect(bench.state.stage.value).toBe('running');
         expect(bench.records.rakes.map(({ name }) => name)).toEqual(['r1', 'r2']);
         expect(bench.records.surfaces).toHaveLength(1);
+        expect(bench.calls).not.toContain('session.create');
         // The records that were made anew are nobody's to undo.
         expect(bench.clearedAfter).toBeGreaterThan(bench.calls.lastIndexOf('surface.set'));
+    });
+
+    it('leaves empty what somebody has emptied while the page was away', async () => {
+        const bench = new Bench(null);
+        bench.records.rakes = [rakeOf('r1')];
+        await bench.connect();
+        bench.records.rakes = [];
+        bench.token = 'of another life';
+        await bench.connect();
+        expect(bench.state.rakes.value.size).toBe(0);
+        expect(bench.calls).not.toContain('rake.set');
+    });
+
+    it('lets another page that lost the same put it back first', async () => {
+        const bench = new Bench(null);
+        bench.records.rakes = [rakeOf('r1')];
+        await bench.connect();
+        bench.records = { ...bench.records, rakes: [], surfaces: [] };
+        [bench.edited, bench.token, bench.people] = [false, 'of another life', ['p0', 'p1']];
+        vi.useFakeTimers();
+        bench.controller.handle({ type: 'connection', state: 'open' });
+        await vi.advanceTimersByTimeAsync(100);
+        bench.records.rakes = [rakeOf('theirs')];
+        await vi.advanceTimersByTimeAsync(5000);
+        vi.useRealTimers();
+        expect([...bench.state.rakes.value.keys()]).toEqual(['theirs']);
+        expect(bench.calls).not.toContain('rake.set');
     });
 
     it('forgets what could be undone when the server has begun another life, and not when only the line broke', async () => {
@@ -169,6 +223,155 @@ describe('the session on a page', () => {
         bench.token = 'renewed';
         await bench.connect();
         expect(bench.clearedAfter).toBeGreaterThan(0);
+    });
+});
+
+describe('a visit', () => {
+    let kept: Map<string, string>;
+
+    beforeEach(() => {
+        kept = new Map();
+        vi.stubGlobal('location', { pathname: '/', search: '', href: 'http://localhost/' });
+        vi.stubGlobal('localStorage', {
+            getItem: (name: string) => kept.get(name) ?? null,
+            setItem: (name: string, value: string) => kept.set(name, value),
+        });
+    });
+
+    afterEach(() => {
+        vi.useRealTimers();
+        vi.unstubAllGlobals();
+    });
+
+    it('makes no session: the server says where a newcomer goes', async () => {
+        const bench = new Bench(null);
+        await bench.connect();
+        expect(bench.joined[0]).toBeNull();
+        expect(bench.calls).not.toContain('session.create');
+        expect(bench.state.session.value).toBe('session-1');
+    });
+
+    it('leads back to the session of the last one', async () => {
+        await new Bench(null).connect();
+        const again = new Bench(null);
+        await again.connect();
+        expect(again.joined).toEqual(['session-1']);
+    });
+
+    it.each([
+        ['was deleted', (bench: Bench) => (bench.records.session = 'main')],
+        ['is another one of the same name', (bench: Bench) => (bench.created = 'later')],
+    ])('leads to where newcomers go when that session %s', async (_, changed) => {
+        await new Bench(null).connect();
+        const again = new Bench(null);
+        changed(again);
+        await again.connect();
+        expect(again.joined).toEqual(['session-1', null]);
+        expect(again.state.stage.value).toBe('running');
+    });
+
+    it('leads to the session in which the dataset of its address was seen last', async () => {
+        const other = new Bench('session-9');
+        other.records.session = 'session-9';
+        await other.connect();
+        const seen = new Bench(null, 'flow');
+        seen.records.session = 'session-9';
+        await seen.connect();
+        expect(seen.joined).toEqual(['session-9']);
+        const asked = new Bench(null, 'another flow');
+        asked.records.surfaces = [surfaceOf('s1')];
+        await asked.connect();
+        expect(asked.joined).toEqual([null]);
+        expect(asked.state.notices.all.value.get('dataset')).toMatch(/does not have the dataset of this link/);
+    });
+
+    it('puts a first rake and surface into a session that nobody has edited, and only there', async () => {
+        const fresh = new Bench(null);
+        fresh.edited = false;
+        await fresh.connect();
+        expect(fresh.records).toMatchObject({ rakes: [{ name: 'Rake 1', default: true }], surfaces: [{ default: true }] });
+        expect(fresh.edited).toBe(false);
+        const emptied = new Bench(null);
+        await emptied.connect();
+        expect(emptied.state.stage.value).toBe('running');
+        expect(emptied.records.rakes).toEqual([]);
+    });
+
+    it('goes on with the first rake where a page was closed before it had made a surface', async () => {
+        const bench = new Bench(null);
+        bench.edited = false;
+        bench.records.rakes = [{ rake: 'r1', rev: 1, kind: 'line', points: [], seeds: 8, name: 'Rake 1' } as unknown as RakeRecord];
+        await bench.connect();
+        expect(bench.calls).not.toContain('rake.set');
+        expect(bench.records.surfaces).toMatchObject([{ rake: 'r1' }]);
+    });
+
+    it('of a session that is not there says so, and makes one only when asked to', async () => {
+        const bench = new Bench('session-7');
+        await bench.connect();
+        expect(bench.state.stage.value).toBe('gone');
+        expect(bench.state.gone.value).toEqual({ session: 'session-7', name: '', restorableUntil: null, remembered: false });
+        expect(bench.calls).not.toContain('session.create');
+        expect(bench.state.locked.value).toBe(true);
+    });
+});
+
+describe('a session that is deleted while the page is in it', () => {
+    beforeEach(() => {
+        vi.stubGlobal('location', { pathname: '/', search: '', href: 'http://localhost/' });
+        vi.useFakeTimers();
+    });
+
+    afterEach(() => {
+        vi.useRealTimers();
+        vi.unstubAllGlobals();
+    });
+
+    const notice = { method: 'server.notice', kind: 'sessionDeleted', text: 'the session was deleted', surface: null } as const;
+
+    async function bereft(): Promise<Bench> {
+        const bench = new Bench();
+        bench.records.surfaces = [surfaceOf('s1')];
+        bench.controller.handle({ type: 'connection', state: 'open' });
+        await vi.advanceTimersByTimeAsync(10);
+        bench.trash = ['session-1'];
+        bench.controller.handle({ type: 'notification', notification: notice });
+        await vi.advanceTimersByTimeAsync(10);
+        return bench;
+    }
+
+    it('is said to be in the trash, with what was on the screen, until somebody restores it', async () => {
+        const bench = await bereft();
+        expect(bench.state.stage.value).toBe('gone');
+        expect(bench.state.gone.value).toMatchObject({ name: "session-1's name", restorableUntil: '2026-12-22T12:00:00Z' });
+        expect(bench.state.surfaces.value.size).toBe(1);
+        expect([...bench.state.notices.all.value]).toEqual([]);
+        bench.trash = [];
+        await vi.advanceTimersByTimeAsync(6000);
+        expect(bench.state.stage.value).toBe('running');
+        expect(bench.state.gone.value).toBeNull();
+    });
+
+    it('comes back by the button', async () => {
+        const bench = await bereft();
+        await bench.controller.restore();
+        expect(bench.calls).toContain('session.restore');
+        expect(bench.state.stage.value).toBe('running');
+    });
+
+    it('is made again from what is on the screen where it is gone for good', async () => {
+        const bench = new Bench();
+        bench.records.rakes = [{ rake: 'r1', rev: 1, kind: 'line', points: [[0, 0, 0], [1, 0, 0]], seeds: 8, name: 'mine' } as RakeRecord];
+        bench.controller.handle({ type: 'connection', state: 'open' });
+        await vi.advanceTimersByTimeAsync(10);
+        bench.records.session = 'main';
+        bench.controller.handle({ type: 'notification', notification: notice });
+        await vi.advanceTimersByTimeAsync(10);
+        expect(bench.state.gone.value).toMatchObject({ restorableUntil: null, remembered: true });
+        await bench.controller.makeAgain();
+        expect(bench.state.stage.value).toBe('running');
+        expect(bench.state.session.value).toBe('session-2');
+        expect(bench.records.rakes.map(({ name }) => name)).toEqual(['mine']);
     });
 });
 

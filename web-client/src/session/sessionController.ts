@@ -1,28 +1,32 @@
-// The life of a session on this page: connect, wait for data, join or create, mirror the server's
-// records, and do the same again after every interruption.
+// The life of a session on this page: connect, join, wait for data, mirror the server's records, and do the same again after every
+// interruption. It makes no session by itself: what the server does not have (any more) is said, with what can be done about it.
+import type { JoinedSession, Patch, SessionSnapshot } from '../protocol/messages.ts';
 import { apiLevel } from '../protocol/version.ts';
-import type { Notification, Patch, SessionSnapshot } from '../protocol/messages.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
-import { keep, recall } from '../state/browserMemory.ts';
-import { CallError, type WorkerClient, type WorkerEvent } from '../worker/workerClient.ts';
+import { keep } from '../state/browserMemory.ts';
+import type { WorkerClient, WorkerEvent } from '../worker/workerClient.ts';
 import { isDisconnected, tellUnlessCut } from './base/lostConnection.ts';
-import { defaultLength, defaultRake, defaultSeeds } from './edits/defaults.ts';
 import type { Edits } from './edits/edits.ts';
-import { makeAnew, rememberedOf } from './view/madeAnew.ts';
 import type { ImportWait } from './importWait.ts';
 import { OpenDataset } from './openDataset.ts';
 import type { People } from './people/people.ts';
 import { adoptSnapshot, applyPatches } from './recordMirror.ts';
-import type { SurfaceProgress } from './surface/surfaceProgress.ts';
+import { ServerNews } from './serverNews.ts';
+import { Arrival, isNotFound, nameKept } from './sessions/arrival.ts';
+import type { Thumbnails } from './out/thumbnails.ts';
+import { addDefaultScene, isEmpty, wasEdited } from './sessions/filling.ts';
+import { rememberSession } from './sessions/knownSessions.ts';
 import type { SurfaceFeed } from './surface/surfaceFeed.ts';
+import type { SurfaceProgress } from './surface/surfaceProgress.ts';
+import { makeAnew, type Remembered, rememberedOf } from './view/madeAnew.ts';
 import type { UrlState } from './view/urlState.ts';
 import type { Views } from './view/views.ts';
 
-const notFound = -32004;
-const nameKept = 'name';
-/** Notices before the server closes the connection, which the page tells in its own words. */
-const farewells: ReadonlySet<string> = new Set(['displaced', 'removed', 'linkEnded']);
+/** Pages that have lost the same session make it again in turn, lest each does. */
+const turnMs = 1500;
+/** Somebody else may bring a session back from the trash. */
+const lookAgainMs = 5000;
 
 export interface SessionControllerOptions {
     state: AppState;
@@ -35,28 +39,37 @@ export interface SessionControllerOptions {
     imports: Pick<ImportWait, 'begin' | 'left'>;
     url: UrlState;
     views: Pick<Views, 'restore' | 'madeAnew'>;
+    thumbnails: Pick<Thumbnails, 'patched'>;
 }
 
 export class SessionController {
     private readonly options: SessionControllerOptions;
     private readonly dataset: OpenDataset;
-    private session: string | null;
-    private resumeToken: string | undefined;
-    /** Counts connections; what an earlier one began must not go on in the next. */
-    private connectionNumber = 0;
-    /** While records are made anew one by one, the page keeps showing those that were lost. */
-    private rebuilding = false;
+    private readonly arrival: Arrival;
+    private readonly news: ServerNews;
+    /** Counts connections, and beginnings anew in one; what an earlier one began must not go on in the next. */
+    private beginning = 0;
+    /** The page has shown this session. */
+    private shown = false;
+    /** What is to be made again where the server has lost it; while there is such, the page keeps showing it. */
+    private lost: Remembered | null = null;
 
     constructor(options: SessionControllerOptions) {
         this.options = options;
         this.dataset = new OpenDataset(options);
-        this.session = options.url.session;
+        this.arrival = new Arrival(options.worker, options.url.session);
+        this.news = new ServerNews({
+            ...options,
+            dataset: this.dataset,
+            patched: (session, patches) => this.patched(session, patches),
+            deleted: () => void this.deleted(),
+        });
     }
 
     handle(event: WorkerEvent): void {
         const { state, feed } = this.options;
         if (event.type === 'surface') feed.receive(event);
-        else if (event.type === 'notification') this.notified(event.notification);
+        else if (event.type === 'notification') this.news.take(event.notification);
         else if (event.type === 'roundTrip') state.roundTripMs.value = event.ms;
         else if (event.type === 'frameTrouble') {
             void feed.troubled(event.surface, event.subscription, event.reason);
@@ -74,134 +87,194 @@ export class SessionController {
         }
     }
 
-    private async begin(): Promise<void> {
-        const { state } = this.options;
-        const connection = ++this.connectionNumber;
-        const gone = (): boolean => connection !== this.connectionNumber;
-        state.everConnected.value = true;
-        try {
-            await this.checkServer();
-            const snapshot = await this.join(this.session);
-            const { url } = this.options;
-            const shown = state.dataset.value?.dataset;
-            const linked = url.dataset ?? url.state?.surfaces[0]?.dataset ?? null;
-            const id = snapshot?.surfaces[0]?.dataset ?? shown ?? linked;
-            const entry = await this.dataset.wait(id, gone);
-            if (entry === null || gone()) return;
-            await this.dataset.describe(entry.dataset);
-            const own = snapshot ?? (await this.createSession(entry.dataset));
-            // Whoever has taken everything away wants it so; a session without anything is a new one.
-            const empty = own.surfaces.length + own.rakes.length === 0;
-            if (empty && (snapshot === null || connection === 1) && state.role.value !== 'viewer') {
-                await this.addDefaultSurface(entry.dataset);
-            }
-            if (gone()) return;
-            await this.subscribeAll();
-            state.stage.value = 'running';
-            this.options.views.restore();
-        } catch (error) {
-            if (gone() || isDisconnected(error)) return;
-            state.stage.value = 'failed';
-            state.notice.value = error instanceof Error ? error.message : String(error);
-        }
-    }
-
-    private async checkServer(): Promise<void> {
-        const info = await this.options.worker.call('server.info', {});
-        this.options.state.capabilities.value = info.capabilities;
-        if (info.apiLevel === apiLevel) return;
-        this.options.state.notice.value =
-            'The server speaks another version of the protocol than this page. Reload the page.';
-    }
-
-    /** Null when there is no such session (any more). */
-    private async join(session: string | null): Promise<SessionSnapshot | null> {
-        if (session === null) return null;
-        const { state } = this.options;
-        try {
-            const snapshot = await this.enter(session);
-            this.adopt(snapshot);
-            return snapshot;
-        } catch (error) {
-            if (!isNotFound(error)) throw error;
-            this.resumeToken = undefined;
-            if (state.rakes.value.size === 0) {
-                state.notice.value = sessionGone(this.options.url);
-            }
-            return null;
-        }
-    }
-
-    private async enter(session: string): Promise<SessionSnapshot> {
-        const resume = this.resumeToken === undefined ? {} : { resumeToken: this.resumeToken };
-        const name = recall(nameKept);
-        const asked = { session, ...resume, ...(name === null ? {} : { name }) };
-        const joined = await this.options.worker.call('session.join', asked);
-        this.session = session;
-        if (joined.resumeToken !== this.resumeToken) this.options.edits.history.clear();
-        this.resumeToken = joined.resumeToken;
-        this.options.state.role.value = joined.role ?? 'host';
-        this.options.state.session.value = session;
-        this.options.people.joined(joined);
-        return joined.snapshot;
-    }
-
     /** How others see this page's user, here and from now on; the server may add a number to tell two apart. */
     async rename(name: string): Promise<void> {
         keep(nameKept, name);
-        if (this.session === null || this.resumeToken === undefined) return;
+        const { session, resumeToken } = this.arrival;
+        if (session === null || resumeToken === undefined) return;
         try {
-            await this.enter(this.session);
+            this.entered(await this.arrival.enter(session), resumeToken);
             this.options.state.problems.solved('name');
         } catch (error) {
             tellUnlessCut(this.options.state.problems, 'name', error);
         }
     }
 
-    /** A new session, with what the user had if the server has forgotten an earlier one. */
-    private async createSession(dataset: string): Promise<SessionSnapshot> {
-        const { worker, state, url, views } = this.options;
-        const former = rememberedOf(state, url, dataset);
-        const shape = state.rakeShape.value;
-        const active = state.rake.value?.rake;
-        const forgotten = this.session;
-        const { session } = await worker.call('session.create', {});
-        this.rebuilding = true;
-        try {
-            await this.enter(session);
-            const made = await makeAnew(worker, former, (record) =>
-                record.rake === active && shape.points.length > 0 ? shape : record,
-            );
-            // An edit of meanwhile lies below what was made anew, for the server.
-            this.options.edits.history.clear();
-            views.madeAnew(made);
-            if (made.missing !== null) state.notice.value = made.missing;
-        } catch (error) {
-            // What is on the page is not all in the new session: the next connection begins again with another.
-            this.session = forgotten;
-            throw error;
-        } finally {
-            this.rebuilding = false;
-        }
-        const snapshot = await this.join(session);
-        if (snapshot === null) throw new Error('The new session disappeared at once.');
-        return snapshot;
+    /** Out of the trash, where it is. */
+    async restore(): Promise<void> {
+        const { state, worker } = this.options;
+        const gone = state.gone.value;
+        if (gone === null) return;
+        await this.attempt('session.restore', async () => {
+            await worker.call('session.restore', { session: gone.session });
+            await this.begin();
+        });
     }
 
-    private async addDefaultSurface(dataset: string): Promise<void> {
-        const { worker, state } = this.options;
-        const description = state.dataset.value;
-        if (description === null) return;
-        const { rake } = await worker.call('rake.set', {
-            kind: 'line',
-            points: defaultRake(description.bounds),
-            seeds: defaultSeeds,
-            name: 'Rake 1',
+    /** Some session is out of the trash again, perhaps the one of this page. */
+    restored(session: string): void {
+        if (this.options.state.gone.value?.session === session) void this.begin();
+    }
+
+    /** A new session, with what this page or its link knows of the one that is gone. */
+    async makeAgain(): Promise<void> {
+        const { state, worker } = this.options;
+        const name = state.gone.value?.name ?? '';
+        await this.attempt('session.create', async () => {
+            const { session } = await worker.call('session.create', name === '' ? {} : { name });
+            [this.arrival.session, this.arrival.resumeToken, this.shown] = [session, undefined, false];
+            await this.begin();
         });
-        const from = state.times.value[0] ?? 0;
-        const length = defaultLength(description.bounds, state.speedRange.value[1]);
-        await worker.call('surface.set', { rake, dataset, kind: 'stream', from, to: from + length });
-        await this.join(this.session);
+    }
+
+    private async attempt(about: string, action: () => Promise<void>): Promise<void> {
+        const { problems } = this.options.state;
+        try {
+            await action();
+            problems.solved(about);
+        } catch (error) {
+            tellUnlessCut(problems, about, error);
+        }
+    }
+
+    private async begin(): Promise<void> {
+        const { state, url, views } = this.options;
+        const beginning = ++this.beginning;
+        const gone = (): boolean => beginning !== this.beginning;
+        state.everConnected.value = true;
+        try {
+            await this.checkServer();
+            const before = this.arrival.resumeToken;
+            const joined = await this.arrival.join(url.dataset);
+            if (gone()) return;
+            if (joined === null) {
+                await this.missing();
+                return;
+            }
+            this.entered(joined, before);
+            const { snapshot } = joined;
+            const mayFill = state.role.value !== 'viewer';
+            const newLife = joined.resumeToken !== before;
+            if (this.lost === null && newLife && mayFill && isEmpty(snapshot)) await this.look(snapshot.session);
+            if (this.lost === null) this.adopt(snapshot);
+            const entry = await this.dataset.wait(this.datasetOf(snapshot), gone);
+            if (entry === null || gone()) return;
+            await this.dataset.describe(entry.dataset);
+            if (this.lost !== null) await this.makeAgainHere(joined, entry.dataset);
+            else if (mayFill && !this.shown && (await addDefaultScene(this.options, entry.dataset, snapshot))) {
+                this.adopt((await this.arrival.enter(snapshot.session)).snapshot);
+            }
+            if (gone()) return;
+            await this.subscribeAll();
+            this.shown = true;
+            state.stage.value = 'running';
+            views.restore();
+            this.sayDataset(entry.dataset);
+            rememberSession({ session: snapshot.session, created: joined.created ?? '', dataset: entry.dataset });
+        } catch (error) {
+            if (gone() || isDisconnected(error)) return;
+            state.stage.value = 'failed';
+            state.notices.tell('start', error);
+        }
+    }
+
+    private async checkServer(): Promise<void> {
+        const { state, worker } = this.options;
+        const info = await worker.call('server.info', {});
+        state.capabilities.value = info.capabilities;
+        if (info.apiLevel === apiLevel) return;
+        state.notices.say('protocol', 'The server speaks another version of the protocol than this page. Reload the page.');
+    }
+
+    /** @param before the resume token of the last stay */
+    private entered(joined: JoinedSession, before: string | undefined): void {
+        const { state, edits, people } = this.options;
+        if (joined.resumeToken !== before) edits.history.clear();
+        state.role.value = joined.role ?? 'host';
+        state.session.value = joined.snapshot.session;
+        state.sessionName.value = joined.snapshot.name;
+        state.gone.value = null;
+        state.notices.solved('start');
+        people.joined(joined);
+    }
+
+    /** Whether an empty session has lost what this page or its link remembers. */
+    private async look(session: string): Promise<void> {
+        const { state, url, worker } = this.options;
+        const remembered = rememberedOf(state, url);
+        if (remembered.rakes.length === 0 || (await wasEdited(worker, session))) return;
+        this.lost = remembered;
+    }
+
+    /** Also after a connection that was lost in the middle of it. */
+    private async makeAgainHere(joined: JoinedSession, dataset: string): Promise<void> {
+        const { worker, views, edits, state } = this.options;
+        const { rakes, surfaces } = this.lost!;
+        let there = joined.snapshot;
+        const place = joined.participants.findIndex(({ participant }) => participant === joined.you);
+        for (let turn = 0; turn < place && isEmpty(there); ++turn) {
+            await new Promise((resolve) => setTimeout(resolve, turnMs));
+            there = (await this.arrival.enter(there.session)).snapshot;
+        }
+        if (isEmpty(joined.snapshot) === isEmpty(there)) {
+            const ofDataset = surfaces.filter((each) => each.dataset === dataset);
+            const made = await makeAnew(worker, { rakes, surfaces: ofDataset }, there);
+            // An edit of meanwhile lies below what was made anew, for the server.
+            edits.history.clear();
+            views.madeAnew(made);
+            if (made.missing !== null) state.notices.say('made again', made.missing);
+            there = (await this.arrival.enter(there.session)).snapshot;
+        }
+        this.lost = null;
+        this.adopt(there);
+    }
+
+    private datasetOf(snapshot: SessionSnapshot): string | null {
+        const { state, url } = this.options;
+        const linked = url.dataset ?? url.state?.surfaces[0]?.dataset ?? null;
+        return snapshot.surfaces[0]?.dataset ?? state.dataset.value?.dataset ?? linked;
+    }
+
+    /** The address asks for a dataset, and the session shows another. */
+    private sayDataset(shown: string): void {
+        const { state, url } = this.options;
+        const asked = url.dataset;
+        if (asked === null || asked === shown) return;
+        url.dataset = null;
+        const [there, here] = [asked, shown].map((id) => state.datasets.value.find(({ dataset }) => dataset === id)?.name);
+        state.notices.say(
+            'dataset',
+            there === undefined
+                ? `The server does not have the dataset of this link. This session shows ${here ?? shown}.`
+                : `This session shows ${here ?? shown}. To see ${there}, choose it in the panel: it opens in another session.`,
+        );
+    }
+
+    /** The session is not there; where it is in the trash, somebody may restore it. */
+    private async missing(): Promise<void> {
+        const { state, worker, url } = this.options;
+        const beginning = ++this.beginning;
+        const session = this.arrival.session ?? '';
+        const trash = await worker.call('session.list', { trash: true }).catch(() => null);
+        if (beginning !== this.beginning) return;
+        const entry = trash?.sessions.find((each) => each.session === session);
+        state.stage.value = 'gone';
+        state.participants.value = new Map();
+        state.gone.value = {
+            session,
+            name: entry?.name ?? state.sessionName.value,
+            restorableUntil: entry?.deletedUntil ?? null,
+            remembered: rememberedOf(state, url).rakes.length > 0,
+        };
+        if (entry === undefined) return;
+        setTimeout(() => {
+            if (beginning === this.beginning) void this.begin();
+        }, lookAgainMs);
+    }
+
+    private async deleted(): Promise<void> {
+        this.arrival.resumeToken = undefined;
+        await this.missing();
     }
 
     private async subscribeAll(): Promise<void> {
@@ -229,14 +302,12 @@ export class SessionController {
         }
     }
 
-    /** One that somebody has added since. */
+    /** One that somebody has added since. A lost connection is told of elsewhere, and all are subscribed again after it. */
     private async subscribeLate(surface: string): Promise<void> {
         try {
             await this.subscribe(surface);
         } catch (error) {
-            // A lost connection is told of elsewhere, and all are subscribed again after it.
-            if (isDisconnected(error)) return;
-            this.options.state.notice.value = error instanceof Error ? error.message : String(error);
+            tellUnlessCut(this.options.state.notices, `surface ${surface}`, error);
         }
     }
 
@@ -245,66 +316,14 @@ export class SessionController {
         this.options.edits.recordsChanged();
     }
 
-    private notified(notification: Notification): void {
-        const { state, feed } = this.options;
-        switch (notification.method) {
-            case 'session.patched':
-                if (notification.session === this.session && !this.rebuilding) {
-                    this.patched(notification.patches);
-                }
-                break;
-            case 'surface.done':
-                feed.done(notification.surface, notification.epoch, notification.error);
-                break;
-            case 'dataset.patched':
-                this.dataset.patched(notification.dataset, notification.change);
-                break;
-            case 'server.notice':
-                if (notification.text !== null && !farewells.has(notification.kind)) {
-                    state.notice.value = notification.text;
-                }
-                this.noticed(notification.kind, notification.surface ?? '');
-                break;
-            case 'presence.patched':
-                this.options.people.patched(notification.participants, notification.left);
-                break;
-            case 'cache.patched':
-                this.dataset.stepsPatched(notification.dataset, notification.changes);
-                break;
-            case 'surface.progress':
-                feed.progressed(notification.surface, notification.epoch, notification.seconds);
-                break;
-            case '$/progress':
-                this.options.progress.progressed(notification.token, notification.fraction, notification.message);
-                break;
-        }
-    }
-
-    private noticed(kind: string, surface: string): void {
-        const { catchingUp } = this.options.state;
-        if (kind !== 'catchingUp' && kind !== 'caughtUp') return;
-        const surfaces = new Set(catchingUp.value);
-        if (kind === 'catchingUp') surfaces.add(surface);
-        else surfaces.delete(surface);
-        catchingUp.value = surfaces;
-    }
-
-    private patched(patches: readonly Patch[]): void {
-        const { state, feed } = this.options;
+    private patched(session: string, patches: readonly Patch[]): void {
+        const { state, feed, edits, thumbnails } = this.options;
+        if (session !== this.arrival.session || this.lost !== null) return;
+        if (patches.some(({ type }) => type !== 'clock')) thumbnails.patched();
         const { added, removed, asked } = applyPatches(state, patches);
         for (const surface of removed) feed.removed(surface);
         for (const { surface, epoch } of asked) feed.requested(surface, epoch);
-        this.options.edits.recordsChanged();
+        edits.recordsChanged();
         if (state.stage.value === 'running') for (const id of added) void this.subscribeLate(id);
     }
-
-}
-
-function isNotFound(error: unknown): boolean {
-    return error instanceof CallError && error.failure.code === notFound;
-}
-
-function sessionGone({ state }: UrlState): string {
-    const like = state !== null && state.rakes.length > 0;
-    return `The session of this link no longer exists; this is a new one${like ? ' with its rakes and surfaces' : ''}.`;
 }

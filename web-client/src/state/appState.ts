@@ -17,8 +17,8 @@ import type {
     SurfaceRecord,
     Vec3,
 } from '../protocol/messages.ts';
+import { Announcements } from './announcements.ts';
 import type { LatencySample } from './latency.ts';
-import { Problems } from './problems.ts';
 
 /** What is on the screen of one surface. */
 export interface DisplayedSurface {
@@ -49,7 +49,18 @@ export interface SurfacePart {
     hidden: boolean;
 }
 
-export type Stage = 'starting' | 'importing' | 'running' | 'failed' | 'ended';
+/** `gone`: connected, but the session is not there (any more). */
+export type Stage = 'starting' | 'importing' | 'running' | 'failed' | 'gone' | 'ended';
+
+/** The session of this page, which the server does not have (any more). */
+export interface GoneSession {
+    session: string;
+    name: string;
+    /** Where it is in the trash: until when it can be restored from there, UTC. */
+    restorableUntil: string | null;
+    /** Rakes and surfaces are on this page or in its link, of which it can be made again. */
+    remembered: boolean;
+}
 
 export class AppState {
     /** Why nothing can be shown at all; null when all is well. */
@@ -73,6 +84,8 @@ export class AppState {
     readonly participants = signal<ReadonlyMap<string, Participant>>(new Map());
     readonly you = signal<string | null>(null);
     readonly session = signal<string | null>(null);
+    readonly sessionName = signal('');
+    readonly gone = signal<GoneSession | null>(null);
     /** Of the dataset's time-steps, what is in the server's memory; empty where that is not told. */
     readonly stepStates = signal<readonly StepState[]>([]);
     /** The surface that the panel and the time bar act on: one of the active rake's, if that has any. */
@@ -95,8 +108,10 @@ export class AppState {
     /** Nothing of the session can be changed from here: it is for looking on, or the server does not hear. */
     readonly locked = computed(() => this.role.value === 'viewer' || this.stage.value !== 'running');
     readonly editsPending = signal(false);
-    readonly problems = new Problems();
-    readonly notice = signal<string | null>(null);
+    /** What was refused or has failed. */
+    readonly problems = new Announcements();
+    /** What is good to know, by its kind. */
+    readonly notices = new Announcements();
     /** Of the selected surface, while it takes long. */
     readonly progress = signal<{ surface: string; fraction: number | null; message: string } | null>(null);
     /** Of a message to the server and back. */
@@ -107,7 +122,7 @@ export class AppState {
     readonly surface = computed(() => this.surfaces.value.get(this.activeSurface.value ?? ''));
     readonly rake = computed(() => this.rakes.value.get(this.activeRake.value ?? ''));
     readonly phase = computed((): SurfacePhase => {
-        if (this.stage.value === 'ended') return 'ended';
+        if (this.stage.value === 'ended' || this.stage.value === 'gone') return this.stage.value;
         if (this.stage.value !== 'running') return 'waiting';
         const id = this.activeSurface.value ?? '';
         return surfacePhase({
@@ -143,6 +158,7 @@ export interface SurfaceFailure {
 export type SurfacePhase =
     | 'waiting'
     | 'ended'
+    | 'gone'
     | 'none'
     | 'updating'
     | 'coarse'

@@ -64,6 +64,8 @@ export class ViewState {
     readonly brush = signal<Brush>({ does: 'reveal', radiusPx: 24 });
     /** Where the tour is; null: there is none. */
     readonly tourStep = signal<number | null>(null);
+    /** The list of sessions lies over the page. */
+    readonly sessionsShown = signal(false);
     /** The participant whose view this page takes. */
     readonly following = signal<string | null>(null);
 

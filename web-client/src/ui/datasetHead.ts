@@ -1,9 +1,8 @@
-// What is shown: the dataset and how large it is; where the server has several, a choice. Another dataset is another session,
-// so that nobody is taken away from what they look at.
+// What is shown: the dataset and how large it is; where the server has several, a choice. Another dataset is another session, the
+// one in which this browser saw it last or a new one, so that nobody is taken away from what they look at.
 import { signal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { DatasetEntry } from '../protocol/messages.ts';
-import { openFragment, writeFragment } from '../session/view/urlState.ts';
 import type { AppModel } from './base/appModel.ts';
 import { sharedStyles } from './base/sharedStyles.ts';
 import { SignalElement } from './base/signalElement.ts';
@@ -60,10 +59,19 @@ export class DatasetHead extends SignalElement {
                     (each) => html`<option value=${each.dataset} .selected=${each.dataset === chosen}>${optionWords(each, datasets.value)}</option>`,
                 )}
             </select>
-            <button type="button" ?disabled=${chosen === shown || chosen === ''} @click=${() => openFragment(writeFragment(null, chosen))}>
+            <button type="button" ?disabled=${chosen === shown || chosen === ''} @click=${() => this.open(chosen)}>
                 Open
             </button>
         </div>`;
+    }
+
+    /** A notice, because the list, which says what is refused, may be closed. */
+    private async open(dataset: string): Promise<void> {
+        const { shelf, state } = this.model;
+        const name = state.datasets.value.find((each) => each.dataset === dataset)?.name ?? dataset;
+        await shelf.enterDataset(dataset, name);
+        const refused = shelf.problems.all.value.get('action');
+        if (refused !== undefined) state.problems.say('session.create', refused);
     }
 
     private choose(event: Event): void {

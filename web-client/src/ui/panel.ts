@@ -19,6 +19,7 @@ import './rake/rakePanel.ts';
 import { sharedStyles } from './base/sharedStyles.ts';
 import { SignalElement } from './base/signalElement.ts';
 import './status/statusPanel.ts';
+import './sessions/sessionHead.ts';
 import './surface/surfacePanel.ts';
 import './view/surroundingsPanel.ts';
 
@@ -218,6 +219,7 @@ export class Panel extends SignalElement {
                     <h1>wakesurf</h1>
                     <wakesurf-help .model=${this.model}></wakesurf-help>
                 </div>
+                <wakesurf-session-head .model=${this.model}></wakesurf-session-head>
                 <wakesurf-dataset-head .model=${this.model}></wakesurf-dataset-head>
                 ${state.role.value === 'viewer'
                     ? html`<p class="quiet" id="role">This link is for looking on: it cannot change anything.</p>`

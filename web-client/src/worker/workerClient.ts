@@ -74,6 +74,14 @@ export class WorkerClient {
         return worker;
     }
 
+    /** For good: nothing is heard any more, and nothing connects again. */
+    stop(): void {
+        this.watchdog.stop();
+        this.origin = null;
+        this.worker.onmessage = null;
+        this.worker.terminate();
+    }
+
     /** It connects and joins anew, each time later than before. */
     private replaceWorker(): void {
         this.worker.terminate();

@@ -15,6 +15,8 @@ export class UndoHistory {
     readonly words = signal('');
     /** Grows with every turn that is asked for: what goes on by itself stops then. */
     readonly turns = signal(0);
+    /** Grows with every edit and every turn that the server has taken. */
+    readonly taken = signal(0);
     private readonly state: AppState;
     private readonly worker: WorkerClient;
     /** Of the newest step; none after a turn, which ends it on the server as well. */
@@ -32,6 +34,7 @@ export class UndoHistory {
         this.gesture = gesture;
         this.redoable.value = 0;
         this.words.value = '';
+        this.taken.value += 1;
     }
 
     /** Another session, or another life of the server: what was counted here is not what it would turn. */
@@ -71,6 +74,7 @@ export class UndoHistory {
                 this.nothing(way);
                 return;
             }
+            this.taken.value += 1;
             const made = skipped.length === 0 ? 1 : 0;
             if (way === 'undo') this.count(undoable.value - 1, redoable.value + made);
             else this.count(undoable.value + made, redoable.value - 1);
@@ -91,7 +95,7 @@ export class UndoHistory {
         const why = skipped.map(({ type, id, why: reason }) => reason.replace(`${type} ${id}`, this.nameOf(type, id)));
         const done = way === 'undo' ? 'taken back' : 'done again';
         this.words.value = `Not ${done}: ${why.join('; ')}.`;
-        this.state.notice.value = this.words.value;
+        this.state.notices.say('undo', this.words.value);
     }
 
     private nameOf(type: string, id: string): string {

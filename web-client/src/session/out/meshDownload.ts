@@ -1,7 +1,6 @@
 // The whole mesh of a surface as a file, in full precision. The server answers when the surface is final.
 import { signal } from '@preact/signals-core';
-import { isObject } from '../../protocol/jsonRpc.ts';
-import { errorWords, readError } from '../../protocol/messages.ts';
+import { faultOf, requestWords } from '../../connection/httpFault.ts';
 import type { MeshFormat } from './scriptStep.ts';
 
 export interface DownloadProgress {
@@ -29,7 +28,7 @@ export class MeshDownload {
         try {
             const url = new URL(`api/v1/sessions/${of}/surfaces/${id}/mesh.${format}`, this.base);
             const reply = await fetch(url, { signal: current.signal });
-            if (!reply.ok) throw new Error(await wordsOf(reply));
+            if (!reply.ok) throw await faultOf(reply);
             const mesh = await reply.blob();
             this.progress.value = { state: 'idle', words: '' };
             return mesh;
@@ -46,20 +45,6 @@ export class MeshDownload {
     }
 
     private failed(error: unknown, cancelled: boolean): void {
-        const words =
-            error instanceof TypeError
-                ? 'The server cannot be reached.'
-                : error instanceof Error
-                  ? error.message
-                  : String(error);
-        this.progress.value = cancelled ? { state: 'idle', words: '' } : { state: 'failed', words };
+        this.progress.value = cancelled ? { state: 'idle', words: '' } : { state: 'failed', words: requestWords(error) };
     }
-}
-
-async function wordsOf(reply: Response): Promise<string> {
-    const body: unknown = await reply.json().catch(() => null);
-    const fault = isObject(body) && isObject(body['error']) ? body['error'] : null;
-    const data = fault !== null && isObject(fault['data']) ? fault['data'] : {};
-    const read = readError({ message: fault?.['message'], hint: data['hint'] });
-    return read === null ? `The server answered with status ${reply.status}.` : errorWords(read);
 }

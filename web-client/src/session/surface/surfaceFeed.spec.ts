@@ -112,7 +112,7 @@ describe('SurfaceFeed', () => {
             await vi.advanceTimersByTimeAsync(60_000);
         }
         expect(bench.calls.filter((call) => call === 'surface.subscribe')).toHaveLength(5);
-        expect(bench.state.notice.value).toMatch(/bad frame/);
+        expect(bench.state.notices.all.value.get('surface s1')).toMatch(/bad frame/);
     });
 
     it('forgets earlier damage once a state has arrived whole', async () => {
@@ -124,6 +124,6 @@ describe('SurfaceFeed', () => {
             bench.feed.receive(stateOfEpoch(i + 1));
         }
         expect(bench.calls.filter((call) => call === 'surface.subscribe')).toHaveLength(11);
-        expect(bench.state.notice.value).toBeNull();
+        expect(bench.state.notices.all.value.size).toBe(0);
     });
 });

@@ -50,7 +50,7 @@ export class SurfaceFeed {
         const troubles = (this.troubles.get(surface) ?? 0) + 1;
         this.troubles.set(surface, troubles);
         if (troubles > troublesAtMost) {
-            state.notice.value = `The surface cannot be shown: ${reason}. Reload the page.`;
+            state.notices.say(`surface ${surface}`, `The surface cannot be shown: ${reason}. Reload the page.`);
             return;
         }
         await new Promise((resolve) => setTimeout(resolve, firstPauseMs * 2 ** (troubles - 1)));

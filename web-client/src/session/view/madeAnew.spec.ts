@@ -29,7 +29,7 @@ const former = {
 describe('a session made anew', () => {
     it('has all that the server takes, says what is missing, and knows the new names', async () => {
         const { asked, worker } = serverThat(refused);
-        const made = await makeAnew(worker, former, (record) => record);
+        const made = await makeAnew(worker, former);
         expect([...made.rakes]).toEqual([['r2', 'n1']]);
         expect([...made.surfaces]).toEqual([['s2', 'n2']]);
         expect(made.missing).toBe('Not made again: 1 rake and 1 surface. seeds: too few');
@@ -38,7 +38,18 @@ describe('a session made anew', () => {
         expect(asked[1]).not.toHaveProperty('hostile');
     });
 
+    it('goes on where a lost connection has ended the first attempt', async () => {
+        const { asked, worker } = serverThat(refused);
+        const there = { rakes: [rake('n7')].map((each) => ({ ...each, name: 'r2' })), surfaces: [surface('n8', 'n7')] };
+        const remembered = { rakes: [rake('r2'), rake('r3')], surfaces: [surface('s1', 'r2'), surface('s2', 'r2')] };
+        const made = await makeAnew(worker, remembered, there);
+        expect(asked).toHaveLength(2);
+        expect([...made.rakes]).toEqual([['r2', 'n7'], ['r3', 'n1']]);
+        expect([...made.surfaces]).toEqual([['s1', 'n8'], ['s2', 'n2']]);
+        expect(made.missing).toBeNull();
+    });
+
     it('is given up when the connection is lost', async () => {
-        await expect(makeAnew(serverThat(lost).worker, former, (record) => record)).rejects.toBe(lost);
+        await expect(makeAnew(serverThat(lost).worker, former)).rejects.toBe(lost);
     });
 });

@@ -9,6 +9,7 @@ import type { People } from '../../session/people/people.ts';
 import type { ImportWait } from '../../session/importWait.ts';
 import type { Playback } from '../../session/time/playback.ts';
 import type { Probing } from '../../session/tools/probing.ts';
+import type { SessionShelf } from '../../session/sessions/sessionShelf.ts';
 import type { SurfaceProgress } from '../../session/surface/surfaceProgress.ts';
 import type { Views } from '../../session/view/views.ts';
 import type { FlowScene } from '../../scene/scene.ts';
@@ -33,6 +34,11 @@ export interface AppModel {
     probing: Probing;
     progress: SurfaceProgress;
     imports: ImportWait;
+    shelf: SessionShelf;
     rename: (name: string) => Promise<void>;
+    /** What can be done where the session of this page is gone. */
+    restoreSession: () => Promise<void>;
+    makeSessionAgain: () => Promise<void>;
+    logOut: () => Promise<void>;
     retryNow: () => void;
 }

@@ -4,6 +4,7 @@ import type { SurfacePhase } from '../../state/appState.ts';
 export const phaseWords: Record<SurfacePhase, string> = {
     waiting: 'Waiting for the server …',
     ended: 'No longer connected',
+    gone: 'In no session',
     none: 'Computing the first surface …',
     updating: 'Updating …',
     coarse: 'Coarse, refining …',

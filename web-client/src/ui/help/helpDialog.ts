@@ -46,6 +46,10 @@ export class HelpDialog extends SignalElement {
             dd {
                 margin: 0;
             }
+            a {
+                margin: auto auto auto 0;
+                color: var(--accent);
+            }
             .open {
                 min-width: 28px;
             }
@@ -63,6 +67,7 @@ export class HelpDialog extends SignalElement {
                     )}
                 </dl>
                 <div class="answers">
+                    <a href="third-party-notices.txt" target="_blank" rel="noopener">Licences</a>
                     <button type="button" @click=${this.tour}>Show the tour</button>
                     <button type="button" autofocus @click=${() => this.dialog?.close()}>Close</button>
                 </div>

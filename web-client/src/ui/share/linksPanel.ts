@@ -1,28 +1,34 @@
 // Links for others, each with what it allows; and a copy of the session to go on alone with.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
-import type { ResultOf, Role } from '../../protocol/messages.ts';
+import type { Role, ShareLink } from '../../protocol/messages.ts';
 import type { AppModel } from '../base/appModel.ts';
 import { copyText } from '../base/copyText.ts';
+import { momentWords } from '../base/timeWords.ts';
+import { fitting } from '../../session/sessions/fitting.ts';
 import { roleWords } from './roleWords.ts';
 import { listStyles } from '../base/listStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
-type Share = ResultOf<'session.shares'>['shares'][number];
-
+/** The first is the server's, which is less for who came by a link that ends before. */
 const lifetimes = [
+    { seconds: undefined, words: 'for 7 days' },
     { seconds: 3600, words: 'for an hour' },
     { seconds: 86_400, words: 'for a day' },
-    { seconds: 604_800, words: 'for a week' },
+    { seconds: 2_592_000, words: 'for 30 days' },
     { seconds: null, words: 'until taken back' },
 ];
+
+const purposes: Record<Role, string> = { viewer: 'To look on', editor: 'To edit', host: 'To host' };
 
 export class LinksPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: AppModel;
-    private readonly made = signal<{ link: string; role: Role } | null>(null);
-    private readonly shares = signal<readonly Share[]>([]);
+    private readonly made = signal<{ link: string; role: Role; expires: number | undefined } | null>(null);
+    private readonly shares = signal<readonly ShareLink[]>([]);
+    /** The link that is about to be taken back, and has made others. */
+    private readonly asked = signal<string | null>(null);
     private readonly copied = signal(false);
     private readonly forked = signal<string | null>(null);
 
@@ -51,13 +57,29 @@ export class LinksPanel extends SignalElement {
             }
             li {
                 display: flex;
+                flex-wrap: wrap;
                 justify-content: space-between;
                 align-items: center;
-                gap: 8px;
-                min-height: 32px;
+                gap: 4px 8px;
+                padding: 5px 0;
+                border-top: 1px solid var(--line);
+            }
+            li > span {
+                flex: 1;
+                min-width: 60%;
+            }
+            li small {
+                display: block;
+                font-size: 12px;
+                color: var(--quiet);
             }
             li button {
                 flex: none;
+            }
+            li p {
+                flex: 1 1 100%;
+                margin: 2px 0;
+                color: var(--warm);
             }
             a {
                 color: var(--accent);
@@ -93,6 +115,7 @@ export class LinksPanel extends SignalElement {
                 </select>
                 <button type="button" id="share" @click=${this.make}>Make a link</button>
             </div>
+            <p class="quiet">A link holds for 7 days unless another time is chosen here, and can be taken back before.</p>
             ${made === null
                 ? nothing
                 : html`<div class="made">
@@ -101,7 +124,7 @@ export class LinksPanel extends SignalElement {
                               ${this.copied.value ? 'Copied' : 'Copy'}
                           </button>
                       </div>
-                      <p class="quiet">Whoever opens this link ${roleWords[made.role]}. It is not shown again.</p>`}
+                      <p class="quiet">Whoever opens this link ${roleWords[made.role]}. It ends ${untilWords(made.expires)}, and is not shown again.</p>`}
             ${this.shares.value.length === 0
                 ? nothing
                 : html`<ul aria-label="Links that hold">
@@ -119,11 +142,25 @@ export class LinksPanel extends SignalElement {
         `;
     }
 
-    private share({ grant, role, expires }: Share): TemplateResult {
-        const until = expires === undefined ? 'until taken back' : `until ${momentWords(new Date(expires * 1000))}`;
-        return html`<li>
-            <span>${role === 'viewer' ? 'to look on' : role === 'editor' ? 'to edit' : 'to host'}, ${until}</span>
-            <button type="button" @click=${() => this.takeBack(grant)}>Take back</button>
+    private share(share: ShareLink): TemplateResult {
+        const { grant, role, expires, children = 0 } = share;
+        const asked = this.asked.value === grant;
+        const back = (): void => {
+            if (children === 0) void this.takeBack(grant, false);
+            else this.asked.value = grant;
+        };
+        return html`<li data-grant=${grant}>
+            <span
+                >${purposes[role]}, ends ${untilWords(expires)}<small>${makerWords(share)}</small>${children === 0
+                    ? nothing
+                    : html`<small>${children === 1 ? '1 link was' : `${children} links were`} made by who came by it</small>`}</span
+            >
+            ${asked
+                ? html`<p>Take back those made by it as well?</p>
+                      <button type="button" @click=${() => this.takeBack(grant, true)}>All ${children + 1}</button>
+                      <button type="button" @click=${() => this.takeBack(grant, false)}>Only this one</button>
+                      <button type="button" @click=${() => (this.asked.value = null)}>Cancel</button>`
+                : html`<button type="button" @click=${back}>Take back</button>`}
         </li>`;
     }
 
@@ -133,16 +170,13 @@ export class LinksPanel extends SignalElement {
 
     private async make(): Promise<void> {
         const role = this.chosen('share-role') === 'viewer' ? 'viewer' : 'editor';
-        const seconds = lifetimes[Number(this.chosen('share-lifetime'))]?.seconds ?? null;
-        const made = await this.model.calls.try('session.share', {
-            role,
-            ...(seconds === null ? {} : { expiresIn: seconds }),
-        });
+        const { seconds } = lifetimes[Number(this.chosen('share-lifetime'))] ?? lifetimes[0]!;
+        const made = await this.model.calls.try('session.share', { role, ...(seconds === undefined ? {} : { expiresIn: seconds }) });
         if (made === null) return;
         this.copied.value = false;
         const state = new URLSearchParams(new URL(this.model.views.link()).hash.slice(1)).get('state') ?? '';
         // Whoever comes by it sees what is seen here.
-        this.made.value = { link: `${new URL(made.link, location.href).href}&state=${state}`, role };
+        this.made.value = { link: `${new URL(made.link, location.href).href}&state=${state}`, role, expires: made.expires };
         await this.list();
     }
 
@@ -158,13 +192,14 @@ export class LinksPanel extends SignalElement {
         if (listed !== null) this.shares.value = listed.shares;
     }
 
-    private async takeBack(grant: string): Promise<void> {
-        await this.model.calls.try('session.unshare', { grant });
+    private async takeBack(grant: string, children: boolean): Promise<void> {
+        this.asked.value = null;
+        await this.model.calls.try('session.unshare', { grant, ...(children ? { children } : {}) });
         await this.list();
     }
 
     private async fork(): Promise<void> {
-        const fork = await this.model.calls.try('session.fork', {});
+        const fork = await this.model.calls.try('session.fork', { name: fitting(this.model.state.sessionName.value, ' copy') });
         if (fork === null) return;
         const link = new URL(location.href);
         link.hash = `session=${encodeURIComponent(fork.session)}`;
@@ -172,10 +207,14 @@ export class LinksPanel extends SignalElement {
     }
 }
 
-/** To the minute, and the day where it is not today. */
-function momentWords(moment: Date): string {
-    const today = moment.toDateString() === new Date().toDateString();
-    return moment.toLocaleString([], { ...(today ? {} : { dateStyle: 'medium' }), timeStyle: 'short' });
+function untilWords(expires: number | undefined): string {
+    return expires === undefined ? 'when it is taken back' : momentWords(new Date(expires * 1000));
+}
+
+function makerWords({ madeBy, newcomers, role }: ShareLink): string {
+    const maker = madeBy === undefined ? '' : madeBy.name === '' ? 'made by a script' : `made by ${madeBy.name}`;
+    const lessened = newcomers === undefined || newcomers === role ? '' : `who comes by it now ${roleWords[newcomers]}`;
+    return [maker, lessened].filter((words) => words !== '').join('; ');
 }
 
 customElements.define('wakesurf-links', LinksPanel);

@@ -40,14 +40,21 @@ export class PeoplePanel extends SignalElement {
             .away {
                 opacity: 0.6;
             }
+            .leave {
+                margin: 6px 0 0;
+                text-align: right;
+            }
         `,
     ];
 
     override render(): TemplateResult {
         const people = [...this.model.state.participants.value.values()];
         return html`<ul aria-label="People in this session">
-            ${people.map((person) => this.row(person))}
-        </ul>`;
+                ${people.map((person) => this.row(person))}
+            </ul>
+            <p class="leave">
+                <button type="button" id="log-out" title="This browser forgets the server's token or your link" @click=${this.logOut}>Log out</button>
+            </p>`;
     }
 
     protected override updated(): void {
@@ -99,13 +106,32 @@ export class PeoplePanel extends SignalElement {
         </button>`;
     }
 
+    /** A lesser role is for the person, wherever they come by the same link, and for the link. */
+    private sayAlso({ also = [], newcomers }: { also?: string[]; newcomers?: Role }): void {
+        const { notices } = this.model.state;
+        if (also.length === 0 && newcomers === undefined) {
+            notices.solved('role');
+            return;
+        }
+        const places = also.length === 0 ? '' : `That holds for ${also.length === 1 ? 'their other place' : `their ${also.length} other places`} here as well. `;
+        const others = newcomers === undefined ? '' : `Whoever comes by the same link from now on ${roleWords[newcomers]}; make another link for others.`;
+        notices.say('role', `${places}${others}`.trim());
+    }
+
+    private async logOut(): Promise<void> {
+        try {
+            await this.model.logOut();
+        } catch (error) {
+            this.model.state.problems.tell('log out', error);
+        }
+    }
+
     private async setRole(participant: string, choice: HTMLSelectElement): Promise<void> {
         const { calls, state } = this.model;
         const role = roles.find((each) => each === choice.value);
-        const taken =
-            role === undefined
-                ? await calls.try('session.kick', { participant })
-                : await calls.try('session.setRole', { participant, role });
+        const set = role === undefined ? null : await calls.try('session.setRole', { participant, role });
+        const taken = role === undefined ? await calls.try('session.kick', { participant }) : set;
+        if (set !== null) this.sayAlso(set);
         // Refused: nothing has changed, so nothing else puts the choice back.
         if (taken === null) choice.value = state.participants.value.get(participant)?.role ?? choice.value;
     }

@@ -2,9 +2,11 @@
 // Over the picture, because the panel may be scrolled.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { type DatasetEntry, errorWords } from '../../protocol/messages.ts';
+import type { Announcements } from '../../state/announcements.ts';
 import type { AppModel } from '../base/appModel.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
+import { goneWords } from './goneWords.ts';
 
 export class Banner extends SignalElement {
     static override properties = { model: { attribute: false } };
@@ -42,9 +44,10 @@ export class Banner extends SignalElement {
 
     override render(): TemplateResult {
         return html`<div role="status" aria-live="polite">
-                ${this.connection()} ${this.importing()} ${this.catchingUp()} ${this.notice()}
+                ${this.connection()} ${this.importing()} ${this.catchingUp()} ${this.gone()}
+                ${this.announced(this.model.state.notices, '')}
             </div>
-            <div role="alert">${this.problems()}</div>`;
+            <div role="alert">${this.announced(this.model.state.problems, 'down')}</div>`;
     }
 
     private connection(): TemplateResult | typeof nothing {
@@ -120,23 +123,32 @@ export class Banner extends SignalElement {
         </div>`;
     }
 
-    private problems(): TemplateResult[] {
-        const { problems } = this.model.state;
-        return [...problems.all.value].map(
-            ([about, words]) => html`<div class="banner down" data-about=${about}>
-                <span class="words">${words}</span>
-                <button type="button" @click=${() => problems.solved(about)}>Dismiss</button>
-            </div>`,
-        );
+    private gone(): TemplateResult | typeof nothing {
+        const { gone, role } = this.model.state;
+        if (gone.value === null) return nothing;
+        const { name, restorableUntil, remembered } = gone.value;
+        const { words, next } = goneWords(gone.value);
+        return html`<div class="banner down" id="gone">
+            <span class="words"><strong>${name === '' ? 'This session' : `“${name}”`} ${words}</strong> ${next}</span>
+            ${restorableUntil === null || role.value === 'viewer'
+                ? nothing
+                : html`<button type="button" @click=${() => this.model.restoreSession()}>Restore</button>`}
+            ${restorableUntil === null && remembered
+                ? html`<button type="button" @click=${() => this.model.makeSessionAgain()}>Make it again</button>`
+                : nothing}
+            <button type="button" @click=${() => (this.model.view.sessionsShown.value = true)}>Sessions</button>
+        </div>`;
     }
 
-    private notice(): TemplateResult | typeof nothing {
-        const { notice } = this.model.state;
-        if (notice.value === null) return nothing;
-        return html`<div class="banner" id="notice">
-            <span class="words">${notice.value}</span>
-            <button type="button" @click=${() => (notice.value = null)}>Dismiss</button>
-        </div>`;
+    private announced(announcements: Announcements, kind: string): TemplateResult[] {
+        return [...announcements.all.value].map(([about, words]) => {
+            const remedy = announcements.remedyOf(about);
+            return html`<div class="banner ${kind}" data-about=${about}>
+                <span class="words">${words}</span>
+                ${remedy === undefined ? nothing : html`<button type="button" @click=${() => remedy.act()}>${remedy.label}</button>`}
+                <button type="button" @click=${() => announcements.solved(about)}>Dismiss</button>
+            </div>`;
+        });
     }
 
     private keepCounting(counting: boolean): void {

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { Problems } from './problems.ts';
+import { Announcements } from './announcements.ts';
 
-describe('Problems', () => {
+describe('what is said over the picture', () => {
     it('keeps what is said of one thing while another works again', () => {
-        const problems = new Problems();
+        const problems = new Announcements();
         problems.say('rake r1', 'somebody else drags it');
         problems.tell('probe', new Error('the time is outside'));
         problems.solved('rake r2');
@@ -14,7 +14,7 @@ describe('Problems', () => {
     });
 
     it('has the newest words about a thing, and changes only where they do', () => {
-        const problems = new Problems();
+        const problems = new Announcements();
         let changes = 0;
         problems.all.subscribe(() => ++changes);
         problems.say('clock', 'first');
@@ -23,5 +23,15 @@ describe('Problems', () => {
         problems.solved('nothing of the kind');
         expect([...problems.all.value.values()]).toEqual(['second']);
         expect(changes).toBe(3); // as it was at first, and two changes
+    });
+
+    it('offers what can be done about a thing until something else is said of it', () => {
+        const notices = new Announcements();
+        const done: string[] = [];
+        notices.say('dataset', 'another one is shown here', { label: 'Open it', act: () => done.push('opened') });
+        notices.remedyOf('dataset')?.act();
+        expect(done).toEqual(['opened']);
+        notices.say('dataset', 'it is shown now');
+        expect(notices.remedyOf('dataset')).toBeUndefined();
     });
 });

@@ -1,0 +1,265 @@
+// Sessions as a person meets them: the printed link leads back to one's work, and a list has all there are, to make, name, copy, save
+// and delete them; what is deleted comes back from the trash.
+import { readFileSync } from 'node:fs';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import type { SessionEntry } from '../../web-client/src/protocol/messages.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { dragHandle } from './support/rake_drag.ts';
+import { useStand } from './support/stand.ts';
+
+const stand = useStand();
+const size = { width: 1100, height: 640 };
+
+async function listed(trash = false): Promise<SessionEntry[]> {
+    return (await stand.server.call('session.list', { trash }))['sessions'] as SessionEntry[];
+}
+
+async function named(name: string): Promise<SessionEntry | undefined> {
+    return (await listed()).find((each) => each.name === name);
+}
+
+async function openList(page: Page): Promise<void> {
+    await page.getByRole('button', { name: 'Sessions', exact: true }).click();
+    await page.getByRole('list', { name: 'Sessions on this server' }).waitFor();
+}
+
+function card(page: Page, name: string): ReturnType<Page['locator']> {
+    return page.getByRole('dialog').getByRole('listitem').filter({ has: page.getByTitle(name, { exact: true }) });
+}
+
+function sessionOf(page: Page): Promise<string | null> {
+    return ask(page, (hook) => hook.session);
+}
+
+/** Into a new session, as a person makes one. */
+async function makeSession(page: Page, name: string): Promise<void> {
+    const before = await sessionOf(page);
+    await openList(page);
+    await page.getByLabel('Name of the new session').fill(name);
+    await page.keyboard.press('Enter');
+    await page.waitForFunction((old) => ![null, undefined, old].includes(window.wakesurf?.session), before);
+    await finalSurface(page);
+}
+
+describe('the printed link', () => {
+    it('makes no session however often it is opened: everybody meets in one, with a first surface that nobody has edited', async () => {
+        const pages: Page[] = [];
+        for (let visit = 0; visit < 3; ++visit) pages.push(await stand.visit({ ...size, link: stand.server.link }));
+        expect(await Promise.all(pages.map(sessionOf))).toEqual(['main', 'main', 'main']);
+        expect(await listed()).toMatchObject([{ session: 'main', rakes: 1, surfaces: 1, edited: false, participants: 3 }]);
+        await dragHandle(pages[0]!, 0, 12, 8, 3);
+        const moved = await ask(pages[0]!, (hook) => hook.rakePoints);
+        await pages[1]!.waitForFunction((points) => JSON.stringify(window.wakesurf!.rakePoints) === JSON.stringify(points), moved);
+        await expect.poll(async () => (await listed())[0]!.edited).toBe(true);
+        for (const page of pages) await page.context().close();
+    });
+
+    it('leads back to the session one was in last, and to the others where that is gone', async () => {
+        const page = await stand.visit({ ...size, link: stand.server.link });
+        await makeSession(page, 'Wake behind the cylinder');
+        expect((await named('Wake behind the cylinder'))?.session).toBe(await sessionOf(page));
+        const again = await stand.open(page, stand.server.link);
+        expect(await sessionOf(again)).toBe(await sessionOf(page));
+        expect(await again.locator('#session-name').textContent()).toBe('Wake behind the cylinder');
+        await again.close();
+        await page.goto('about:blank');
+        await stand.server.call('session.delete', { session: (await named('Wake behind the cylinder'))!.session });
+        const back = await stand.open(page, stand.server.link);
+        expect(await sessionOf(back)).toBe('main');
+        await page.context().close();
+    });
+});
+
+describe('the list of sessions', () => {
+    it('shows who is there, what is in it, and how it looks', async () => {
+        const page = await stand.visit({ ...size, link: await stand.server.newSession('Thesis figure 4') });
+        await dragHandle(page, 1, 14, 6, 3);
+        await expect.poll(async () => (await named('Thesis figure 4'))?.thumbnail, { timeout: 20_000 }).toBe(true);
+        const session = (await sessionOf(page))!;
+        const framesBefore = await ask(page, (hook) => hook.framesDrawn);
+        await openList(page);
+        const own = card(page, 'Thesis figure 4');
+        await own.getByText('you are here').waitFor();
+        await own.getByText('1 rake, 1 surface').waitFor();
+        const picture = own.locator('img');
+        await expect.poll(() => picture.evaluate((img: HTMLImageElement) => [img.naturalWidth, img.naturalHeight])).toEqual([320, 200]);
+        // As many colours as a surface has, not a blank canvas.
+        const colours = await picture.evaluate((img: HTMLImageElement) => {
+            const canvas = new OffscreenCanvas(img.naturalWidth, img.naturalHeight);
+            const drawing = canvas.getContext('2d')!;
+            drawing.drawImage(img, 0, 0);
+            const { data } = drawing.getImageData(0, 0, canvas.width, canvas.height);
+            const seen = new Set<number>();
+            for (let i = 0; i < data.length; i += 4) seen.add(((data[i]! >> 5) << 10) | ((data[i + 1]! >> 5) << 5) | (data[i + 2]! >> 5));
+            return seen.size;
+        });
+        expect(colours).toBeGreaterThan(12);
+        await screenshot(page, 'sessions');
+        await page.keyboard.press('Escape');
+        expect(await page.getByRole('dialog').count()).toBe(0);
+        // Nothing is drawn for the list, and no second picture of what has not changed is sent.
+        expect((await ask(page, (hook) => hook.framesDrawn)) - framesBefore).toBeLessThanOrEqual(1);
+        const { headers } = await page.request.get(new URL(`/api/v1/sessions/${session}/thumbnail`, stand.server.link).href).then((reply) => ({ headers: reply.headers() }));
+        expect(headers['content-type']).toBe('image/jpeg');
+        await page.context().close();
+    });
+
+    it('renames by keyboard, for everybody who is in it', async () => {
+        const page = await stand.visit({ ...size, link: await stand.server.newSession('Draft') });
+        const other = await stand.visit({ ...size, link: `${stand.server.link}&session=${(await sessionOf(page))!}` });
+        await openList(page);
+        const rename = card(page, 'Draft').getByRole('button', { name: 'Rename' });
+        await rename.focus();
+        await page.keyboard.press('Enter');
+        await page.getByLabel('New name of Draft').waitFor();
+        await page.getByLabel('New name of Draft').focus();
+        await page.keyboard.press('Control+A');
+        await page.keyboard.type('Figure 7');
+        await page.keyboard.press('Enter');
+        await card(page, 'Figure 7').waitFor();
+        await other.locator('#session-name', { hasText: 'Figure 7' }).waitFor();
+        await page.context().close();
+        await other.context().close();
+    });
+
+    it('copies a session with its rakes, and leads to the copy', async () => {
+        const page = await stand.visit({ ...size, link: await stand.server.newSession('Original') });
+        await dragHandle(page, 0, 10, 6, 3);
+        const points = await ask(page, (hook) => hook.rakePoints);
+        await openList(page);
+        await card(page, 'Original').getByRole('button', { name: 'Copy' }).click();
+        await page.getByRole('button', { name: 'Open the copy' }).click();
+        await page.locator('#session-name', { hasText: 'Original copy' }).waitFor();
+        await finalSurface(page);
+        expect(await ask(page, (hook) => hook.rakePoints)).toEqual(points);
+        await page.context().close();
+    });
+});
+
+describe('a session that is deleted', () => {
+    it('asks first where others are in it, tells them, and comes back to all by the button', async () => {
+        const page = await stand.visit({ ...size, link: await stand.server.newSession('Shared work') });
+        const session = (await sessionOf(page))!;
+        const other = await stand.visit({ ...size, link: `${stand.server.link}&session=${session}` });
+        const before = await ask(other, (hook) => hook.displayed!);
+        await openList(page);
+        await card(page, 'Shared work').getByRole('button', { name: 'Delete' }).click();
+        await card(page, 'Shared work').getByText('Somebody else is in it now.').waitFor();
+        await page.getByRole('button', { name: 'Delete all the same' }).click();
+        await page.getByText('“Shared work” is in the trash.').waitFor();
+        const banner = other.locator('#gone');
+        await banner.getByText(/“Shared work” was moved to the trash\. It can be restored until/).waitFor();
+        // What was on the screen stays there, and nothing can be edited.
+        expect(await ask(other, (hook) => hook.displayed!.stateCrc)).toBe(before.stateCrc);
+        expect(await other.getByRole('spinbutton', { name: 'Start x' }).isDisabled()).toBe(true);
+        await screenshot(other, 'session-deleted');
+        await banner.getByRole('button', { name: 'Restore' }).click();
+        await banner.waitFor({ state: 'detached' });
+        await finalSurface(other);
+        // The one who has deleted it is back as well, by itself.
+        await page.waitForFunction((id) => window.wakesurf!.session === id && window.wakesurf!.stage === 'running', session, { timeout: 10_000 });
+        await page.context().close();
+        await other.context().close();
+    });
+
+    it('is taken back by Undo, restored from the trash, or removed for good', async () => {
+        const page = await stand.visit({ ...size, link: stand.server.link });
+        await stand.server.call('session.create', { name: 'Old' });
+        await openList(page);
+        await card(page, 'Old').getByRole('button', { name: 'Delete' }).click();
+        await page.getByRole('button', { name: 'Undo' }).click();
+        await page.getByText('“Old” is back.').waitFor();
+        expect((await named('Old')) !== undefined).toBe(true);
+
+        await card(page, 'Old').getByRole('button', { name: 'Delete' }).click();
+        await card(page, 'Old').waitFor({ state: 'detached' });
+        await page.getByRole('button', { name: /^Trash/ }).click();
+        await card(page, 'Old').getByText(/Deleted just now, kept until/).waitFor();
+        await screenshot(page, 'trash');
+        await card(page, 'Old').getByRole('button', { name: 'Restore', exact: true }).click();
+        await card(page, 'Old').waitFor({ state: 'detached' });
+        expect((await named('Old')) !== undefined).toBe(true);
+
+        await page.getByRole('button', { name: /^On this server/ }).click();
+        await card(page, 'Old').getByRole('button', { name: 'Delete' }).click();
+        await page.getByRole('button', { name: /^Trash/ }).click();
+        await card(page, 'Old').getByRole('button', { name: 'Delete for good …' }).click();
+        await card(page, 'Old').getByText('This cannot be undone.').waitFor();
+        await card(page, 'Old').getByRole('button', { name: 'Delete for good', exact: true }).click();
+        await page.getByText('“Old” is gone for good.').waitFor();
+        expect([await named('Old'), (await listed(true)).filter(({ name }) => name === 'Old')]).toEqual([undefined, []]);
+        // Where everybody meets cannot be deleted.
+        await page.getByRole('button', { name: /^On this server/ }).click();
+        expect(await page.locator('[data-session=main]').getByRole('button', { name: 'Delete' }).count()).toBe(0);
+        await page.context().close();
+    });
+});
+
+describe('a session as a file', () => {
+    it('is saved, and made again from that with the same rakes', async () => {
+        const page = await stand.visit({ ...size, link: await stand.server.newSession('To keep') });
+        await dragHandle(page, 0, 16, 4, 3);
+        const points = await ask(page, (hook) => hook.rakePoints);
+        await openList(page);
+        const download = page.waitForEvent('download');
+        await card(page, 'To keep').getByRole('button', { name: 'Export' }).click();
+        const file = await download;
+        expect(file.suggestedFilename()).toBe('To_keep-session.json');
+        const path = await file.path();
+        expect(JSON.parse(readFileSync(path, 'utf8'))).toMatchObject({ wakesurfSession: 1, name: 'To keep' });
+
+        await page.getByLabel('File of a session').setInputFiles(path);
+        await page.getByText('was made from the file.').waitFor();
+        await page.getByRole('button', { name: 'Open', exact: true }).first().click();
+        await page.waitForFunction((old) => ![null, undefined, old].includes(window.wakesurf?.session), await sessionOf(page));
+        await finalSurface(page);
+        expect(await ask(page, (hook) => hook.rakePoints)).toEqual(points);
+
+        await openList(page);
+        await page.getByLabel('File of a session').setInputFiles({ name: 'x.json', mimeType: 'application/json', buffer: Buffer.from('{"a":1}') });
+        await page.getByRole('dialog').getByRole('alert').getByText(/.+/).first().waitFor();
+        await screenshot(page, 'session-file-refused');
+        await page.context().close();
+    });
+});
+
+describe('how many sessions there can be', () => {
+    it('is said before it is met, and a refusal says what to do', async () => {
+        const context = await newContext(stand.browser, size);
+        await context.addInitScript(keepFewSessions, (await listed()).length + 2);
+        const { page } = await openPage(context, stand.server.link);
+        await finalSurface(page);
+        await openList(page);
+        await page.getByText('there is room for only 2 more. Delete what nobody needs').waitFor();
+        await page.getByLabel('Name of the new session').fill('One too many');
+        await page.getByRole('button', { name: 'New session' }).click();
+        await page.getByText('The server keeps at most 3 sessions, and has as many. Export sessions that nobody needs any more').waitFor();
+        await screenshot(page, 'sessions-limit');
+        expect(await sessionOf(page)).toBe('main');
+        await context.close();
+    });
+});
+
+/** What the worker hears of a server that keeps few sessions and has as many. */
+function keepFewSessions(limit: number): void {
+    const RealWorker = window.Worker;
+    window.Worker = class extends RealWorker {
+        private readonly creations = new Set<number>();
+
+        constructor(url: string | URL, options?: WorkerOptions) {
+            super(url, options);
+            this.addEventListener('message', ({ data }) => {
+                if (data.result?.limit !== undefined) data.result.limit = limit;
+                if (data.type !== 'reply' || !this.creations.has(data.id)) return;
+                data.type = 'failure';
+                data.failure = { kind: 'rpc', code: -32014, message: 'the server keeps at most 3 sessions, and has as many', hint: 'session.delete' };
+            });
+        }
+
+        override postMessage(message: { type: string; method?: string; id?: number }): void {
+            if (message.method === 'session.create') this.creations.add(message.id!);
+            super.postMessage(message);
+        }
+    };
+}

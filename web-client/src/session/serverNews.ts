@@ -1,0 +1,87 @@
+// What the server tells by itself, handed to whom it concerns: records, surfaces, people, datasets, notices.
+import type { Notification, Patch } from '../protocol/messages.ts';
+import type { AppState } from '../state/appState.ts';
+import type { OpenDataset } from './openDataset.ts';
+import type { People } from './people/people.ts';
+import type { SurfaceProgress } from './surface/surfaceProgress.ts';
+import type { SurfaceFeed } from './surface/surfaceFeed.ts';
+
+/** Notices before the server closes the connection, which the page tells in its own words. */
+const farewells: ReadonlySet<string> = new Set(['displaced', 'removed', 'linkEnded', 'loggedOut']);
+/** Notices of which the newest takes the place of the other. */
+const subjects: Readonly<Record<string, string>> = { notDurable: 'durability', durableAgain: 'durability' };
+
+export interface ServerNewsOptions {
+    state: AppState;
+    feed: SurfaceFeed;
+    people: People;
+    progress: Pick<SurfaceProgress, 'progressed'>;
+    dataset: OpenDataset;
+    patched: (session: string, patches: readonly Patch[]) => void;
+    /** The session that this page is in was moved to the trash. */
+    deleted: () => void;
+}
+
+export class ServerNews {
+    private readonly options: ServerNewsOptions;
+    private readonly told = new Map<string, string>();
+
+    constructor(options: ServerNewsOptions) {
+        this.options = options;
+    }
+
+    take(notification: Notification): void {
+        const { feed, dataset, people, progress, patched } = this.options;
+        switch (notification.method) {
+            case 'session.patched':
+                patched(notification.session, notification.patches);
+                break;
+            case 'surface.done':
+                feed.done(notification.surface, notification.epoch, notification.error);
+                break;
+            case 'dataset.patched':
+                dataset.patched(notification.dataset, notification.change);
+                break;
+            case 'server.notice':
+                this.noticed(notification.kind, notification.text, notification.surface ?? '');
+                break;
+            case 'presence.patched':
+                people.patched(notification.participants, notification.left);
+                break;
+            case 'cache.patched':
+                dataset.stepsPatched(notification.dataset, notification.changes);
+                break;
+            case 'surface.progress':
+                feed.progressed(notification.surface, notification.epoch, notification.seconds);
+                break;
+            case '$/progress':
+                progress.progressed(notification.token, notification.fraction, notification.message);
+                break;
+        }
+    }
+
+    /** Whatever the kind, words for people are shown. */
+    private noticed(kind: string, text: string | null, surface: string): void {
+        const { state, deleted } = this.options;
+        if (kind === 'sessionDeleted') deleted();
+        else if (kind === 'catchingUp' || kind === 'caughtUp') {
+            const surfaces = new Set(state.catchingUp.value);
+            if (kind === 'catchingUp') surfaces.add(surface);
+            else surfaces.delete(surface);
+            state.catchingUp.value = surfaces;
+        } else if (text !== null && !farewells.has(kind)) this.say(subjects[kind] ?? kind, sentence(text));
+    }
+
+    /** Some notices come again whenever the session is joined; what was sent away stays away. */
+    private say(about: string, words: string): void {
+        if (this.told.get(about) === words) return;
+        this.told.set(about, words);
+        this.options.state.notices.say(about, words);
+    }
+}
+
+/** Errors and notices of the server begin with a small letter. */
+function sentence(text: string): string {
+    const first = text.charAt(0).toUpperCase() + text.slice(1);
+    return /[.!?…]$/.test(first) ? first : `${first}.`;
+}

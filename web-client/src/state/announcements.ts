@@ -1,0 +1,37 @@
+// What is said to the user over the picture, by what it is about: the newest words about a thing count, and go when that thing
+// is well again or they are sent away; what is said of other things stays.
+import { signal } from '@preact/signals-core';
+
+/** What can be done about it, at once. */
+export interface Remedy {
+    label: string;
+    act: () => void;
+}
+
+export class Announcements {
+    readonly all = signal<ReadonlyMap<string, string>>(new Map());
+    private readonly remedies = new Map<string, Remedy>();
+
+    /** @param about the record or control concerned, or the kind of a notice */
+    say(about: string, words: string, remedy: Remedy | null = null): void {
+        if (remedy === null) this.remedies.delete(about);
+        else this.remedies.set(about, remedy);
+        if (this.all.value.get(about) !== words) this.all.value = new Map(this.all.value).set(about, words);
+    }
+
+    tell(about: string, error: unknown): void {
+        this.say(about, error instanceof Error ? error.message : String(error));
+    }
+
+    remedyOf(about: string): Remedy | undefined {
+        return this.remedies.get(about);
+    }
+
+    solved(about: string): void {
+        if (!this.all.value.has(about)) return;
+        const rest = new Map(this.all.value);
+        rest.delete(about);
+        this.remedies.delete(about);
+        this.all.value = rest;
+    }
+}

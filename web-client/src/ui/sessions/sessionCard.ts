@@ -1,0 +1,132 @@
+// One session of the list: its picture, who was in it and when, and what can be done with it.
+import { html, nothing, type TemplateResult } from 'lit';
+import type { SessionEntry } from '../../protocol/messages.ts';
+import { agoWords, dayWords } from '../base/timeWords.ts';
+
+/** What is asked about a session before it is done. */
+export type Question = 'rename' | 'delete' | 'forever';
+
+export interface CardActs {
+    open: (entry: SessionEntry) => void;
+    rename: (entry: SessionEntry, name: string) => void;
+    copy: (entry: SessionEntry) => void;
+    export: (entry: SessionEntry) => void;
+    delete: (entry: SessionEntry) => void;
+    restore: (entry: SessionEntry) => void;
+    deleteForever: (entry: SessionEntry) => void;
+    /** Null: no longer. */
+    ask: (session: string, question: Question | null) => void;
+}
+
+export interface CardState {
+    /** The page is in it. */
+    here: boolean;
+    question: Question | null;
+    /** May rename and delete it. */
+    hosts: boolean;
+    /** May make others. */
+    makes: boolean;
+    /** Part of the pictures' addresses: those of an earlier look at the list may be old. */
+    look: number;
+}
+
+export function sessionCard(entry: SessionEntry, card: CardState, acts: CardActs): TemplateResult {
+    const { session, name, participants } = entry;
+    const others = participants - (card.here ? 1 : 0);
+    return html`<li class="card ${card.here ? 'here' : ''}" data-session=${session}>
+        ${picture(entry, card.look, card.here ? `Go on in ${name}` : `Open ${name}`, () => acts.open(entry))}
+        <div class="about">
+            <p class="name"><span title=${name}>${name}</span>${card.here ? html`<span class="badge">you are here</span>` : nothing}</p>
+            <p class="quiet">${useWords(entry, others, card.here)}</p>
+            <p class="quiet">${contentWords(entry)}</p>
+            ${people(entry)}
+            ${card.question === 'rename'
+                ? renaming(entry, acts)
+                : card.question === 'delete'
+                  ? deleting(entry, others, acts)
+                  : html`<div class="actions">
+                        <button type="button" @click=${() => acts.open(entry)}>${card.here ? 'Go on' : 'Open'}</button>
+                        ${card.hosts ? html`<button type="button" @click=${() => acts.ask(session, 'rename')}>Rename</button>` : nothing}
+                        ${card.makes ? html`<button type="button" @click=${() => acts.copy(entry)}>Copy</button>` : nothing}
+                        <button type="button" @click=${() => acts.export(entry)}>Export</button>
+                        ${card.hosts && session !== 'main'
+                            ? html`<button type="button" @click=${() => (others > 0 ? acts.ask(session, 'delete') : acts.delete(entry))}>
+                                  Delete
+                              </button>`
+                            : nothing}
+                    </div>`}
+        </div>
+    </li>`;
+}
+
+export function trashCard(entry: SessionEntry, { question, look }: Pick<CardState, 'question' | 'look'>, acts: CardActs): TemplateResult {
+    const { session, name, deletedAt = '', deletedUntil = '' } = entry;
+    return html`<li class="card trash" data-session=${session}>
+        ${picture(entry, look, `Restore ${name}`, () => acts.restore(entry))}
+        <div class="about">
+            <p class="name"><span title=${name}>${name}</span></p>
+            <p class="quiet">Deleted ${agoWords(deletedAt)}, kept until ${dayWords(deletedUntil)}</p>
+            <p class="quiet">${contentWords(entry)}</p>
+            ${people(entry)}
+            ${question === 'forever'
+                ? html`<p class="asked">This cannot be undone.</p>
+                      <div class="actions">
+                          <button type="button" @click=${() => acts.deleteForever(entry)}>Delete for good</button>
+                          <button type="button" @click=${() => acts.ask(session, null)}>Keep</button>
+                      </div>`
+                : html`<div class="actions">
+                      <button type="button" @click=${() => acts.restore(entry)}>Restore</button>
+                      <button type="button" @click=${() => acts.ask(session, 'forever')}>Delete for good …</button>
+                  </div>`}
+        </div>
+    </li>`;
+}
+
+function picture({ session, thumbnail }: SessionEntry, look: number, label: string, open: () => void): TemplateResult {
+    return html`<button type="button" class="picture" aria-label=${label} title=${label} @click=${open}>
+        ${thumbnail
+            ? html`<img loading="lazy" alt="" src=${`api/v1/sessions/${encodeURIComponent(session)}/thumbnail?look=${look}`} />`
+            : 'no picture yet'}
+    </button>`;
+}
+
+function people({ people: all }: SessionEntry): TemplateResult {
+    const names = all.map(({ name }) => name).join(', ');
+    return html`<p class="people quiet" title=${names}>
+        ${all.map(({ colour }) => html`<span class="dot" data-colour=${colour}></span>`)}
+        <span>${names}</span>
+    </p>`;
+}
+
+function renaming(entry: SessionEntry, acts: CardActs): TemplateResult {
+    const save = (event: Event): void => {
+        event.preventDefault();
+        const name = new FormData(event.target as HTMLFormElement).get('name');
+        if (typeof name === 'string' && name.trim() !== '') acts.rename(entry, name.trim());
+    };
+    return html`<form class="rename actions" @submit=${save}>
+        <input name="name" required maxlength="80" aria-label=${`New name of ${entry.name}`} .value=${entry.name} />
+        <button type="submit">Save</button>
+        <button type="button" @click=${() => acts.ask(entry.session, null)}>Cancel</button>
+    </form>`;
+}
+
+function deleting(entry: SessionEntry, others: number, acts: CardActs): TemplateResult {
+    return html`<p class="asked">${others === 1 ? 'Somebody else is' : `${others} others are`} in it now.</p>
+        <div class="actions">
+            <button type="button" @click=${() => acts.delete(entry)}>Delete all the same</button>
+            <button type="button" @click=${() => acts.ask(entry.session, null)}>Keep</button>
+        </div>`;
+}
+
+function useWords({ lastUsed }: SessionEntry, others: number, here: boolean): string {
+    if (others > 0) return `${others === 1 ? '1 person' : `${others} people`} here${here ? ' besides you' : ' now'}`;
+    return here ? 'nobody else is here' : `last used ${agoWords(lastUsed)}`;
+}
+
+function contentWords({ rakes, surfaces, annotations, bookmarks, edited }: SessionEntry): string {
+    if (!edited) return 'nothing edited yet';
+    const counts: [number, string][] = [[rakes, 'rake'], [surfaces, 'surface'], [annotations, 'note'], [bookmarks, 'view']];
+    const words = counts.filter(([count]) => count > 0).map(([count, word]) => `${count} ${word}${count === 1 ? '' : 's'}`);
+    return words.length === 0 ? 'empty' : words.join(', ');
+}

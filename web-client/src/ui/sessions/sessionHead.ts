@@ -1,0 +1,46 @@
+// Which session this is, and the way to the others.
+import { css, html, type TemplateResult } from 'lit';
+import type { AppModel } from '../base/appModel.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+import './sessionsDialog.ts';
+
+export class SessionHead extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            div {
+                display: flex;
+                gap: 8px;
+                align-items: center;
+                margin: 4px 0 2px;
+            }
+            .quiet {
+                color: var(--quiet);
+            }
+            .name {
+                flex: 1;
+                min-width: 0;
+                overflow: hidden;
+                text-overflow: ellipsis;
+                white-space: nowrap;
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { state, view } = this.model;
+        const name = state.gone.value === null ? state.sessionName.value : '';
+        const words = name !== '' ? name : state.gone.value === null ? '' : 'No session';
+        return html`<div>
+                <span class="name" title=${words}><span class="quiet">Session</span> <span id="session-name">${words}</span></span>
+                <button type="button" aria-haspopup="dialog" @click=${() => (view.sessionsShown.value = true)}>Sessions</button>
+            </div>
+            <wakesurf-sessions .model=${this.model}></wakesurf-sessions>`;
+    }
+}
+
+customElements.define('wakesurf-session-head', SessionHead);

@@ -1,0 +1,240 @@
+// The sessions of this server: to go to, to make, rename, copy, save and delete; and the trash, from which they come back.
+import { signal } from '@preact/signals-core';
+import { html, nothing, type TemplateResult } from 'lit';
+import { repeat } from 'lit/directives/repeat.js';
+import type { SessionEntry } from '../../protocol/messages.ts';
+import type { AppModel } from '../base/appModel.ts';
+import { dialogStyles } from '../base/dialogStyles.ts';
+import { listStyles } from '../base/listStyles.ts';
+import { fileName, saveFile } from '../base/saveFile.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+import { type CardActs, type Question, sessionCard, trashCard } from './sessionCard.ts';
+import { sessionsStyles } from './sessionsStyles.ts';
+
+/** Fewer are found by looking. */
+const searchFrom = 9;
+/** Limits are told before they are met. */
+const fewLeft = 10;
+
+export class SessionsDialog extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: AppModel;
+    private readonly inTrash = signal(false);
+    private readonly sought = signal('');
+    private readonly asked = signal<{ session: string; question: Question } | null>(null);
+    private look = 0;
+    private watching = false;
+
+    static override styles = [sharedStyles, dialogStyles, listStyles, sessionsStyles];
+
+    private readonly acts: CardActs = {
+        open: (entry) => (this.isHere(entry) ? this.close() : this.model.shelf.enter(entry.session)),
+        rename: ({ session }, name) => this.done(this.model.shelf.rename(session, name)),
+        copy: (entry) => this.done(this.model.shelf.copy(entry)),
+        export: (entry) => void this.save(entry),
+        delete: (entry) => this.done(this.model.shelf.delete(entry)),
+        restore: (entry) => this.done(this.model.shelf.restore(entry)),
+        deleteForever: (entry) => this.done(this.model.shelf.deleteForever(entry)),
+        ask: (session, question) => (this.asked.value = question === null ? null : { session, question }),
+    };
+
+    override render(): TemplateResult {
+        const { shelf, view } = this.model;
+        if (!view.sessionsShown.value) return html`<dialog></dialog>`;
+        const trash = shelf.trash.value ?? [];
+        return html`<dialog aria-labelledby="sessions-head" @close=${this.closed}>
+            <header>
+                <h2 id="sessions-head">Sessions</h2>
+                ${shelf.ownOnly.value
+                    ? nothing
+                    : html`<div class="choice" role="group" aria-label="Which sessions">
+                          ${this.choice(`On this server (${shelf.sessions.value?.length ?? '…'})`, false)}
+                          ${this.choice(`Trash (${trash.length})`, true)}
+                      </div>`}
+                <button type="button" aria-label="Close" @click=${() => this.close()}>✕</button>
+            </header>
+            <div role="status" aria-live="polite">${this.said('done')}</div>
+            <div role="alert">${this.trouble()}</div>
+            <div class="list">${this.inTrash.value ? this.deleted() : this.kept()}</div>
+            ${this.inTrash.value || shelf.ownOnly.value ? nothing : this.making()}
+        </dialog>`;
+    }
+
+    protected override updated(): void {
+        const shown = this.model.view.sessionsShown.value;
+        if (shown && this.dialog?.open === false) {
+            this.look = Date.now();
+            this.dialog.showModal();
+        }
+        if (shown !== this.watching) {
+            this.watching = shown;
+            if (shown) this.model.shelf.watch();
+            else this.model.shelf.unwatch();
+        }
+        // Colours through the object model: the content security policy forbids style attributes.
+        for (const dot of this.renderRoot.querySelectorAll<HTMLElement>('.dot')) dot.style.background = dot.dataset['colour'] ?? '';
+        this.renderRoot.querySelector<HTMLInputElement>('.rename input:not(:focus)')?.select();
+    }
+
+    private get dialog(): HTMLDialogElement | null {
+        return this.renderRoot.querySelector('dialog');
+    }
+
+    private close(): void {
+        this.dialog?.close();
+    }
+
+    private readonly closed = (): void => {
+        const { shelf, view } = this.model;
+        view.sessionsShown.value = false;
+        this.inTrash.value = false;
+        this.asked.value = null;
+        this.sought.value = '';
+        shelf.notices.solved('done');
+        shelf.problems.solved('action');
+    };
+
+    private done(action: Promise<void>): void {
+        this.asked.value = null;
+        void action;
+    }
+
+    private choice(words: string, trash: boolean): TemplateResult {
+        const choose = (): void => {
+            this.inTrash.value = trash;
+            this.asked.value = null;
+        };
+        return html`<button type="button" aria-pressed=${this.inTrash.value === trash ? 'true' : 'false'} @click=${choose}>${words}</button>`;
+    }
+
+    private said(about: string): TemplateResult | typeof nothing {
+        const { notices } = this.model.shelf;
+        const words = notices.all.value.get(about);
+        const remedy = notices.remedyOf(about);
+        if (words === undefined) return nothing;
+        return html`<p class="said">
+            <span class="words">${words}</span>
+            ${remedy === undefined ? nothing : html`<button type="button" @click=${() => remedy.act()}>${remedy.label}</button>`}
+        </p>`;
+    }
+
+    private trouble(): TemplateResult[] {
+        return [...this.model.shelf.problems.all.value.values()].map((words) => html`<p class="said problem"><span class="words">${words}</span></p>`);
+    }
+
+    private kept(): TemplateResult {
+        const { shelf, state } = this.model;
+        const all = shelf.sessions.value;
+        if (all === null) return html`<p class="quiet">Asking the server …</p>`;
+        const wanted = this.sought.value.trim().toLowerCase();
+        const found = all.filter((entry) => wanted === '' || textOf(entry).includes(wanted));
+        const hosts = state.role.value === 'host';
+        const makes = !shelf.ownOnly.value;
+        return html`${all.length < searchFrom
+                ? nothing
+                : html`<input
+                      class="search"
+                      aria-label="Find a session by its name or people"
+                      placeholder="Find by name or people"
+                      .value=${this.sought.value}
+                      @input=${(event: Event) => (this.sought.value = (event.target as HTMLInputElement).value)}
+                  />`}
+            ${makes ? nothing : html`<p class="quiet">The link that you came by is for one session only.</p>`}
+            ${found.length === 0 ? html`<p class="quiet">No session has that in its name, and nobody in it is called so.</p>` : nothing}
+            <ul aria-label="Sessions on this server">
+                ${repeat(
+                    found,
+                    ({ session }) => session,
+                    (entry) => {
+                        const here = this.isHere(entry);
+                        return sessionCard(entry, { here, hosts, makes, question: this.questionOf(entry), look: this.look }, this.acts);
+                    },
+                )}
+            </ul>`;
+    }
+
+    private deleted(): TemplateResult {
+        const { trash, limits } = this.model.shelf;
+        const all = trash.value ?? [];
+        if (all.length === 0) return html`<p class="quiet">Nothing is in the trash. Deleted sessions stay here for 30 days.</p>`;
+        return html`<p class="quiet">
+                Deleted sessions stay here for 30 days; their links work again once they are restored.
+                ${limits.value === null ? nothing : leftWords(limits.value.trash - all.length, `The trash holds up to ${limits.value.trash} sessions`)}
+            </p>
+            <ul aria-label="Sessions in the trash">
+                ${repeat(
+                    all,
+                    ({ session }) => session,
+                    (entry) => trashCard(entry, { question: this.questionOf(entry), look: this.look }, this.acts),
+                )}
+            </ul>`;
+    }
+
+    private isHere({ session }: SessionEntry): boolean {
+        const { state } = this.model;
+        return session === state.session.value && state.gone.value === null;
+    }
+
+    private questionOf({ session }: SessionEntry): Question | null {
+        const asked = this.asked.value;
+        return asked?.session === session ? asked.question : null;
+    }
+
+    private making(): TemplateResult {
+        const { shelf, state } = this.model;
+        const datasets = state.datasets.value;
+        const [remaining, limits, busy] = [shelf.remaining.value, shelf.limits.value, shelf.busy.value];
+        const shown = state.dataset.value?.dataset;
+        return html`<footer>
+            <form aria-label="A new session" @submit=${this.create}>
+                <input name="name" maxlength="80" aria-label="Name of the new session" placeholder="Name of the new session" required />
+                ${datasets.length < 2
+                    ? nothing
+                    : html`<select name="dataset" aria-label="Dataset of the new session">
+                          ${datasets.map(({ dataset, name }) => html`<option value=${dataset} .selected=${dataset === shown}>${name}</option>`)}
+                      </select>`}
+                <button type="submit" ?disabled=${busy}>New session</button>
+            </form>
+            <button type="button" ?disabled=${busy} @click=${() => this.fileInput?.click()}>Import a file …</button>
+            <input type="file" hidden accept=".json,application/json" aria-label="File of a session" @change=${this.import} />
+            ${limits === null || remaining === null ? nothing : html`<span class="quiet">${leftWords(remaining, `The server keeps up to ${limits.sessions} sessions`)}</span>`}
+        </footer>`;
+    }
+
+    private get fileInput(): HTMLInputElement | null {
+        return this.renderRoot.querySelector('input[type=file]');
+    }
+
+    private readonly create = (event: Event): void => {
+        event.preventDefault();
+        const values = new FormData(event.target as HTMLFormElement);
+        const [name, dataset] = [values.get('name'), values.get('dataset') ?? this.model.state.dataset.value?.dataset ?? null];
+        void this.model.shelf.create(String(name).trim(), dataset === null ? null : String(dataset));
+    };
+
+    private readonly import = (event: Event): void => {
+        const input = event.target as HTMLInputElement;
+        const file = input.files?.[0];
+        // The same file may be chosen again.
+        if (file !== undefined) void this.model.shelf.import(file).finally(() => (input.value = ''));
+    };
+
+    private async save(entry: SessionEntry): Promise<void> {
+        const file = await this.model.shelf.export(entry);
+        if (file !== null) saveFile(file, fileName(entry.name, 'session.json'));
+    }
+}
+
+function textOf({ name, people }: SessionEntry): string {
+    return [name, ...people.map((each) => each.name)].join('\n').toLowerCase();
+}
+
+/** Said always, and with what to do where it is few. */
+function leftWords(left: number, whole: string): string {
+    if (left > fewLeft) return `${whole}: there is room for ${left} more.`;
+    const more = left <= 0 ? 'there is room for none more' : `there is room for only ${left} more`;
+    return `${whole}: ${more}. Delete what nobody needs; what is exported can be imported again.`;
+}
+
+customElements.define('wakesurf-sessions', SessionsDialog);
