@@ -187,7 +187,7 @@ export const sessionsStyles = css`
     }
     .actions button {
         min-height: 25px;
-        padding: 1px 8px;
+        padding: 1px 6px;
         font-size: 12px;
     }
     .rename {
