@@ -153,7 +153,7 @@ describe('views that are kept', () => {
         values.set('session', 'forgotten');
         address.hash = values.toString();
         const { page: again } = await openPage(page.context(), address.href);
-        await again.getByText(/is not on this server\. Its rakes and surfaces are known here/).waitFor();
+        await again.getByText(/is not on this server\. What was in it is known here/).waitFor();
         await screenshot(again, 'session-forgotten');
         await again.getByRole('button', { name: 'Make it again' }).click();
         await finalSurface(again);

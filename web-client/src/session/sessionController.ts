@@ -19,7 +19,7 @@ import { addDefaultScene, isEmpty, wasEdited } from './sessions/filling.ts';
 import { rememberSession } from './sessions/knownSessions.ts';
 import type { SurfaceFeed } from './surface/surfaceFeed.ts';
 import type { SurfaceProgress } from './surface/surfaceProgress.ts';
-import { makeAnew, type Remembered, rememberedOf } from './view/madeAnew.ts';
+import { isNothing, makeAnew, type Remembered, rememberedOf } from './view/madeAnew.ts';
 import type { UrlState } from './view/urlState.ts';
 import type { Views } from './view/views.ts';
 
@@ -202,14 +202,14 @@ export class SessionController {
     private async look(session: string): Promise<void> {
         const { state, url, worker } = this.options;
         const remembered = rememberedOf(state, url);
-        if (remembered.rakes.length === 0 || (await wasEdited(worker, session))) return;
+        if (isNothing(remembered) || (await wasEdited(worker, session))) return;
         this.lost = remembered;
     }
 
     /** Also after a connection that was lost in the middle of it. */
     private async makeAgainHere(joined: JoinedSession, dataset: string): Promise<void> {
         const { worker, views, edits, state } = this.options;
-        const { rakes, surfaces } = this.lost!;
+        const lost = this.lost!;
         let there = joined.snapshot;
         const place = joined.participants.findIndex(({ participant }) => participant === joined.you);
         for (let turn = 0; turn < place && isEmpty(there); ++turn) {
@@ -217,8 +217,8 @@ export class SessionController {
             there = (await this.arrival.enter(there.session)).snapshot;
         }
         if (isEmpty(joined.snapshot) === isEmpty(there)) {
-            const ofDataset = surfaces.filter((each) => each.dataset === dataset);
-            const made = await makeAnew(worker, { rakes, surfaces: ofDataset }, there);
+            const surfaces = lost.surfaces.filter((each) => each.dataset === dataset);
+            const made = await makeAnew(worker, { ...lost, surfaces }, there);
             // An edit of meanwhile lies below what was made anew, for the server.
             edits.history.clear();
             views.madeAnew(made);
@@ -264,7 +264,7 @@ export class SessionController {
             session,
             name: entry?.name ?? state.sessionName.value,
             restorableUntil: entry?.deletedUntil ?? null,
-            remembered: rememberedOf(state, url).rakes.length > 0,
+            remembered: !isNothing(rememberedOf(state, url)),
         };
         if (entry === undefined) return;
         setTimeout(() => {

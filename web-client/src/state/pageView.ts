@@ -39,3 +39,21 @@ export function readPageView(value: unknown): PageView {
     if (clip !== undefined) view.clip = decodeClip(clip);
     return view;
 }
+
+/** Of the same surfaces under other names; what is of one that is not among them is left out. */
+export function renamedView({ surface, looks, masks, ...kept }: PageView, names: ReadonlyMap<string, string>): PageView {
+    const renamed = <Value>(each: Record<string, Value>): Record<string, Value> =>
+        Object.fromEntries(
+            Object.entries(each).flatMap(([id, value]) => {
+                const now = names.get(id);
+                return now === undefined ? [] : [[now, value]];
+            }),
+        );
+    const now = names.get(surface ?? '');
+    return {
+        ...kept,
+        ...(now === undefined ? {} : { surface: now }),
+        ...(looks === undefined ? {} : { looks: renamed(looks) }),
+        ...(masks === undefined ? {} : { masks: renamed(masks) }),
+    };
+}

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { RakeRecord, SurfaceRecord } from '../../protocol/messages.ts';
+import type { RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
 import { makeAnew } from './madeAnew.ts';
 
@@ -21,7 +21,9 @@ function serverThat(fails: CallError) {
 
 const refused = new CallError({ kind: 'rpc', code: -32602, message: 'seeds: too few', hint: '' });
 const lost = new CallError({ kind: 'disconnected', code: 0, message: 'gone', hint: '' });
+const none = { bookmarks: [], annotations: [] };
 const former = {
+    ...none,
     rakes: [rake('r1', 1), rake('r2')],
     surfaces: [surface('s1', 'r1'), surface('s2', 'r2', { session: 'another', hostile: true })],
 };
@@ -41,12 +43,24 @@ describe('a session made anew', () => {
     it('goes on where a lost connection has ended the first attempt', async () => {
         const { asked, worker } = serverThat(refused);
         const there = { rakes: [rake('n7')].map((each) => ({ ...each, name: 'r2' })), surfaces: [surface('n8', 'n7')] };
-        const remembered = { rakes: [rake('r2'), rake('r3')], surfaces: [surface('s1', 'r2'), surface('s2', 'r2')] };
+        const remembered = { ...none, rakes: [rake('r2'), rake('r3')], surfaces: [surface('s1', 'r2'), surface('s2', 'r2')] };
         const made = await makeAnew(worker, remembered, there);
         expect(asked).toHaveLength(2);
         expect([...made.rakes]).toEqual([['r2', 'n7'], ['r3', 'n1']]);
         expect([...made.surfaces]).toEqual([['s1', 'n8'], ['s2', 'n2']]);
         expect(made.missing).toBeNull();
+    });
+
+    it('has its notes, and its views of the surfaces under their new names', async () => {
+        const { asked, worker } = serverThat(refused);
+        const note = { annotation: 'a1', rev: 1, text: 'Here', position: [1, 2, 3] as Vec3, author: 'Ada', surface: 's1' };
+        const view = { surface: 's1', looks: { s1: { opacity: 0.5 }, gone: { opacity: 0.2 } } };
+        const kept = { bookmark: 'b1', rev: 1, name: 'From above', view, time: 4 };
+        await makeAnew(worker, { rakes: [rake('r2')], surfaces: [surface('s1', 'r2')], bookmarks: [kept], annotations: [note] });
+        expect(asked.slice(2)).toEqual([
+            { text: 'Here', position: [1, 2, 3], surface: 'n2' },
+            { name: 'From above', time: 4, view: { surface: 'n2', looks: { n2: { opacity: 0.5 } } } },
+        ]);
     });
 
     it('is given up when the connection is lost', async () => {

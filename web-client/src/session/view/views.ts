@@ -4,7 +4,7 @@ import type { FlowScene } from '../../scene/scene.ts';
 import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
 import { noClip } from '../../state/clipPlanes.ts';
-import type { PageView } from '../../state/pageView.ts';
+import { type PageView, renamedView } from '../../state/pageView.ts';
 import { decodeLook, encodeLook, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { encodeLinkState } from './linkState.ts';
@@ -115,15 +115,7 @@ export class Views {
             state.activeRake.value = rakes.get(state.activeRake.value ?? '') ?? null;
             state.activeSurface.value = surfaces.get(state.activeSurface.value ?? '') ?? null;
         });
-        if (url.state === null) return;
-        const { surface: _, looks: linkedLooks, masks: linked, ...kept } = url.state.view;
-        const surface = surfaces.get(url.state.view.surface ?? '');
-        url.state.view = {
-            ...kept,
-            ...(surface === undefined ? {} : { surface }),
-            ...(linkedLooks === undefined ? {} : { looks: Object.fromEntries(renamed(Object.entries(linkedLooks))) }),
-            ...(linked === undefined ? {} : { masks: Object.fromEntries(renamed(Object.entries(linked))) }),
-        };
+        if (url.state !== null) url.state.view = renamedView(url.state.view, surfaces);
     }
 
     /** The address of this page as it is now. */

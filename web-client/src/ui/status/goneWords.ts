@@ -9,7 +9,7 @@ export function goneWords({ restorableUntil, remembered }: GoneSession): { words
     return {
         words: 'is not on this server.',
         next: remembered
-            ? 'Its rakes and surfaces are known here, and a new session can be made of them.'
+            ? 'What was in it is known here, and a new session can be made of that.'
             : 'It was deleted, or the server was started without it. Choose another session.',
     };
 }
