@@ -168,7 +168,7 @@ describe('a session that is deleted', () => {
         await stand.server.call('session.create', { name: 'Old' });
         await openList(page);
         await card(page, 'Old').getByRole('button', { name: 'Delete' }).click();
-        await page.getByRole('button', { name: 'Undo' }).click();
+        await page.getByRole('dialog').getByRole('button', { name: 'Undo' }).click();
         await page.getByText('“Old” is back.').waitFor();
         expect((await named('Old')) !== undefined).toBe(true);
 

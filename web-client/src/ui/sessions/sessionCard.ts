@@ -45,7 +45,7 @@ export function sessionCard(entry: SessionEntry, card: CardState, acts: CardActs
                 : card.question === 'delete'
                   ? deleting(entry, others, acts)
                   : html`<div class="actions">
-                        <button type="button" @click=${() => acts.open(entry)}>${card.here ? 'Go on' : 'Open'}</button>
+                        ${card.here ? nothing : html`<button type="button" @click=${() => acts.open(entry)}>Open</button>`}
                         ${card.hosts ? html`<button type="button" @click=${() => acts.ask(session, 'rename')}>Rename</button>` : nothing}
                         ${card.makes ? html`<button type="button" @click=${() => acts.copy(entry)}>Copy</button>` : nothing}
                         <button type="button" @click=${() => acts.export(entry)}>Export</button>
@@ -83,7 +83,8 @@ export function trashCard(entry: SessionEntry, { question, look }: Pick<CardStat
 }
 
 function picture({ session, thumbnail }: SessionEntry, look: number, label: string, open: () => void): TemplateResult {
-    return html`<button type="button" class="picture" aria-label=${label} title=${label} @click=${open}>
+    const name = thumbnail ? label : `${label}, no picture yet`;
+    return html`<button type="button" class="picture" aria-label=${name} title=${label} @click=${open}>
         ${thumbnail
             ? html`<img loading="lazy" alt="" src=${`api/v1/sessions/${encodeURIComponent(session)}/thumbnail?look=${look}`} />`
             : 'no picture yet'}
@@ -94,7 +95,7 @@ function people({ people: all }: SessionEntry): TemplateResult {
     const names = all.map(({ name }) => name).join(', ');
     return html`<p class="people quiet" title=${names}>
         ${all.map(({ colour }) => html`<span class="dot" data-colour=${colour}></span>`)}
-        <span>${names}</span>
+        <span class="names">${names}</span>
     </p>`;
 }
 

@@ -44,7 +44,7 @@ export class SessionsDialog extends SignalElement {
         if (!view.sessionsShown.value) return html`<dialog></dialog>`;
         const trash = shelf.trash.value ?? [];
         return html`<dialog aria-labelledby="sessions-head" @close=${this.closed}>
-            <header>
+            <div class="head">
                 <h2 id="sessions-head">Sessions</h2>
                 ${shelf.ownOnly.value
                     ? nothing
@@ -53,7 +53,7 @@ export class SessionsDialog extends SignalElement {
                           ${this.choice(`Trash (${trash.length})`, true)}
                       </div>`}
                 <button type="button" aria-label="Close" @click=${() => this.close()}>✕</button>
-            </header>
+            </div>
             <div role="status" aria-live="polite">${this.said('done')}</div>
             <div role="alert">${this.trouble()}</div>
             <div class="list">${this.inTrash.value ? this.deleted() : this.kept()}</div>
@@ -186,7 +186,7 @@ export class SessionsDialog extends SignalElement {
         const datasets = state.datasets.value;
         const [remaining, limits, busy] = [shelf.remaining.value, shelf.limits.value, shelf.busy.value];
         const shown = state.dataset.value?.dataset;
-        return html`<footer>
+        return html`<div class="foot">
             <form aria-label="A new session" @submit=${this.create}>
                 <input name="name" maxlength="80" aria-label="Name of the new session" placeholder="Name of the new session" required />
                 ${datasets.length < 2
@@ -199,7 +199,7 @@ export class SessionsDialog extends SignalElement {
             <button type="button" ?disabled=${busy} @click=${() => this.fileInput?.click()}>Import a file …</button>
             <input type="file" hidden accept=".json,application/json" aria-label="File of a session" @change=${this.import} />
             ${limits === null || remaining === null ? nothing : html`<span class="quiet">${leftWords(remaining, `The server keeps up to ${limits.sessions} sessions`)}</span>`}
-        </footer>`;
+        </div>`;
     }
 
     private get fileInput(): HTMLInputElement | null {

@@ -12,18 +12,18 @@ export const sessionsStyles = css`
     dialog[open] {
         display: flex;
     }
-    header,
-    footer {
+    .head,
+    .foot {
         display: flex;
         flex-wrap: wrap;
         gap: 8px 12px;
         align-items: center;
         padding: 12px 18px;
     }
-    header {
+    .head {
         border-bottom: 1px solid var(--line);
     }
-    footer {
+    .foot {
         border-top: 1px solid var(--line);
     }
     h2 {
@@ -168,6 +168,8 @@ export const sessionsStyles = css`
         gap: 4px;
         align-items: center;
         min-height: 18px;
+    }
+    .names {
         overflow: hidden;
         white-space: nowrap;
         text-overflow: ellipsis;
