@@ -235,7 +235,8 @@ core::Result<void> check_grid(vtkDataSet& grid, const std::string& file) {
                 return sound;
     }
     if (auto* structured = vtkStructuredGrid::SafeDownCast(&grid); structured != nullptr) {
-        const int* n = structured->GetDimensions();
+        std::array<int, 3> n{};
+        structured->GetDimensions(n.data());
         return check_points(structured->GetPoints(), vtkIdType{n[0]} * n[1] * n[2], file);
     }
     return {};

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 namespace wakesurf::server {
 namespace {
 
@@ -55,6 +57,13 @@ TEST(DatasetArgument, EqualNamesInDifferentPlacesHaveDifferentStores) {
     const std::string name = store_folder("/s", a).filename();
     EXPECT_EQ(name.size(), std::string("run-").size() + 16);
     EXPECT_TRUE(name.starts_with("run-"));
+}
+
+TEST(DatasetArgument, StoresAreKeptWhereTheEnvironmentSaysElseInTheCache) {
+    ::setenv("WAKESURF_STORE", "/kept/here", 1);
+    EXPECT_EQ(default_store_root(), "/kept/here");
+    ::unsetenv("WAKESURF_STORE");
+    EXPECT_TRUE(default_store_root().string().find("wakesurf") != std::string::npos);
 }
 
 TEST(DatasetArgument, SlugsAreSafeInUrlsAndFolders) {

@@ -4,6 +4,7 @@
 
 #include <vtkIdList.h>
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <sstream>
@@ -88,9 +89,12 @@ void put_header(Text& out, const Layout& layout) {
         out.record(count);
     }
     Text sizes(layout);
-    for (const auto& grid : grids(layout))
-        for (int axis = 0; axis < 3; ++axis)
-            sizes.integer(grid->GetDimensions()[axis]);
+    for (const auto& grid : grids(layout)) {
+        std::array<int, 3> nodes{};
+        grid->GetDimensions(nodes.data());
+        for (const int along : nodes)
+            sizes.integer(along);
+    }
     out.record(sizes);
 }
 
