@@ -235,6 +235,10 @@ std::shared_ptr<const WireMesh> MeshStream::state() const {
     return held_->state;
 }
 
+std::size_t MeshStream::bytes() const {
+    return held_->state->bytes() + held_->places.bytes();
+}
+
 void MeshStream::expect(std::vector<AttributeRange> ranges) {
     held_->ranges = std::move(ranges);
 }

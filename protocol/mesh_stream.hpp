@@ -30,6 +30,9 @@ inline constexpr Tolerance exact_tolerance{};
 /// of s and t what rounding to 11 bits makes.
 inline constexpr Tolerance live_tolerance{2, 128, 16};
 
+/// What encoding takes besides the mesh, a vertex.
+inline constexpr std::size_t encoding_bytes = 400;
+
 inline constexpr std::size_t max_fields = max_attributes - surface_attributes.size();
 
 struct UpdateOptions {
@@ -83,6 +86,9 @@ class MeshStream {
 
     /// What everybody holds after the last update; never null.
     std::shared_ptr<const WireMesh> state() const;
+
+    /// Of the state, and what finds its vertices and cells by their ids.
+    std::size_t bytes() const;
 
   private:
     struct Held;

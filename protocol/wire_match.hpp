@@ -17,11 +17,15 @@ namespace wakesurf::protocol {
 struct Places {
     std::vector<std::uint32_t> id;
     std::vector<std::uint32_t> place;
+
+    std::size_t bytes() const { return (id.capacity() + place.capacity()) * sizeof(id[0]); }
 };
 
 struct MeshPlaces {
     Places vertices;
     Places cells;
+
+    std::size_t bytes() const { return vertices.bytes() + cells.bytes(); }
 };
 
 struct MeshMatch {

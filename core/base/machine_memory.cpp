@@ -1,14 +1,18 @@
 #include "core/base/machine_memory.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wakesurf::core {
@@ -121,10 +125,19 @@ std::uint64_t granted_memory(const fs::path& root) {
 }
 
 std::uint64_t resident_memory() {
-    std::ifstream file("/proc/self/statm");
-    std::uint64_t all = 0, resident = 0;
+    // Without a stream: it is asked for while memory is being taken.
+    const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+        return 0;
+    std::array<char, 128> text{};
+    const auto length = ::read(file, text.data(), text.size());
+    ::close(file);
+    const std::string_view words(text.data(), length > 0 ? static_cast<std::size_t>(length) : 0);
+    const auto second = words.find(' ') + 1; // npos + 1 == 0: the first, which is no less
+    std::uint64_t pages = 0;
+    std::from_chars(words.data() + second, words.data() + words.size(), pages);
     const auto page = ::sysconf(_SC_PAGESIZE);
-    return file >> all >> resident && page > 0 ? resident * static_cast<std::uint64_t>(page) : 0;
+    return page > 0 ? pages * static_cast<std::uint64_t>(page) : 0;
 }
 
 } // namespace wakesurf::core

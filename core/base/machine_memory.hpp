@@ -15,7 +15,7 @@ std::uint64_t machine_memory();
 /// @param root  where /proc and /sys are, for tests
 std::uint64_t granted_memory(const std::filesystem::path& root = "/");
 
-/// What this process holds of the machine's memory, in bytes; 0 where the system does not say. Cost: some 10 microseconds.
+/// What this process holds of the machine's memory, in bytes; 0 where the system does not say. Cost: some 3 microseconds.
 std::uint64_t resident_memory();
 
 } // namespace wakesurf::core

@@ -50,6 +50,20 @@ struct MemoryAccount::State {
     std::array<std::size_t, memory_uses> by_use{};
     std::list<std::shared_ptr<Giver>> givers; ///< in their order
     std::size_t refused = 0;
+    std::function<std::size_t()> resident;
+    std::size_t unseen = 0; ///< bytes taken since the last look
+
+    void look() {
+        unseen = 0;
+        if (!resident)
+            return;
+        std::size_t& other = by_use[index(MemoryUse::Other)];
+        const std::size_t here = used - other - by_use[index(MemoryUse::Importers)];
+        const std::size_t seen = resident();
+        used -= other;
+        other = seen - std::min(seen, here);
+        used += other;
+    }
 
     bool fits(std::size_t more) const { return used <= budget && more <= budget - used; }
 
@@ -60,9 +74,13 @@ struct MemoryAccount::State {
             given_back.notify_all();
     }
 
-    bool try_change(MemoryUse use, std::size_t from, std::size_t to) {
+    bool try_change(MemoryUse use, std::size_t from, std::size_t to, std::size_t leave) {
         const std::lock_guard lock(mutex);
-        if (!fits(to - from))
+        const std::size_t more = to - from;
+        unseen += std::min(more, budget);
+        if (unseen > budget / 256)
+            look();
+        if (!fits(more > SIZE_MAX - leave ? SIZE_MAX : more + leave))
             return false;
         change(use, from, to);
         return true;
@@ -79,6 +97,7 @@ struct MemoryAccount::State {
             std::size_t wanted = 0;
             {
                 const std::lock_guard lock(mutex);
+                look();
                 if (fits(more))
                     return true;
                 wanted = more > SIZE_MAX - used ? SIZE_MAX : more + used - budget;
@@ -88,6 +107,7 @@ struct MemoryAccount::State {
                 giver->give_back(wanted);
         }
         const std::lock_guard lock(mutex);
+        look();
         return fits(more);
     }
 };
@@ -111,8 +131,8 @@ MemoryAccount::Share& MemoryAccount::Share::operator=(Share&& other) noexcept {
     return *this;
 }
 
-bool MemoryAccount::Share::grow_within_free(std::size_t bytes) {
-    if (bytes > bytes_ && state_ && !state_->try_change(use_, bytes_, bytes))
+bool MemoryAccount::Share::grow_within_free(std::size_t bytes, std::size_t leave) {
+    if (bytes > bytes_ && state_ && !state_->try_change(use_, bytes_, bytes, leave))
         return false;
     bytes_ = std::max(bytes_, bytes);
     return true;
@@ -133,11 +153,13 @@ bool MemoryAccount::Share::grow_to(std::size_t bytes) {
 
 bool MemoryAccount::Share::grow_to(std::size_t bytes,
                                    const std::stop_token& stop,
-                                   std::chrono::milliseconds patience) {
-    if (grow_within_free(bytes))
+                                   std::chrono::milliseconds patience,
+                                   std::size_t leave) {
+    if (grow_within_free(bytes, leave))
         return true;
     const auto end = std::chrono::steady_clock::now() + patience;
-    const std::size_t more = bytes - bytes_;
+    const std::size_t grown = bytes - bytes_;
+    const std::size_t more = grown > SIZE_MAX - leave ? SIZE_MAX : grown + leave;
     if (more > state_->budget) {
         const std::lock_guard lock(state_->mutex);
         ++state_->refused;
@@ -145,7 +167,7 @@ bool MemoryAccount::Share::grow_to(std::size_t bytes,
     }
     for (;;) {
         state_->ask(more);
-        if (grow_within_free(bytes))
+        if (grow_within_free(bytes, leave))
             return true;
         std::unique_lock lock(state_->mutex);
         if (stop.stop_requested() || std::chrono::steady_clock::now() >= end) {
@@ -181,6 +203,17 @@ void MemoryAccount::Share::join(Share&& other) {
         other.shrink_to(0);
     }
     bytes_ += std::exchange(other.bytes_, 0);
+}
+
+void MemoryAccount::watch(std::function<std::size_t()> resident) const {
+    const std::lock_guard lock(state_->mutex);
+    state_->resident = std::move(resident);
+    state_->look();
+}
+
+void MemoryAccount::look() const {
+    const std::lock_guard lock(state_->mutex);
+    state_->look();
 }
 
 MemoryAccount::Share MemoryAccount::open(MemoryUse use) const {

@@ -33,11 +33,11 @@ std::string_view name_of(MemoryUse use);
 
 /// Who is asked first: what is cheapest to have again.
 enum class GiveBack {
-    SpareTimeSteps, ///< nobody waits for, beyond the smallest window
-    Downloads,      ///< finished files that are kept for the next who asks
-    Rings,          ///< updates that only those who have fallen behind would read
-    Histories,      ///< checkpoints that nobody plays
-    Surfaces,       ///< surfaces nobody looks at: they fall back to their parameters
+    SpareHeap, ///< what the allocator keeps of memory that was freed
+    Downloads, ///< finished files that are kept for the next who asks
+    Histories, ///< checkpoints that nobody plays just now
+    TimeSteps, ///< those beyond the smallest window that nobody holds
+    Surfaces, ///< updates only those who have fallen behind would read, then whole surfaces nobody looks at
 };
 
 /// Thread safety: everything may be called from any thread, a Share by one thread at a time. Copies are the same account.
@@ -48,6 +48,19 @@ class MemoryAccount {
   public:
     /// @param budget  bytes of all shares together
     explicit MemoryAccount(std::size_t budget);
+
+    /// Counts what the process holds beyond its shares as `Other`, seen anew whenever another 1/256 of the budget has been taken.
+    /// @param resident  bytes of the process, without importers; called from any thread with the account's lock
+    void watch(std::function<std::size_t()> resident) const;
+
+    /// Looks now.
+    void look() const;
+
+    /// The last part of the budget is for small work: a share that grows beyond small() leaves that much free, so that those who need
+    /// little go on beside those who need all there is.
+    std::size_t small() const { return budget() / 16; }
+
+    std::size_t kept_for_small() const { return budget() / 8; }
 
     /// A part of the account, from open() until its end.
     class Share {
@@ -62,11 +75,14 @@ class MemoryAccount {
         bool grow_to(std::size_t bytes);
 
         /// The same, and waits for what others need some time to give back. Not on a thread on which they do that.
-        bool
-        grow_to(std::size_t bytes, const std::stop_token& stop, std::chrono::milliseconds patience);
+        /// @param leave  so many bytes stay free
+        bool grow_to(std::size_t bytes,
+                     const std::stop_token& stop,
+                     std::chrono::milliseconds patience,
+                     std::size_t leave = 0);
 
         /// The same within what is free: nobody is asked.
-        bool grow_within_free(std::size_t bytes);
+        bool grow_within_free(std::size_t bytes, std::size_t leave = 0);
 
         /// Nothing where it is smaller already.
         void shrink_to(std::size_t bytes);

@@ -1,5 +1,8 @@
-// How far a piece of work is, as a fraction: told by the threads that work, read by whoever waits.
+// How far a piece of work is, as a fraction: told by the threads that work, read by whoever waits. And what memory it takes, told
+// by the same.
 #pragma once
+
+#include "core/base/work_memory.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -25,13 +28,13 @@ class WorkDone {
     std::atomic<double> fraction_{0.0};
 };
 
-/// Part of a piece of work; a default one tells nobody. A value.
+/// Part of a piece of work; a default one tells nobody and may take all memory. A value.
 class WorkPart {
   public:
     WorkPart() = default;
 
-    /// The whole of it; null: nobody waits.
-    WorkPart(WorkDone* done) : done_(done) {}
+    /// The whole of it; null: nobody waits; nobody counts its memory.
+    WorkPart(WorkDone* done, WorkMemory* memory = nullptr) : done_(done), memory_(memory) {}
 
     /// The `i`-th of `parts` equal ones of this one.
     WorkPart part(std::size_t i, std::size_t parts) const {
@@ -47,8 +50,35 @@ class WorkPart {
             done_->reached(from_ + share_ * std::clamp(fraction, 0.0, 1.0));
     }
 
+    /// Null: nobody counts.
+    WorkMemory* memory() const { return memory_; }
+
+    /// It will hold so many bytes by itself, besides what above() names. False: they are not there, and the work should end.
+    bool holds(std::size_t bytes) const {
+        return memory_ == nullptr || memory_->grow_to(others_ + bytes);
+    }
+
+    /// So many bytes more. False as above.
+    bool takes(std::size_t bytes) const { return memory_ == nullptr || memory_->grow(bytes); }
+
+    /// The same memory, and nobody is told how far it is.
+    WorkPart quietly() const {
+        WorkPart out = *this;
+        out.done_ = nullptr;
+        return out;
+    }
+
+    /// The same part, where other parts of the work hold so many bytes.
+    WorkPart above(std::size_t others) const {
+        WorkPart out = *this;
+        out.others_ += others;
+        return out;
+    }
+
   private:
     WorkDone* done_ = nullptr;
+    WorkMemory* memory_ = nullptr;
+    std::size_t others_ = 0; ///< bytes
     double from_ = 0.0;
     double share_ = 1.0;
 };

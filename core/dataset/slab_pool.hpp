@@ -36,6 +36,12 @@ class SlabPool {
             idle_.push_back(std::move(slab));
     }
 
+    /// Frees what lies idle.
+    void clear() noexcept {
+        const std::scoped_lock lock(mutex_);
+        idle_.clear();
+    }
+
   private:
     // A load that starts takes what the eviction before it gave: more lie idle only for an instant.
     static constexpr std::size_t most_idle = 2;

@@ -46,6 +46,8 @@ class StoreReader final : public TimeStepSource {
     Result<std::shared_ptr<const TimeStep>> load(std::size_t index,
                                                  std::stop_token stop) const override;
 
+    void let_go() const override { slabs_->clear(); }
+
     /// One float a node. @param scalar  index into layout().scalars. Error: as load.
     Result<Slab>
     load_scalar(std::size_t scalar, std::size_t index, const std::stop_token& stop) const;

@@ -25,6 +25,8 @@ constexpr int looks_when_deadlocked = 3;
 constexpr int looks_when_merely_full = 300;
 
 constexpr std::size_t smallest_window = 4;
+constexpr std::size_t left_free =
+    8; ///< of the account one part in so many, for what begins elsewhere
 
 struct Entry {
     StepState state = StepState::Cold;
@@ -77,10 +79,15 @@ struct TimeStepCache::State {
         std::deque<std::size_t> demanded;   ///< cold steps somebody waits for, oldest first
         std::deque<std::size_t> prefetched; ///< cold steps to load ahead, nearest first
         std::size_t position = 0;           ///< of the last prefetch()
-        std::size_t capacity = 0;           ///< time-steps the budget holds
-        std::size_t used = 0;               ///< resident and in flight
-        std::size_t lent = 0;               ///< entries handed out
-        std::size_t held = 0;               ///< by those whose acquire() waits, together
+        std::size_t capacity = 0; ///< time-steps the budget holds; with an account: could at most
+        std::size_t smallest = 0; ///< that are always there
+        std::size_t step_bytes = 0;
+        std::optional<MemoryAccount> account;
+        MemoryAccount::Share share; ///< of the account: `used`, at least `smallest`
+        bool starved = false; ///< the last load had to wait: there was no memory beyond `used`
+        std::size_t used = 0; ///< resident and in flight
+        std::size_t lent = 0; ///< entries handed out
+        std::size_t held = 0; ///< by those whose acquire() waits, together
         std::size_t idle_threads = 0;
         bool closing = false;
         std::uint64_t clock = 0;    ///< order of use
@@ -95,8 +102,16 @@ struct TimeStepCache::State {
         void withdraw(std::size_t index);
         template <class Unwanted>
         void stop_loads(Unwanted unwanted);
+        std::size_t room() const;
+
+        bool hungry() const { return starved && !demanded.empty(); }
+
+        bool make_room(std::size_t leave);
+        void count();
+        std::vector<std::shared_ptr<const TimeStep>> give_back_spare(std::size_t bytes);
         bool may_be_deadlocked() const;
         std::optional<std::size_t> victim(bool spare_window) const;
+        std::shared_ptr<const TimeStep> evict(std::size_t index);
         std::optional<Job> pick();
         std::optional<Job> start(std::size_t index, bool spare_window);
         void finish(std::size_t index, Result<std::shared_ptr<const TimeStep>> loaded);
@@ -109,6 +124,7 @@ struct TimeStepCache::State {
     std::mutex listener_mutex;
     std::function<void()> listener;
     std::vector<std::jthread> threads;
+    std::shared_ptr<void> asked; ///< by others, for memory
 
     Result<std::shared_ptr<const TimeStep>> load(const Job& job) const;
     void load_until(const std::stop_token& stop);
@@ -168,8 +184,51 @@ void TimeStepCache::State::Window::withdraw(std::size_t index) {
         std::erase(demanded, index);
 }
 
+/// Time-steps there may be as things stand.
+std::size_t TimeStepCache::State::Window::room() const {
+    return starved ? std::min(capacity, std::max(used, smallest)) : capacity;
+}
+
 bool TimeStepCache::State::Window::may_be_deadlocked() const {
-    return lent >= capacity && lent <= held;
+    return lent >= room() && lent <= held;
+}
+
+/// For one more. Within what is free: others are not asked while the window is locked.
+bool TimeStepCache::State::Window::make_room(std::size_t leave) {
+    if (used >= capacity)
+        return false;
+    const bool there =
+        !account || used < smallest || share.grow_within_free((used + 1) * step_bytes, leave);
+    starved = !there;
+    return there;
+}
+
+void TimeStepCache::State::Window::count() {
+    share.shrink_to(std::max(used, smallest) * step_bytes);
+}
+
+/// Beyond the smallest window, and nobody holds them. To be freed without the lock.
+std::vector<std::shared_ptr<const TimeStep>>
+TimeStepCache::State::Window::give_back_spare(std::size_t bytes) {
+    std::vector<std::shared_ptr<const TimeStep>> freed;
+    while (used > smallest && freed.size() * step_bytes < bytes) {
+        const auto out = victim(false);
+        if (!out)
+            break;
+        freed.push_back(evict(*out));
+    }
+    count();
+    return freed;
+}
+
+std::shared_ptr<const TimeStep> TimeStepCache::State::Window::evict(std::size_t index) {
+    Entry& entry = entries[index];
+    auto step = std::move(entry.step);
+    entry.step.reset();
+    entry.lease.reset();
+    entry.state = StepState::Cold;
+    --used;
+    return step;
 }
 
 // Least recently used outside the window; inside it the farthest from its position.
@@ -216,15 +275,11 @@ std::optional<Job> TimeStepCache::State::Window::pick() {
 std::optional<Job> TimeStepCache::State::Window::start(std::size_t index, bool spare_window) {
     Job job;
     job.index = index;
-    if (used >= capacity) {
-        const auto out = victim(spare_window);
-        if (!out)
+    if (!make_room(account ? account->budget() / left_free : 0)) {
+        if (const auto out = victim(spare_window))
+            job.evicted = evict(*out);
+        else if (spare_window || !make_room(0))
             return std::nullopt;
-        job.evicted = std::move(entries[*out].step);
-        entries[*out].step.reset();
-        entries[*out].lease.reset();
-        entries[*out].state = StepState::Cold;
-        --used;
     }
     Entry& entry = entries[index];
     entry.state = StepState::Loading;
@@ -248,6 +303,7 @@ void TimeStepCache::State::Window::finish(std::size_t index,
     }
     entry.state = StepState::Cold;
     --used;
+    count();
     if (entry.load.stop_requested() && !closing) { // it had made way; it may be wanted again
         if (entry.waiters > 0)
             demanded.push_front(index);
@@ -285,7 +341,16 @@ void TimeStepCache::State::load_until(const std::stop_token& stop) {
         {
             std::unique_lock lock(window->mutex);
             ++window->idle_threads;
-            window->work.wait(lock, stop, [&] { return (job = window->pick()).has_value(); });
+            const auto picked = [&] { return (job = window->pick()).has_value(); };
+            while (!job && !stop.stop_requested()) {
+                window->work.wait(lock, stop, [&] { return picked() || window->hungry(); });
+                if (job || stop.stop_requested())
+                    break;
+                lock.unlock();
+                window->account->make_room(step_bytes); // of others: somebody waits for it
+                lock.lock();
+                window->work.wait_for(lock, stop, look, picked);
+            }
             --window->idle_threads;
         }
         if (!job)
@@ -309,7 +374,31 @@ TimeStepCache::TimeStepCache(std::shared_ptr<const TimeStepSource> source, Optio
     state_->source = std::move(source);
     state_->step_bytes = std::max<std::size_t>(1, state_->source->bytes_per_step());
     auto& window = *state_->window;
-    state_->budget_bytes = std::max(options.budget_bytes, smallest_budget(*state_->source));
+    state_->budget_bytes = options.account
+                               ? smallest_budget(*state_->source)
+                               : std::max(options.budget_bytes, smallest_budget(*state_->source));
+    window.step_bytes = state_->step_bytes;
+    window.smallest = smallest_budget(*state_->source) / state_->step_bytes;
+    if (options.account) {
+        state_->budget_bytes = std::max(options.account->budget(), state_->budget_bytes);
+        window.account = options.account;
+        window.share = options.account->open(MemoryUse::TimeSteps);
+        window.share.set(window.smallest * window.step_bytes);
+        state_->asked = options.account->on_need(
+            GiveBack::TimeSteps, [window = state_->window, source = state_->source,
+                                  state = state_.get()](std::size_t bytes) {
+                std::vector<std::shared_ptr<const TimeStep>> freed;
+                {
+                    const std::scoped_lock lock(window->mutex);
+                    freed = window->give_back_spare(bytes);
+                }
+                if (freed.empty())
+                    return;
+                freed.clear();
+                source->let_go();
+                state->announce();
+            });
+    }
     window.capacity = state_->budget_bytes / state_->step_bytes;
     window.entries.resize(state_->source->times().size());
     for (std::size_t i = 0; i < std::max<std::size_t>(1, options.load_threads); ++i)
@@ -319,6 +408,7 @@ TimeStepCache::TimeStepCache(std::shared_ptr<const TimeStepSource> source, Optio
 
 TimeStepCache::~TimeStepCache() {
     State::Window& window = *state_->window;
+    state_->asked.reset();
     {
         const std::scoped_lock lock(window.mutex);
         window.closing = true;
@@ -330,6 +420,7 @@ TimeStepCache::~TimeStepCache() {
     const std::scoped_lock lock(window.mutex);
     for (Entry& entry : window.entries)
         freed.push_back(std::move(entry.step));
+    window.share.shrink_to(window.lent * window.step_bytes);
 }
 
 const TimeStepSource& TimeStepCache::source() const {
@@ -358,9 +449,12 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
     window.work.notify_one();
     Patience patience;
     bool given_up = false;
-    while (!window.changed.wait_for(lock, stop, look, done) && !stop.stop_requested() && !given_up)
-        given_up = patience.ends(window.lent >= window.capacity, window.may_be_deadlocked(),
+    while (!window.changed.wait_for(lock, stop, look, done) && !stop.stop_requested() &&
+           !given_up) {
+        given_up = patience.ends(window.lent >= window.room(), window.may_be_deadlocked(),
                                  window.progress);
+        window.work.notify_one(); // others may have given memory back
+    }
     window.held -= held;
     window.withdraw(index);
 
@@ -369,9 +463,9 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
     if (entry.failures != failures)
         return tl::unexpected(entry.error);
     if (given_up)
-        return over_limit(window.capacity,
+        return over_limit(window.room(),
                           "the time-step cache is full of time-steps in use (" +
-                              std::to_string(window.capacity) + ")",
+                              std::to_string(window.room()) + ")",
                           "try again when other surfaces are done, or start with more --memory");
     return fail(Error::Code::Cancelled,
                 "waiting for time-step " + std::to_string(index) + " was cancelled");
@@ -420,8 +514,13 @@ void TimeStepCache::prefetch(std::size_t index, int direction, std::size_t behin
 TimeStepCache::Status TimeStepCache::status() const {
     const State::Window& window = *state_->window;
     Status status;
-    status.budget = state_->budget_bytes;
     const std::scoped_lock lock(state_->window->mutex);
+    status.budget = state_->budget_bytes;
+    if (window.account) {
+        const std::size_t leave = window.account->budget() / left_free;
+        const std::size_t free = window.account->free();
+        status.budget = window.share.bytes() + (free - std::min(free, leave));
+    }
     status.bytes = window.used * state_->step_bytes;
     status.hits = window.hits;
     status.loads = window.loads;

@@ -3,6 +3,7 @@
 // loading, cold.
 #pragma once
 
+#include "core/base/memory_account.hpp"
 #include "core/base/result.hpp"
 #include "core/dataset/time_step_source.hpp"
 
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -24,12 +26,15 @@ class TimeStepCache {
     struct Options {
         std::size_t budget_bytes = std::size_t{4} << 30; ///< raised to smallest_budget() if smaller
         std::size_t load_threads = 1;
+        /// With one the budget is smallest_budget(), which is taken at once, and whatever others leave free; that is given back when
+        /// they need it.
+        std::optional<MemoryAccount> account{};
     };
 
     struct Status {
         std::vector<StepState> steps;
-        std::size_t bytes = 0; ///< accounted: resident, handed out and in flight
-        std::size_t budget = 0;
+        std::size_t bytes = 0;   ///< accounted: resident, handed out and in flight
+        std::size_t budget = 0;  ///< what it may take; with an account: as it stands now
         std::uint64_t hits = 0;  ///< acquire() calls that found their time-step resident
         std::uint64_t loads = 0; ///< time-steps read, demanded and ahead
     };

@@ -35,6 +35,9 @@ class TimeStepSource {
     /// Error: NotFound (not written yet), Corrupt, Io, Cancelled.
     virtual Result<std::shared_ptr<const TimeStep>> load(std::size_t index,
                                                          std::stop_token stop) const = 0;
+
+    /// Gives memory that it keeps for the next load back to the system.
+    virtual void let_go() const {}
 };
 
 } // namespace wakesurf::core

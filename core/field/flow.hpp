@@ -42,7 +42,7 @@ class Flow {
 
     /// Integrates every curve from its seed to its end. Runs in parallel over curves in the caller's arena;
     /// the result does not depend on the number of threads.
-    /// Error: Cancelled, or what loading a time-step reports.
+    /// Error: Cancelled (also when `options.memory` is exhausted), or what loading a time-step reports.
     virtual Result<TraceCost>
     trace(std::span<Curve> curves, const TraceOptions& options, std::stop_token stop) const = 0;
 
@@ -55,8 +55,8 @@ class Flow {
                                       const AdvanceOptions& options,
                                       std::stop_token stop) const = 0;
 
-    /// True when every time-step can be in memory at once, so that particles can be traced again from an earlier
-    /// time at no cost but computing. Does not change while the flow lives.
+    /// True when the series is short (4 GiB): particles can be traced again from an earlier time at little cost, at none but computing
+    /// where the memory holds it. Depends on the data alone.
     virtual bool resident() const = 0;
 
     /// True when parts of the domain are solid.

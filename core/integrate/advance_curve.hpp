@@ -71,7 +71,7 @@ Vec3 carry_stretch(const Field& field,
 }
 
 /// Advances until `until` (time since release, same sign as the duration).
-/// Returns false if `stop` fired. Thread safety: disjoint curves may be advanced concurrently.
+/// Returns false if `stop` fired or there is no memory. Thread safety: disjoint curves may be advanced concurrently.
 template <VelocityField Field>
 bool advance_curve(const Field& field,
                    Curve& curve,
@@ -145,7 +145,8 @@ bool advance_curve(const Field& field,
             curve.last.stretch =
                 carry_stretch(field, step.dense, field_time(step.dense.time + 0.5 * step.dense.dt),
                               0.05 * options.longest_step);
-        curve.steps.push_back(step.dense);
+        if (!keep_step(curve, step.dense, options))
+            return false;
         v = step.velocity;
         if (theta < 1.0)
             curve.end = status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;

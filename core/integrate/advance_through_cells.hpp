@@ -250,7 +250,8 @@ bool advance_through_cells(const Field& field,
         if (options.stretch)
             curve.last.stretch = carry_stretch(
                 field, step, options.frozen ? curve.release : now + 0.5 * step.dt, 0.05 * finest);
-        curve.steps.push_back(step);
+        if (!keep_step(curve, step, options))
+            return false;
         if (theta < 1.0) {
             curve.end = status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
         } else {

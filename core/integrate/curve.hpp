@@ -3,9 +3,11 @@
 #pragma once
 
 #include "core/base/vec3.hpp"
+#include "core/base/work_memory.hpp"
 
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +29,7 @@ struct TraceOptions {
     std::size_t most_steps = 50'000; ///< attempts after which it ends with Budget: 200 bytes each
     bool stretch = false;            ///< transport the tangent across the rake (for deformation)
     bool smooth = false; ///< stored data: tricubic in space and cubic in time instead of linear
+    WorkMemory* memory = nullptr; ///< what the steps take is counted there, where there is one
 };
 
 /// Dense output of one accepted step, Hairer, Norsett, Wanner, Solving ODEs I, II.6: y(theta) =
@@ -69,6 +72,16 @@ struct Curve {
     /// The point at a time since release, between 0 and last.time.
     CurvePoint at_time(double time) const;
 };
+
+/// Adds a step. False: there is no memory for it, and tracing should end.
+inline bool keep_step(Curve& curve, const CurveStep& step, const TraceOptions& options) {
+    const std::size_t before = curve.steps.capacity();
+    if (options.memory != nullptr && curve.steps.size() == before &&
+        !options.memory->grow(std::max<std::size_t>(before, 1) * sizeof(CurveStep)))
+        return false;
+    curve.steps.push_back(step);
+    return true;
+}
 
 /// Takes points off a curve in order of arc length: no search, and the first guess of each is where the last one was.
 class CurveReader {

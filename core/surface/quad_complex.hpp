@@ -57,6 +57,9 @@ struct QuadComplex {
 /// Numbers the edge-connected parts of the surface, largest first, into `component`.
 void label_components(QuadComplex& complex);
 
+/// Bytes of all arrays.
+std::size_t memory_of(const QuadComplex& complex);
+
 /// Longest sub-edge (sides cut at their mid nodes).
 double longest_edge(const QuadComplex& complex);
 

@@ -16,6 +16,13 @@ namespace wakesurf::core {
 
 namespace {
 
+constexpr std::size_t mesh_bytes =
+    300; ///< a quad, while its vertices and what they carry are put together
+
+tl::unexpected<Error> no_memory() {
+    return fail(Error::Code::Cancelled, "there is no memory for the surface");
+}
+
 std::set<double> first_seeds(const Rake& rake, double separation) {
     const SeedingCurve curve(rake);
     const auto even = seed_parameters(
@@ -113,7 +120,12 @@ Result<Sheets> build_within_budget(const Flow& flow,
                 continue;
             }
         }
+        for (SheetOptions& each : *directions)
+            each.trace.memory = work.memory();
+        const std::size_t before = work.memory() != nullptr ? work.memory()->bytes() : 0;
         auto sheets = build_sheets(flow, rake, *directions, clock, stop, work);
+        if (!sheets && work.memory() != nullptr)
+            work.memory()->shrink(work.memory()->bytes() - before);
         if (sheets)
             return Sheets{std::move(*sheets), separation, load};
         if (sheets.error().code != Error::Code::OverLimit)
@@ -157,9 +169,15 @@ Result<Surface> build_whole(const Flow& flow,
     SurfaceStatistics statistics;
     statistics.seconds.load = built->load;
     for (const Sheet& sheet : built->sheets) {
+        std::size_t quads = 0;
+        for (const Strip& strip : sheet.strips())
+            quads += strip.quads();
+        if (!work.takes(quads * mesh_bytes))
+            return no_memory();
         append_sheet(mesh, sheet);
         count_columns(sheet, statistics);
     }
+    built->sheets.clear(); // half of all memory
     if (auto done = add_attributes(mesh, flow, rake, parameters, stop); !done)
         return tl::unexpected(done.error());
     label_components(mesh.complex);
@@ -196,16 +214,22 @@ Result<Surface> build_surface(const Flow& flow,
                               const SurfaceParameters& parameters,
                               std::stop_token stop,
                               const Clock& clock,
-                              WorkDone* work) {
+                              WorkPart work) {
     if (auto sound = check_request(parameters); !sound)
         return tl::unexpected(sound.error());
+    const std::size_t before = work.memory() != nullptr ? work.memory()->bytes() : 0;
     auto surface = build_whole(flow, rake, parameters, stop, clock, work);
     std::string stopped;
     std::optional<double> ended;
     for (auto p = parameters; !surface;) {
         const auto part = readable_part(p, surface.error());
+        if (!part && work.memory() != nullptr && work.memory()->exhausted())
+            return tl::unexpected(work.memory()->refusal(
+                "a surface of at most " + std::to_string(parameters.max_quads) + " quads"));
         if (!part)
             return surface;
+        if (work.memory() != nullptr)
+            work.memory()->shrink(work.memory()->bytes() - before);
         p = *part;
         ended = p.to;
         stopped = surface.error().message;
@@ -213,7 +237,12 @@ Result<Surface> build_surface(const Flow& flow,
     }
     surface->statistics.stopped = std::move(stopped);
     surface->ended = ended;
-    WorkPart(work).reached(1.0);
+    work.reached(1.0);
+    if (work.memory() != nullptr) { // what is left is the mesh
+        const std::size_t mesh = memory_of(surface->mesh);
+        const std::size_t now = work.memory()->bytes() - before;
+        work.memory()->shrink(now - std::min(now, mesh));
+    }
     return surface;
 }
 

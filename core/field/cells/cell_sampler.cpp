@@ -71,7 +71,8 @@ bool advance_through_cells(const CellSampler& sampler,
             curve.last.stretch =
                 carry_stretch(field, step, options.frozen ? curve.release : now + 0.5 * step.dt,
                               0.05 * options.longest_step);
-        curve.steps.push_back(step);
+        if (!keep_step(curve, step, options))
+            return false;
         if (theta < 1.0)
             curve.end = status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
         else if (curve.attempts >= options.most_steps)

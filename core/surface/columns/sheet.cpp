@@ -23,6 +23,8 @@ constexpr int most_rounds = 128;
 constexpr double bend_width =
     1.0 / 8.0; // of the separation: no strip becomes narrower because the sheet bends
 constexpr int most_bend_rounds = 32;
+constexpr std::size_t strip_bytes =
+    160; // a quad: its cell, its columns' vertices, its part of the tree
 
 /// Of a column from one vertex to the next. A quad's side may take two segments, and cells meet at the turn of a whole side.
 double most_turn(double angle) {
@@ -76,6 +78,15 @@ Result<void> Sheet::check_budget(std::size_t quads) const {
                           "the surface would have more than " + std::to_string(options_.max_quads) +
                               " quads",
                           "raise maxQuads or the separation");
+    return {};
+}
+
+/// Counts the memory of so many quads of strips. @param counted  quads until now
+Result<void> Sheet::hold(std::size_t quads, std::size_t& counted, const WorkPart& work) const {
+    const std::size_t more = quads - std::min(quads, counted);
+    counted += more;
+    if (work.memory() != nullptr && !work.memory()->grow(more * strip_bytes))
+        return fail(Error::Code::Cancelled, "there is no memory for the surface");
     return {};
 }
 
@@ -146,7 +157,11 @@ Result<void> Sheet::build(const std::set<double>& seeds,
     double arc = 0.0;
     for (const SeededCurve& curve : curves_)
         arc += curve.curve.last.arc;
-    if (auto fits = check_budget(static_cast<std::size_t>(arc / limits_.spacing.longest)); !fits)
+    const auto expected = static_cast<std::size_t>(arc / limits_.spacing.longest);
+    if (auto fits = check_budget(expected); !fits)
+        return fits;
+    std::size_t counted = 0;
+    if (auto fits = hold(expected, counted, work); !fits)
         return fits;
 
     strips_.clear();
@@ -169,7 +184,10 @@ Result<void> Sheet::build(const std::set<double>& seeds,
                 break;
             round = 0;
         } else {
-            if (auto fits = check_budget(zip(dirty, clock)); !fits)
+            const std::size_t quads = zip(dirty, clock);
+            if (auto fits = check_budget(quads); !fits)
+                return fits;
+            if (auto fits = hold(quads, counted, work); !fits)
                 return fits;
             for (const std::size_t i : dirty)
                 if (round >= most_rounds)

@@ -33,9 +33,9 @@ class Sheet {
     Sheet(Sheet&&) = default;
 
     /// Builds the strips between `seeds` (parameters, increasing; a closed rake's last one is below 1).
-    /// Error: OverLimit when the quads would exceed max_quads, Cancelled, and what tracing reports.
+    /// Error: OverLimit when the quads would exceed max_quads, Cancelled (also where there is no memory), and what tracing reports.
     /// Cost: tracing, plus O(quads of the strips that changed) a round.
-    /// @param work  told which part of the rake is done
+    /// @param work  told which part of the rake is done, and what memory the strips take
     Result<void> build(const std::set<double>& seeds,
                        const Clock& clock,
                        std::stop_token stop,
@@ -77,6 +77,7 @@ class Sheet {
     Result<std::vector<std::size_t>>
     meet(const std::vector<StripDemand>& demands, const Clock& clock, const std::stop_token& stop);
     Result<void> check_budget(std::size_t quads) const;
+    Result<void> hold(std::size_t quads, std::size_t& counted, const WorkPart& work) const;
     double part_without(const std::vector<std::size_t>& dirty) const;
     void cut_at(const std::vector<double>& new_seeds);
     Strip strip_between(double left, double right_s) const;

@@ -10,6 +10,8 @@ namespace wakesurf::core {
 
 namespace {
 
+constexpr std::size_t shown_bytes = 250; ///< a vertex, while the mesh to show is made
+
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
     to.insert(to.end(), from.begin(), from.end());
@@ -68,12 +70,15 @@ Result<Surface> build_moving_surface(const Flow& flow,
     Surface surface;
     for (std::size_t i = 0; i < parts->size(); ++i) {
         const MovingPart& part = (*parts)[i];
-        auto moving = MovingSurface::start(flow, rake, part.parameters, stop, clock);
+        const WorkPart here = work.part(i, parts->size()).above(memory_of(surface.mesh));
+        auto moving = MovingSurface::start(flow, rake, part.parameters, stop, clock, here);
         if (!moving)
             return tl::unexpected(moving.error());
-        if (auto moved = moving->advance_to(moving->end_time(), stop, work.part(i, parts->size()));
-            !moved)
+        if (auto moved = moving->advance_to(moving->end_time(), stop, here); !moved)
             return tl::unexpected(moved.error());
+        if (!here.holds(memory_while_moving(moving->state().mesh) +
+                        shown_bytes * moving->state().mesh.vertices.slots()))
+            return fail(Error::Code::Cancelled, "there is no memory for the surface");
         if (part.backward())
             surface.first_backward = static_cast<VertexId>(surface.mesh.vertices());
         append(surface.mesh, moving->mesh().mesh, part.backward());

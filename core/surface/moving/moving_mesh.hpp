@@ -52,4 +52,13 @@ struct MovingMesh {
     }
 };
 
+inline std::size_t memory_of(const MovingMesh& mesh) {
+    return mesh.vertices.bytes() + mesh.quads.bytes();
+}
+
+/// With what a step takes besides: normals, decisions, samples, an array that grows.
+inline std::size_t memory_while_moving(const MovingMesh& mesh) {
+    return memory_of(mesh) + memory_of(mesh) / 2;
+}
+
 } // namespace wakesurf::core

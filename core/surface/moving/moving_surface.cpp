@@ -32,6 +32,8 @@ struct MovingSurface::Plan {
 
 namespace {
 
+constexpr double patch_bytes = 350.0; ///< a quad, while it is laid
+
 constexpr double row_spacing = 0.75; // of the separation, as the columns of stream surfaces
 constexpr double growth_a_step =
     0.5; // of an edge's length: Hermite interpolation wants edges cut before they double
@@ -100,7 +102,8 @@ Result<MovingSurface> MovingSurface::start(const Flow& flow,
                                            const Rake& rake,
                                            const SurfaceParameters& p,
                                            std::stop_token stop,
-                                           const Clock& clock) {
+                                           const Clock& clock,
+                                           const WorkPart& work) {
     const auto began = clock.now();
     if (rake.seeds > p.max_quads)
         return over_limit(p.max_quads, "the rake has more seeds than the surface may have quads",
@@ -148,26 +151,29 @@ Result<MovingSurface> MovingSurface::start(const Flow& flow,
     MovingSurface surface(flow, std::move(plan), clock);
     surface.state_.mesh.time = p.from;
     surface.state_.separation = separation;
-    if (auto begun = surface.begin(stop); !begun)
+    if (auto begun = surface.begin(stop, work); !begun)
         return tl::unexpected(begun.error());
     surface.seconds_.load = elapsed(clock, began);
     return surface;
 }
 
-Result<void> MovingSurface::begin(const std::stop_token& stop) {
+Result<void> MovingSurface::begin(const std::stop_token& stop, const WorkPart& work) {
     MovingMesh& mesh = state_.mesh;
     mesh.lattice = {plan_->columns.count, plan_->columns.closed, 0.0};
     if (plan_->origin.patch()) {
         const double rows =
             std::max(1.0, std::ceil(plan_->origin.longest_across() / state_.separation - 1e-9));
         mesh.lattice.last_row = rows;
+        const double bytes = patch_bytes * plan_->columns.count * rows;
+        if (!work.holds(static_cast<std::size_t>(std::min(bytes, 1e15))))
+            return fail(Error::Code::Cancelled, "there is no memory for the surface");
         if (auto laid = lay_patch(mesh, plan_->origin, *flow_, plan_->columns, rows,
                                   plan_->rules.max_quads, stop);
             !laid)
             return laid;
         Refinement refinement(*flow_, plan_->origin, plan_->rules, plan_->carry,
                               refinement_memory_);
-        if (auto refined = refinement.run(mesh, stop); !refined)
+        if (auto refined = refinement.run(mesh, stop, work); !refined)
             return refined;
         state_.separation = refinement.rules().separation;
     } else {
@@ -244,7 +250,7 @@ double MovingSurface::next_time(double to) const {
     return dt == std::abs(target - here) ? target : here + sign * dt;
 }
 
-Result<void> MovingSurface::step(double to, std::stop_token stop) {
+Result<void> MovingSurface::step(double to, std::stop_token stop, const WorkPart& work) {
     MovingMesh& mesh = state_.mesh;
     const auto began = clock_->now();
     const double now = next_time(to);
@@ -303,7 +309,7 @@ Result<void> MovingSurface::step(double to, std::stop_token stop) {
     RefinementRules rules = plan_->rules;
     rules.separation = state_.separation;
     Refinement refinement(*flow_, plan_->origin, rules, carry, refinement_memory_);
-    if (auto refined = refinement.run(mesh, stop); !refined)
+    if (auto refined = refinement.run(mesh, stop, work); !refined)
         return refined;
     state_.separation = refinement.rules().separation;
     ++state_.steps;
@@ -318,7 +324,7 @@ Result<void> MovingSurface::advance_to(double to, std::stop_token stop, const Wo
     while (time() != to) {
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "the surface was cancelled");
-        if (auto stepped = step(to, stop); !stepped)
+        if (auto stepped = step(to, stop, work); !stepped)
             return stepped;
         work.reached((time() - from) / (to - from));
     }

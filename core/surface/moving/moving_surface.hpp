@@ -28,7 +28,7 @@ struct MovingState {
     std::uint64_t vertex_steps = 0; ///< integrator steps of all vertices
     SurfaceStatistics::Terminated terminated;
 
-    std::size_t bytes() const { return mesh.vertices.bytes() + mesh.quads.bytes(); }
+    std::size_t bytes() const { return memory_of(mesh); }
 };
 
 /// Thread safety: one thread at a time. Runs in the calling thread's oneTBB arena.
@@ -42,11 +42,12 @@ class MovingSurface {
                                        const Rake& rake,
                                        const SurfaceParameters& parameters,
                                        std::stop_token stop,
-                                       const Clock& clock);
+                                       const Clock& clock,
+                                       const WorkPart& work = {});
 
-    /// Carries the surface over one step, as long as it is safe; not beyond `to`. Error: Cancelled (within 50 ms) and what
-    /// loading time-steps reports; the surface is then of no use but to restore().
-    Result<void> step(double to, std::stop_token stop);
+    /// Carries the surface over one step, as long as it is safe; not beyond `to`. Error: Cancelled (within 50 ms, or because `work` has
+    /// no memory) and what loading time-steps reports; the surface is then of no use but to restore().
+    Result<void> step(double to, std::stop_token stop, const WorkPart& work = {});
 
     /// Steps until `to`.
     Result<void> advance_to(double to, std::stop_token stop, const WorkPart& work = {});
@@ -78,7 +79,7 @@ class MovingSurface {
     MovingSurface(const Flow& flow, std::shared_ptr<const Plan> plan, const Clock& clock);
     Result<void> sample_velocity(const std::stop_token& stop);
     double step_length(double to) const;
-    Result<void> begin(const std::stop_token& stop);
+    Result<void> begin(const std::stop_token& stop, const WorkPart& work);
 
     const Flow* flow_;
     const Clock* clock_;

@@ -252,7 +252,7 @@ void Refinement::keep_budget(MovingMesh& mesh, LocalOperations& operations) {
     }
 }
 
-Result<void> Refinement::run(MovingMesh& mesh, std::stop_token stop) {
+Result<void> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work) {
     LocalOperations operations(
         mesh, [&](const Cell& cell, std::size_t side) { return insert(mesh, cell, side); });
     keep_budget(mesh, operations);
@@ -263,6 +263,8 @@ Result<void> Refinement::run(MovingMesh& mesh, std::stop_token stop) {
     for (int pass = 0; pass < most_cut_passes; ++pass) {
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "the surface was cancelled");
+        if (!work.holds(memory_while_moving(mesh)))
+            return fail(Error::Code::Cancelled, "there is no memory for the surface");
         const auto more = cut_pass(mesh, operations, dirty, stop);
         if (!more)
             return tl::unexpected(more.error());

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "core/base/work_done.hpp"
 #include "core/surface/moving/merge_criteria.hpp"
 #include "core/surface/moving/origin.hpp"
 #include "core/surface/moving/refinement_rules.hpp"
@@ -32,8 +33,9 @@ class Refinement {
         : flow_(flow), origin_(origin), rules_(rules), trace_(trace), normals_(memory.normals),
           decisions_(memory.decisions), to_retrace_(memory.to_retrace) {}
 
-    /// Error: Cancelled, and what tracing a vertex again reports.
-    Result<void> run(MovingMesh& mesh, std::stop_token stop);
+    /// Error: Cancelled (also where there is no memory), and what tracing a vertex again reports.
+    /// @param work  told what memory the mesh takes
+    Result<void> run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work = {});
 
     /// As now in force: the quad budget raises the separation.
     const RefinementRules& rules() const { return rules_; }

@@ -4,6 +4,12 @@
 
 namespace wakesurf::core {
 
+namespace {
+
+constexpr std::size_t shown_bytes = 250; ///< a vertex, while the mesh to show is made
+
+} // namespace
+
 SurfaceHistory::SurfaceHistory(MovingSurface surface, std::size_t budget_bytes)
     : surface_(std::move(surface)), start_(surface_.time()),
       direction_(surface_.end_time() < start_ ? -1.0 : 1.0), budget_(budget_bytes) {
@@ -57,7 +63,7 @@ Result<void> SurfaceHistory::go_to(double time, const std::stop_token& stop, con
     const double from = surface_.time();
     while (since_start(surface_.next_time(surface_.end_time())) <= since_start(time) &&
            surface_.time() != surface_.end_time()) {
-        if (auto stepped = surface_.step(surface_.end_time(), stop); !stepped) {
+        if (auto stepped = surface_.step(surface_.end_time(), stop, work); !stepped) {
             surface_.restore(checkpoints_.begin()->second);
             return stepped;
         }
@@ -76,10 +82,15 @@ Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop, const Wo
     }
     if (auto there = go_to(time, stop, work); !there)
         return tl::unexpected(there.error());
+    const MovingMesh& mesh = surface_.state().mesh;
+    if (!work.holds(2 * memory_while_moving(mesh) + shown_bytes * mesh.vertices.slots()))
+        return fail(Error::Code::Cancelled, "there is no memory for the surface");
     if (surface_.time() == time)
         return surface_.mesh();
     MovingSurface shown = surface_; // the last part of the way is nobody's checkpoint
-    return shown.advance_to(time, stop).map([&] { return shown.mesh(); });
+    return shown.advance_to(time, stop, work.quietly().above(memory_of(mesh))).map([&] {
+        return shown.mesh();
+    });
 }
 
 } // namespace wakesurf::core

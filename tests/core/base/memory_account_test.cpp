@@ -1,4 +1,5 @@
 #include "core/base/memory_account.hpp"
+#include "core/base/work_memory.hpp"
 
 #include <gtest/gtest.h>
 
@@ -124,15 +125,15 @@ TEST(MemoryAccount, AsksBackInItsOrderAndNoMoreThanIsNeeded) {
     const Kept surfaces(account, GiveBack::Surfaces, 2 * mebi, asked);
     const Kept downloads(account, GiveBack::Downloads, 2 * mebi, asked);
     const Kept histories(account, GiveBack::Histories, 2 * mebi, asked);
-    const Kept rings(account, GiveBack::Rings, 2 * mebi, asked);
-    const Kept steps(account, GiveBack::SpareTimeSteps, 2 * mebi, asked);
+    const Kept steps(account, GiveBack::TimeSteps, 2 * mebi, asked);
+    const Kept heap(account, GiveBack::SpareHeap, 2 * mebi, asked);
     auto share = account.open(MemoryUse::Builds);
     EXPECT_TRUE(share.grow_to(3 * mebi));
-    EXPECT_EQ(asked, (std::vector{GiveBack::SpareTimeSteps, GiveBack::Downloads}));
+    EXPECT_EQ(asked, (std::vector{GiveBack::SpareHeap, GiveBack::Downloads}));
     asked.clear();
     EXPECT_TRUE(share.grow_to(9 * mebi));
-    EXPECT_EQ(asked, (std::vector{GiveBack::SpareTimeSteps, GiveBack::Downloads, GiveBack::Rings,
-                                  GiveBack::Histories, GiveBack::Surfaces}));
+    EXPECT_EQ(asked, (std::vector{GiveBack::SpareHeap, GiveBack::Downloads, GiveBack::Histories,
+                                  GiveBack::TimeSteps, GiveBack::Surfaces}));
     EXPECT_EQ(surfaces.bytes(), 0U);
 }
 
@@ -144,6 +145,53 @@ TEST(MemoryAccount, WithinWhatIsFreeNobodyIsAsked) {
     EXPECT_TRUE(share.grow_within_free(2 * mebi));
     EXPECT_FALSE(share.grow_within_free(3 * mebi));
     EXPECT_TRUE(asked.empty());
+}
+
+TEST(MemoryAccount, SeesWhatTheProcessHoldsBeyondItsShares) {
+    const MemoryAccount account(10 * mebi);
+    auto steps = account.open(MemoryUse::TimeSteps), importer = account.open(MemoryUse::Importers);
+    ASSERT_TRUE(steps.grow_to(2 * mebi));
+    ASSERT_TRUE(importer.grow_to(mebi));
+    std::size_t resident = 5 * mebi;
+    account.watch([&] { return resident; });
+    EXPECT_EQ(account.used(MemoryUse::Other), 3 * mebi) << "importers are other processes";
+    EXPECT_EQ(account.free(), 4 * mebi);
+    ASSERT_TRUE(steps.grow_to(5 * mebi));
+    EXPECT_EQ(account.used(MemoryUse::Other), 0U)
+        << "what was taken a moment ago is not touched yet";
+    resident = 9 * mebi;
+    EXPECT_FALSE(steps.grow_to(6 * mebi)) << "looked again, since more was taken";
+    EXPECT_EQ(account.used(MemoryUse::Other), 4 * mebi);
+}
+
+TEST(MemoryAccount, WorkThatNeedsMuchLeavesTheLastPartToWhatNeedsLittle) {
+    const MemoryAccount account(64 * mebi);
+    std::stop_source none;
+    none.request_stop(); // nobody waits here
+    WorkMemory much(account, none.get_token());
+    std::size_t taken = 0;
+    while (much.grow(mebi / 4))
+        taken += mebi / 4;
+    EXPECT_LE(taken, account.budget() - account.kept_for_small());
+    EXPECT_GE(taken, account.budget() - 2 * account.kept_for_small());
+    WorkMemory little(account, none.get_token());
+    EXPECT_TRUE(little.grow(account.small() - mebi / 4));
+}
+
+TEST(MemoryAccount, WorkThatIsRefusedOnceSaysSoAndEndsForAllThreads) {
+    const MemoryAccount account(mebi);
+    auto held = account.open(MemoryUse::Meshes);
+    ASSERT_TRUE(held.grow_to(mebi));
+    WorkMemory work(account);
+    EXPECT_FALSE(work.grow(2 * mebi));
+    EXPECT_TRUE(work.exhausted());
+    EXPECT_FALSE(work.grow(1));
+    EXPECT_EQ(work.refusal("a surface").limit, mebi);
+    EXPECT_EQ(account.used(), mebi);
+    work.clear();
+    held.shrink_to(0);
+    EXPECT_TRUE(work.grow(mebi / 2));
+    EXPECT_FALSE(work.grow(most)) << "does not wrap round";
 }
 
 TEST(MemoryAccount, WhoHasEndedIsNotAsked) {

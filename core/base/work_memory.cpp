@@ -1,0 +1,55 @@
+#include "core/base/work_memory.hpp"
+
+#include <algorithm>
+
+namespace wakesurf::core {
+
+namespace {
+
+// The account is asked for a part of what is taken already at a time.
+constexpr std::size_t least_part = std::size_t{64} << 10;
+constexpr std::size_t largest_part = std::size_t{4} << 20;
+constexpr std::size_t most = std::size_t{1} << 50; ///< that sums of them do not wrap round
+
+} // namespace
+
+bool WorkMemory::grow(std::size_t bytes) {
+    const std::size_t now = taken_ += std::min(bytes, most);
+    return now <= reserved_ || reserve(now);
+}
+
+bool WorkMemory::grow_to(std::size_t bytes) {
+    const std::size_t now = taken_;
+    return bytes <= now || grow(bytes - now);
+}
+
+bool WorkMemory::reserve(std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    if (exhausted_)
+        return false;
+    if (bytes <= reserved_)
+        return true;
+    const std::size_t ahead = std::clamp(bytes / 16, least_part, largest_part);
+    const std::size_t leave = bytes > account_.small() ? account_.kept_for_small() : 0;
+    if (!share_.grow_within_free(bytes + ahead, leave) &&
+        !share_.grow_to(bytes, stop_, patience_, leave)) {
+        wanted_ = bytes;
+        exhausted_ = !stop_.stop_requested();
+        return false;
+    }
+    reserved_ = share_.bytes();
+    return true;
+}
+
+Error WorkMemory::refusal(std::string_view what) const {
+    return account_.refusal(what, wanted_);
+}
+
+void WorkMemory::clear() {
+    const std::lock_guard lock(mutex_);
+    share_.shrink_to(0);
+    taken_ = reserved_ = wanted_ = 0;
+    exhausted_ = false;
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,64 @@
+// What one piece of work takes of the account of memory, told before it is taken by all threads that work at it. The first that gets
+// none ends the work.
+#pragma once
+
+#include "core/base/memory_account.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <stop_token>
+#include <string>
+
+namespace wakesurf::core {
+
+/// Thread safety: everything may be called from any thread.
+class WorkMemory {
+  public:
+    /// @param stop      of the work: nobody waits for memory then
+    /// @param patience  how long it waits for others to give memory back
+    explicit WorkMemory(const MemoryAccount& account,
+                        std::stop_token stop = {},
+                        std::chrono::milliseconds patience = std::chrono::seconds(1))
+        : account_(account), stop_(std::move(stop)), patience_(patience),
+          share_(account.open(MemoryUse::Builds)) {}
+
+    WorkMemory(const WorkMemory&) = delete;
+    WorkMemory& operator=(const WorkMemory&) = delete;
+
+    /// So many bytes more. False where there is no memory: the work should end, see exhausted(). Where the account has been asked
+    /// already, which it is for large parts at a time, it costs some 5 ns.
+    bool grow(std::size_t bytes);
+
+    void shrink(std::size_t bytes) { taken_ -= bytes; }
+
+    /// All of it together. False as above.
+    bool grow_to(std::size_t bytes);
+
+    std::size_t bytes() const { return taken_; }
+
+    /// It was refused once.
+    bool exhausted() const { return exhausted_; }
+
+    /// Why the work ended. REQUIRES: exhausted().
+    Error refusal(std::string_view what) const;
+
+    /// What it took so far is free again; nothing was refused.
+    void clear();
+
+  private:
+    bool reserve(std::size_t bytes);
+
+    MemoryAccount account_;
+    std::stop_token stop_;
+    std::chrono::milliseconds patience_;
+    std::atomic<std::size_t> taken_{0};
+    std::atomic<std::size_t> reserved_{0};
+    std::atomic<bool> exhausted_{false};
+    std::atomic<std::size_t> wanted_{0}; ///< when it was refused
+    std::mutex mutex_;                   ///< guards share_
+    MemoryAccount::Share share_;
+};
+
+} // namespace wakesurf::core
