@@ -16,6 +16,9 @@ void add_bench_options(CLI::App& command, BenchOptions& options) {
     command.add_option("NAME", options.names, "Only benchmarks whose names contain one of these");
     command.add_option("--data", options.data,
                        "Dataset to measure on; default: the bundled simulation");
+    command.add_option("--seconds", options.seconds, "How long hostile tenants attack a server")
+        ->check(CLI::Range(1, 86'400))
+        ->capture_default_str();
     command.add_option("--json", options.json, "Also write the figures to this file");
 }
 
@@ -25,6 +28,7 @@ int run_bench(const BenchOptions& options, std::filesystem::path program) {
     std::vector<std::string> words{program.string()};
     if (!options.data.empty())
         words.push_back("--data=" + options.data);
+    words.push_back("--seconds=" + std::to_string(options.seconds));
     if (!options.json.empty())
         words.push_back("--json=" + options.json);
     words.emplace_back("--"); // names may begin with a dash

@@ -15,6 +15,7 @@ namespace wakesurf::server {
 struct BenchOptions {
     std::vector<std::string> names; ///< benchmarks whose names contain one of these; empty: all
     std::string data;               ///< a dataset; empty: the bundled simulation
+    int seconds = 60;               ///< that an attack goes on
     std::string json;               ///< file for Google Benchmark's JSON; empty: none
 };
 

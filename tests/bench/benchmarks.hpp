@@ -48,6 +48,9 @@ void register_streak_frame_benchmarks();
 /// A rake edit of a small surface to its first frame, alone and beside a session with 64 large surfaces being dragged.
 void register_fair_benchmark(const std::string& dataset);
 
+/// A server in a control group of 512 MB beside tenants who take all they are granted, for so many seconds.
+void register_hostile_benchmark(const std::string& dataset, int seconds);
+
 /// StoreReader::load of 300 MB time-steps against a plain read() of the same bytes.
 void register_store_benchmarks();
 

@@ -10,6 +10,7 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/websocket/stream.hpp>
 #include <nlohmann/json.hpp>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -50,18 +51,29 @@ pid_t newest_child() {
 
 } // namespace
 
-LiveServer::LiveServer(const std::string& dataset) {
+LiveServer::LiveServer(const std::string& dataset)
+    : LiveServer({dataset}, {}, [](const auto& program) {
+          return std::vector<std::string>{program.string()};
+      }) {}
+
+LiveServer::LiveServer(const std::vector<std::string>& datasets,
+                       const std::vector<std::string>& arguments,
+                       const Launch& launch) {
     const auto promise = std::make_shared<std::promise<ServerAddress>>();
     std::future<ServerAddress> ready = promise->get_future();
-    process_ = std::jthread([promise, dataset](const std::stop_token& stop) {
+    std::vector<std::string> command = launch(server::this_program().parent_path() / "wakesurf");
+    command.emplace_back("serve");
+    command.insert(command.end(), datasets.begin(), datasets.end());
+    command.insert(command.end(), {"--listen", "127.0.0.1:0", "--log-level", "error"});
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    process_ = std::jthread([promise, command](const std::stop_token& stop) {
         bool first = true;
         const auto line = [&](std::string_view text) {
             if (std::exchange(first, false))
                 promise->set_value(parse_first_line(text));
         };
-        const auto outcome = server::run_child(
-            server::this_program().parent_path() / "wakesurf",
-            {"serve", dataset, "--listen", "127.0.0.1:0", "--log-level", "error"}, 0, line, stop);
+        const auto outcome =
+            server::run_child(command.front(), {command.begin() + 1, command.end()}, 0, line, stop);
         if (first)
             promise->set_exception(std::make_exception_ptr(
                 std::runtime_error(outcome ? outcome->errors : outcome.error().message)));
@@ -126,6 +138,10 @@ json LiveClient::call(const std::string& method, const json& parameters) {
                                      message["error"]["message"].get<std::string>());
         return message["result"];
     }
+}
+
+void LiveClient::hang_up() {
+    ::shutdown(socket_->stream.next_layer().native_handle(), SHUT_RDWR);
 }
 
 protocol::Bytes LiveClient::next_frame() {

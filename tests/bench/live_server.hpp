@@ -7,11 +7,14 @@
 #include <nlohmann/json_fwd.hpp>
 #include <sys/types.h>
 
+#include <filesystem>
+#include <functional>
 #include <future>
 #include <memory>
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace wakesurf::bench {
 
@@ -24,6 +27,14 @@ struct ServerAddress {
 class LiveServer {
   public:
     explicit LiveServer(const std::string& dataset);
+
+    /// What starts a program: its path, or another program that becomes it.
+    using Launch = std::function<std::vector<std::string>(const std::filesystem::path& program)>;
+
+    /// The same of several datasets, with further arguments.
+    LiveServer(const std::vector<std::string>& datasets,
+               const std::vector<std::string>& arguments,
+               const Launch& launch);
 
     const ServerAddress& address() const { return address_; }
 
@@ -49,6 +60,9 @@ class LiveClient {
 
     /// The next frame; text on the way is dropped.
     protocol::Bytes next_frame();
+
+    /// Ends the connection; from another thread, too, which then throws.
+    void hang_up();
 
   private:
     struct Socket;

@@ -1,0 +1,154 @@
+// A server in a control group of 512 MB beside tenants who take all they are granted: whether it lives, how much memory it
+// holds beside what it may, and how long a session with a small surface waits for its edits meanwhile.
+#include "server/catalogue/shipped_files.hpp"
+#include "tests/bench/benchmarks.hpp"
+#include "tests/bench/edited_surface.hpp"
+#include "tests/bench/load/hostile_tenants.hpp"
+#include "tests/bench/load/memory_group.hpp"
+#include "tests/bench/load/process_usage.hpp"
+#include "tests/bench/support/quantiles.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <thread>
+
+namespace wakesurf::bench {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t group_bytes = std::size_t{512} << 20;
+constexpr double part = 0.6; // what serve takes of a group by itself
+constexpr double target_of_budget = 1.1;
+constexpr double target_ratio = 3.0;
+constexpr int tenants = 6;
+constexpr double small_quads = 2'000;
+constexpr std::chrono::seconds alone_for{10};
+constexpr std::chrono::milliseconds between_edits{100};
+constexpr std::chrono::milliseconds look{10};
+constexpr std::chrono::seconds hung{60};
+
+/// Ends a connection on which nothing has come for too long: what waits there is told.
+class Watchdog {
+  public:
+    explicit Watchdog(LiveClient& client)
+        : thread_([this, &client](const std::stop_token& stop) {
+              while (!stop.stop_requested()) {
+                  if (Clock::now() - Clock::time_point(Clock::duration(fed_.load())) > hung)
+                      client.hang_up();
+                  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+              }
+          }) {}
+
+    void feed() { fed_ = Clock::now().time_since_epoch().count(); }
+
+  private:
+    std::atomic<Clock::rep> fed_{Clock::now().time_since_epoch().count()};
+    std::jthread thread_;
+};
+
+/// Seconds from each edit to the first frame that shows it.
+std::vector<double> edit(EditedSurface& surface, Clock::duration time) {
+    std::vector<double> times;
+    Watchdog watchdog(surface.client());
+    for (const auto end = Clock::now() + time; Clock::now() < end;) {
+        const auto before = surface.complete();
+        const auto start = Clock::now();
+        surface.client().send("rake.set", surface.next_edit());
+        surface.until_frame_after(before["epoch"]);
+        times.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+        watchdog.feed();
+        std::this_thread::sleep_for(between_edits);
+    }
+    return times;
+}
+
+/// The most memory a process was seen to hold.
+class PeakMemory {
+  public:
+    explicit PeakMemory(pid_t process)
+        : thread_([this, process](const std::stop_token& stop) {
+              try {
+                  for (; !stop.stop_requested(); std::this_thread::sleep_for(look))
+                      bytes_ = std::max(bytes_.load(), usage_of(process).resident_bytes);
+              } catch (const std::exception&) {
+                  gone_ = true;
+              }
+          }) {}
+
+    std::size_t bytes() const { return bytes_; }
+
+    bool gone() const { return gone_; }
+
+  private:
+    std::atomic<std::size_t> bytes_{0};
+    std::atomic<bool> gone_{false};
+    std::jthread thread_;
+};
+
+void measure(benchmark::State& state, const std::string& dataset, int seconds) {
+    const MemoryGroup group(group_bytes);
+    std::vector<std::string> arguments;
+    if (!group.there()) {
+        std::fprintf(stderr,
+                     "hostile: no control group (%s): the server is held by --memory alone\n",
+                     group.why().c_str());
+        arguments = {"--memory", std::to_string(static_cast<std::size_t>(part * group_bytes))};
+    }
+    LiveServer server({"flow:tornado", dataset}, arguments,
+                      [&](const auto& program) { return group.command(program); });
+    EditedSurface light(server.address(), small_quads, 200);
+    const auto alone = edit(light, alone_for);
+    const double budget = part * static_cast<double>(group_bytes);
+    for (auto _ : state) {
+        const PeakMemory peak(server.process());
+        std::vector<double> beside;
+        bool lost = false;
+        std::size_t refused = 0, downloads = 0, edits = 0;
+        {
+            const HostileTenants hostile(server.address(), tenants);
+            try {
+                beside = edit(light, std::chrono::seconds(seconds));
+            } catch (const std::exception& error) {
+                std::fprintf(stderr, "hostile: the light session: %s\n", error.what());
+                lost = true;
+            }
+            refused = hostile.refused();
+            downloads = hostile.downloads();
+            edits = hostile.edits();
+        }
+        state.SetIterationTime(quantile(beside, 0.99));
+        state.counters["killed"] = static_cast<double>(group.killed()) + (peak.gone() ? 1.0 : 0.0);
+        state.counters["light_lost"] = lost ? 1.0 : 0.0;
+        state.counters["peak_mib"] = static_cast<double>(peak.bytes()) / (1 << 20);
+        state.counters["peak_of_budget"] = static_cast<double>(peak.bytes()) / budget;
+        state.counters["target_peak_of_budget"] = target_of_budget;
+        state.counters["alone_p50_ms"] = 1e3 * quantile(alone, 0.5);
+        state.counters["alone_p99_ms"] = 1e3 * quantile(alone, 0.99);
+        state.counters["beside_p50_ms"] = 1e3 * quantile(beside, 0.5);
+        state.counters["beside_p99_ms"] = 1e3 * quantile(beside, 0.99);
+        state.counters["ratio_p99"] = quantile(beside, 0.99) / quantile(alone, 0.99);
+        state.counters["target_ratio_p99"] = target_ratio;
+        state.counters["hostile_edits"] = static_cast<double>(edits);
+        state.counters["downloads"] = static_cast<double>(downloads);
+        state.counters["refused"] = static_cast<double>(refused);
+    }
+}
+
+} // namespace
+
+void register_hostile_benchmark(const std::string& dataset, int seconds) {
+    benchmark::RegisterBenchmark(
+        "hostile/tenants",
+        [dataset, seconds](benchmark::State& state) { measure(state, dataset, seconds); })
+        ->Unit(benchmark::kMillisecond)
+        ->UseManualTime()
+        ->Iterations(1);
+}
+
+} // namespace wakesurf::bench
