@@ -58,6 +58,7 @@ struct MethodContext {
     std::function<Standing()> standing{}; ///< how the server stands; nobody can say without
     Metrics* metrics = nullptr;           ///< nobody counts without
     ImportWaiters* imports = nullptr;     ///< without, datasets are as they are
+    std::string notice{};                 ///< a whole notification for each who joins; empty: none
 };
 
 struct Call {

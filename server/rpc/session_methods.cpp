@@ -114,6 +114,8 @@ void join(const Call& call, Reply reply) {
     else
         out["snapshot"] = records_json(**session);
     reply.result(out);
+    if (!call.context.notice.empty())
+        call.client->notify(call.context.notice);
     // Those who were here when the disk began to refuse have been told then.
     if (const Journal* journal = call.context.journal)
         if (auto refusal = journal->refusal())

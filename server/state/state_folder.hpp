@@ -19,6 +19,8 @@ class StateFolder {
     StateFolder(StateFolder&& other) noexcept;
     StateFolder& operator=(StateFolder&&) = delete;
 
+    const std::filesystem::path& path() const { return folder_; }
+
     /// Path of the database.
     std::string file() const { return (folder_ / "sessions.sqlite").string(); }
 

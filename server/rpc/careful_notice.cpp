@@ -1,0 +1,35 @@
+#include "server/rpc/careful_notice.hpp"
+
+#include "protocol/json_rpc.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::server {
+
+namespace {
+
+constexpr const char* cure =
+    "set a surface or move its rake to have it computed again, those that need little first; "
+    "the server's log and its memory may tell why it died";
+
+std::string reason(unsigned died) {
+    return fmt::format(
+        "the server died {} times in a row shortly after it had started, so surfaces "
+        "of before are not computed by themselves",
+        died);
+}
+
+} // namespace
+
+core::Error withheld(unsigned died) {
+    return {core::Error::Code::Cancelled, reason(died), cure};
+}
+
+std::string careful_notice(unsigned died) {
+    return protocol::rpc_notification(
+        "server.notice",
+        {{"kind", "carefulStart"}, {"level", "warning"}, {"text", reason(died) + ": " + cure}});
+}
+
+} // namespace wakesurf::server
