@@ -66,6 +66,8 @@ inline constexpr std::size_t grants = 32; ///< share links of one session
 inline constexpr std::uint64_t grant_seconds = std::uint64_t{10} * 366 * 24 * 3600;
 inline constexpr std::size_t rakes = 256;
 inline constexpr std::size_t surfaces = 64;
+inline constexpr std::chrono::seconds start_watched{
+    60}; ///< a server that lives for so long has started
 inline constexpr std::size_t bookmarks = 256;
 inline constexpr std::size_t annotations = 512;
 inline constexpr std::size_t view_bytes = std::size_t{4} << 10;       ///< of a bookmark
@@ -91,9 +93,9 @@ inline constexpr std::uint64_t wait_ms = 600'000;
 inline constexpr std::size_t history_bytes = std::size_t{128}
                                              << 20; ///< of a moving surface, to step back to
 inline constexpr std::size_t histories_bytes = std::size_t{512} << 20; ///< of all together
+inline constexpr std::chrono::milliseconds memory_look{250}; ///< at what the process holds
 inline constexpr std::chrono::seconds history_rest{
     30}; ///< a history not used for so long goes before others get smaller
-inline constexpr std::size_t restoring = 2; ///< surfaces built at a time that nobody looks at yet
 
 // Clocks.
 inline constexpr double clock_speed = 1e6; ///< simulation time a second

@@ -27,6 +27,20 @@ std::size_t steps_ready(const LoadedDataset& open) {
     return ready;
 }
 
+/// What an import under way takes of the account: it is another process of the same machine. Waits until others have given it back.
+core::Result<core::MemoryAccount::Share> import_memory(const OpenOptions& options,
+                                                       const std::stop_token& stop) {
+    constexpr std::size_t part = 4; // of all memory one part in so many
+    constexpr std::chrono::seconds patience{30};
+    if (!options.cache.account)
+        return core::MemoryAccount::Share();
+    auto share = options.cache.account->open(core::MemoryUse::Importers);
+    const std::size_t bytes = options.cache.account->budget() / part;
+    if (share.grow_to(bytes, stop, patience) || stop.stop_requested())
+        return share;
+    return tl::unexpected(options.cache.account->refusal("importing", bytes));
+}
+
 double share(std::size_t part, std::size_t whole) {
     return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -37,7 +51,8 @@ core::Result<std::unique_ptr<DatasetCatalogue>> DatasetCatalogue::open(
     const std::vector<std::string>& arguments, OpenOptions options, Listener listener) {
     const auto stored = std::count_if(arguments.begin(), arguments.end(),
                                       [](const std::string& a) { return !a.starts_with("flow:"); });
-    options.cache.budget_bytes /= static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, stored));
+    if (!options.cache.account)
+        options.cache.budget_bytes /= static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, stored));
     std::unique_ptr<DatasetCatalogue> catalogue(
         new DatasetCatalogue(std::move(options), std::move(listener)));
     for (const auto& argument : arguments)
@@ -184,6 +199,9 @@ core::Result<void> DatasetCatalogue::run_import(Entry& entry,
     if (source.stop_requested())
         return core::fail(Error::Code::Cancelled, "the import was stopped before it began");
     const std::stop_callback all_end(stop, [source]() mutable { source.request_stop(); });
+    const auto memory = import_memory(options_, source.get_token());
+    if (!memory)
+        return tl::unexpected(memory.error());
     const auto listener = [&](const ImportProgress& progress) {
         if (show(entry, progress, folder))
             listener_(entry.status.dataset);

@@ -53,6 +53,33 @@ core::Result<std::size_t> cache_budget(const core::StoreReader& reader, std::siz
                     up(fixed + steps)));
 }
 
+/// The same of the account, which then counts the grid, and has room for the time-steps.
+core::Result<std::shared_ptr<core::MemoryAccount::Share>>
+counted(const core::StoreReader& reader, const core::MemoryAccount& account) {
+    const std::size_t fixed = fixed_bytes(reader);
+    const std::size_t steps = core::TimeStepCache::smallest_budget(reader);
+    auto share =
+        std::make_shared<core::MemoryAccount::Share>(account.open(core::MemoryUse::Meshes));
+    if (share->grow_to(fixed + steps)) {
+        share->shrink_to(fixed);
+        return share;
+    }
+    const auto up = [](std::size_t bytes) { return std::ceil(static_cast<double>(bytes) / mebi); };
+    const std::size_t free = account.free();
+    return core::over_limit(
+        account.budget(),
+        fmt::format(
+            "the dataset needs at least {:.0f} MiB of memory, for {} time-steps of {:.1f} MiB "
+            "and its grid, and of the {:.0f} MiB of --memory {:.0f} MiB are free",
+            up(fixed + steps), steps / reader.bytes_per_step(),
+            static_cast<double>(reader.bytes_per_step()) / mebi,
+            std::floor(static_cast<double>(account.budget()) / mebi),
+            std::floor(static_cast<double>(free) / mebi)),
+        fmt::format("start with --memory {:.0f}MiB or more, or with fewer datasets",
+                    up(account.budget() - std::min(account.budget(), free) + fixed + steps +
+                       account.budget() / 8)));
+}
+
 } // namespace
 
 core::Result<LoadedDataset> open_flow(const DatasetArgument& argument) {
@@ -60,7 +87,7 @@ core::Result<LoadedDataset> open_flow(const DatasetArgument& argument) {
     if (!info)
         return tl::unexpected(info.error());
     return core::make_analytic_flow(argument.flow).map([&](std::unique_ptr<core::Flow> flow) {
-        return LoadedDataset{std::move(*info), std::move(flow), nullptr, nullptr};
+        return LoadedDataset{std::move(*info), std::move(flow), nullptr, nullptr, nullptr};
     });
 }
 
@@ -73,13 +100,22 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
     auto reader = core::StoreReader::open(protocol::store_layout(*manifest, folder), disk);
     if (!reader)
         return tl::unexpected(reader.error());
-    const auto budget = cache_budget(**reader, options.budget_bytes);
-    if (!budget)
+    core::TimeStepCache::Options cached = options;
+    std::shared_ptr<core::MemoryAccount::Share> memory;
+    if (options.account) {
+        auto share = counted(**reader, *options.account);
+        if (!share)
+            return tl::unexpected(share.error());
+        memory = std::move(*share);
+    } else if (const auto budget = cache_budget(**reader, options.budget_bytes)) {
+        cached.budget_bytes = *budget;
+    } else {
         return tl::unexpected(budget.error());
-    auto cache = std::make_shared<core::TimeStepCache>(
-        *reader, core::TimeStepCache::Options{*budget, options.load_threads});
+    }
+    auto cache = std::make_shared<core::TimeStepCache>(*reader, std::move(cached));
     auto flow = core::make_stored_flow(cache, std::make_shared<core::SteadyClock>(), simd_wanted());
-    return LoadedDataset{std::move(manifest->info), std::move(flow), cache, *reader};
+    return LoadedDataset{std::move(manifest->info), std::move(flow), cache, *reader,
+                         std::move(memory)};
 }
 
 core::Result<LoadedDataset> open_dataset(const DatasetArgument& argument,

@@ -22,6 +22,7 @@ struct LoadedDataset {
     std::shared_ptr<const core::Flow> flow;
     std::shared_ptr<core::TimeStepCache> cache;     ///< null for a built-in flow
     std::shared_ptr<const core::StoreReader> store; ///< behind the cache; null for a built-in flow
+    std::shared_ptr<core::MemoryAccount::Share> memory{}; ///< of its grid; null where nobody counts
 };
 
 struct OpenOptions {
@@ -34,8 +35,8 @@ struct OpenOptions {
 /// Error: InvalidArgument, NotFound (the list of names).
 core::Result<LoadedDataset> open_flow(const DatasetArgument& argument);
 
-/// A store, whole or still being written. @param cache  the budget is for its grid as well.
-/// Error: as read_store_manifest and StoreReader::open; OverLimit where the budget does not hold the grid and 4 time-steps.
+/// A store, whole or still being written. @param cache  the budget, or the account, is for its grid as well.
+/// Error: as read_store_manifest and StoreReader::open; OverLimit where that does not hold the grid and 4 time-steps.
 core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
                                        const core::TimeStepCache::Options& cache);
 

@@ -185,9 +185,11 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
     command.add_option("--state", options.state,
                        "folder sessions are kept in (default: $WAKESURF_STATE, or none: they end "
                        "with the server)");
-    command.add_option("--memory", options.memory, "for time-steps, for example 4GiB")
-        ->transform(as_memory_size())
-        ->default_str("4GiB");
+    command
+        .add_option("--memory", options.memory,
+                    "of the whole server and its importers, for example 4GiB (default: 60 % of the "
+                    "machine's or the control group's)")
+        ->transform(as_memory_size());
     command.add_option("--threads", options.threads, "that compute (default: one a core)")
         ->check(CLI::Range(1, 1024));
     auto* const file = command.add_option("--token-file", options.token_file,

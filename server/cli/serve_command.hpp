@@ -16,7 +16,7 @@ struct ServeOptions {
     std::string listen = "127.0.0.1:8080";
     std::string store;
     std::string state;
-    std::uint64_t memory = std::uint64_t{4} << 30;
+    std::uint64_t memory = 0; ///< 0: by the machine and the control group
     unsigned threads = 0;
     std::string token_file;
     bool no_auth = false;

@@ -14,6 +14,7 @@
 #include "server/cli/stop_on_signal.hpp"
 #include "server/cli/surface_request.hpp"
 #include "server/cli/whole_file.hpp"
+#include "server/metrics/process_account.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -28,14 +29,18 @@ namespace wakesurf::server {
 
 namespace {
 
-core::Result<LoadedDataset> open(const SurfaceOptions& options, std::stop_token stop) {
+constexpr std::size_t file_bytes =
+    300; ///< a vertex, with its scalars, while its file is put together
+
+core::Result<LoadedDataset>
+open(const SurfaceOptions& options, const core::MemoryAccount& account, std::stop_token stop) {
     const auto argument = resolve_dataset(options.dataset);
     if (!argument)
         return tl::unexpected(argument.error());
     OpenOptions open;
     open.store_root =
         options.store.empty() ? default_store_root() : std::filesystem::path(options.store);
-    open.cache.budget_bytes = options.memory;
+    open.cache.account = account;
     const auto show = [](const ImportProgress& progress) { show_progress(progress, stderr); };
     return open_dataset(*argument, open, show, stop);
 }
@@ -43,6 +48,7 @@ core::Result<LoadedDataset> open(const SurfaceOptions& options, std::stop_token 
 core::Result<core::Surface> build(const LoadedDataset& dataset,
                                   const SurfaceRequest& request,
                                   int threads,
+                                  core::WorkMemory& memory,
                                   std::stop_token stop) {
     core::WorkDone work;
     const ElapsedLine progress("building a " +
@@ -56,7 +62,7 @@ core::Result<core::Surface> build(const LoadedDataset& dataset,
     tbb::task_arena arena(used);
     return arena.execute([&] {
         return core::build_surface(*dataset.flow, request.rake, request.parameters, stop,
-                                   core::SteadyClock{}, &work);
+                                   core::SteadyClock{}, {&work, &memory});
     });
 }
 
@@ -118,7 +124,8 @@ core::Result<void> clip_rakes(SurfaceRequest& request, const core::Box& domain) 
 
 core::Result<void>
 make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop) {
-    const auto dataset = open(options, stop);
+    const ProcessAccount process(options.memory);
+    const auto dataset = open(options, process.account(), stop);
     if (!dataset)
         return tl::unexpected(dataset.error());
     if (auto chosen = choose_times(request.parameters, options, dataset->info.times); !chosen)
@@ -129,11 +136,14 @@ make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop
         return inside;
     if (auto known = check_fields(*dataset, options.fields); !known)
         return known;
-    const auto surface = build(*dataset, request, options.threads, stop);
+    core::WorkMemory memory(process.account(), stop);
+    const auto surface = build(*dataset, request, options.threads, memory, stop);
     if (!surface)
         return tl::unexpected(surface.error());
     if (stop.stop_requested())
         return core::fail(core::Error::Code::Cancelled, "stopped, nothing was written");
+    if (!memory.grow(surface->mesh.vertices() * file_bytes))
+        return tl::unexpected(memory.refusal("the surface's file"));
     const auto scalars =
         surface_scalars(*dataset, surface->mesh, core::vertex_times(*surface, request.parameters),
                         options.fields, stop);
@@ -189,7 +199,9 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
     command.add_option("--max-quads", options.max_quads, "Most quads to build")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}))
         ->capture_default_str();
-    command.add_option("--memory", options.memory, "Budget of the time-step cache (default: 4GiB)")
+    command
+        .add_option("--memory", options.memory,
+                    "Of the whole process (default: 60 % of the machine's or the control group's)")
         ->transform(as_memory_size());
     command.add_option("--threads", options.threads, "Threads (default: one a core)")
         ->check(CLI::Range(1, 1024));

@@ -31,8 +31,8 @@ struct SurfaceOptions {
     double angle = core::SurfaceParameters{}.angle;
     std::vector<std::string> fields; ///< scalars written at the vertices
     std::uint64_t max_quads = 1'000'000;
-    std::uint64_t memory = std::uint64_t{4} << 30;
-    int threads = 0; ///< 0: one a core
+    std::uint64_t memory = 0; ///< 0: by the machine and the control group
+    int threads = 0;          ///< 0: one a core
     std::string output;
     bool draco = true; ///< in .glb files
     std::string stats;

@@ -57,6 +57,14 @@ void collect(const Standing& standing, Registry& registry) {
     const ProcessMemory memory = process_memory();
     gauge("process_resident_memory_bytes", "Memory in use.", memory.resident);
     gauge("process_open_fds", "Open descriptors.", memory.descriptors);
+    gauge("wakesurf_memory_budget_bytes", "--memory, of the process and its importers.",
+          standing.memory.budget);
+    gauge("wakesurf_memory_refused", "Times that something did not fit into --memory.",
+          standing.memory.refused);
+    auto& uses = gauges(registry, "wakesurf_memory_bytes", "Of --memory taken, by use.");
+    for (std::size_t i = 0; i < standing.memory.by_use.size(); ++i)
+        uses.Add({{"use", std::string(core::name_of(static_cast<core::MemoryUse>(i)))}})
+            .Set(static_cast<double>(standing.memory.by_use[i]));
     auto& hits = counters(registry, "wakesurf_cache_hits_total",
                           "Time-steps asked for that were in memory.");
     auto& loads =

@@ -7,6 +7,13 @@
 
 namespace wakesurf::server {
 
+MemoryStanding memory_standing(const core::MemoryAccount& account) {
+    MemoryStanding out{account.budget(), account.used(), {}, account.refused()};
+    for (std::size_t i = 0; i < out.by_use.size(); ++i)
+        out.by_use[i] = account.used(static_cast<core::MemoryUse>(i));
+    return out;
+}
+
 ProcessMemory process_memory() {
     ProcessMemory out;
     std::ifstream status("/proc/self/status");

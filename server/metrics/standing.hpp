@@ -1,6 +1,9 @@
 // How the server stands at the moment it is asked: what is open, held and used. Gathered when somebody looks.
 #pragma once
 
+#include "core/base/memory_account.hpp"
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -16,6 +19,16 @@ struct CacheStanding {
     std::size_t budget = 0;
 };
 
+/// Of the account of memory, in bytes.
+struct MemoryStanding {
+    std::size_t budget = 0;
+    std::size_t used = 0;
+    std::array<std::size_t, core::memory_uses> by_use{};
+    std::uint64_t refused = 0; ///< times that something did not fit
+};
+
+MemoryStanding memory_standing(const core::MemoryAccount& account);
+
 struct Standing {
     double uptime = 0.0; ///< seconds
     std::size_t connections = 0;
@@ -24,6 +37,7 @@ struct Standing {
     std::size_t surfaces = 0;
     std::size_t participants = 0;
     std::vector<CacheStanding> caches;
+    MemoryStanding memory;
 };
 
 struct ProcessMemory {

@@ -2,10 +2,12 @@
 
 #include "protocol/json_rpc.hpp"
 #include "server/limits.hpp"
+#include "server/metrics/process_account.hpp"
 #include "server/net/http_connection.hpp"
 #include "server/net/io_loop.hpp"
 #include "server/net/listener.hpp"
 #include "server/rpc/cache_news.hpp"
+#include "server/rpc/careful_notice.hpp"
 #include "server/rpc/dataset_entry.hpp"
 #include "server/rpc/durability_notice.hpp"
 #include "server/rpc/import_waiters.hpp"
@@ -14,6 +16,7 @@
 #include "server/session/session_restoring.hpp"
 #include "server/state/kept_sessions.hpp"
 #include "server/state/sqlite_journal.hpp"
+#include "server/state/start_guard.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -52,17 +55,29 @@ struct Server::Parts {
         gate.emplace(
             GateOptions{options.token, options.host, port, options.origins, tls != nullptr},
             entropy, clock, grants);
+        std::string notice;
+        if (kept) {
+            starts.emplace(kept->folder.path());
+            if (starts->careful()) {
+                withheld_surfaces = withheld(starts->died());
+                notice = careful_notice(starts->died());
+                spdlog::warn("event=careful_start died={} message=\"{}\" hint=\"{}\"",
+                             starts->died(), withheld_surfaces->message, withheld_surfaces->hint);
+            }
+        }
         datasets.emplace(*catalogue);
-        sessions.emplace(
-            SessionServices{loop, pool, *datasets, entropy, &metrics, journal.get(), &clock});
+        SessionServices services{loop, pool, *datasets, entropy, &metrics, journal.get(), &clock};
+        services.memory = &memory.account();
+        services.withheld = withheld_surfaces ? &*withheld_surfaces : nullptr;
+        sessions.emplace(std::move(services));
         sessions->on_gone([this](const std::string& id) { grants.forget(id); });
         dispatcher.emplace(
             method_table(),
             MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); },
                           prober, grants, clock, loop, journal.get(), [this] { return standing(); },
-                          &metrics, &imports.emplace(*catalogue, loop)},
+                          &metrics, &imports.emplace(*catalogue, loop), notice},
             protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
-        downloads.emplace(loop, pool, *sessions, *catalogue, memory);
+        downloads.emplace(loop, pool, *sessions, *catalogue, memory.account());
         session_files.emplace(loop, pool, *sessions, *datasets, journal.get());
         routes.emplace(*gate, files, *dispatcher, *downloads, *session_files,
                        [this] { return metrics.text(standing()); });
@@ -75,6 +90,7 @@ struct Server::Parts {
         out.uptime = std::chrono::duration<double>(clock.now() - started).count();
         out.connections = admission.connections();
         out.clients = admission.clients();
+        out.memory = memory_standing(memory.account());
         out.sessions = sessions->all().size();
         for (const auto& [id, session] : sessions->all()) {
             out.surfaces += session->records().count(RecordType::Surface);
@@ -87,6 +103,13 @@ struct Server::Parts {
                     {each.dataset, status.hits, status.loads, status.bytes, status.budget});
             }
         return out;
+    }
+
+    /// What nobody asked the account for is noticed, and others give back.
+    void watch_memory() {
+        if (memory.too_much())
+            pool.run([account = memory.account()] { account.make_room(0); });
+        watching = loop.after(limits::memory_look, [this] { watch_memory(); });
     }
 
     std::unique_ptr<SqliteJournal> start_journal() {
@@ -137,8 +160,10 @@ struct Server::Parts {
             context.poll();
     }
 
-    core::MemoryAccount memory;
+    ProcessAccount memory;
     std::optional<KeptSessions> kept;
+    std::optional<StartGuard> starts; ///< with `--state`
+    std::optional<core::Error> withheld_surfaces;
     SystemEntropy entropy;
     core::SteadyClock clock;
     const std::chrono::steady_clock::time_point started = clock.now();
@@ -166,7 +191,7 @@ struct Server::Parts {
     std::optional<SessionFiles> session_files;
     std::optional<Routes> routes;
     std::shared_ptr<Listener> listener;
-    std::shared_ptr<void> waiting; ///< timer of stop_when_alone
+    std::shared_ptr<void> waiting, watching; ///< timers of stop_when_alone, watch_memory
 };
 
 Server::Server(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -200,7 +225,7 @@ core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options)
     all->listener = *listener;
     OpenOptions open;
     open.store_root = options.store_root;
-    open.cache.budget_bytes = options.memory;
+    open.cache.account = all->memory.account();
     auto catalogue =
         DatasetCatalogue::open(options.datasets, open, [all](const std::string& dataset) {
             all->loop.post([all, dataset] { all->tell_all(dataset); });
@@ -236,10 +261,17 @@ void Server::run() {
     spdlog::info("event=listening port={} tls={} connections={}", all.port, all.tls != nullptr,
                  limits_for_descriptors().connections);
     all.listener->start();
+    all.watch_memory();
+    const auto served = all.loop.after(limits::start_watched, [&all] {
+        if (all.starts)
+            all.starts->good();
+    });
     all.context.run();
     // The sockets' handlers hold the connections; they must run while there are sessions to leave.
     all.connections.abandon();
     all.run_what_is_left();
+    if (all.starts)
+        all.starts->good();
     if (!all.journal)
         return;
     all.sessions->keep_times();

@@ -18,7 +18,8 @@ struct ServerOptions {
     std::uint16_t port = 8080; ///< 0: any free one
     std::filesystem::path store_root;
     std::filesystem::path state; ///< folder sessions are kept in; empty: they end with the server
-    std::size_t memory = std::size_t{4} << 30;
+    std::size_t memory =
+        0; ///< bytes, of the process and its importers; 0: by the machine and the control group
     unsigned threads = 0; ///< that compute; 0: one a core
     std::string token;    ///< empty: no authentication
     std::vector<std::string> origins;

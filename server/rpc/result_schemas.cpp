@@ -239,7 +239,9 @@ constexpr std::string_view results = R"json({
         "type": "object",
         "properties": {
           "dataset": "#Id", "hits": "#Count", "loads": "#Count", "bytes": "#Count", "budget": "#Count"}}},
-    "memory": {"type": "object", "properties": {"rss": "#Count", "peak": "#Count"}},
+    "memory": {"type": "object", "properties": {
+        "rss": "#Count", "peak": "#Count", "budget": "#Count", "used": "#Count", "refused": "#Count",
+        "byUse": {"type": "object", "additionalProperties": "#Count"}}},
     "messages": "#Count", "frames": "#Count", "bytes": "#Count", "keyframes": "#Count", "dropped": "#Count"}},
 "$/cancelRequest": "#Empty",
 "dataset.list": {"type": "object", "properties": {"datasets": {"type": "array", "items": "#DatasetEntry"}}},

@@ -88,7 +88,9 @@ std::vector<Method> server_methods() {
          "{uptime, connections, clients, sessions, participants, surfaces, stages: {queue, load, "
          "advect, refine, encode, send: "
          "{p50, p95, p99, count}}, firstFrame, cache: [{dataset, hits, loads, bytes, budget}], "
-         "memory: {rss, peak}, messages, "
+         "memory: {rss, peak, budget, used, refused, byUse: {timeSteps, meshes, builds, surfaces, "
+         "rings, "
+         "histories, downloads, importers, other}}, messages, "
          "frames, bytes, keyframes, dropped}",
          any_viewer,
          stats},

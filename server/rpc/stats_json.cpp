@@ -29,6 +29,10 @@ json stats_json(const Metrics& metrics, const Standing& standing) {
                           {"loads", each.loads},
                           {"bytes", each.bytes},
                           {"budget", each.budget}});
+    json uses = json::object();
+    for (std::size_t i = 0; i < standing.memory.by_use.size(); ++i)
+        uses[std::string(core::name_of(static_cast<core::MemoryUse>(i)))] =
+            standing.memory.by_use[i];
     const ProcessMemory memory = process_memory();
     const Metrics::Totals totals = metrics.totals();
     return {{"uptime", standing.uptime},
@@ -40,7 +44,13 @@ json stats_json(const Metrics& metrics, const Standing& standing) {
             {"stages", std::move(stages)},
             {"firstFrame", quantiles_json(metrics.first_frames())},
             {"cache", std::move(caches)},
-            {"memory", {{"rss", memory.resident}, {"peak", memory.peak}}},
+            {"memory",
+             {{"rss", memory.resident},
+              {"peak", memory.peak},
+              {"budget", standing.memory.budget},
+              {"used", standing.memory.used},
+              {"refused", standing.memory.refused},
+              {"byUse", std::move(uses)}}},
             {"messages", totals.messages},
             {"frames", totals.frames},
             {"bytes", totals.frame_bytes + totals.message_bytes},

@@ -89,7 +89,7 @@ void subscribe(const Call& call, Reply reply) {
                   {"epoch", (*live)->epoch()},
                   {"resumed", cursor.resumed()}});
     call.client->subscribe(std::move(cursor));
-    (*live)->begin_now();
+    (*live)->begin_now(); // it may have rested
 }
 
 void unsubscribe(const Call& call, Reply reply) {

@@ -102,6 +102,10 @@ protocol::MeshFields GrowingMesh::fields_at(double age) const {
     return out;
 }
 
+std::size_t GrowingMesh::bytes() const {
+    return core::memory_of(mesh_) + fields_.size() * mesh_.vertices() * sizeof(float);
+}
+
 core::KeyedMesh GrowingMesh::at(double age) const {
     const std::size_t k = step_at(age);
     core::KeyedMesh out;

@@ -26,6 +26,9 @@ class GrowingMesh {
     /// Of the vertices that at() gives.
     protocol::MeshFields fields_at(double age) const;
 
+    /// What it takes.
+    std::size_t bytes() const;
+
   private:
     std::size_t step_at(double age) const;
 

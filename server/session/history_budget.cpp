@@ -10,6 +10,12 @@
 
 namespace wakesurf::server {
 
+namespace {
+
+constexpr std::size_t least_history = std::size_t{1} << 20;
+
+} // namespace
+
 struct HistoryBudget::Entry {
     Place::GiveWay give_way;
     std::size_t bytes = 0; ///< taken; in use: that may be taken
@@ -18,7 +24,19 @@ struct HistoryBudget::Entry {
 };
 
 struct HistoryBudget::State {
-    State(std::size_t all, std::size_t one) : total(all), each(one) {}
+    State(std::size_t all, std::size_t one, const core::MemoryAccount* account)
+        : total(all), each(one), leave(account != nullptr ? account->budget() / 4 : 0),
+          share(account != nullptr ? account->open(core::MemoryUse::Histories)
+                                   : core::MemoryAccount::Share()) {}
+
+    void count() { share.set(taken(false) + taken(true)); }
+
+    /// Those that have rested longest go first.
+    void give_back(std::size_t bytes, Time now) {
+        const std::size_t idle = taken(false);
+        make_room(idle - std::min(idle, bytes), now);
+        count();
+    }
 
     std::size_t taken(bool in_use) const {
         std::size_t sum = 0;
@@ -57,12 +75,22 @@ struct HistoryBudget::State {
 
     const std::size_t total;
     const std::size_t each;
+    const std::size_t leave; ///< free of the account, for what cannot do without
     mutable std::mutex mutex;
     std::list<Entry*> entries;
+    core::MemoryAccount::Share share; ///< of all
 };
 
-HistoryBudget::HistoryBudget(std::size_t total, std::size_t each)
-    : state_(std::make_shared<State>(total, each)) {}
+HistoryBudget::HistoryBudget(std::size_t total,
+                             std::size_t each,
+                             const core::MemoryAccount* account)
+    : state_(std::make_shared<State>(total, each, account)) {
+    if (account != nullptr)
+        asked_ = account->on_need(core::GiveBack::Histories, [state = state_](std::size_t bytes) {
+            const std::lock_guard lock(state->mutex);
+            state->give_back(bytes, Time::max());
+        });
+}
 
 std::size_t HistoryBudget::bytes() const {
     const std::lock_guard lock(state_->mutex);
@@ -78,6 +106,7 @@ HistoryBudget::Place::Place(const HistoryBudget& budget, GiveWay give_way)
 HistoryBudget::Place::~Place() {
     const std::lock_guard lock(state_->mutex);
     state_->entries.remove(entry_.get());
+    state_->count();
 }
 
 // Of what nobody uses at the moment at most half, so that something is left for whoever comes meanwhile.
@@ -88,6 +117,12 @@ std::size_t HistoryBudget::Place::begin(Time now) {
     entry_->in_use = true;
     entry_->used = now;
     state_->make_room(free - entry_->bytes, now);
+    // What the account does not have this one does without.
+    const std::size_t others = state_->taken(false) + state_->taken(true) - entry_->bytes;
+    state_->share.shrink_to(others);
+    while (entry_->bytes > 0 &&
+           !state_->share.grow_within_free(others + entry_->bytes, state_->leave))
+        entry_->bytes = entry_->bytes > least_history ? entry_->bytes / 2 : 0;
     return entry_->bytes;
 }
 
@@ -95,11 +130,13 @@ void HistoryBudget::Place::end(std::size_t bytes) {
     const std::lock_guard lock(state_->mutex);
     entry_->bytes = bytes;
     entry_->in_use = false;
+    state_->count();
 }
 
 void HistoryBudget::Place::clear() {
     const std::lock_guard lock(state_->mutex);
     entry_->bytes = entry_->give_way(0);
+    state_->count();
 }
 
 } // namespace wakesurf::server

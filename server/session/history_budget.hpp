@@ -2,6 +2,8 @@
 // their checkpoints never take more than one budget together, however many there are.
 #pragma once
 
+#include "core/base/memory_account.hpp"
+
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -17,9 +19,12 @@ class HistoryBudget {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// @param total  bytes of all histories together
-    /// @param each   bytes of one at most
-    HistoryBudget(std::size_t total, std::size_t each);
+    /// @param total    bytes of all histories together
+    /// @param each     bytes of one at most
+    /// @param account  what they take is counted there, and given back to others that need it; null: nobody counts. Outlives it
+    HistoryBudget(std::size_t total,
+                  std::size_t each,
+                  const core::MemoryAccount* account = nullptr);
 
     /// One surface's history, which is counted while this lives.
     class Place {
@@ -33,7 +38,7 @@ class HistoryBudget {
         Place(const Place&) = delete;
         Place& operator=(const Place&) = delete;
 
-        /// The history is in use until end(): nobody else touches it. Gives the bytes it may take. Those not used for
+        /// The history is in use until end(): nobody else touches it. Gives the bytes it may take: none where there is no memory, the surface is then stepped from its beginning. Those not used for
         /// `limits::history_rest` go first if there is no room, then all are made smaller.
         std::size_t begin(Time now);
 
@@ -53,6 +58,7 @@ class HistoryBudget {
 
   private:
     std::shared_ptr<State> state_;
+    std::shared_ptr<void> asked_; ///< by others
 };
 
 } // namespace wakesurf::server

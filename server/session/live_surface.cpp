@@ -2,7 +2,6 @@
 
 #include "server/limits.hpp"
 #include "server/metrics/metrics.hpp"
-#include "server/session/build_turns.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -15,7 +14,8 @@ namespace {
 
 /// A job for a time that nobody wants any more may be this long at work before it is given up: scrubbing shows something on the way.
 constexpr std::chrono::milliseconds patience_with_stale{150};
-constexpr std::size_t quick_key = 30'000; ///< vertices encoded within some 15 ms
+constexpr std::chrono::milliseconds patience_for_key{100}; ///< until others have given memory back
+constexpr std::size_t quick_key = 30'000;                  ///< vertices encoded within some 15 ms
 
 /// @param whole  its statistics are of this pass alone, not of all since the surface was released
 void count(Metrics& metrics,
@@ -31,6 +31,10 @@ void count(Metrics& metrics,
     metrics.observe(Stage::Load, result->statistics.seconds.load);
     metrics.observe(Stage::Advect, result->statistics.seconds.advect);
     metrics.observe(Stage::Refine, result->statistics.seconds.refine);
+}
+
+core::Result<protocol::EncodedUpdate> no_room() {
+    return core::fail(core::Error::Code::OverLimit, "there is no memory for a key");
 }
 
 std::size_t index(Pace pace) {
@@ -61,17 +65,25 @@ void LiveSurface::begin_epoch() {
     stop_jobs();
     ++epoch_;
     held_ = false;
-    turn_.reset();
-    build_.reset();
+    fallen_.reset();
     error_.reset();
+    begin_build();
+    next_seq_ = 0;
+}
+
+/// Of the epoch: from its first pass on. Updates that were given out are forgotten, and those to come are above them.
+void LiveSurface::begin_build() {
+    if (const SharedUpdate newest = ring_->newest())
+        next_seq_ = newest->wire.seq + 1;
+    ring_->begin(epoch_);
+    build_.reset();
     full_.reset();
     coarse_done_ = refined_done_ = false;
     overtake_.reset();
-    began_ = pass_wanted_ = services_.clock.now();
-    ring_->begin(epoch_);
+    began_ = pass_wanted_ = asked_for_ = services_.clock.now();
 }
 
-std::uint32_t LiveSurface::rebuild(SurfaceJob wanted, BuildTurns* turns) {
+std::uint32_t LiveSurface::rebuild(SurfaceJob wanted, bool rest) {
     begin_epoch();
     if (wanted.parameters.kind != wanted_.parameters.kind || !wanted_.flow)
         budgets_ = PassBudgets(!moves(wanted.parameters));
@@ -81,29 +93,39 @@ std::uint32_t LiveSurface::rebuild(SurfaceJob wanted, BuildTurns* turns) {
     wanted_.number = number_;
     wanted_.epoch = epoch_;
     building_ = true;
-    build_ = std::make_shared<SurfaceBuild>(wanted_, services_.clock, services_.histories);
-    if (turns != nullptr) {
-        held_ = true;
-        turns->queue([weak = weak_from_this(), epoch = epoch_](std::shared_ptr<void> turn) {
-            const auto self = weak.lock();
-            if (self && self->epoch_ == epoch)
-                self->begin_now(std::move(turn));
-        });
-    }
+    held_ = rest;
     advance();
     return epoch_;
 }
 
-void LiveSurface::begin_now(std::shared_ptr<void> turn) {
-    if (!std::exchange(held_, false))
+void LiveSurface::begin_now() {
+    asked_for_ = services_.clock.now();
+    const bool no_memory = error_ && error_->code == core::Error::Code::OverLimit && building_;
+    if (!held_ && !no_memory)
         return;
-    turn_ = std::move(turn);
+    held_ = false;
+    if (!building_)
+        return; // there was nothing to build: data, or an edit, will come
+    fallen_.reset();
+    error_.reset();
+    begin_build();
     advance();
 }
 
-std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error) {
+void LiveSurface::fall_back() {
+    if (held_ || !building_ || error_)
+        return;
+    fallen_ = outcome();
+    fallen_at_ = time_;
+    stop_jobs();
+    held_ = true;
+    begin_build();
+}
+
+std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error, bool rest) {
     begin_epoch();
     building_ = false;
+    held_ = rest;
     wanted_.parameters.kind = kind;
     error_ = std::move(error);
     services_.loop.post([weak = weak_from_this(), epoch = epoch_] {
@@ -129,6 +151,9 @@ void LiveSurface::show(std::optional<double> time, bool playing, bool jumped) {
     playing_ = playing;
     if (!building_ || !moves(wanted_.parameters))
         return;
+    if (fallen_ && (time_.has_value() != fallen_at_.has_value() ||
+                    age_at(wanted_.parameters, time_) != age_at(wanted_.parameters, fallen_at_)))
+        fallen_.reset();
     if (!running())
         pass_wanted_ = services_.clock.now();
     if (jumped) {
@@ -166,8 +191,9 @@ bool LiveSurface::busy() const {
 }
 
 bool LiveSurface::running() const {
-    return std::ranges::any_of(lanes_,
-                               [this](const auto& lane) { return lane && lane->epoch == epoch_; });
+    return std::ranges::any_of(lanes_, [this](const auto& lane) {
+        return lane && lane->epoch == epoch_ && build_ && lane->build.lock() == build_;
+    });
 }
 
 /// Nothing once all is there that can be.
@@ -212,12 +238,15 @@ void LiveSurface::advance() {
 }
 
 void LiveSurface::start(Pace pace, const SurfacePass& pass) {
-    if (build_->job().flow != wanted_.flow)
+    if (!build_)
+        build_ =
+            std::make_shared<SurfaceBuild>(wanted_, services_.clock, services_.memory, next_seq_);
+    else if (build_->job().flow != wanted_.flow)
         build_->renew_data(wanted_.flow, wanted_.store);
     const bool early = pass.phase == Phase::Coarse || pass.phase == Phase::Refined;
     Running& running = lanes_[index(pace)].emplace(
         Running{epoch_, pass, std::stop_source(), services_.clock.now(), pass_wanted_,
-                early ? nullptr : std::make_shared<core::WorkDone>()});
+                early ? nullptr : std::make_shared<core::WorkDone>(), build_});
     services_.pool.run(session_, pace,
                        [build = build_, pass, pace, stop = running.stop.get_token(),
                         weak = weak_from_this(), services = services_, first = !full_,
@@ -240,9 +269,10 @@ void LiveSurface::start(Pace pace, const SurfacePass& pass) {
 
 void LiveSurface::finished(Pace pace, core::Result<Update> result, double seconds) {
     const Running job = *std::exchange(lanes_[index(pace)], std::nullopt);
-    if (job.epoch == epoch_)
+    const bool of_now = job.epoch == epoch_ && job.build.lock() == build_ && build_;
+    if (of_now)
         pass_wanted_ = services_.clock.now();
-    if (job.epoch != epoch_ || !building_)
+    if (!of_now || !building_)
         budgets_.cut_short(job.pass.phase, seconds);
     else if (result)
         publish(job.pass, std::move(*result));
@@ -271,7 +301,8 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
     if (pass.phase == Phase::Final || pass.phase == Phase::Live)
         full_ = pass;
     const bool first = !ring_->newest();
-    ring_->add(std::make_shared<const Update>(std::move(update)));
+    auto state = std::exchange(update.wire.state, nullptr);
+    ring_->add(std::make_shared<const Update>(std::move(update)), std::move(state));
     if (first && services_.metrics != nullptr)
         services_.metrics->first_frame(seconds_since(began_));
     trim_ = services_.loop.after(limits::ring_age + std::chrono::milliseconds(100),
@@ -280,11 +311,12 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
                                          ring->trim();
                                  });
     if (pass.phase == Phase::Live) {
-        turn_.reset();
         waiters_->answer(epoch_, outcome());
         return;
     }
     const bool more = next_pass().has_value();
+    if (!more && !moves(wanted_.parameters))
+        build_.reset(); // nothing will follow from it
     if (pass.phase != Phase::Final || !more)
         events_.progress({id_, epoch_, pass.phase, ring_->newest()->took});
     if (!more)
@@ -306,7 +338,8 @@ void LiveSurface::failed(const SurfacePass& pass, core::Error error, double seco
 
 /// The epoch has ended, as things are.
 void LiveSurface::conclude() {
-    turn_.reset();
+    if (error_)
+        build_.reset();
     events_.done(outcome());
     if (error_)
         waiters_->answer(epoch_, tl::unexpected(*error_));
@@ -315,6 +348,8 @@ void LiveSurface::conclude() {
 }
 
 SurfaceOutcome LiveSurface::outcome() const {
+    if (fallen_)
+        return *fallen_;
     SurfaceOutcome out;
     out.surface = id_;
     out.epoch = epoch_;
@@ -342,7 +377,6 @@ double LiveSurface::fraction_done() const {
 void LiveSurface::retire() {
     stop_jobs();
     building_ = held_ = false;
-    turn_.reset();
     ++epoch_; // what the running jobs still give is nobody's
     ring_->close();
     waiters_->answer(std::numeric_limits<std::uint32_t>::max(),
@@ -375,17 +409,32 @@ void LiveSurface::forget(std::uint64_t ticket) {
 /// For those who have fallen behind or come late; once for all of them.
 void LiveSurface::encode_key() {
     const SharedUpdate newest = ring_->newest();
-    const auto job = [newest, number = number_, weak = std::weak_ptr(ring_), &loop = services_.loop,
-                      metrics = services_.metrics] {
+    if (!ring_->state()) // it is a key itself
+        return services_.loop.post([weak = std::weak_ptr(ring_)] {
+            if (const auto ring = weak.lock())
+                ring->add_key(nullptr);
+        });
+    const auto job = [newest, state = ring_->state(), number = number_, weak = std::weak_ptr(ring_),
+                      &loop = services_.loop, metrics = services_.metrics,
+                      account = services_.memory.account] {
         std::shared_ptr<Update> key;
+        std::optional<core::WorkMemory> memory;
+        if (account != nullptr)
+            memory.emplace(*account, std::stop_token(), patience_for_key);
         try {
-            if (auto encoded = protocol::encode_key(number, newest->wire)) {
+            protocol::EncodedUpdate from = newest->wire;
+            from.state = state;
+            const bool room = !memory || memory->grow(state->vertices() * protocol::encoding_bytes);
+            if (auto encoded = room ? protocol::encode_key(number, from) : no_room()) {
                 key = std::make_shared<Update>(*newest);
                 key->wire = std::move(*encoded);
+                key->wire.state.reset();
+                key->memory = counted(account, key->wire.bytes);
                 if (metrics != nullptr)
                     metrics->keyframe();
             }
-        } catch (const std::bad_alloc&) { // asked for again when there is news
+        } catch (const std::
+                     bad_alloc&) { // asked for again when there is news, as where there is no room
         }
         loop.post([weak, key] {
             if (const auto ring = weak.lock())

@@ -23,7 +23,6 @@
 
 namespace wakesurf::server {
 
-class BuildTurns;
 class Metrics;
 
 /// Loop thread only. Held by shared_ptr because a job's result finds its way back through a weak one.
@@ -39,8 +38,8 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
         Loop& loop;
         ComputePool& pool;
         const core::Clock& clock;
-        Metrics* metrics;                         ///< may be null
-        const HistoryBudget* histories = nullptr; ///< each surface has its own without
+        Metrics* metrics; ///< may be null
+        SurfaceBuild::Memory memory{};
     };
 
     using Waiter = SurfaceWaiters::Waiter;
@@ -56,14 +55,28 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     LiveSurface& operator=(const LiveSurface&) = delete;
 
     /// Makes `wanted` (whose number and epoch are filled in here) the surface to build; returns its epoch.
-    /// @param turns  begins when its turn comes, or somebody looks at it or waits; null: at once
-    std::uint32_t rebuild(SurfaceJob wanted, BuildTurns* turns = nullptr);
+    /// @param rest  nothing is built until somebody looks at it or waits
+    std::uint32_t rebuild(SurfaceJob wanted, bool rest = false);
 
-    /// Somebody looks at it: if it still waits for its turn, it begins now.
-    void begin_now(std::shared_ptr<void> turn = nullptr);
+    /// Somebody looks at it: if it rests, or there was no memory for it the last time, it is built.
+    void begin_now();
+
+    /// Falls back to its parameters, and rests: what it takes is free once the running job has ended. What it was is still told. Built
+    /// again, it is the same, bit by bit.
+    void fall_back();
+
+    /// Nothing of it is built or being built.
+    bool resting() const { return held_; }
+
+    /// Somebody has it on the screen, or waits for it.
+    bool looked_at() const { return ring_->read() || !waiters_->empty(); }
+
+    /// When somebody last asked for it.
+    std::chrono::steady_clock::time_point asked_for() const { return asked_for_; }
 
     /// There is nothing to build just now: an epoch whose outcome is `error`, told from the loop. Returns the epoch.
-    std::uint32_t refuse(core::SurfaceKind kind, core::Error error);
+    /// @param rest  nobody has asked for it yet
+    std::uint32_t refuse(core::SurfaceKind kind, core::Error error, bool rest = false);
 
     /// Computes no further; what is there by now stays, and `reason` (Cancelled) is the outcome until it is rebuilt. False when
     /// nothing was under way.
@@ -121,6 +134,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
         std::chrono::steady_clock::time_point since;
         std::chrono::steady_clock::time_point wanted; ///< before it could be given to the pool
         std::shared_ptr<core::WorkDone> work;         ///< of a pass of full quality, else null
+        std::weak_ptr<SurfaceBuild> build;
     };
 
     /// One a pace: the coarse pass of an edit does not wait for the long one that it ends.
@@ -136,6 +150,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     void failed(const SurfacePass& pass, core::Error error, double seconds);
     void conclude();
     void begin_epoch();
+    void begin_build();
     void stop_jobs();
     void give_up_stale();
     void encode_key();
@@ -153,8 +168,11 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::uint32_t epoch_ = 0;
     bool building_ =
         false;          ///< there is a wanted surface, and it has neither failed nor been stopped
-    bool held_ = false; ///< its turn has not come
-    std::shared_ptr<void> turn_; ///< while it is built in its turn
+    bool held_ = false; ///< it rests
+    std::optional<SurfaceOutcome> fallen_; ///< what it was before it fell back
+    std::optional<double> fallen_at_;      ///< at that time of the clock
+    std::uint32_t next_seq_ = 0;           ///< of the epoch: above all updates that were given out
+    std::chrono::steady_clock::time_point asked_for_{};
     SurfaceJob wanted_;
     std::optional<core::Error> error_;
     std::optional<double> time_; ///< of the session's clock

@@ -64,13 +64,15 @@ void add(SurfaceStatistics& sum, const SurfaceStatistics& part) {
 core::Result<PlayedSurface> PlayedSurface::start(const SurfaceJob& job,
                                                  std::size_t budget_bytes,
                                                  const core::Clock& clock,
-                                                 const std::stop_token& stop) {
+                                                 const std::stop_token& stop,
+                                                 const core::WorkPart& work) {
     const auto parts = core::moving_parts(*job.flow, job.parameters);
     if (!parts)
         return tl::unexpected(parts.error());
     PlayedSurface played;
     for (const core::MovingPart& part : *parts) {
-        auto moving = core::MovingSurface::start(*job.flow, job.rake, part.parameters, stop, clock);
+        auto moving = core::MovingSurface::start(*job.flow, job.rake, part.parameters, stop, clock,
+                                                 work.above(played.bytes()));
         if (!moving)
             return tl::unexpected(moving.error());
         played.parts_.push_back(
@@ -124,7 +126,10 @@ PlayedSurface::at(double age, const std::stop_token& stop, const core::WorkPart&
     bool short_of = false;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         Part& part = parts_[i];
-        auto mesh = part_at(part, age, stop, work.part(i, parts_.size()));
+        std::size_t others = core::memory_of(shown.mesh.mesh);
+        for (const Part& each : parts_)
+            others += &each == &part ? 0 : each.history.surface().state().bytes();
+        auto mesh = part_at(part, age, stop, work.part(i, parts_.size()).above(others));
         if (!mesh)
             return tl::unexpected(mesh.error());
         short_of = short_of || age > part.most;

@@ -21,7 +21,8 @@ class PlayedSurface {
     static core::Result<PlayedSurface> start(const SurfaceJob& job,
                                              std::size_t budget_bytes,
                                              const core::Clock& clock,
-                                             const std::stop_token& stop);
+                                             const std::stop_token& stop,
+                                             const core::WorkPart& work = {});
 
     struct Shown {
         core::KeyedMesh mesh; ///< ids last as long as this surface

@@ -137,6 +137,8 @@ class Session {
     /// Who drags a rake just now.
     std::optional<Lease> lease(const std::string& rake) const { return leases_.find(rake); }
 
+    const SurfaceBuilds& builds() const { return builds_; }
+
     /// Of somebody who has left.
     void end_leases(const std::string& participant);
 
@@ -185,7 +187,7 @@ class Session {
 
     Epochs edit(std::vector<RecordChange> changes, const Author& author, std::uint64_t drag = 0);
     Epochs commit(const std::vector<RecordChange>& changes);
-    Epochs build(const std::vector<RecordChange>& changes, BuildTurns* turns = nullptr);
+    Epochs build(const std::vector<RecordChange>& changes, bool rest = false);
     void begin(std::uint32_t epochs_before);
     protocol::SessionHead head() const;
     std::vector<JournalEntry> own_entries() const;

@@ -60,17 +60,25 @@ TrashedSession trashed(const std::string& id,
     return out;
 }
 
+/// Of all memory at most one `nth`.
+std::size_t part_of(const core::MemoryAccount* account, std::size_t nth, std::size_t most) {
+    return account == nullptr ? most : std::min(most, account->budget() / nth);
+}
+
 } // namespace
 
 SessionDirectory::SessionDirectory(SessionServices services)
-    : turns_(services.loop, limits::restoring),
-      histories_(limits::histories_bytes, limits::history_bytes), services_(std::move(services)),
+    : histories_(part_of(services.memory, 4, limits::histories_bytes),
+                 part_of(services.memory, 16, limits::history_bytes),
+                 services.memory),
+      services_(std::move(services)),
       trash_(services_.loop, services_.unix_time, [this](const TrashedSession& gone) {
           log_event("session_purged", gone.id);
           forget(gone.id);
       }) {
-    services_.turns = &turns_;
     services_.histories = &histories_;
+    if (services_.memory != nullptr)
+        giving_back_.emplace(services_.loop, *services_.memory, [this] { return surfaces(); });
     add(std::string(main_id), std::string(main_id));
 }
 
@@ -231,6 +239,14 @@ void SessionDirectory::forget(const std::string& id) {
         gone_(id);
     if (services_.journal != nullptr)
         services_.journal->remove(id);
+}
+
+std::vector<std::shared_ptr<LiveSurface>> SessionDirectory::surfaces() const {
+    std::vector<std::shared_ptr<LiveSurface>> all;
+    for (const auto& [id, session] : sessions_)
+        session->builds().for_each(
+            [&](LiveSurface& each) { all.push_back(each.shared_from_this()); });
+    return all;
 }
 
 void SessionDirectory::keep_times() const {

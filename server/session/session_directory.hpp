@@ -2,7 +2,7 @@
 // without arranging anything. The server deletes nobody's work: where there are too many sessions it refuses to make more.
 #pragma once
 
-#include "server/session/build_turns.hpp"
+#include "server/session/giving_back.hpp"
 #include "server/session/history_budget.hpp"
 #include "server/session/session.hpp"
 #include "server/session/session_trash.hpp"
@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -67,15 +68,18 @@ class SessionDirectory {
 
     const std::map<std::string, std::shared_ptr<Session>>& all() const { return sessions_; }
 
+    /// Of all sessions.
+    std::vector<std::shared_ptr<LiveSurface>> surfaces() const;
+
   private:
     std::shared_ptr<Session> add(std::string id, std::string name);
     core::Result<void> make_room();
     core::Result<std::shared_ptr<Session>> add_new(std::string name);
     void forget(const std::string& id);
 
-    BuildTurns turns_;
     HistoryBudget histories_;
     SessionServices services_;
+    std::optional<GivingBack> giving_back_;
     std::uint32_t next_surface_number_ = 1;
     std::size_t next_session_ = 1;
     std::map<std::string, std::shared_ptr<Session>> sessions_;

@@ -101,7 +101,7 @@ Session::Epochs Session::commit(const std::vector<RecordChange>& changes) {
     return epochs;
 }
 
-Session::Epochs Session::build(const std::vector<RecordChange>& changes, BuildTurns* turns) {
+Session::Epochs Session::build(const std::vector<RecordChange>& changes, bool rest) {
     std::set<std::string> set;
     std::set<std::string> hanging;
     for (const RecordChange& each : changes) {
@@ -114,7 +114,7 @@ Session::Epochs Session::build(const std::vector<RecordChange>& changes, BuildTu
     Epochs epochs;
     for (const auto& [id, record] : records_.all<protocol::SurfaceRecord>())
         if (set.contains(id))
-            epochs.emplace_back(id, builds_.build(record, turns));
+            epochs.emplace_back(id, builds_.build(record, rest));
         else if (hanging.contains(id))
             if (const auto epoch = builds_.rebuild(record))
                 epochs.emplace_back(id, *epoch);

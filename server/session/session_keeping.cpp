@@ -99,7 +99,7 @@ void Session::begin(std::uint32_t epochs_before) {
         changes.push_back({key_of(record), nullptr, std::make_shared<const Record>(record)});
     }
     // Nobody may ever look at what is restored; a copy is made to be looked at.
-    build(changes, epochs_before == 0 ? nullptr : services_.turns);
+    build(changes, epochs_before != 0);
     keep();
 }
 

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "core/base/clock.hpp"
+#include "core/base/memory_account.hpp"
+#include "core/base/result.hpp"
 #include "server/session/unix_time.hpp"
 
 #include <chrono>
 
 namespace wakesurf::server {
 
-class BuildTurns;
 class ComputePool;
 class Datasets;
 class Entropy;
@@ -27,7 +28,9 @@ struct SessionServices {
     Journal* journal = nullptr;         ///< nothing is kept without
     const core::Clock* clock = nullptr; ///< the machine's without
     UnixTime unix_time = unix_seconds;
-    BuildTurns* turns = nullptr;              ///< restored surfaces are built at once without
+    const core::MemoryAccount* memory = nullptr; ///< nobody counts without
+    const core::Error* withheld =
+        nullptr; ///< why restored surfaces are not computed; they are without
     const HistoryBudget* histories = nullptr; ///< each surface has its own without
 
     const core::Clock& wall() const {

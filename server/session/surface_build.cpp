@@ -5,6 +5,7 @@
 #include "server/limits.hpp"
 #include "server/session/log_text.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -15,6 +16,15 @@
 namespace wakesurf::server {
 
 namespace {
+
+// Of a vertex and field, while a mesh is encoded.
+constexpr std::size_t encoding_field_bytes = 40;
+constexpr std::size_t sampling_bytes =
+    40; ///< a vertex, and of each field 8 more, while fields are sampled
+
+// For memory that others give back. Early passes run on threads that others wait for, and a whole one follows.
+constexpr std::chrono::milliseconds patience{1000};
+constexpr std::chrono::milliseconds little_patience{100};
 
 double span(const core::SurfaceParameters& p) {
     return std::abs(p.to - p.from);
@@ -30,11 +40,17 @@ double age_at(const core::SurfaceParameters& p, std::optional<double> time) {
     return time ? std::clamp(time_sign(p) * (*time - p.from), 0.0, span(p)) : span(p);
 }
 
-SurfaceBuild::SurfaceBuild(SurfaceJob job, const core::Clock& clock, const HistoryBudget* histories)
-    : job_(std::move(job)), clock_(clock), stream_(job_.number, job_.epoch, job_.lattice) {
-    if (histories != nullptr)
+SurfaceBuild::SurfaceBuild(SurfaceJob job,
+                           const core::Clock& clock,
+                           const Memory& memory,
+                           std::uint32_t first_seq)
+    : job_(std::move(job)), clock_(clock), account_(memory.account),
+      stream_(job_.number, job_.epoch, job_.lattice, true, first_seq) {
+    if (account_ != nullptr)
+        kept_ = account_->open(core::MemoryUse::Surfaces);
+    if (memory.histories != nullptr)
         place_ = std::make_unique<HistoryBudget::Place>(
-            *histories, [this](std::size_t bytes) { return shrink_history(bytes); });
+            *memory.histories, [this](std::size_t bytes) { return shrink_history(bytes); });
 }
 
 std::size_t SurfaceBuild::shrink_history(std::size_t bytes) {
@@ -57,28 +73,48 @@ void SurfaceBuild::renew_data(std::shared_ptr<const core::Flow> flow,
     job_.store = std::move(store);
 }
 
+core::Result<Update>
+SurfaceBuild::run_counted(const SurfacePass& pass, const std::stop_token& stop, const Work& work) {
+    const auto start = clock_.now();
+    if (stop.stop_requested())
+        return cancelled();
+    auto shown = build(pass, stop, work);
+    if (!shown)
+        return tl::unexpected(shown.error());
+    if (stop.stop_requested())
+        return cancelled();
+    const std::size_t vertices = shown->mesh.mesh.vertices();
+    if (!work.takes(vertices *
+                    (protocol::encoding_bytes + job_.fields.size() * encoding_field_bytes)))
+        return cancelled();
+    const auto built = clock_.now();
+    const double load = shown->load;
+    auto update = encode(std::move(*shown), pass);
+    if (update) {
+        const auto end = clock_.now();
+        update->seconds = std::chrono::duration<double>(end - start).count();
+        update->took.load = load;
+        update->took.encode = std::chrono::duration<double>(end - built).count();
+        update->took.compute = std::max(0.0, update->seconds - update->took.encode - load);
+    }
+    return update;
+}
+
 core::Result<Update> SurfaceBuild::run(const SurfacePass& pass,
                                        const std::stop_token& stop,
                                        core::WorkDone* work) noexcept {
     try {
-        const auto start = clock_.now();
-        if (stop.stop_requested())
-            return cancelled();
-        auto shown = build(pass, stop, work);
-        if (!shown)
-            return tl::unexpected(shown.error());
-        if (stop.stop_requested())
-            return cancelled();
-        const auto built = clock_.now();
-        const double load = shown->load;
-        auto update = encode(std::move(*shown), pass);
-        if (update) {
-            const auto end = clock_.now();
-            update->seconds = std::chrono::duration<double>(end - start).count();
-            update->took.load = load;
-            update->took.encode = std::chrono::duration<double>(end - built).count();
-            update->took.compute = std::max(0.0, update->seconds - update->took.encode - load);
-        }
+        if (account_ == nullptr)
+            return run_counted(pass, stop, work);
+        const bool whole = pass.phase == Phase::Final;
+        core::WorkMemory memory(*account_, stop, whole ? patience : little_patience);
+        auto update = run_counted(pass, stop, {work, &memory});
+        kept_.set(stream_.bytes() + (grown_ ? grown_->bytes() : 0));
+        if (update)
+            update->memory = counted(account_, update->wire.bytes);
+        if (!update && memory.exhausted())
+            return tl::unexpected(memory.refusal(
+                fmt::format("this surface, of at most {} quads,", job_.parameters.max_quads)));
         return update;
     } catch (const std::bad_alloc&) {
         return core::fail(core::Error::Code::OverLimit,
@@ -92,11 +128,11 @@ core::Result<Update> SurfaceBuild::run(const SurfacePass& pass,
 }
 
 core::Result<SurfaceBuild::Shown>
-SurfaceBuild::build(const SurfacePass& pass, const std::stop_token& stop, core::WorkDone* work) {
+SurfaceBuild::build(const SurfacePass& pass, const std::stop_token& stop, const Work& work) {
     const bool timed = pass.time && moves(job_.parameters);
     const double age = age_at(job_.parameters, pass.time);
     if (pass.phase == Phase::Coarse || pass.phase == Phase::Refined)
-        return build_early(pass, stop);
+        return build_early(pass, stop, work);
     if (!timed)
         return build_whole(stop, work);
     return job_.parameters.kind == core::SurfaceKind::Path ? grow(age, stop, work)
@@ -105,7 +141,8 @@ SurfaceBuild::build(const SurfacePass& pass, const std::stop_token& stop, core::
 
 /// The engine's quad budget bounds the work whatever the separation asked for.
 core::Result<SurfaceBuild::Shown> SurfaceBuild::build_early(const SurfacePass& pass,
-                                                            const std::stop_token& stop) const {
+                                                            const std::stop_token& stop,
+                                                            const Work& work) const {
     core::Rake rake = job_.rake;
     core::SurfaceParameters p = job_.parameters;
     rake.seeds = std::min(rake.seeds,
@@ -123,10 +160,10 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::build_early(const SurfacePass& p
             p.release_until.reset();
         p.to = p.from + std::copysign(age, p.to - p.from);
     }
-    auto surface = core::build_surface(*job_.flow, rake, p, stop, clock_);
+    auto surface = core::build_surface(*job_.flow, rake, p, stop, clock_, work.quietly());
     if (!surface)
         return tl::unexpected(surface.error());
-    auto fields = fields_of(*surface, p, stop);
+    auto fields = fields_of(*surface, p, stop, work);
     if (!fields)
         return tl::unexpected(fields.error());
     const double load = surface->statistics.seconds.load;
@@ -140,11 +177,11 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::build_early(const SurfacePass& p
 }
 
 core::Result<SurfaceBuild::Shown> SurfaceBuild::build_whole(const std::stop_token& stop,
-                                                            core::WorkDone* work) const {
+                                                            const Work& work) const {
     auto surface = core::build_surface(*job_.flow, job_.rake, job_.parameters, stop, clock_, work);
     if (!surface)
         return tl::unexpected(surface.error());
-    auto fields = fields_of(*surface, job_.parameters, stop);
+    auto fields = fields_of(*surface, job_.parameters, stop, work);
     if (!fields)
         return tl::unexpected(fields.error());
     return Shown{protocol::with_ids(std::move(surface->mesh)), surface->statistics, Source::Whole,
@@ -153,27 +190,35 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::build_whole(const std::stop_toke
 
 core::Result<protocol::MeshFields> SurfaceBuild::fields_of(const core::Surface& surface,
                                                            const core::SurfaceParameters& p,
-                                                           const std::stop_token& stop) const {
+                                                           const std::stop_token& stop,
+                                                           const Work& work) const {
+    if (!job_.fields.empty() &&
+        !work.takes(surface.mesh.vertices() * (sampling_bytes + 8 * job_.fields.size())))
+        return cancelled();
     return sample_fields(
         job_.fields, *job_.flow, job_.store.get(), surface.mesh,
         [&] { return core::vertex_times(surface, p); }, stop);
 }
 
 core::Result<SurfaceBuild::Shown>
-SurfaceBuild::grow(double age, const std::stop_token& stop, core::WorkDone* work) {
+SurfaceBuild::grow(double age, const std::stop_token& stop, const Work& work) {
     double load = 0.0;
     if (!grown_) {
         const auto surface =
             core::build_surface(*job_.flow, job_.rake, job_.parameters, stop, clock_, work);
         if (!surface)
             return tl::unexpected(surface.error());
-        const auto fields = fields_of(*surface, job_.parameters, stop);
+        const auto fields = fields_of(*surface, job_.parameters, stop, work);
         if (!fields)
             return tl::unexpected(fields.error());
+        if (!work.takes(core::memory_of(surface->mesh)))
+            return cancelled();
         grown_.emplace(surface->mesh, span(job_.parameters), *fields);
         grown_statistics_ = surface->statistics;
         load = surface->statistics.seconds.load;
     }
+    if (!work.takes(grown_->bytes()))
+        return cancelled();
     Shown shown{grown_->at(age), grown_statistics_, Source::Grown, grown_->fields_at(age), load};
     shown.statistics.quads = shown.mesh.mesh.cells.size();
     shown.statistics.vertices = shown.mesh.mesh.vertices();
@@ -181,7 +226,7 @@ SurfaceBuild::grow(double age, const std::stop_token& stop, core::WorkDone* work
 }
 
 core::Result<SurfaceBuild::Shown>
-SurfaceBuild::play(double age, const std::stop_token& stop, core::WorkDone* work) {
+SurfaceBuild::play(double age, const std::stop_token& stop, const Work& work) {
     if (!place_)
         return play_within(limits::history_bytes, age, stop, work);
 
@@ -201,11 +246,11 @@ SurfaceBuild::play(double age, const std::stop_token& stop, core::WorkDone* work
 core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
                                                             double age,
                                                             const std::stop_token& stop,
-                                                            core::WorkDone* work) {
+                                                            const Work& work) {
     if (played_) {
         played_->limit(bytes);
     } else {
-        auto started = PlayedSurface::start(job_, bytes, clock_, stop);
+        auto started = PlayedSurface::start(job_, bytes, clock_, stop, work.quietly());
         if (!started)
             return tl::unexpected(started.error());
         played_ = std::move(*started);

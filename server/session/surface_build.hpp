@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/clock.hpp"
+#include "core/base/work_done.hpp"
 #include "core/surface/surface.hpp"
 #include "protocol/mesh_stream.hpp"
 #include "server/session/growing_mesh.hpp"
@@ -28,14 +29,23 @@ struct SurfacePass {
 /// How long before `time` a surface was (first) released, within its integration time; nothing: at its end.
 double age_at(const core::SurfaceParameters& parameters, std::optional<double> time);
 
+/// What a build's memory is counted by. Both outlive it; without, nobody counts.
+struct BuildMemory {
+    const core::MemoryAccount* account = nullptr;
+    const HistoryBudget* histories = nullptr; ///< to step back; of its own without
+};
+
 /// One pass at a time, on any thread.
 class SurfaceBuild {
   public:
+    using Memory = BuildMemory;
+
     /// @param clock      outlives it
-    /// @param histories  where its memory to step back comes from; nothing: of its own
+    /// @param first_seq  of its updates: above those of another build of the same epoch
     SurfaceBuild(SurfaceJob job,
                  const core::Clock& clock,
-                 const HistoryBudget* histories = nullptr);
+                 const Memory& memory = {},
+                 std::uint32_t first_seq = 0);
 
     /// Builds and encodes. Never throws. Once it has begun to encode it gives the update even if `stop` has fired: the next
     /// one is based on it. Error: Cancelled; OverLimit out of memory; what the engine and the encoder report.
@@ -62,22 +72,30 @@ class SurfaceBuild {
         double load; ///< s that this pass waited for time-steps
     };
 
+    using Work = core::WorkPart;
+
+    core::Result<Update>
+    run_counted(const SurfacePass& pass, const std::stop_token& stop, const Work& work);
     core::Result<Shown>
-    build(const SurfacePass& pass, const std::stop_token& stop, core::WorkDone* work);
-    core::Result<Shown> build_early(const SurfacePass& pass, const std::stop_token& stop) const;
-    core::Result<Shown> build_whole(const std::stop_token& stop, core::WorkDone* work) const;
+    build(const SurfacePass& pass, const std::stop_token& stop, const Work& work);
+    core::Result<Shown>
+    build_early(const SurfacePass& pass, const std::stop_token& stop, const Work& work) const;
+    core::Result<Shown> build_whole(const std::stop_token& stop, const Work& work) const;
     core::Result<protocol::MeshFields> fields_of(const core::Surface& surface,
                                                  const core::SurfaceParameters& parameters,
-                                                 const std::stop_token& stop) const;
-    core::Result<Shown> grow(double age, const std::stop_token& stop, core::WorkDone* work);
-    core::Result<Shown> play(double age, const std::stop_token& stop, core::WorkDone* work);
+                                                 const std::stop_token& stop,
+                                                 const Work& work) const;
+    core::Result<Shown> grow(double age, const std::stop_token& stop, const Work& work);
+    core::Result<Shown> play(double age, const std::stop_token& stop, const Work& work);
     core::Result<Shown>
-    play_within(std::size_t bytes, double age, const std::stop_token& stop, core::WorkDone* work);
+    play_within(std::size_t bytes, double age, const std::stop_token& stop, const Work& work);
     std::size_t shrink_history(std::size_t bytes);
     core::Result<Update> encode(Shown shown, const SurfacePass& pass);
 
     SurfaceJob job_;
     const core::Clock& clock_;
+    const core::MemoryAccount* account_;
+    core::MemoryAccount::Share kept_; ///< between passes, but for `played_`
     protocol::MeshStream stream_;
     Source last_ = Source::Nothing;
     std::optional<GrowingMesh> grown_;

@@ -54,17 +54,25 @@ core::Result<SurfaceJob> SurfaceBuilds::job_for(const protocol::SurfaceRecord& r
     return job;
 }
 
-std::uint32_t SurfaceBuilds::build(const protocol::SurfaceRecord& record, BuildTurns* turns) {
+std::uint32_t SurfaceBuilds::build(const protocol::SurfaceRecord& record, bool rest) {
     LiveSurface& live = live_for(record);
+    bool& withheld = entries_[record.surface].withheld;
+    withheld = rest && services_.withheld != nullptr;
     auto job = job_for(record);
-    return job ? live.rebuild(std::move(*job), turns)
-               : live.refuse(record.parameters.kind, std::move(job.error()));
+    if (!job)
+        return live.refuse(record.parameters.kind,
+                           withheld ? *services_.withheld : std::move(job.error()), rest);
+    const std::uint32_t epoch = live.rebuild(std::move(*job), rest);
+    if (withheld)
+        live.stop(*services_.withheld);
+    return epoch;
 }
 
 std::optional<std::uint32_t> SurfaceBuilds::rebuild(const protocol::SurfaceRecord& record) {
     auto job = job_for(record);
     if (!job)
         return std::nullopt;
+    entries_[record.surface].withheld = false;
     return live_for(record).rebuild(std::move(*job));
 }
 
@@ -81,8 +89,11 @@ LiveSurface& SurfaceBuilds::live_for(const protocol::SurfaceRecord& record) {
     };
     entry.live = std::make_shared<LiveSurface>(
         id, next_number_++, session_,
-        LiveSurface::Services{services_.loop, services_.pool, services_.wall(), services_.metrics,
-                              services_.histories},
+        LiveSurface::Services{services_.loop,
+                              services_.pool,
+                              services_.wall(),
+                              services_.metrics,
+                              {services_.memory, services_.histories}},
         std::move(events));
     entry.live->show(time_, playing_, true);
     entry.live->continue_after(record.epoch);
@@ -138,7 +149,7 @@ std::optional<std::array<double, 2>> SurfaceBuilds::moving_range() const {
 void SurfaceBuilds::dataset_changed(const std::string& dataset) {
     for (auto& [id, entry] : entries_) {
         const auto* record = records_.find<protocol::SurfaceRecord>(id);
-        if (record == nullptr || record->dataset != dataset)
+        if (record == nullptr || record->dataset != dataset || entry.withheld)
             continue;
         if (entry.live->busy())
             entry.data_came = true;
@@ -158,7 +169,7 @@ void SurfaceBuilds::try_again(const std::string& surface, LiveSurface& live) {
         return live.renew_data(open->flow, open->store);
     auto job = job_for(*record);
     if (job)
-        events_.rebuilt(surface, live.rebuild(std::move(*job)));
+        events_.rebuilt(surface, live.rebuild(std::move(*job), live.resting()));
 }
 
 } // namespace wakesurf::server

@@ -44,13 +44,20 @@ class SurfaceBuilds {
 
     /// Begins a build and gives its epoch, which is above the record's. Where there is nothing to build now, the outcome
     /// says why, and it is tried again when data come.
-    /// @param turns  see LiveSurface::rebuild
-    std::uint32_t build(const protocol::SurfaceRecord& record, BuildTurns* turns = nullptr);
+    /// @param rest  it is restored: see LiveSurface::rebuild
+    std::uint32_t build(const protocol::SurfaceRecord& record, bool rest = false);
 
     /// The same for a surface whose rake moved; nothing where it cannot be built any more: it stays what it is.
     std::optional<std::uint32_t> rebuild(const protocol::SurfaceRecord& record);
 
     void retire(const std::string& surface);
+
+    /// Calls visit(LiveSurface&) for each.
+    template <class Visit>
+    void for_each(const Visit& visit) const {
+        for (const auto& [id, entry] : entries_)
+            visit(*entry.live);
+    }
 
     /// Null where there is none.
     std::shared_ptr<LiveSurface> find(const std::string& surface) const;
@@ -69,6 +76,7 @@ class SurfaceBuilds {
     struct Entry {
         std::shared_ptr<LiveSurface> live;
         bool data_came = false; ///< since the present build began
+        bool withheld = false;  ///< it is not computed until somebody sets it
     };
 
     LiveSurface& live_for(const protocol::SurfaceRecord& record);

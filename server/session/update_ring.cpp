@@ -7,6 +7,15 @@
 
 namespace wakesurf::server {
 
+std::shared_ptr<core::MemoryAccount::Share> counted(const core::MemoryAccount* account,
+                                                    std::size_t bytes) {
+    if (account == nullptr)
+        return nullptr;
+    auto share = account->open(core::MemoryUse::Rings);
+    share.set(bytes);
+    return std::make_shared<core::MemoryAccount::Share>(std::move(share));
+}
+
 UpdateRing::UpdateRing(std::uint32_t number,
                        const core::Clock& clock,
                        std::function<void()> want_key)
@@ -19,17 +28,19 @@ void UpdateRing::begin(std::uint32_t epoch) {
     bytes_ = 0;
     key_bytes_ = 0;
     key_.reset();
+    state_.reset();
     key_wanted_ = false;
     news();
 }
 
-void UpdateRing::add(SharedUpdate update) {
+void UpdateRing::add(SharedUpdate update, std::shared_ptr<const protocol::WireMesh> state) {
     if (closed_ || update->wire.epoch != epoch_)
         return;
     bytes_ += update->wire.bytes;
     frames_ += update->wire.frames.size();
     if (update->wire.key)
         key_bytes_ = update->wire.bytes;
+    state_ = update->wire.key ? nullptr : std::move(state);
     updates_.push_back(std::move(update));
     since_.push_back(clock_.now());
     trim();
@@ -57,6 +68,19 @@ void UpdateRing::trim() {
     // A key is of use while the updates after it are there.
     if (key_ && !updates_.empty() && key_->wire.seq + 1 < updates_.front()->wire.seq)
         key_.reset();
+}
+
+void UpdateRing::keep_newest() {
+    while (updates_.size() > 1) {
+        bytes_ -= updates_.front()->wire.bytes;
+        updates_.pop_front();
+        since_.pop_front();
+    }
+    trim();
+}
+
+bool UpdateRing::read() const {
+    return std::ranges::any_of(listeners_, [](const auto& each) { return !each.expired(); });
 }
 
 void UpdateRing::close() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/clock.hpp"
+#include "core/base/memory_account.hpp"
 #include "core/surface/surface_statistics.hpp"
 #include "protocol/mesh_stream.hpp"
 #include "server/session/pass_seconds.hpp"
@@ -27,9 +28,15 @@ struct Update {
     double time = 0.0;    ///< simulation time shown
     double seconds = 0.0; ///< to build and encode
     PassSeconds took;
+    std::shared_ptr<core::MemoryAccount::Share>
+        memory{}; ///< of the frames, while somebody holds them
 };
 
 using SharedUpdate = std::shared_ptr<const Update>;
+
+/// The share of an update's frames. @param account  null: nobody counts
+std::shared_ptr<core::MemoryAccount::Share> counted(const core::MemoryAccount* account,
+                                                    std::size_t bytes);
 
 /// Loop thread only. Held by shared_ptr: by its surface and by those who read.
 class UpdateRing {
@@ -49,7 +56,8 @@ class UpdateRing {
     void begin(std::uint32_t epoch);
 
     /// The next update, based on the newest or a key. Others than of this epoch are forgotten.
-    void add(SharedUpdate update);
+    /// @param state  that it leads to: a key can be made of it; needed where the update is none
+    void add(SharedUpdate update, std::shared_ptr<const protocol::WireMesh> state = nullptr);
 
     /// What want_key asked for; null: it could not be made, ask again.
     void add_key(SharedUpdate key);
@@ -57,11 +65,20 @@ class UpdateRing {
     /// Drops what is too old or too much; the newest stays.
     void trim();
 
+    /// Drops all but the newest: those who are not there yet get a key.
+    void keep_newest();
+
     /// Nobody will add anything more; readers have nothing to read.
     void close();
 
     /// Null before the epoch's first.
     SharedUpdate newest() const { return updates_.empty() ? nullptr : updates_.back(); }
+
+    /// What the newest leads to; null where the newest is a key itself.
+    const std::shared_ptr<const protocol::WireMesh>& state() const { return state_; }
+
+    /// Somebody reads, or may go on reading at any moment.
+    bool read() const;
 
     /// The oldest update held if it is a key: where those who have just come to the epoch begin.
     SharedUpdate first() const;
@@ -99,6 +116,7 @@ class UpdateRing {
     bool closed_ = false;
     bool key_wanted_ = false;
     std::deque<SharedUpdate> updates_; ///< oldest first, consecutive
+    std::shared_ptr<const protocol::WireMesh> state_;
     std::deque<std::chrono::steady_clock::time_point> since_;
     std::size_t bytes_ = 0;
     std::uint64_t frames_ = 0;  ///< of all updates ever added

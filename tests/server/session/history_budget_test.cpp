@@ -126,12 +126,29 @@ TEST(HistoryBudget, CountsNothingOfASurfaceThatHasGone) {
     EXPECT_EQ(budget.bytes(), 0u);
 }
 
+TEST(HistoryBudget, TakesFromTheAccountOnlyWhatOthersLeaveAndGivesItBackWhenTheyNeedIt) {
+    const core::MemoryAccount account(1000);
+    const HistoryBudget budget(600, 300, &account);
+    Made one(budget), two(budget);
+    one.use({}, 300);
+    two.use(HistoryBudget::Time(seconds(1)), 150);
+    EXPECT_EQ(account.used(core::MemoryUse::Histories), 450u);
+    auto others = account.open(core::MemoryUse::Builds);
+    ASSERT_TRUE(others.grow_to(700)) << "150 too much";
+    EXPECT_EQ(one.bytes, 0u) << "rested longest";
+    EXPECT_EQ(two.bytes, 150u);
+    ASSERT_TRUE(others.grow_to(1000));
+    EXPECT_EQ(account.used(core::MemoryUse::Histories), 0u);
+    one.use(HistoryBudget::Time(seconds(2)), 300);
+    EXPECT_EQ(one.bytes, 0u) << "there is none: the surface is stepped from its beginning";
+}
+
 TEST(HistoryBudget, SurfacesThatGiveWayShowTheSameAsThoseWithMemoryOfTheirOwn) {
     HandClock clock;
     const HistoryBudget budget(std::size_t{60} << 10, std::size_t{60} << 10);
     std::deque<SurfaceBuild> sharing, alone;
     for (const double separation : {0.3, 0.25, 0.2}) {
-        sharing.emplace_back(streak(separation), clock, &budget);
+        sharing.emplace_back(streak(separation), clock, SurfaceBuild::Memory{nullptr, &budget});
         alone.emplace_back(streak(separation), clock);
     }
     std::mt19937 random(8);

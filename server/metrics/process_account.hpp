@@ -1,0 +1,31 @@
+// The account of this process's memory: how large it is, what the process is seen to hold beside its shares, and how the allocator is
+// made to give freed memory back.
+#pragma once
+
+#include "core/base/memory_account.hpp"
+
+#include <cstddef>
+#include <memory>
+
+namespace wakesurf::server {
+
+/// What `--memory` is without being given: 60 % of what the machine, or the control group, has; the rest is for the page cache and
+/// others.
+std::size_t default_memory();
+
+class ProcessAccount {
+  public:
+    /// @param budget  `--memory`, in bytes; 0: default_memory(). Changes how the allocator works, for the whole process.
+    explicit ProcessAccount(std::size_t budget);
+
+    const core::MemoryAccount& account() const { return account_; }
+
+    /// Looks at what the process holds; true where that is more than it may, and others should be asked to give back.
+    bool too_much() const;
+
+  private:
+    core::MemoryAccount account_;
+    std::shared_ptr<void> spare_heap_; ///< asked for through this
+};
+
+} // namespace wakesurf::server
