@@ -69,6 +69,11 @@ TEST(LogTest, OfAWholeExchangeAtItsMostTalkativeHasNoSecretAndNoPath) {
                                                            {"to", 1}});
         client.result("surface.subscribe", {{"surface", surface["surface"]}});
         client.result("surface.wait", {{"surface", surface["surface"]}, {"timeoutMs", 60000}});
+        const json made = client.result("session.create", {{"name", "nobody-logs"}});
+        client.result("session.delete", {{"session", made["session"]}});
+        client.result("session.restore", {{"session", made["session"]}});
+        client.result("session.delete", {{"session", made["session"]}});
+        client.result("session.delete", {{"session", made["session"]}, {"forever", true}});
         client.call("nobody-logs\nevent=forged");
         client.call("dataset.describe", {{"dataset", "/etc/nobody-logs"}});
         client.call("rake.list", {{"session", server.token()}});
@@ -84,7 +89,9 @@ TEST(LogTest, OfAWholeExchangeAtItsMostTalkativeHasNoSecretAndNoPath) {
         EXPECT_TRUE(std::regex_match(each, line)) << each;
     for (const char* event :
          {"event=listening", "event=client_opened", "event=refused", "event=client_closed",
-          "event=call method=surface.set session=main", "event=stopping"})
+          "event=call method=surface.set session=main", "event=session_created session=session-1",
+          "event=session_deleted session=session-1", "event=session_restored session=session-1",
+          "event=session_erased session=session-1", "event=stopping"})
         EXPECT_NE(log.find(event), std::string::npos) << event << "\n" << log;
 }
 

@@ -69,7 +69,8 @@ struct SessionMethods : testing::Test {
     }
 
     json entry(const std::string& session, bool trash = false) {
-        for (const json& each : result("session.list", {{"trash", trash}})["sessions"])
+        const json list = result("session.list", {{"trash", trash}});
+        for (const json& each : list["sessions"])
             if (each["session"] == session)
                 return each;
         return nullptr;

@@ -181,10 +181,11 @@ TEST(Document, EveryEditIsOneBatchOfTheJournal) {
     ASSERT_TRUE(bench.session->set_surface(surface_on(rake), bench.ada));
     ASSERT_TRUE(bench.session->set_surface(surface_on(rake), bench.ada));
     EXPECT_EQ(bench.journal.batches, 3u);
-    EXPECT_EQ(bench.journal.entries("main").size(), 4u) << "session, rake, two surfaces";
+    EXPECT_EQ(bench.journal.entries("main").size(), 5u)
+        << "session, its profile, rake, two surfaces";
     ASSERT_TRUE(bench.session->delete_rake(rake, bench.ada));
     EXPECT_EQ(bench.journal.batches, 4u);
-    EXPECT_EQ(bench.journal.entries("main").size(), 1u);
+    EXPECT_EQ(bench.journal.entries("main").size(), 2u);
     EXPECT_FALSE(bench.session->delete_rake(rake, bench.ada));
     EXPECT_EQ(bench.journal.batches, 4u) << "what was refused is not written";
 }
@@ -263,7 +264,8 @@ TEST(Document, OfADamagedJournalTheSoundRecordsComeBack) {
     SessionBench after;
     const auto report = after.sessions.restore("main", "main", entries);
     EXPECT_EQ(report.restored, 3u) << "r1, r3, s2";
-    EXPECT_EQ(report.refused.size(), 4u) << "r2, the surface on it, two that are no records";
+    EXPECT_EQ(report.refused.size(), 5u)
+        << "r2, the surface on it, two that are no records, a place that is none";
     EXPECT_EQ(after.session->rakes().size(), 2u);
     EXPECT_EQ(after.session->surfaces().front().surface, "s2");
 }
