@@ -1,10 +1,9 @@
 #include "protocol/record_text.hpp"
 
+#include "core/surface/rake_check.hpp"
 #include "protocol/json_text.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <limits>
 
 namespace wakesurf::protocol {
 
@@ -63,13 +62,9 @@ std::string record_text(const SessionHead& head) {
 }
 
 core::Result<RakeRecord> parse_rake(std::string_view text, const RecordLimits& limits) {
-    // The engine's own idea of a sound rake, without a domain to clip it to.
-    constexpr double everywhere = std::numeric_limits<float>::max();
     auto record = parse(text, [&](CheckedJson& in) { return read_rake_record(in, limits.rake); });
     if (record)
-        if (auto sound =
-                core::clip_rake(record->shape, {core::Vec3(-everywhere), core::Vec3(everywhere)});
-            !sound)
+        if (auto sound = core::check_rake(record->shape); !sound)
             return core::fail(core::Error::Code::Corrupt, sound.error().message);
     return record;
 }

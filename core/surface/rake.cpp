@@ -1,5 +1,7 @@
 #include "core/surface/rake.hpp"
 
+#include "core/surface/rake_check.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -28,32 +30,6 @@ std::vector<Vec3> rim(const Vec3& centre, const Vec3& a, const Vec3& b) {
 std::vector<Vec3> outline(const Rake& rake) {
     return rake.kind == Rake::Kind::Circle ? rim(rake.points[0], rake.points[1], rake.points[2])
                                            : rake.points;
-}
-
-/// Why a rake cannot be one, or an empty string.
-std::string fault(const Rake& rake) {
-    if (!std::all_of(rake.points.begin(), rake.points.end(), finite))
-        return "a rake point is not finite";
-    if (rake.seeds < 2)
-        return "a rake needs at least 2 seeds";
-    const std::size_t wanted = rake.kind == Rake::Kind::Circle ? 3 : 2;
-    if (rake.points.size() < wanted || (rake.kind == Rake::Kind::Line && rake.points.size() != 2) ||
-        (rake.kind == Rake::Kind::Circle && rake.points.size() != 3))
-        return rake.kind == Rake::Kind::Line ? "a line rake needs exactly 2 points"
-               : rake.kind == Rake::Kind::Circle
-                   ? "a circle rake needs a centre and 2 points of its rim"
-                   : "a rake needs at least 2 points";
-    for (std::size_t i = 1; i < rake.points.size(); ++i)
-        if (glm::length(rake.points[i] - rake.points[i - 1]) ==
-            0.0) // 1e-320 apart is no length either
-            return "two neighbouring rake points coincide";
-    if (rake.kind == Rake::Kind::Circle) {
-        const Vec3 u = rake.points[1] - rake.points[0];
-        const Vec3 w = rake.points[2] - rake.points[0];
-        if (glm::length(glm::cross(u, w)) <= 1e-9 * glm::length(u) * glm::length(w))
-            return "a circle rake's centre and rim points lie on one line";
-    }
-    return {};
 }
 
 /// Part of a segment inside a box as parameters in 0..1 (Liang and Barsky 1984); empty when lo > hi.
@@ -96,8 +72,8 @@ Error outside(const std::vector<Vec3>& points, const Box& domain) {
 } // namespace
 
 Result<ClippedRake> clip_rake(const Rake& rake, const Box& domain) {
-    if (const std::string reason = fault(rake); !reason.empty())
-        return fail(Error::Code::InvalidArgument, reason, "correct the rake's points or seeds");
+    if (auto sound = check_rake(rake); !sound)
+        return tl::unexpected(sound.error());
     const std::vector<Vec3> points = outline(rake);
     if (std::all_of(points.begin(), points.end(),
                     [&](const Vec3& p) { return domain.contains(p); }))
@@ -120,9 +96,15 @@ Result<ClippedRake> clip_rake(const Rake& rake, const Box& domain) {
         }
         if (lo > 0.0)
             finish_run();
+        // Of a segment that only grazes a corner both ends may round to one point, which is no segment.
+        const auto add = [&](double at) {
+            const Vec3 p = glm::clamp(glm::mix(a, b, at), domain.lo, domain.hi);
+            if (run.empty() || glm::length(p - run.back()) > 0.0)
+                run.push_back(p);
+        };
         if (run.empty())
-            run.push_back(glm::clamp(glm::mix(a, b, lo), domain.lo, domain.hi));
-        run.push_back(glm::clamp(glm::mix(a, b, hi), domain.lo, domain.hi));
+            add(lo);
+        add(hi);
         run_length += (hi - lo) * glm::length(b - a);
         if (hi < 1.0)
             finish_run();

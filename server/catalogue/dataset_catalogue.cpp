@@ -15,7 +15,8 @@ namespace {
 
 // What an import under way does not change: one that is ready grows and is told when it has. One that failed is imported again.
 bool settled(DatasetState state) {
-    return state == DatasetState::Ready || state == DatasetState::Stopped;
+    return state == DatasetState::Ready || state == DatasetState::Stopped ||
+           state == DatasetState::Incomplete;
 }
 
 std::size_t steps_ready(const LoadedDataset& open) {
@@ -39,6 +40,13 @@ core::Result<core::MemoryAccount::Share> import_memory(const OpenOptions& option
     if (share.grow_to(bytes, stop, patience) || stop.stop_requested())
         return share;
     return tl::unexpected(options.cache.account->refusal("importing", bytes));
+}
+
+Error incomplete(std::size_t ready, std::size_t total) {
+    return {Error::Code::Io,
+            "only " + std::to_string(ready) + " of " + std::to_string(total) +
+                " time-steps are stored",
+            "import it again into the same store: that goes on where the last import ended"};
 }
 
 double share(std::size_t part, std::size_t whole) {
@@ -272,7 +280,12 @@ void DatasetCatalogue::give_up(Entry& entry,
         return finish(entry, tl::unexpected(error));
     finish(entry, reopened(entry, folder));
     const std::scoped_lock lock(mutex_);
+    if (entry.status.state == DatasetState::Failed)
+        return;
     entry.status.error = error;
+    if (entry.status.error->hint.empty())
+        entry.status.error->hint =
+            "the other time-steps can be used; mend the cause, and the import goes on by itself";
 }
 
 bool DatasetCatalogue::show(Entry& entry,
@@ -313,8 +326,11 @@ void DatasetCatalogue::finish(Entry& entry, core::Result<LoadedDataset> opened, 
         return;
     }
     if (how == Ending::Whole) {
-        entry.status.state = DatasetState::Ready;
+        const std::size_t total = opened->info.times.size();
+        entry.status.state = ready < total ? DatasetState::Incomplete : DatasetState::Ready;
         entry.status.error.reset();
+        if (ready < total)
+            entry.status.error = incomplete(ready, total);
     }
     entry.status.steps_ready = ready;
     entry.status.steps_total = opened->info.times.size();

@@ -18,8 +18,9 @@
 
 namespace wakesurf::server {
 
-/// Stopped: by whoever waited for the import; the time-steps until then can be used.
-enum class DatasetState { Importing, Ready, Failed, Stopped };
+/// Stopped: by whoever waited for the import; the time-steps until then can be used. Incomplete: it ended before the last time-step,
+/// as on a full disk; those there can be used, and `error` says why and what to do.
+enum class DatasetState { Importing, Ready, Failed, Stopped, Incomplete };
 
 struct DatasetStatus {
     std::string dataset; ///< id: a slug of the name, unique
@@ -30,7 +31,7 @@ struct DatasetStatus {
     double progress = 0.0;           ///< of the import, 0..1
     std::optional<double> remaining; ///< seconds the import will still take, once that can be told
     std::optional<core::Error>
-        error; ///< why it failed, or which time-step ended a dataset that is ready
+        error; ///< why it failed or is incomplete; of one that is ready, why what was looked for since could not be read
 };
 
 /// Thread safety: every call may come from any thread.

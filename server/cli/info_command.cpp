@@ -1,5 +1,6 @@
 #include "server/cli/info_command.hpp"
 
+#include "core/dataset/store_reader.hpp"
 #include "core/field/analytic_flow.hpp"
 #include "protocol/dataset_json.hpp"
 #include "protocol/json_text.hpp"
@@ -16,13 +17,33 @@ namespace wakesurf::server {
 
 namespace {
 
+/// Of a store whose import did not end, or has not ended yet, the note says so.
+core::Result<core::DatasetInfo> describe_store(const std::filesystem::path& folder) {
+    const auto disk = std::make_shared<core::PosixDisk>();
+    auto manifest = protocol::read_store_manifest(folder, *disk);
+    if (!manifest)
+        return tl::unexpected(manifest.error());
+    const auto reader = core::StoreReader::open(protocol::store_layout(*manifest, folder), disk);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    const std::size_t total = manifest->info.times.size();
+    std::size_t ready = 0;
+    for (std::size_t i = 0; i < total; ++i)
+        ready += (*reader)->ready(i) ? 1 : 0;
+    if (ready < total)
+        manifest->info.note +=
+            fmt::format("{}incomplete: {} of {} time-steps are stored; `wakesurf import` into the "
+                        "same folder goes on",
+                        manifest->info.note.empty() ? "" : "; ", ready, total);
+    return std::move(manifest->info);
+}
+
 core::Result<core::DatasetInfo> describe(const DatasetArgument& argument) {
     switch (argument.kind) {
     case DatasetArgument::Kind::Flow:
         return core::describe_analytic_flow(argument.flow);
     case DatasetArgument::Kind::Store:
-        return protocol::read_store_manifest(argument.path, core::PosixDisk())
-            .map([](const protocol::StoreManifest& manifest) { return manifest.info; });
+        return describe_store(argument.path);
     case DatasetArgument::Kind::Source:
         break;
     }

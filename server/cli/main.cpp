@@ -5,6 +5,7 @@
 #include "server/cli/info_command.hpp"
 #include "server/cli/serve_command.hpp"
 #include "server/cli/sessions_command.hpp"
+#include "server/cli/state_command.hpp"
 #include "server/cli/surface_command.hpp"
 
 #include <CLI/CLI.hpp>
@@ -78,6 +79,10 @@ int run(int argc, char** argv) {
     add_generate_options(*command("generate", "Sample a built-in flow into a store",
                                   [&] { return run_generate(generate); }),
                          generate);
+    StateCommandOptions state;
+    add_state_commands(
+        *app.add_subcommand("state", "Check, back up or restore the sessions a server keeps"),
+        state, chosen);
     BenchOptions bench;
     add_bench_options(*command("bench", "Measure this machine", [&] { return run_bench(bench); }),
                       bench);

@@ -50,8 +50,9 @@ class StateSessions final : public SessionServer {
           files_(loop_, pool_, sessions_, datasets_, journal_.get()) {
         const auto restored =
             restore_sessions(std::exchange(kept_.sessions, {}), sessions_, grants_);
-        for (const core::Error& each : restored.refused)
-            std::fprintf(stderr, "wakesurf: not brought back: %s\n", each.message.c_str());
+        for (const RestoredSessions::Refused& each : restored.refused)
+            std::fprintf(stderr, "wakesurf: %s: kept aside: %s\n", each.session.c_str(),
+                         each.record.why.c_str());
         sessions_.on_gone([this](const std::string& id) { grants_.forget(id); });
     }
 

@@ -17,6 +17,7 @@
 #include "server/state/kept_sessions.hpp"
 #include "server/state/sqlite_journal.hpp"
 #include "server/state/start_guard.hpp"
+#include "server/state/state_desk.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -52,6 +53,7 @@ struct Server::Parts {
         port = listener->port();
         if (journal)
             metrics.durable(true);
+        desk = start_desk(options);
         gate.emplace(
             GateOptions{options.token, options.host, port, options.origins, tls != nullptr},
             entropy, clock, grants);
@@ -120,11 +122,29 @@ struct Server::Parts {
             [this](const core::Result<void>& turn) { tell_durability(turn); });
     }
 
+    /// The desk may be asked at once, but answers from what the journal has written.
+    std::unique_ptr<StateDesk> start_desk(const ServerOptions& options) {
+        if (!journal)
+            return nullptr;
+        return std::make_unique<StateDesk>(
+            options.state, StateDesk::Services{[this] { return journal->hold(); },
+                                               [this] { return journal->release(); }});
+    }
+
     void restore() {
         const RestoredSessions restored =
             restore_sessions(std::exchange(kept->sessions, {}), *sessions, grants);
-        for (const core::Error& each : restored.refused)
-            spdlog::warn("not brought back: {}", each.message);
+        for (const auto& [id, records] : std::exchange(kept->aside, {}))
+            if (const auto session = sessions->find(id))
+                (*session)->recall_aside(records, false);
+        for (const auto& [id, records] : std::exchange(kept->damaged, {})) {
+            spdlog::warn("event=records_damaged session={} count={}", id, records.size());
+            if (const auto session = sessions->find(id))
+                (*session)->recall_aside(records, true);
+        }
+        for (const RestoredSessions::Refused& each : restored.refused)
+            spdlog::warn("event=record_kept_aside session={} why=\"{}\"", each.session,
+                         each.record.why);
         spdlog::info("{} records of {} sessions brought back", restored.records, restored.sessions);
     }
 
@@ -180,6 +200,7 @@ struct Server::Parts {
     StaticFiles files;
     std::uint16_t port = 0;
     std::unique_ptr<SqliteJournal> journal = start_journal(); ///< nothing without `--state`
+    std::unique_ptr<StateDesk> desk;                          ///< its thread asks the journal
     std::unique_ptr<DatasetCatalogue> catalogue;
     Grants grants{{loop, clock, entropy, unix_seconds, journal.get()}};
     std::optional<Gate> gate;

@@ -9,7 +9,7 @@
 namespace wakesurf::server {
 
 nlohmann::json dataset_entry(const DatasetStatus& status) {
-    constexpr std::array states{"importing", "ready", "failed", "stopped"};
+    constexpr std::array states{"importing", "ready", "failed", "stopped", "incomplete"};
     const char* state = states.at(static_cast<std::size_t>(status.state));
     nlohmann::json out{{"dataset", status.dataset},
                        {"name", status.name},

@@ -174,7 +174,8 @@ std::vector<Method> dataset_methods() {
         {"dataset.list",
          "The datasets this server serves.",
          {},
-         "{datasets: [{dataset, name, state: ready, importing, failed or stopped, progress?, "
+         "{datasets: [{dataset, name, state: ready, importing, failed, stopped or incomplete, "
+         "progress?, "
          "remaining?: "
          "seconds, steps: {ready, total}, error?}]}",
          any_viewer,
@@ -194,7 +195,9 @@ std::vector<Method> dataset_methods() {
          "ended. $/cancelRequest ends the waiting, and the import with it when nobody else waits; "
          "a connection that is lost ends no import.",
          {dataset, patience, work_token},
-         "an entry of dataset.list; its state is importing when timeoutMs ran out",
+         "an entry of dataset.list; its state is importing when timeoutMs ran out, and incomplete, "
+         "with "
+         "an error that says why, where the import ended before the last time-step",
          any_viewer,
          open_one},
         {"cache.status",

@@ -1,5 +1,7 @@
 #include "server/rpc/records_json.hpp"
 
+#include "server/rpc/aside_json.hpp"
+
 #include <nlohmann/json.hpp>
 
 namespace wakesurf::server {
@@ -35,13 +37,16 @@ json annotations_json(const Session& session) {
 }
 
 json records_json(const Session& session) {
-    return {{"session", session.id()},
-            {"name", session.name()},
-            {"rakes", rakes_json(session)},
-            {"surfaces", surfaces_json(session)},
-            {"bookmarks", bookmarks_json(session)},
-            {"annotations", annotations_json(session)},
-            {"clock", protocol::clock_json(session.clock().record())}};
+    json out{{"session", session.id()},
+             {"name", session.name()},
+             {"rakes", rakes_json(session)},
+             {"surfaces", surfaces_json(session)},
+             {"bookmarks", bookmarks_json(session)},
+             {"annotations", annotations_json(session)},
+             {"clock", protocol::clock_json(session.clock().record())}};
+    if (!session.kept_aside().empty())
+        out["keptAside"] = kept_aside_json(session);
+    return out;
 }
 
 } // namespace wakesurf::server

@@ -38,7 +38,7 @@ constexpr std::string_view shapes = R"json({
 "DatasetEntry": {
   "type": "object",
   "properties": {
-    "dataset": "#Id", "name": {"type": "string"}, "state": {"enum": ["ready", "importing", "failed", "stopped"]},
+    "dataset": "#Id", "name": {"type": "string"}, "state": {"enum": ["ready", "importing", "failed", "stopped", "incomplete"]},
     "steps": {"type": "object", "properties": {"ready": "#Count", "total": "#Count"}},
     "progress?": {"type": "number", "minimum": 0, "maximum": 1},
     "remaining?": {"type": "number", "minimum": 0, "description": "seconds"}, "error?": "#Problem"}},
@@ -147,12 +147,23 @@ constexpr std::string_view shapes = R"json({
     "time": {"type": ["number", "null"], "description": "simulation time as the answer is written; null: never set"},
     "playing": {"type": "boolean"}, "speed": {"type": "number", "exclusiveMinimum": 0}, "loop": {"type": "boolean"},
     "from": {"type": ["number", "null"]}, "to": {"type": ["number", "null"]}}},
+"KeptAside": {
+  "type": "object", "description": "records that could not be used when the server started; nothing of them is deleted",
+  "properties": {
+    "count": "#Count",
+    "records": {
+      "type": "array", "description": "the newest of them",
+      "items": {
+        "type": "object",
+        "properties": {
+          "type": {"type": "string"}, "id": {"type": "string"}, "why": {"type": "string"},
+          "since": {"type": "integer", "description": "seconds since 1970"}}}}}},
 "Snapshot": {
   "type": "object",
   "properties": {
     "session": "#Id", "name": {"type": "string"}, "rakes": {"type": "array", "items": "#Rake"},
     "surfaces": {"type": "array", "items": "#Surface"}, "bookmarks": {"type": "array", "items": "#Bookmark"},
-    "annotations": {"type": "array", "items": "#Annotation"}, "clock": "#Clock"}},
+    "annotations": {"type": "array", "items": "#Annotation"}, "clock": "#Clock", "keptAside?": "#KeptAside"}},
 "SessionName": {"type": "object", "properties": {"session": "#Id", "name": {"type": "string"}}},
 "SessionFile": {
   "type": "object",
@@ -296,7 +307,7 @@ constexpr std::string_view results = R"json({
   "properties": {
     "session": "#Id", "name": {"type": "string"}, "seq": "#Count", "rakes": {"type": "array", "items": "#Rake"},
     "surfaces": {"type": "array", "items": "#Surface"}, "bookmarks": {"type": "array", "items": "#Bookmark"},
-    "annotations": {"type": "array", "items": "#Annotation"}, "clock": "#Clock",
+    "annotations": {"type": "array", "items": "#Annotation"}, "clock": "#Clock", "keptAside?": "#KeptAside",
     "participants": {"type": "array", "items": "#Participant"}}},
 "session.share": {
   "type": "object",

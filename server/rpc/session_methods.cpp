@@ -1,6 +1,7 @@
 // session.create, session.fork, session.list, session.join, session.leave, session.state.
 #include "protocol/checked_json.hpp"
 #include "server/limits.hpp"
+#include "server/rpc/aside_json.hpp"
 #include "server/rpc/durability_notice.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/patch_json.hpp"
@@ -120,6 +121,8 @@ void join(const Call& call, Reply reply) {
     if (const Journal* journal = call.context.journal)
         if (auto refusal = journal->refusal())
             call.client->notify(durability_notice(tl::unexpected(std::move(*refusal))));
+    if (const auto notice = kept_aside_notice(**session))
+        call.client->notify(*notice);
 }
 
 void state(const Call& call, Reply reply) {
@@ -172,8 +175,8 @@ std::vector<Method> session_methods() {
           {"resumeToken", text, false, "of an earlier stay, to take up its place again"},
           {"lastSeq", R"({"type":"integer","minimum":0})", false,
            "with resumeToken: the last seq seen; what was missed comes instead of the snapshot"}},
-         "{resumed, snapshot: {session, name, rakes, surfaces, bookmarks, annotations, clock} or "
-         "patches: "
+         "{resumed, snapshot: {session, name, rakes, surfaces, bookmarks, annotations, clock, "
+         "keptAside?: {count, records: [{type, id, why, since}]}} or patches: "
          "[{op, type, id, record?}], seq, participants: [{participant, name, colour, role, "
          "connected, pointer, camera, dragging, selected}], you, role, resumeToken}",
          websocket_viewer,
@@ -190,7 +193,8 @@ std::vector<Method> session_methods() {
         {"session.state",
          "Every record of a session.",
          {session_parameter()},
-         "{session, name, seq, rakes, surfaces, bookmarks, annotations, clock, participants}",
+         "{session, name, seq, rakes, surfaces, bookmarks, annotations, clock, participants, "
+         "keptAside?: {count, records: [{type, id, why, since}]}}",
          any_viewer,
          state},
     };

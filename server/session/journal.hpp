@@ -4,6 +4,7 @@
 
 #include "core/base/result.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -18,6 +19,16 @@ struct JournalEntry {
     std::optional<std::string> record; ///< JSON text; nothing: deleted
 };
 
+/// A record that a start could not use. It is kept, where no edit reaches it.
+struct KeptAside {
+    std::string type;
+    std::string id;
+    std::string why;        ///< for people
+    std::int64_t since = 0; ///< seconds since 1970
+
+    bool operator==(const KeptAside&) const = default;
+};
+
 /// Loop thread only; nothing here waits.
 class Journal {
   public:
@@ -26,7 +37,12 @@ class Journal {
     /// Takes what one edit changed; it is kept as a whole or not at all.
     virtual void write(const std::string& session, std::vector<JournalEntry> entries) = 0;
 
-    /// Forgets a session and all its records.
+    /// Takes records, as they are kept, out of those in use to a place of their own, where nothing overwrites them.
+    virtual void set_aside(const std::string& session, std::vector<KeptAside> records) {
+        static_cast<void>(session), static_cast<void>(records);
+    }
+
+    /// Forgets a session and all its records, those kept aside as well.
     virtual void remove(const std::string& session) = 0;
 
     /// Calls back on the loop once everything written so far is on the disk. Error: Io while that cannot be.

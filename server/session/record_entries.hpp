@@ -22,9 +22,30 @@ JournalEntry entry_of(const protocol::SessionHead& head);
 JournalEntry entry_of_thumbnail(const std::string& base64);
 JournalEntry entry_without(const RecordKey& key);
 
+/// What a record has to be, on whichever way it comes: from a journal, from a file, and (check_record) from an edit. Pure.
+/// Error: Corrupt, OverLimit; InvalidArgument for what its kind of surface does not have, or lacks.
+core::Result<Record> read_record(const RecordKey& key, const std::string& text);
+
+/// Whether a record would be read back as it is, so that what is accepted is what the next start accepts. Its rakes are for
+/// the caller to look for. Cost: its text is written and read. Error: InvalidArgument.
+core::Result<void> check_record(const Record& record);
+
+/// As check_record.
+core::Result<void> check_clock(const protocol::ClockRecord& clock);
+
+/// An entry that was left out.
+struct RefusedEntry {
+    std::string type;
+    std::string id;
+    core::Error error; ///< its message names the entry
+};
+
+/// With the error's message naming the entry.
+RefusedEntry refused_entry(const JournalEntry& entry, core::Error error);
+
 struct RestoreReport {
-    std::size_t restored = 0;         ///< records
-    std::vector<core::Error> refused; ///< one for each that was left out, naming it
+    std::size_t restored = 0; ///< records
+    std::vector<RefusedEntry> refused;
 };
 
 struct KeptRecords {

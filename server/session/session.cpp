@@ -1,5 +1,6 @@
 #include "server/session/session.hpp"
 
+#include "core/surface/rake_check.hpp"
 #include "server/limits.hpp"
 #include "server/session/surface_rules.hpp"
 
@@ -116,6 +117,8 @@ core::Result<core::ClippedRake> Session::clip_to(const core::Rake& shape,
 
 // A rake in use must lie in the domains of its surfaces' datasets; a free one in any domain, whole if possible.
 core::Result<core::ClippedRake> Session::clip(const protocol::RakeSetting& setting) const {
+    if (auto sound = core::check_rake(setting.shape); !sound) // also where no dataset is open
+        return tl::unexpected(sound.error());
     std::vector<std::string> used;
     if (setting.rake)
         for (const std::string& id : records_.hanging_on(*setting.rake))
@@ -177,6 +180,8 @@ core::Result<RakeChange> Session::set_rake(const protocol::RakeSetting& setting,
     record.clipped = clipped->clipped;
     if (!setting.name.empty() || record.name.empty())
         record.name = setting.name.empty() ? record.rake : setting.name;
+    if (auto sound = check_record(record); !sound)
+        return tl::unexpected(sound.error());
 
     const std::uint64_t drag = settle_lease(record, setting.dragging, author);
     auto surfaces = edit({change_to(record)}, author, drag);
@@ -258,6 +263,8 @@ core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::Surfa
         return tl::unexpected(job.error());
 
     record.surface = setting.surface ? *setting.surface : records_.new_id(RecordType::Surface);
+    if (auto sound = check_record(record); !sound)
+        return tl::unexpected(sound.error());
     edit({change_to(record)}, author);
     return *records_.find<protocol::SurfaceRecord>(record.surface);
 }
@@ -276,6 +283,8 @@ Session::set_bookmark(const protocol::BookmarkSetting& setting, const Author& au
         record.name = setting.name.empty() ? record.bookmark : setting.name;
     record.view = setting.view;
     record.time = setting.time;
+    if (auto sound = check_record(record); !sound)
+        return tl::unexpected(sound.error());
     edit({change_to(record)}, author);
     return *records_.find<protocol::BookmarkRecord>(record.bookmark);
 }
@@ -299,6 +308,8 @@ Session::set_annotation(const protocol::AnnotationSetting& setting, const Author
     record.text = setting.text;
     record.position = setting.position;
     record.surface = setting.surface;
+    if (auto sound = check_record(record); !sound)
+        return tl::unexpected(sound.error());
     edit({change_to(record)}, author);
     return *records_.find<protocol::AnnotationRecord>(record.annotation);
 }

@@ -150,6 +150,18 @@ class Session {
     /// before.
     RestoreReport restore(std::span<const JournalEntry> entries);
 
+    /// Records that starts could not use, oldest first.
+    const std::vector<KeptAside>& kept_aside() const { return aside_; }
+
+    /// How many of them only the last start found.
+    std::size_t newly_aside() const { return newly_aside_; }
+
+    /// Has records that cannot be used kept aside, and remembers them.
+    void set_aside(const std::vector<RefusedEntry>& refused);
+
+    /// Remembers what is kept aside already. `fresh`: since this start.
+    void recall_aside(std::vector<KeptAside> records, bool fresh);
+
     /// Takes over another session's records as they are, into a session without records.
     void copy(const Session& other);
 
@@ -218,6 +230,8 @@ class Session {
     std::string thumbnail_;
     std::shared_ptr<void> alone_;                       ///< runs since the last of its people went
     std::chrono::steady_clock::time_point time_kept_{}; ///< of the clock, in the journal
+    std::vector<KeptAside> aside_;
+    std::size_t newly_aside_ = 0;
 };
 
 } // namespace wakesurf::server

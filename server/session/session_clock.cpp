@@ -1,6 +1,7 @@
 #include "server/session/session_clock.hpp"
 
 #include "server/limits.hpp"
+#include "server/session/record_entries.hpp"
 
 #include <cmath>
 
@@ -58,6 +59,8 @@ core::Result<void> SessionClock::play(const protocol::PlaySetting& setting,
                           "give both to play something else than before");
     next.speed = setting.speed.value_or(record_.speed);
     next.loop = setting.loop.value_or(record_.loop);
+    if (auto sound = check_clock(next); !sound) // a surface may reach further than a clock
+        return sound;
     next.playing = true;
     const double start =
         next.time && *next.time >= *next.from && *next.time < *next.to ? *next.time : *next.from;

@@ -83,7 +83,7 @@ core::Result<ReadSession> read_session_text(std::string_view text) {
         entries.push_back({std::move(each.type), std::move(each.id), std::move(each.text)});
     ReadSession out{read_entries(entries), std::move(file->datasets)};
     if (!out.records.report.refused.empty())
-        return tl::unexpected(as_input(std::move(out.records.report.refused.front())));
+        return tl::unexpected(as_input(std::move(out.records.report.refused.front().error)));
     out.records.name = display_name(file->name, limits::name_bytes);
     return out;
 }

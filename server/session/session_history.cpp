@@ -78,6 +78,8 @@ std::string Session::obstacle(const Edit& edit, const EditStep& step, Turn turn)
             if (rake && records_.find<protocol::RakeRecord>(*rake) == nullptr &&
                 !sets(edit, turn, {RecordType::Rake, *rake}, true))
                 return "rake " + *rake + " of " + label + " has been deleted since";
+    if (auto sound = check_record(*to); !sound)
+        return label + ": " + sound.error().message;
     const auto comes_back = [&](const EditStep& each) {
         return each.key.type == step.key.type && each.from_rev(turn) == 0 && each.to(turn);
     };

@@ -117,11 +117,29 @@ RestoreReport Session::restore(std::span<const JournalEntry> entries) {
     for (const JournalEntry& each : entries)
         if (each.type == "participant" && each.record)
             if (auto back = participants_.restore(each.id, *each.record); !back)
-                kept.report.refused.push_back(back.error());
+                kept.report.refused.push_back(refused_entry(each, std::move(back.error())));
     thumbnail_ = std::move(kept.thumbnail);
     profile_.restore(profile_of(kept, entries));
+    set_aside(kept.report.refused); // before what is put in their place
     begin(restart_gap);
     return std::move(kept.report);
+}
+
+void Session::set_aside(const std::vector<RefusedEntry>& refused) {
+    std::vector<KeptAside> records;
+    for (const RefusedEntry& each : refused)
+        records.push_back({each.type, each.id, each.error.message, services_.unix_time()});
+    if (records.empty())
+        return;
+    if (services_.journal != nullptr)
+        services_.journal->set_aside(id_, records);
+    recall_aside(std::move(records), true);
+}
+
+void Session::recall_aside(std::vector<KeptAside> records, bool fresh) {
+    newly_aside_ += fresh ? records.size() : 0;
+    aside_.insert(fresh ? aside_.end() : aside_.begin(), std::make_move_iterator(records.begin()),
+                  std::make_move_iterator(records.end()));
 }
 
 void Session::copy(const Session& other) {

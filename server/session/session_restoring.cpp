@@ -3,7 +3,6 @@
 #include "server/session/grants.hpp"
 #include "server/session/session_directory.hpp"
 
-#include <iterator>
 #include <utility>
 
 namespace wakesurf::server {
@@ -13,11 +12,11 @@ namespace {
 void restore_links(const std::string& id,
                    const std::vector<JournalEntry>& entries,
                    Grants& grants,
-                   std::vector<core::Error>& refused) {
+                   std::vector<RefusedEntry>& refused) {
     for (const JournalEntry& each : entries)
         if (each.type == "grant" && each.record)
             if (auto done = grants.restore(id, each.id, *each.record); !done)
-                refused.push_back(done.error());
+                refused.push_back(refused_entry(each, std::move(done.error())));
 }
 
 } // namespace
@@ -27,13 +26,19 @@ RestoredSessions restore_sessions(const std::map<std::string, std::vector<Journa
                                   Grants& grants) {
     RestoredSessions out;
     for (const auto& [id, entries] : kept) {
-        RestoreReport report = sessions.restore(id, id, entries);
+        const RestoreReport report = sessions.restore(id, id, entries);
         ++out.sessions;
         out.records += report.restored;
-        std::move(report.refused.begin(), report.refused.end(), std::back_inserter(out.refused));
-        restore_links(id, entries, grants, out.refused);
+        std::vector<RefusedEntry> refused;
+        restore_links(id, entries, grants, refused);
         if (sessions.trash().find(id) != nullptr)
-            grants.suspend(id);
+            grants.suspend(id); // what of it cannot be used is put aside once it is brought back
+        const auto session = sessions.find(id);
+        if (!session)
+            continue;
+        (*session)->set_aside(refused);
+        for (const KeptAside& each : (*session)->kept_aside())
+            out.refused.push_back({id, each});
     }
     return out;
 }

@@ -1,7 +1,6 @@
 // All that a server before this one kept of its sessions, given to those whose it is.
 #pragma once
 
-#include "core/base/result.hpp"
 #include "server/session/journal.hpp"
 
 #include <cstddef>
@@ -15,9 +14,15 @@ class Grants;
 class SessionDirectory;
 
 struct RestoredSessions {
+    struct Refused {
+        std::string session;
+        KeptAside record;
+    };
+
     std::size_t sessions = 0;
     std::size_t records = 0;
-    std::vector<core::Error> refused; ///< what was left out, and why
+    std::vector<Refused>
+        refused; ///< what could not be used; the journal has been asked to keep it aside
 };
 
 /// By session. Before anybody is served; surfaces are built afterwards. Loop thread only.

@@ -9,6 +9,12 @@ namespace wakesurf::server {
 using core::Error;
 using core::fail;
 
+const char* const Database::way_out =
+    "`wakesurf state check DIR` says what is there; `wakesurf state restore DIR BACKUP` puts a "
+    "backup "
+    "in its place, and with `--damaged` and the file itself what can still be read of it; to begin "
+    "anew move sessions.* away";
+
 namespace {
 
 /// In our words: SQLite's may name files.
@@ -30,11 +36,11 @@ tl::unexpected<Error> failure(int code) {
                     "close it, or give this server another folder with --state");
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
+    case SQLITE_ERROR: // our statements are sound, so the tables are not those we made
         return fail(Error::Code::Corrupt,
                     std::string("sessions.sqlite in the state folder is damaged: ") +
                         sqlite3_errstr(code & 0xff),
-                    "to begin anew move sessions.sqlite* away; `sqlite3 sessions.sqlite .recover` "
-                    "may save some of it");
+                    Database::way_out);
     case SQLITE_NOMEM:
         return fail(Error::Code::OverLimit, "there is not enough memory to write the sessions",
                     "give the server more");
@@ -53,6 +59,10 @@ void Statement::Finalize::operator()(sqlite3_stmt* statement) const {
 
 void Statement::bind(int at, std::string_view text) {
     sqlite3_bind_text64(statement_.get(), at, text.data(), text.size(), SQLITE_STATIC, SQLITE_UTF8);
+}
+
+void Statement::bind(int at, std::int64_t number) {
+    sqlite3_bind_int64(statement_.get(), at, number);
 }
 
 core::Result<bool> Statement::step() {
@@ -93,6 +103,26 @@ core::Result<Database> Database::open(const std::string& file, const char* vfs) 
         return failure(code);
     sqlite3_extended_result_codes(handle, 1);
     return out;
+}
+
+void Database::fold_log_on_close(bool fold) {
+    sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, fold ? 0 : 1, nullptr);
+}
+
+core::Result<void> Database::copy_to(const std::string& file, const char* vfs) {
+    auto copy = open(file, vfs);
+    if (!copy)
+        return tl::unexpected(copy.error());
+    sqlite3_backup* const backup =
+        sqlite3_backup_init(copy->database_.get(), "main", database_.get(), "main");
+    if (backup == nullptr)
+        return failure(sqlite3_extended_errcode(copy->database_.get()));
+    const int stepped = sqlite3_backup_step(backup, -1);
+    const int finished = sqlite3_backup_finish(backup);
+    if (stepped != SQLITE_DONE)
+        return failure(finished == SQLITE_OK ? stepped : finished);
+    // One file, not a file and a log; this is also what syncs it.
+    return copy->run("PRAGMA journal_mode=DELETE");
 }
 
 core::Result<void> Database::run(const char* statements) {

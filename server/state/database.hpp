@@ -18,6 +18,7 @@ class Statement {
   public:
     /// The `at`-th parameter, from 1. REQUIRES: the text stays until the next reset().
     void bind(int at, std::string_view text);
+    void bind(int at, std::int64_t number);
 
     /// True: there is a row. Error: as Database::run.
     core::Result<bool> step();
@@ -44,9 +45,19 @@ class Statement {
 /// One connection; one thread at a time.
 class Database {
   public:
+    /// What to do about a damaged file.
+    static const char* const way_out;
+
     /// Makes the file where there is none. `vfs`: SQLite's name of the file system to use; null: the usual one.
     /// Error: Io; Corrupt where the file is no database.
     static core::Result<Database> open(const std::string& file, const char* vfs);
+
+    /// Whether closing it moves the log into the file and removes it: so from the start on. Off, closing leaves a damaged log to be
+    /// looked at.
+    void fold_log_on_close(bool fold);
+
+    /// A copy of all of it, with what the log holds, as a file of its own that must not be there. Error: as run().
+    core::Result<void> copy_to(const std::string& file, const char* vfs);
 
     /// Error: Io (full, read-only, failing disk; locked), Corrupt.
     core::Result<void> run(const char* statements);

@@ -13,9 +13,12 @@ namespace wakesurf::server {
 struct KeptSessions {
     StateFolder folder;
     StateStore store;
-    std::map<std::string, std::vector<JournalEntry>> sessions;
+    std::map<std::string, std::vector<JournalEntry>>
+        sessions; ///< also those of which nothing can be used
+    std::map<std::string, std::vector<KeptAside>> aside;   ///< by earlier starts
+    std::map<std::string, std::vector<KeptAside>> damaged; ///< since this one
 
-    /// Waits for the disk. Error: as StateFolder::hold, StateStore::open and load.
+    /// Waits for the disk. Error: as StateFolder::hold and StateStore::open.
     static core::Result<KeptSessions> open(const std::filesystem::path& folder);
 };
 

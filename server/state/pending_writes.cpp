@@ -22,19 +22,30 @@ void PendingWrites::write(const std::string& session, std::vector<JournalEntry> 
         records[{session, std::move(each.type), std::move(each.id)}] = std::move(each.record);
 }
 
+void PendingWrites::set_aside(const std::string& session, std::vector<KeptAside> refused) {
+    for (KeptAside& each : refused) {
+        StoredKey key{session, each.type, each.id};
+        aside.insert_or_assign(std::move(key), std::move(each));
+    }
+}
+
 void PendingWrites::remove(const std::string& session) {
     erase_session(records, session);
+    erase_session(aside, session);
     removed.insert(session);
 }
 
 void PendingWrites::follow(PendingWrites older) {
-    for (const std::string& session : removed)
+    for (const std::string& session : removed) {
         erase_session(older.records, session);
+        erase_session(older.aside, session);
+    }
     records.merge(older.records); // what is here already is newer
+    aside.merge(older.aside);
     removed.merge(older.removed);
 }
 
-void PendingWrites::drop_needless(const std::set<StoredKey>& stored) {
+void PendingWrites::drop_needless(const std::map<StoredKey, std::uint64_t>& stored) {
     std::erase_if(records,
                   [&](const auto& each) { return !each.second && !stored.contains(each.first); });
 }

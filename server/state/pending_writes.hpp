@@ -4,6 +4,7 @@
 #include "server/session/journal.hpp"
 
 #include <compare>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -22,19 +23,21 @@ struct StoredKey {
 
 /// A value; as large as the records it names, so that it stays bounded however long nothing can be written.
 struct PendingWrites {
-    std::set<std::string> removed; ///< sessions to forget, before `records` are written
+    std::set<std::string> removed;        ///< sessions to forget, before all else
+    std::map<StoredKey, KeptAside> aside; ///< records to move, before `records` are written
     std::map<StoredKey, std::optional<std::string>> records; ///< JSON text; nothing: deleted
 
-    bool empty() const { return removed.empty() && records.empty(); }
+    bool empty() const { return removed.empty() && aside.empty() && records.empty(); }
 
     void write(const std::string& session, std::vector<JournalEntry> entries);
+    void set_aside(const std::string& session, std::vector<KeptAside> records);
     void remove(const std::string& session);
 
     /// Takes up changes that were made before these and are not on the disk yet.
     void follow(PendingWrites older);
 
     /// Drops the deletions of records that `stored` does not have.
-    void drop_needless(const std::set<StoredKey>& stored);
+    void drop_needless(const std::map<StoredKey, std::uint64_t>& stored);
 };
 
 } // namespace wakesurf::server

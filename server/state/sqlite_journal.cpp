@@ -1,8 +1,17 @@
 #include "server/state/sqlite_journal.hpp"
 
+#include <future>
+#include <memory>
 #include <utility>
 
 namespace wakesurf::server {
+
+namespace {
+
+/// How often it is looked after the file while nothing is written.
+constexpr std::chrono::seconds look{2};
+
+} // namespace
 
 SqliteJournal::SqliteJournal(Loop& loop,
                              StateStore store,
@@ -34,6 +43,14 @@ void SqliteJournal::write(const std::string& session, std::vector<JournalEntry> 
     wake_.notify_one();
 }
 
+void SqliteJournal::set_aside(const std::string& session, std::vector<KeptAside> records) {
+    {
+        const std::lock_guard lock(mutex_);
+        changes_.set_aside(session, std::move(records));
+    }
+    wake_.notify_one();
+}
+
 void SqliteJournal::remove(const std::string& session) {
     {
         const std::lock_guard lock(mutex_);
@@ -61,11 +78,43 @@ std::optional<core::Error> SqliteJournal::refusal() const {
     return refusal_;
 }
 
+/// False where the thread has ended.
+bool SqliteJournal::run(Errand errand) {
+    const auto done = std::make_shared<std::promise<void>>();
+    std::future<void> ended = done->get_future();
+    {
+        const std::lock_guard lock(mutex_);
+        if (stopping_)
+            return false;
+        errands_.push_back([errand = std::move(errand), done](StateStore& store) {
+            errand(store);
+            done->set_value();
+        });
+    }
+    wake_.notify_one();
+    ended.wait();
+    return true;
+}
+
+core::Result<void> SqliteJournal::hold() {
+    core::Result<void> held;
+    if (!run([&](StateStore& store) { held = store.hold(); }))
+        return core::fail(core::Error::Code::Io, "the server is ending", "try again");
+    return held;
+}
+
+bool SqliteJournal::release() {
+    bool whole = false;
+    return run([&](StateStore& store) { whole = store.release(); }) && whole;
+}
+
 void SqliteJournal::wait_for_work(std::unique_lock<std::mutex>& lock) {
     if (refusal_)
         wake_.wait_for(lock, retry_, [this] { return stopping_; });
     else
-        wake_.wait(lock, [this] { return stopping_ || !changes_.empty() || !waiting_.empty(); });
+        wake_.wait_for(lock, look, [this] {
+            return stopping_ || !changes_.empty() || !waiting_.empty() || !errands_.empty();
+        });
 }
 
 void SqliteJournal::work() {
@@ -75,10 +124,17 @@ void SqliteJournal::work() {
         last = stopping_;
         PendingWrites changes = std::exchange(changes_, {});
         Waiting waiting = std::exchange(waiting_, {});
-        const bool try_disk = refusal_ || !changes.empty();
+        const std::vector<Errand> errands = std::exchange(errands_, {});
+        const bool refused = refusal_.has_value();
         writing_ = true;
         lock.unlock();
-        const core::Result<void> outcome = try_disk ? store_.apply(changes) : core::Result<void>{};
+        core::Result<void> outcome;
+        if (refused || !changes.empty() || !store_.in_place())
+            outcome = store_.apply(changes);
+        if (last && !outcome && !store_.in_place()) // there is no later try to put it back
+            outcome = store_.apply(changes);
+        for (const Errand& each : errands)
+            each(store_);
         lock.lock();
         writing_ = false;
         tell(std::move(changes), outcome, std::move(waiting));

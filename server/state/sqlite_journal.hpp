@@ -37,18 +37,28 @@ class SqliteJournal final : public Journal {
     SqliteJournal& operator=(const SqliteJournal&) = delete;
 
     void write(const std::string& session, std::vector<JournalEntry> entries) override;
+    void set_aside(const std::string& session, std::vector<KeptAside> records) override;
     void remove(const std::string& session) override;
     void settled(std::function<void(core::Result<void>)> done) override;
     std::optional<core::Error> refusal() const override;
+
+    /// Has the file left alone, with all in it that has been written, while edits go on: until release(). Any thread but the loop's;
+    /// waits for the disk. Error: Io while it refuses, and once the journal has finished.
+    core::Result<void> hold();
+
+    /// Whether the file was left alone all the time.
+    bool release();
 
     /// Writes what is still to be written, if the disk takes it, and posts the last callbacks. Waits for the disk. What comes after it
     /// is not kept.
     void finish();
 
   private:
+    using Errand = std::function<void(StateStore&)>;
     using Waiting = std::vector<std::function<void(core::Result<void>)>>;
 
     void work();
+    bool run(Errand errand);
     void wait_for_work(std::unique_lock<std::mutex>& lock);
     void tell(PendingWrites tried, const core::Result<void>& outcome, Waiting waited);
 
@@ -61,6 +71,7 @@ class SqliteJournal final : public Journal {
     std::condition_variable wake_;
     PendingWrites changes_;
     Waiting waiting_;
+    std::vector<Errand> errands_;
     std::optional<core::Error> refusal_; ///< of the last try
     bool writing_ = false;
     bool stopping_ = false;

@@ -23,12 +23,17 @@ tl::unexpected<Error> unusable(int error) {
 
 } // namespace
 
-core::Result<StateFolder> StateFolder::hold(const std::filesystem::path& folder) {
-    std::error_code error;
-    if (std::filesystem::create_directories(folder, error))
-        std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
-    if (error)
-        return unusable(error.value());
+core::Result<void> make_private_file(const std::string& path) {
+    const int made = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (made < 0)
+        return fail(Error::Code::Io,
+                    "a file cannot be made there: " + std::generic_category().message(errno),
+                    "make room on the disk, and the folder writable for this user");
+    ::close(made);
+    return {};
+}
+
+core::Result<StateFolder> StateFolder::lock(const std::filesystem::path& folder) {
     // A lock on the folder itself needs no file, so that a full disk cannot refuse it.
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
@@ -37,12 +42,32 @@ core::Result<StateFolder> StateFolder::hold(const std::filesystem::path& folder)
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         return fail(Error::Code::OverLimit, "--state: another server keeps its sessions there",
                     "stop it, or give this one a folder of its own");
+    return held;
+}
+
+core::Result<StateFolder> StateFolder::hold(const std::filesystem::path& folder) {
+    std::error_code error;
+    if (std::filesystem::create_directories(folder, error))
+        std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
+    if (error)
+        return unusable(error.value());
+    auto held = lock(folder);
+    if (!held)
+        return held;
     // SQLite would make it readable for others; its log takes the same permissions.
-    const int made = ::open(held.file().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    const int made = ::open(held->file().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     if (made < 0)
         return unusable(errno);
     ::close(made);
     return held;
+}
+
+core::Result<StateFolder> StateFolder::hold_existing(const std::filesystem::path& folder) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error))
+        return fail(Error::Code::NotFound, "there is no state folder of this name",
+                    "give the folder that `serve` gets with --state");
+    return lock(folder);
 }
 
 StateFolder::~StateFolder() {
@@ -52,5 +77,11 @@ StateFolder::~StateFolder() {
 
 StateFolder::StateFolder(StateFolder&& other) noexcept
     : folder_(std::move(other.folder_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+StateFolder& StateFolder::operator=(StateFolder&& other) noexcept {
+    std::swap(folder_, other.folder_);
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+}
 
 } // namespace wakesurf::server

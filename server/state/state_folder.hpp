@@ -8,6 +8,9 @@
 
 namespace wakesurf::server {
 
+/// An empty file (0600) where there is none of this name. Error: Io, also where there is one.
+core::Result<void> make_private_file(const std::string& path);
+
 /// Held until it is destroyed, and until the process ends at the latest.
 class StateFolder {
   public:
@@ -15,9 +18,12 @@ class StateFolder {
     /// holds the folder.
     static core::Result<StateFolder> hold(const std::filesystem::path& folder);
 
+    /// The same, making nothing. Error: NotFound where there is no folder; Io; OverLimit.
+    static core::Result<StateFolder> hold_existing(const std::filesystem::path& folder);
+
     ~StateFolder();
     StateFolder(StateFolder&& other) noexcept;
-    StateFolder& operator=(StateFolder&&) = delete;
+    StateFolder& operator=(StateFolder&& other) noexcept;
 
     const std::filesystem::path& path() const { return folder_; }
 
@@ -25,6 +31,8 @@ class StateFolder {
     std::string file() const { return (folder_ / "sessions.sqlite").string(); }
 
   private:
+    static core::Result<StateFolder> lock(const std::filesystem::path& folder);
+
     StateFolder(std::filesystem::path folder, int descriptor)
         : folder_(std::move(folder)), descriptor_(descriptor) {}
 

@@ -1,5 +1,8 @@
 #include "server/state/state_store.hpp"
 
+#include <sys/stat.h>
+
+#include <filesystem>
 #include <utility>
 
 namespace wakesurf::server {
@@ -7,128 +10,110 @@ namespace wakesurf::server {
 using core::Error;
 using core::fail;
 
-namespace {
-
-constexpr std::int64_t application = 0x77616b65; // `wake`
-
-core::Result<void> make_tables(Database& database) {
-    const std::string script =
-        "BEGIN IMMEDIATE;"
-        "CREATE TABLE records(session TEXT NOT NULL, type TEXT NOT NULL, id TEXT NOT NULL,"
-        " json TEXT NOT NULL, PRIMARY KEY(session, type, id));"
-        "PRAGMA application_id=" +
-        std::to_string(application) +
-        ";"
-        "PRAGMA user_version=" +
-        std::to_string(StateStore::version) +
-        ";"
-        "COMMIT";
-    return database.run(script.c_str());
-}
-
-core::Result<void> check_layout(Database& database) {
-    const auto version = database.number("PRAGMA user_version");
-    if (!version)
-        return tl::unexpected(version.error());
-    const auto owner = database.number("PRAGMA application_id");
-    if (!owner)
-        return tl::unexpected(owner.error());
-    const auto tables = database.number("SELECT count(*) FROM sqlite_schema");
-    if (!tables)
-        return tl::unexpected(tables.error());
-    if (*version == 0 && *owner == 0 && *tables == 0)
-        return make_tables(database);
-    if (*owner != application)
-        return fail(Error::Code::Unsupported,
-                    "sessions.sqlite in the state folder was not made by wakesurf",
-                    "give another folder with --state");
-    if (*version != StateStore::version)
-        return fail(Error::Code::Unsupported,
-                    "sessions.sqlite in the state folder has layout " + std::to_string(*version) +
-                        ", this wakesurf knows " + std::to_string(StateStore::version),
-                    "use the newer wakesurf that wrote it, or another folder with --state");
-    const auto verdict = database.text("PRAGMA quick_check(1)");
-    if (!verdict)
-        return tl::unexpected(verdict.error());
-    if (*verdict != "ok")
-        return fail(Error::Code::Corrupt, "sessions.sqlite in the state folder is damaged",
-                    "to begin anew move sessions.sqlite* away; `sqlite3 sessions.sqlite .recover` "
-                    "may save some of it");
-    return {};
-}
-
-core::Result<Database> open_database(const std::string& file, const char* vfs) {
-    auto database = Database::open(file, vfs);
-    if (!database)
-        return database;
-    // Exclusive before the first access: the log's index is then kept in memory, not in a mapped file, where a write is a
-    // signal when the disk is full.
-    const auto ready = database->run("PRAGMA locking_mode=EXCLUSIVE; PRAGMA synchronous=FULL")
-                           .and_then([&] { return check_layout(*database); })
-                           .and_then([&] { return database->run("PRAGMA journal_mode=WAL"); });
-    if (!ready)
-        return tl::unexpected(ready.error());
-    return database;
-}
-
-} // namespace
-
-core::Result<StateStore> StateStore::open(std::string file, const char* vfs) {
-    StateStore store(std::move(file), vfs);
-    if (auto connected = store.connect(); !connected)
-        return tl::unexpected(connected.error());
+core::Result<StateStore> StateStore::open(StateOptions options) {
+    StateStore store(std::move(options));
+    auto found = store.connect();
+    if (!found)
+        return tl::unexpected(found.error());
+    store.loaded_ = std::move(*found);
     return store;
 }
 
-core::Result<void> StateStore::connect() {
-    auto database = open_database(file_, vfs_);
-    if (!database)
-        return tl::unexpected(database.error());
-    database_ = std::move(*database);
+std::optional<StateStore::Identity> StateStore::identity_of(const std::string& file) {
+    struct stat found {};
+
+    if (::stat(file.c_str(), &found) != 0)
+        return std::nullopt;
+    return Identity{found.st_dev, found.st_ino};
+}
+
+core::Result<StateStore::Loaded> StateStore::connect() {
+    auto opened = open_state(options_, mark_);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    database_ = std::move(opened->database);
+    StateContent& content = opened->content;
     log_is_new_ = false;
-    return read_keys();
+    log_identity_.reset();
+    lost_ = false;
+    identity_ = options_.vfs == nullptr ? identity_of(options_.file) : std::nullopt;
+    head_ = content.head;
+    sums_ = content.sums();
+    stored_ = std::move(content.digests);
+    return Loaded{std::move(content.sessions), std::move(content.aside),
+                  std::move(content.damaged)};
 }
 
-core::Result<void> StateStore::read_keys() {
-    std::set<StoredKey> keys;
-    auto query = database_->prepare("SELECT session, type, id FROM records");
-    if (!query)
-        return tl::unexpected(query.error());
-    auto row = query->step();
-    for (; row && *row; row = query->step())
-        keys.insert({query->text(0), query->text(1), query->text(2)});
-    if (!row)
-        return tl::unexpected(row.error());
-    stored_ = std::move(keys);
-    return {};
-}
-
-core::Result<std::map<std::string, std::vector<JournalEntry>>> StateStore::load() {
-    std::map<std::string, std::vector<JournalEntry>> sessions;
-    auto query = database_->prepare("SELECT session, type, id, json FROM records");
-    if (!query)
-        return tl::unexpected(query.error());
-    auto row = query->step();
-    for (; row && *row; row = query->step())
-        sessions[query->text(0)].push_back({query->text(1), query->text(2), query->text(3)});
-    if (!row)
-        return tl::unexpected(row.error());
-    return sessions;
+bool StateStore::in_place() const {
+    if (!database_ || !identity_)
+        return true;
+    return identity_of(options_.file) == identity_ &&
+           (!log_identity_ || identity_of(options_.file + "-wal") == log_identity_);
 }
 
 core::Result<void> StateStore::apply(PendingWrites& changes) {
     core::Result<void> done;
-    if (!database_)
-        done = connect();
+    if (lost_)
+        done = put_back();
+    else if (!database_)
+        done = connect().map([](const Loaded&) {});
     if (done && !log_is_new_)
         done = begin_log();
-    if (done)
+    if (done && in_place())
         done = write(changes);
-    if (!done) {
-        database_.reset();
-        changes.drop_needless(stored_);
+    if (done && !in_place()) {
+        lost_ = true;
+        done = fail(Error::Code::Io,
+                    "the state folder, or the sessions' file in it, was deleted or replaced",
+                    "leave it alone while the server runs; what was deleted is written again");
     }
+    if (!done) {
+        stored_.merge(going_);
+        changes.drop_needless(stored_);
+        held_ = false; // closing the file writes to it
+        if (!lost_)
+            database_.reset();
+    }
+    going_.clear();
     return done;
+}
+
+// The file is still there for us, without a name, and whole: it gets one again.
+core::Result<void> StateStore::put_back() {
+    namespace fs = std::filesystem;
+    const fs::path path(options_.file);
+    const auto there = identity_of(options_.file);
+    if (there && there != identity_)
+        return fail(Error::Code::Io, "another file was put in the place of the sessions' file",
+                    "stop the server to use that one, or take it away to have this one's sessions "
+                    "kept again");
+    if (!there) {
+        std::error_code error;
+        if (!fs::exists(path.parent_path(), error)) {
+            folder_.reset();
+            auto held = StateFolder::hold(path.parent_path());
+            if (!held)
+                return tl::unexpected(held.error());
+            folder_.emplace(std::move(*held));
+            fs::remove(path, error); // it is empty
+        }
+        const std::string copy = options_.file + ".again";
+        fs::remove(copy, error);
+        auto done =
+            make_private_file(copy).and_then([&] { return database_->copy_to(copy, nullptr); });
+        if (!done)
+            return done;
+        fs::remove(options_.file + "-wal", error);
+        fs::rename(copy, path, error);
+        if (error)
+            return fail(Error::Code::Io,
+                        "the sessions' file cannot be put back: " + error.message(),
+                        "make the state folder writable");
+        database_->fold_log_on_close(false);
+    }
+    database_.reset();
+    mark_.close();
+    return connect().map([](const Loaded&) {});
 }
 
 // After a sync that failed, or was never made, what the log shows may not be on the disk, nor what is appended to it be
@@ -136,54 +121,133 @@ core::Result<void> StateStore::apply(PendingWrites& changes) {
 core::Result<void> StateStore::begin_log() {
     auto begun = database_->run("PRAGMA wal_checkpoint(TRUNCATE)");
     log_is_new_ = begun.has_value();
+    log_identity_ = identity_ ? identity_of(options_.file + "-wal") : std::nullopt;
     return begun;
 }
 
-void StateStore::erase_session_keys(const std::string& session) {
-    const auto first = stored_.lower_bound({session, {}, {}});
-    auto last = first;
-    while (last != stored_.end() && last->session == session)
-        ++last;
-    stored_.erase(first, last);
+core::Result<void> StateStore::hold() {
+    if (!database_ || lost_)
+        return fail(Error::Code::Io, "the sessions cannot be written just now", "try again");
+    auto held = database_->run("PRAGMA wal_autocheckpoint=0; PRAGMA wal_checkpoint(TRUNCATE)");
+    held_ = held.has_value();
+    return held;
 }
 
-core::Result<void> StateStore::write(const PendingWrites& changes) {
-    auto forget = database_->prepare("DELETE FROM records WHERE session=?1");
-    auto erase = database_->prepare("DELETE FROM records WHERE session=?1 AND type=?2 AND id=?3");
-    auto put = database_->prepare("INSERT INTO records VALUES(?1, ?2, ?3, ?4)"
-                                  " ON CONFLICT DO UPDATE SET json=excluded.json");
-    for (const auto* statement : {&forget, &erase, &put})
-        if (!*statement)
-            return tl::unexpected(statement->error());
-    if (auto begun = database_->run("BEGIN IMMEDIATE"); !begun)
-        return begun;
-    for (const std::string& session : changes.removed) {
-        forget->reset();
-        forget->bind(1, session);
-        if (auto done = forget->step(); !done)
+bool StateStore::release() {
+    if (database_)
+        static_cast<void>(database_->run("PRAGMA wal_autocheckpoint=1000"));
+    return std::exchange(held_, false);
+}
+
+/// Of one row more, or less.
+void StateStore::count(const StoredKey& key, std::optional<std::uint64_t> digest) {
+    const auto before = stored_.find(key);
+    for (RowSum* sum : {&sums_[key.session], &sums_[{}]}) {
+        if (before != stored_.end())
+            sum->take(before->second);
+        if (digest)
+            sum->add(*digest);
+    }
+    if (digest)
+        stored_.insert_or_assign(key, *digest);
+    else if (before != stored_.end())
+        going_.insert(stored_.extract(before));
+}
+
+core::Result<void> StateStore::forget(const std::string& session) {
+    for (auto each = stored_.lower_bound({session, {}, {}});
+         each != stored_.end() && each->first.session == session;)
+        count(StoredKey((each++)->first), std::nullopt);
+    for (const char* text :
+         {"DELETE FROM records WHERE session=?1", "DELETE FROM aside WHERE session=?1"}) {
+        auto statement = database_->prepare(text);
+        if (!statement)
+            return tl::unexpected(statement.error());
+        statement->bind(1, session);
+        if (auto done = statement->step(); !done)
             return tl::unexpected(done.error());
+    }
+    return {};
+}
+
+core::Result<void> StateStore::move_aside(const StoredKey& key, const KeptAside& label) {
+    auto find =
+        database_->prepare("SELECT json FROM records WHERE session=?1 AND type=?2 AND id=?3");
+    if (!find)
+        return tl::unexpected(find.error());
+    find->bind(1, key.session);
+    find->bind(2, key.type);
+    find->bind(3, key.id);
+    const auto there = find->step();
+    if (!there)
+        return tl::unexpected(there.error());
+    if (!*there)
+        return {};
+    if (auto put = put_aside(*database_, {key.session, label, find->text(0)}); !put)
+        return put;
+    find->reset();
+    return change(key, std::nullopt);
+}
+
+core::Result<void> StateStore::change(const StoredKey& key,
+                                      const std::optional<std::string>& json) {
+    if (json) {
+        const std::uint64_t digest = row_digest(key, *json);
+        count(key, digest);
+        return put_row(*database_, key, *json, digest);
+    }
+    count(key, std::nullopt);
+    auto erase = database_->prepare("DELETE FROM records WHERE session=?1 AND type=?2 AND id=?3");
+    if (!erase)
+        return tl::unexpected(erase.error());
+    erase->bind(1, key.session);
+    erase->bind(2, key.type);
+    erase->bind(3, key.id);
+    return erase->step().map([](bool) {});
+}
+
+core::Result<void> StateStore::write_sums(const std::set<std::string>& sessions) {
+    core::Result<void> done;
+    for (const std::string& session : sessions)
+        if (done)
+            done = put_sum(*database_, session, sums_[session]);
+    std::erase_if(sums_,
+                  [](const auto& each) { return each.second.records == 0 && !each.first.empty(); });
+    return done;
+}
+
+// Where this fails, what is counted here is read again from the file.
+core::Result<void> StateStore::write(const PendingWrites& changes) {
+    if (changes.empty())
+        return {};
+    auto done = database_->run("BEGIN IMMEDIATE");
+    std::set<std::string> touched{{}};
+    for (const std::string& session : changes.removed) {
+        touched.insert(session);
+        done = done.and_then([&] { return forget(session); });
+    }
+    for (const auto& [key, label] : changes.aside) {
+        touched.insert(key.session);
+        if (done)
+            done = move_aside(key, label);
     }
     for (const auto& [key, json] : changes.records) {
-        Statement& statement = json ? *put : *erase;
-        statement.reset();
-        statement.bind(1, key.session);
-        statement.bind(2, key.type);
-        statement.bind(3, key.id);
-        if (json) {
-            statement.bind(4, *json);
-            stored_.insert(key);
-        }
-        if (auto done = statement.step(); !done)
-            return tl::unexpected(done.error());
+        touched.insert(key.session);
+        if (done)
+            done = change(key, json);
     }
-    for (Statement* each : {&*forget, &*erase, &*put})
-        each->reset();
-    if (auto done = database_->run("COMMIT"); !done)
+    StateHead next = head_;
+    ++next.commits;
+    done = done.and_then([&] { return write_sums(touched); })
+               .and_then([&] { return put_head(*database_, next); })
+               .and_then([&] { return database_->run("COMMIT"); });
+    if (!done)
         return done;
-    for (const std::string& session : changes.removed)
-        erase_session_keys(session);
-    for (const auto& [key, json] : changes.records)
-        json ? void(stored_.insert(key)) : void(stored_.erase(key));
+    head_ = next;
+    if (identity_ && !log_identity_) // the log was made by this transaction
+        log_identity_ = identity_of(options_.file + "-wal");
+    if (options_.vfs == nullptr)
+        mark_.write({head_.id, head_.commits});
     return {};
 }
 

@@ -2,12 +2,14 @@
 // the disk before it counts (write-ahead log, synchronous=FULL).
 #pragma once
 
+#include "server/state/commit_mark.hpp"
 #include "server/state/database.hpp"
 #include "server/state/pending_writes.hpp"
+#include "server/state/state_folder.hpp"
+#include "server/state/state_opening.hpp"
 
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -16,34 +18,75 @@ namespace wakesurf::server {
 /// One thread at a time; everything here waits for the disk.
 class StateStore {
   public:
-    /// Layout of the file, kept in its user_version.
-    static constexpr int version = 1;
+    /// What a start found.
+    struct Loaded {
+        std::map<std::string, std::vector<JournalEntry>> sessions;
+        std::vector<AsideRow> aside;   ///< kept aside by earlier starts
+        std::vector<AsideRow> damaged; ///< kept aside since this one
+    };
 
-    /// Makes the file where there is none. Error: Io; Corrupt; Unsupported for a file of a newer program or of another one, which
-    /// is left as it is.
-    static core::Result<StateStore> open(std::string file, const char* vfs = nullptr);
+    /// Error: as open_state.
+    static core::Result<StateStore> open(StateOptions options);
 
-    /// The records of each session. Error: Io, Corrupt.
-    core::Result<std::map<std::string, std::vector<JournalEntry>>> load();
+    static core::Result<StateStore> open(std::string file, const char* vfs = nullptr) {
+        return open(StateOptions{std::move(file), vfs});
+    }
+
+    /// What open() has read; once.
+    Loaded take_loaded() { return std::move(loaded_); }
 
     /// All of it or, with an error (Io, Corrupt), none. After an error the next call opens the file anew; deletions that are needless have
     /// been dropped from `changes` then. A change reported as failed may be found on the disk all the same.
     core::Result<void> apply(PendingWrites& changes);
 
+    /// False once the file was deleted or replaced behind our back. The next apply() fails and says so, the one after it puts all
+    /// there was in its place, where nothing else is there by then.
+    bool in_place() const;
+
+    /// Until release() the file alone, without its log, is all there is now, and it is not written to. Error: as apply().
+    core::Result<void> hold();
+
+    /// Whether the file was left alone all the time.
+    bool release();
+
   private:
-    StateStore(std::string file, const char* vfs) : file_(std::move(file)), vfs_(vfs) {}
+    explicit StateStore(StateOptions options)
+        : options_(std::move(options)), mark_(options_.file + ".commits") {}
 
-    core::Result<void> connect();
-    core::Result<void> read_keys();
+    /// Which file it is, whatever its name.
+    struct Identity {
+        std::uint64_t device = 0;
+        std::uint64_t inode = 0;
+
+        bool operator==(const Identity&) const = default;
+    };
+
+    static std::optional<Identity> identity_of(const std::string& file);
+
+    core::Result<Loaded> connect();
+    core::Result<void> put_back();
     core::Result<void> begin_log();
-    void erase_session_keys(const std::string& session);
     core::Result<void> write(const PendingWrites& changes);
+    core::Result<void> forget(const std::string& session);
+    core::Result<void> move_aside(const StoredKey& key, const KeptAside& label);
+    core::Result<void> change(const StoredKey& key, const std::optional<std::string>& json);
+    core::Result<void> write_sums(const std::set<std::string>& sessions);
+    void count(const StoredKey& key, std::optional<std::uint64_t> digest);
 
-    std::string file_;
-    const char* vfs_;
-    std::optional<Database> database_; ///< nothing after a failure
-    bool log_is_new_ = false;          ///< since the file was opened
-    std::set<StoredKey> stored_;       ///< all that may be on the disk
+    StateOptions options_;
+    CommitMark mark_;
+    std::optional<Database> database_;  ///< nothing after a failure
+    std::optional<StateFolder> folder_; ///< made in place of one that was deleted
+    std::optional<Identity> identity_;  ///< of the file that is open; nothing where it has none
+    std::optional<Identity> log_identity_;
+    bool lost_ = false;       ///< it has been told that the file is not in its place
+    bool log_is_new_ = false; ///< since the file was opened
+    bool held_ = false;
+    Loaded loaded_;
+    StateHead head_;
+    std::map<StoredKey, std::uint64_t> stored_; ///< digests of all that may be on the disk
+    std::map<StoredKey, std::uint64_t> going_;  ///< erased by the transaction under way
+    std::map<std::string, RowSum> sums_;        ///< of them; of all under an empty name
 };
 
 } // namespace wakesurf::server

@@ -149,7 +149,7 @@ WorldServer::WorldServer(World& world, Disk& disk, const server::Datasets& datas
                   {}) {
     const auto restored = server::restore_sessions(disk.entries(), sessions_, grants_);
     if (!restored.refused.empty())
-        throw std::runtime_error("not restored: " + restored.refused.front().message);
+        throw std::runtime_error("not restored: " + restored.refused.front().record.why);
     compute();
 }
 

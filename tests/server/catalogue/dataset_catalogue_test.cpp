@@ -1,4 +1,5 @@
 #include "server/catalogue/dataset_catalogue.hpp"
+#include "server/catalogue/import_process.hpp"
 #include "tests/support/slow_series.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/vti_text.hpp"
@@ -249,7 +250,8 @@ TEST(DatasetCatalogue, TakesATimeStepThatIsStillBeingWrittenOnceItIsWhole) {
     Bench bench({folder / "u_0.vti"});
     const auto partly = bench.wait_until(
         "u_0", [](const DatasetStatus& status) { return status.error.has_value(); });
-    EXPECT_EQ(partly.state, DatasetState::Ready);
+    EXPECT_EQ(partly.state, DatasetState::Incomplete) << "1 of 2";
+    EXPECT_FALSE(partly.error->hint.empty());
     EXPECT_NE(partly.error->message.find("u_1.vti"), std::string::npos) << partly.error->message;
     EXPECT_TRUE(bench.catalogue->find("u_0").value()->cache->acquire(0).has_value());
     write_file(folder / "u_1.vti", whole);
@@ -258,6 +260,24 @@ TEST(DatasetCatalogue, TakesATimeStepThatIsStillBeingWrittenOnceItIsWhole) {
     });
     EXPECT_EQ(complete.state, DatasetState::Ready);
     EXPECT_EQ(bench.catalogue->find("u_0").value()->cache->acquire(1).value()->velocity()[0], 1.0f);
+}
+
+TEST(DatasetCatalogue, AStoreWithoutItsLastTimeStepsIsIncompleteAndSaysWhatToDo) {
+    const TemporaryFolder folder;
+    write_file(folder / "u_0.vti", sample_vti(0.0).text());
+    write_file(folder / "u_1.vti", "nonsense");
+    const ImportCommand import{
+        folder / "u_0.vti", folder / "store", {}, {}, WAKESURF_IMPORT_BINARY};
+    ASSERT_FALSE(run_import_process(import, [](const ImportProgress&) {}));
+    Bench bench({folder / "store"});
+    const auto status = bench.wait_until_settled("store");
+    EXPECT_EQ(status.state, DatasetState::Incomplete);
+    EXPECT_EQ(status.steps_ready, 1u);
+    EXPECT_EQ(status.steps_total, 2u);
+    ASSERT_TRUE(status.error.has_value());
+    EXPECT_NE(status.error->message.find("1 of 2"), std::string::npos) << status.error->message;
+    EXPECT_NE(status.error->hint.find("import"), std::string::npos);
+    EXPECT_TRUE(bench.catalogue->find("store").has_value()) << "what is there can be used";
 }
 
 TEST(DatasetCatalogue, AFailedSourceThatIsImportedAgainIsUsableFromItsFirstTimeStep) {

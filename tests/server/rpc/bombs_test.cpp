@@ -1,5 +1,6 @@
 // Requests made to take the server's memory or time: each is answered with a typed error as fast as any other request,
 // nothing piles up, and everybody else is served.
+#include "tests/support/server/record_shapes.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 
@@ -131,42 +132,19 @@ TEST_F(Bombs, InCallsAreRefusedWithATypedErrorAtOnce) {
     const std::string deep = repeat(R"({"a":)", 5000) + "1" + repeat("}", 5000);
     const std::string long_text(60000, 'x');
     const std::vector<std::tuple<std::string, std::string, std::set<int>>> table{
-        {"10^9 seeds", line(R"("seeds":1000000000)"), {-32602}},
-        {"2^64 seeds", line(R"("seeds":18446744073709551616)"), {-32602}},
         {"-10^18 seeds", line(R"("seeds":-1000000000000000000)"), {-32602}},
         {"1e300 seeds", line(R"("seeds":1e300)"), {-32602}},
-        {"the fraction of a seed", line(R"("seeds":0.0000001)"), {-32602}},
         {"two numbers of seeds, the second huge",
          line(R"("seeds":8,"seeds":1e9)"),
          {-32602, -32700}},
-        {"NaN", line(R"("seeds":NaN)"), {-32700}},
         {"NaN as text", line(R"("seeds":"NaN")"), {-32602}},
         {"Infinity", line(R"("seeds":Infinity)"), {-32700}},
         {"1e999", line(R"("seeds":1e999)"), {-32700}},
-        {"coordinates of 1e300",
-         rake(R"("kind":"line","points":[[1e300,-1e300,1e300],[0,0,0]],"seeds":8)"),
-         {-32602}},
         {"coordinates of 1e38",
          rake(R"("kind":"line","points":[[1e38,0,0],[-1e38,0,0]],"seeds":4096)"),
          {-32602, -32012}},
         {"coordinates that cancel out",
          rake(R"("kind":"line","points":[[1e-320,0,0],[0,1e-320,0]],"seeds":4096)"),
-         {-32602}},
-        {"a rake of no length",
-         rake(R"("kind":"line","points":[[0,0,0],[0,0,0]],"seeds":8)"),
-         {-32602}},
-        {"a polyline of 1,000 times one point",
-         rake(R"("kind":"polyline","points":)" + list_of("[1,1,1]", 1000) + R"(,"seeds":4096)"),
-         {-32602}},
-        {"5,000 points",
-         rake(R"("kind":"points","points":)" + list_of("[0,1,2]", 5000) + R"(,"seeds":8)"),
-         {-32602}},
-        {"a circle of no radius",
-         rake(R"("kind":"circle","points":[[0,0,0],[0,0,0],[0,0,0]],"seeds":8)"),
-         {-32602}},
-        {"no points", rake(R"("kind":"line","points":[],"seeds":8)"), {-32602}},
-        {"points of points",
-         rake(R"("kind":"line","points":[[[0,0,0]],[[1,0,0]]],"seeds":8)"),
          {-32602}},
         {"a name of 60,000 characters", line(R"("seeds":8,"name":")" + long_text + "\""), {-32602}},
         {"a session of 60,000 characters",
@@ -255,6 +233,12 @@ TEST_F(Bombs, InCallsAreRefusedWithATypedErrorAtOnce) {
          {-32600}},
     };
     ASSERT_GE(table.size(), 40u);
+    for (const RecordShape& each : rake_shapes())
+        if (each.always_bad)
+            in_time(each.what, [&] {
+                const json answer = json::parse(server_->rpc(rake(each.parameters)));
+                expect_typed(answer, each.what);
+            });
     for (const auto& [what, text, codes] : table)
         in_time(what, [&, &what = what, &text = text, &codes = codes] {
             const json answer = json::parse(server_->rpc(text));

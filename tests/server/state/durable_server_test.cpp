@@ -251,6 +251,47 @@ TEST_F(DurableServer, GoesOnWhereNothingCanBeWrittenAndCatchesUpWithoutARestart)
     EXPECT_EQ(client.result("session.state")["rakes"], rakes);
 }
 
+TEST_F(DurableServer, NoticesThatItsFolderIsDeletedAndWritesAllOfItAgain) {
+    json rakes;
+    for (const bool whole_folder : {true, false}) {
+        ServerProcess server(arguments());
+        WebSocketClient client(server);
+        EXPECT_EQ(client.result("rake.set", rake_at(1))["durable"], true);
+        if (whole_folder)
+            std::filesystem::remove_all(folder / "state");
+        else
+            for (const char* name : {"sessions.sqlite", "sessions.sqlite-wal"})
+                std::filesystem::remove(folder / "state" / name);
+        const json lost = client.result("rake.set", rake_at(2));
+        EXPECT_EQ(lost["durable"], false);
+        EXPECT_NE(lost["hint"].get<std::string>().find("deleted"), std::string::npos) << lost;
+        EXPECT_EQ(client.notification("server.notice")["kind"], "notDurable");
+        EXPECT_EQ(client.notification("server.notice")["kind"], "durableAgain");
+        EXPECT_EQ(client.result("rake.set", rake_at(3))["durable"], true);
+        rakes = client.result("session.state")["rakes"];
+        server.kill();
+        ServerProcess again(arguments());
+        WebSocketClient other(again);
+        EXPECT_EQ(other.result("session.state")["rakes"], rakes);
+    }
+    EXPECT_EQ(rakes.size(), 6u);
+}
+
+TEST_F(DurableServer, LeavesAnotherFileInThePlaceOfItsOwnAlone) {
+    ServerProcess server(arguments());
+    WebSocketClient client(server);
+    EXPECT_EQ(client.result("rake.set", rake_at(1))["durable"], true);
+    std::filesystem::rename(folder / "state" / "sessions.sqlite", folder / "mine");
+    write_file(folder / "state" / "sessions.sqlite", "somebody's");
+    EXPECT_EQ(client.result("rake.set", rake_at(2))["durable"], false);
+    EXPECT_EQ(client.notification("server.notice")["kind"], "notDurable");
+    EXPECT_EQ(client.result("rake.set", rake_at(3))["durable"], false);
+    EXPECT_EQ(read_file(folder / "state" / "sessions.sqlite"), "somebody's");
+    std::filesystem::remove(folder / "state" / "sessions.sqlite");
+    EXPECT_EQ(client.notification("server.notice")["kind"], "durableAgain");
+    EXPECT_EQ(client.result("rake.set", rake_at(4))["durable"], true);
+}
+
 TEST_F(DurableServer, SaysNothingOfDurabilityWithoutAFolder) {
     ServerProcess server;
     WebSocketClient client(server);

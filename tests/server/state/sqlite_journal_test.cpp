@@ -33,7 +33,7 @@ void write(SqliteJournal& journal, const ScriptedEdit& edit) {
 RecordMap content(const std::string& path, const char* disk) {
     auto store = StateStore::open(path, disk);
     EXPECT_TRUE(store) << store.error().message;
-    return store ? records_of(*store->load()) : RecordMap{};
+    return store ? records_of(store->take_loaded().sessions) : RecordMap{};
 }
 
 /// A journal on a disk in memory, and what it says.

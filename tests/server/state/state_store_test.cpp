@@ -35,9 +35,7 @@ RecordMap content(const std::string& path, const char* disk) {
         ADD_FAILURE() << store.error().message;
         return {};
     }
-    const auto sessions = store->load();
-    EXPECT_TRUE(sessions);
-    return sessions ? records_of(*sessions) : RecordMap{};
+    return records_of(store->take_loaded().sessions);
 }
 
 RecordMap content(const FaultyDisk& disk) {
@@ -78,7 +76,7 @@ TEST(StateStore, HoldsWhatWasAppliedWhenItIsOpenedAgain) {
     for (int life = 0; life < 20; ++life) {
         auto store = StateStore::open(path);
         ASSERT_TRUE(store) << store.error().message;
-        ASSERT_EQ(records_of(*store->load()), script.now());
+        ASSERT_EQ(records_of(store->take_loaded().sessions), script.now());
         for (std::uint64_t edit = script.random()() % 10; edit > 0; --edit) {
             PendingWrites changes;
             add(changes, script.next());
@@ -168,7 +166,7 @@ TEST(StateStore, TellsADamagedFileAndLeavesItAlone) {
 TEST(StateStore, RefusesFilesOfANewerLayoutOrAnotherProgramAndLeavesThemAlone) {
     const TemporaryFolder folder;
     { ASSERT_TRUE(StateStore::open((folder / "newer").string())); }
-    execute(folder / "newer", "PRAGMA user_version=2");
+    execute(folder / "newer", "PRAGMA user_version=3");
     execute(folder / "other", "CREATE TABLE recipes(name)");
     for (const char* name : {"newer", "other"}) {
         const std::string before = read_file(folder / name);

@@ -9,6 +9,7 @@ import {
     type ClockRecord,
     type DatasetEntry,
     type DatasetState,
+    datasetStates,
     isAnnotationRecord,
     isBookmarkRecord,
     isClockRecord,
@@ -191,7 +192,7 @@ function readProgress({ token, value }: Record<string, unknown>): Notification |
 }
 
 function isDatasetState(state: unknown): state is DatasetState {
-    return state === 'ready' || state === 'importing' || state === 'failed' || state === 'stopped';
+    return datasetStates.some((each) => each === state);
 }
 
 function readDatasetPatched(params: Record<string, unknown>): Notification | null {

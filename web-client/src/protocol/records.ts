@@ -4,7 +4,8 @@ import { isObject } from './jsonRpc.ts';
 
 export type Vec3 = [number, number, number];
 
-export type DatasetState = 'ready' | 'importing' | 'failed' | 'stopped';
+export const datasetStates = ['ready', 'importing', 'failed', 'stopped', 'incomplete'] as const;
+export type DatasetState = (typeof datasetStates)[number];
 
 export interface DatasetEntry {
     dataset: string;

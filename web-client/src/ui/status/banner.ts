@@ -77,7 +77,7 @@ export class Banner extends SignalElement {
     private importing(): TemplateResult | typeof nothing {
         const { state } = this.model;
         const entry = state.datasetEntry.value;
-        if (entry?.state === 'ready' && entry.error !== undefined) {
+        if ((entry?.state === 'ready' || entry?.state === 'incomplete') && entry.error !== undefined) {
             return html`<div class="banner down" id="incomplete">
                 <span class="words">${entry.name} ends early: ${errorWords(entry.error)}</span>
             </div>`;

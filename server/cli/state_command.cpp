@@ -1,0 +1,104 @@
+#include "server/cli/state_command.hpp"
+
+#include "server/cli/failure.hpp"
+#include "server/state/state_copy.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+
+#include <ctime>
+
+namespace wakesurf::server {
+
+namespace {
+
+constexpr int sound = 0;
+constexpr int failed = 1;
+
+std::string counts(const StateContent& content) {
+    return fmt::format("{} record{} of {} session{}", content.records(),
+                       content.records() == 1 ? "" : "s", content.sessions.size(),
+                       content.sessions.size() == 1 ? "" : "s");
+}
+
+void print_aside(const StateContent& content) {
+    for (const auto* rows : {&content.aside, &content.damaged})
+        for (const AsideRow& each : *rows)
+            fmt::print("    {}: {} (since {:%Y-%m-%d})\n", each.session, each.label.why,
+                       fmt::gmtime(static_cast<std::time_t>(each.label.since)));
+}
+
+int check(const StateCommandOptions& options) {
+    const auto verdict = check_state(options.folder);
+    if (!verdict)
+        return report_failure(verdict.error());
+    const StateContent& content = verdict->content;
+    const std::size_t damaged = content.damaged.size();
+    if (content.layout == 0 && !verdict->fault)
+        fmt::print("sound: nothing is kept there yet\n");
+    else
+        fmt::print("{}: {}\n",
+                   verdict->fault ? "damaged; what can be read"
+                   : damaged > 0  ? fmt::format("{} record{} damaged; sound", damaged,
+                                               damaged == 1 ? " is" : "s are")
+                                  : "sound",
+                   counts(content));
+    if (content.layout > 0)
+        fmt::print("  layout      {}{}\n", content.layout,
+                   content.head.writer.empty() ? ""
+                                               : ", written by wakesurf " + content.head.writer);
+    fmt::print("  kept aside  {}\n", content.aside.size() + damaged);
+    print_aside(content);
+    if (verdict->fault)
+        return report_failure(*verdict->fault);
+    return damaged > 0 ? failed : sound;
+}
+
+int backup(const StateCommandOptions& options) {
+    const auto made = back_up_state(options.folder, options.file);
+    if (!made)
+        return report_failure(made.error());
+    fmt::print("backed up: {}, {} kept aside\n", counts(*made), made->aside.size());
+    return sound;
+}
+
+int restore(const StateCommandOptions& options) {
+    const auto restored = restore_state(options.folder, options.file, options.damaged);
+    if (!restored)
+        return report_failure(restored.error());
+    const StateContent& content = restored->content;
+    fmt::print("restored: {}, {} kept aside\n", counts(content),
+               content.aside.size() + content.damaged.size());
+    for (const std::string& fault : content.faults)
+        fmt::print("  not restored: {}\n", fault);
+    if (!restored->replaced.empty())
+        fmt::print("  what was there before is {} in that folder\n", restored->replaced);
+    return sound;
+}
+
+} // namespace
+
+void add_state_commands(CLI::App& command,
+                        StateCommandOptions& options,
+                        std::function<int()>& chosen) {
+    command.require_subcommand(1);
+    const auto add = [&](const char* name, const char* about,
+                         int (*run)(const StateCommandOptions&)) {
+        CLI::App* const added = command.add_subcommand(name, about);
+        added->add_option("STATE_DIR", options.folder, "The folder that `serve` gets with --state")
+            ->required();
+        added->callback([&, run] { chosen = [&options, run] { return run(options); }; });
+        return added;
+    };
+    add("check", "Say whether all that was kept is there, and how much; changes nothing", check);
+    add("backup", "Copy the sessions into one file, also while the server runs", backup)
+        ->add_option("FILE", options.file, "To be made; overwrites nothing")
+        ->required();
+    CLI::App* const back =
+        add("restore", "Put a backup in the place of the sessions; they stay beside it", restore);
+    back->add_option("FILE", options.file, "A backup, or any sessions.sqlite")->required();
+    back->add_flag("--damaged", options.damaged, "Take what can be read of a damaged file");
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,25 @@
+// `wakesurf state backup|check|restore`: the folder of `serve --state`, looked after from outside, also while the server runs.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace wakesurf::server {
+
+struct StateCommandOptions {
+    std::string folder;
+    std::string file;
+    bool damaged = false;
+};
+
+/// Adds the three commands; the one that was given is put into `chosen`, to be run. Each returns the exit status: 0 done (check: sound),
+/// 1 failed (check: damaged).
+void add_state_commands(CLI::App& command,
+                        StateCommandOptions& options,
+                        std::function<int()>& chosen);
+
+} // namespace wakesurf::server

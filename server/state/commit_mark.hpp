@@ -1,0 +1,41 @@
+// How many changes a server has acknowledged, beside the file that holds them: a log that was damaged or taken away looks
+// to SQLite like one of fewer changes, and would do so to us.
+#pragma once
+
+#include "server/state/state_layout.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace wakesurf::server {
+
+/// Written without waiting for the disk: it survives the process, and after a power cut it is at most behind. Where it cannot be
+/// written nothing is noticed, and nothing else is lost.
+class CommitMark {
+  public:
+    struct Value {
+        std::int64_t id = 0; ///< of the file meant
+        std::int64_t commits = 0;
+    };
+
+    explicit CommitMark(std::string path) : path_(std::move(path)) {}
+
+    ~CommitMark();
+    CommitMark(CommitMark&& other) noexcept;
+    CommitMark& operator=(CommitMark&& other) noexcept;
+
+    /// Nothing where there is none.
+    std::optional<Value> read() const;
+
+    void write(const Value& value);
+
+    /// Opens the file anew before the next write: it may have been taken away.
+    void close();
+
+  private:
+    std::string path_;
+    int descriptor_ = -1;
+};
+
+} // namespace wakesurf::server
