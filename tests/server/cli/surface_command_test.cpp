@@ -126,6 +126,18 @@ TEST_F(SurfaceCommand, WritesOneSurfaceInEveryFormat) {
     EXPECT_EQ(drc.faces.size(), triangles);
 }
 
+TEST_F(SurfaceCommand, WritesAGlbWithoutDracoWhereAsked) {
+    ASSERT_EQ(run({"-o", file("plain.glb"), "--no-draco"}).exit_status, 0);
+    ASSERT_EQ(run({"-o", file("out.glb")}).exit_status, 0);
+    const auto plain = tests::read_glb(bytes("plain.glb"));
+    EXPECT_EQ(plain.json.find("draco"), std::string::npos);
+    EXPECT_EQ(plain.faces.size(), tests::read_glb(bytes("out.glb")).faces.size());
+    EXPECT_TRUE(plain.arrays.contains("_SPEED"));
+    const auto refused = run({"-o", file("out.drc"), "--no-draco"});
+    EXPECT_EQ(refused.exit_status, 2);
+    EXPECT_NE(refused.errors.find("--no-draco"), std::string::npos) << refused.errors;
+}
+
 TEST_F(SurfaceCommand, BuildsPathSurfacesThatDifferFromStreamSurfacesWhereTheFlowIsUnsteady) {
     dataset_ = "flow:oscillating";
     ASSERT_EQ(run({}).exit_status, 0);
