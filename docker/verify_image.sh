@@ -138,6 +138,10 @@ token=$(url_of wakesurf-verify)
 check "stops within 2 s, with status 0" stops_soon
 say "          $(tail -n 1 "$work/check.log")"
 
+say "the volume, without a server"
+check "sessions list shows the session" prints "${ids% *}" \
+    podman_run --rm "${hardened[@]}" "${volume[@]}" "$image" sessions list
+
 say "started again on the same volume"
 check "starts" start wakesurf-verify "${volume[@]}" --
 check "is healthy" healthy wakesurf-verify

@@ -1,6 +1,7 @@
 #include "server/cli/sessions_command.hpp"
 
 #include "protocol/json_text.hpp"
+#include "server/cli/environment.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/session_server.hpp"
 #include "server/cli/whole_file.hpp"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -31,11 +31,15 @@ namespace {
 constexpr int wrong_usage = 2;
 
 core::Result<std::unique_ptr<SessionServer>> find_server(const SessionsOptions& options) {
-    const char* const known = std::getenv("WAKESURF_URL");
+    const bool changes = options.action != "list" && options.action != "export";
     if (!options.state.empty())
-        return sessions_in(options.state, options.action != "list" && options.action != "export");
-    if (!options.url.empty() || known != nullptr)
-        return server_at(options.url.empty() ? known : options.url, options.authority);
+        return sessions_in(options.state, changes);
+    if (const std::string url =
+            options.url.empty() ? from_environment("WAKESURF_URL") : options.url;
+        !url.empty())
+        return server_at(url, options.authority);
+    if (const std::string state = from_environment("WAKESURF_STATE"); !state.empty())
+        return sessions_in(state, changes);
     return fail(Error::Code::InvalidArgument, "whose sessions?",
                 "give --url (or WAKESURF_URL) with the address of a server that runs, "
                 "http://HOST:PORT/#token=..., or --state with a folder that no server uses");
@@ -174,7 +178,10 @@ void add_sessions_options(CLI::App& command, SessionsOptions& options) {
     command.require_subcommand(1);
     auto* const url = command.add_option(
         "--url", options.url, "server that runs, as it printed it (default: $WAKESURF_URL)");
-    command.add_option("--state", options.state, "or: folder of sessions that no server uses")
+    command
+        .add_option("--state", options.state,
+                    "or: folder of sessions that no server uses "
+                    "(default: $WAKESURF_STATE, without a --url)")
         ->excludes(url);
     command
         .add_option("--ca", options.authority,

@@ -10,7 +10,7 @@ class App;
 namespace wakesurf::server {
 
 struct SessionsOptions {
-    std::string url;   ///< empty: $WAKESURF_URL, unless `state` is given
+    std::string url;   ///< empty: $WAKESURF_URL, else $WAKESURF_STATE
     std::string state; ///< folder
     std::string authority;
     std::string action;
