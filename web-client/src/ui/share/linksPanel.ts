@@ -157,7 +157,7 @@ export class LinksPanel extends SignalElement {
             >
             ${asked
                 ? html`<p>Take back those made by it as well?</p>
-                      <button type="button" @click=${() => this.takeBack(grant, true)}>All ${children + 1}</button>
+                      <button type="button" @click=${() => this.takeBack(grant, true)}>${children === 1 ? 'Both' : `All ${children + 1}`}</button>
                       <button type="button" @click=${() => this.takeBack(grant, false)}>Only this one</button>
                       <button type="button" @click=${() => (this.asked.value = null)}>Cancel</button>`
                 : html`<button type="button" @click=${back}>Take back</button>`}
