@@ -12,7 +12,7 @@ let complaints: string[];
 
 beforeEach(async () => {
     context = await newContext(stand.browser, { height: 900 });
-    ({ page, complaints } = await openPage(context, stand.server.link));
+    ({ page, complaints } = await openPage(context, await stand.server.newSession()));
     await finalSurface(page);
 });
 

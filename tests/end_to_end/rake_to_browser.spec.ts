@@ -15,7 +15,7 @@ let complaints: string[];
 
 beforeEach(async () => {
     context = await newContext(stand.browser);
-    ({ page, complaints } = await openPage(context, stand.server.link));
+    ({ page, complaints } = await openPage(context, await stand.server.newSession()));
     await finalSurface(page);
 });
 

@@ -19,7 +19,7 @@ let session: string;
 beforeEach(async () => {
     context = await newContext(stand.browser, { width: 900, height: 560 });
     await timeScripts(context);
-    ({ page, complaints } = await openPage(context, stand.server.link));
+    ({ page, complaints } = await openPage(context, await stand.server.newSession()));
     await finalSurface(page);
     session = (await ask(page, (hook) => hook.session))!;
 });

@@ -13,7 +13,7 @@ let page: Page;
 
 beforeEach(async () => {
     context = await newContext(stand.browser, { width: 900, height: 480 });
-    ({ page } = await openPage(context, stand.server.link));
+    ({ page } = await openPage(context, await stand.server.newSession()));
     await finalSurface(page);
 });
 

@@ -106,7 +106,7 @@ describe('a surface that takes long', () => {
 
 describe('on a slow network', () => {
     it('says where the time goes, follows the pointer all the same, and ends with the server’s mesh', async () => {
-        const page = await stand.visit({ ...size, link: stand.networkLink });
+        const page = await stand.visit({ ...size, link: await stand.networkLink() });
         stand.network.delay(60);
         await page.locator('#latency summary').click();
         // dragHandle checks that the handle is under the pointer after every step.

@@ -24,8 +24,9 @@ export class Stand {
         return page;
     }
 
-    get networkLink(): string {
-        return `${this.network.origin}/${new URL(this.server.link).hash}`;
+    /** To a session of its own, through the network. */
+    async networkLink(): Promise<string> {
+        return `${this.network.origin}/${new URL(await this.server.newSession()).hash}`;
     }
 
     /** Another window of the same browser. */
