@@ -1,5 +1,7 @@
 #include "server/import/sources/ensight_case.hpp"
 
+#include "server/import/sources/named_path.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -207,7 +209,7 @@ const EnsightVariable* EnsightCase::find(const FieldInfo& field) const {
     return nullptr;
 }
 
-NamedFile EnsightCase::file_at(const EnsightFile& file, double time) const {
+core::Result<NamedFile> EnsightCase::file_at(const EnsightFile& file, double time) const {
     std::string out = file.pattern;
     const auto* set = set_of(time_sets, file);
     const auto first = out.find('*');
@@ -223,16 +225,24 @@ NamedFile EnsightCase::file_at(const EnsightFile& file, double time) const {
             digits.insert(0, count - digits.size(), '0');
         out.replace(first, count, digits);
     }
-    return {folder / out, out};
+    return named_path(folder, out, name).map([&](const fs::path& path) {
+        return NamedFile{path, out};
+    });
 }
 
 core::Result<EnsightCase> read_ensight_case(const fs::path& path) {
-    EnsightCase found;
-    found.folder = path.parent_path();
-    found.name = path.filename().string();
+    const std::string name = path.filename().string();
     std::ifstream in(path);
     if (!in)
-        return core::fail(Error::Code::NotFound, found.name + " is not there or cannot be read");
+        return core::fail(Error::Code::NotFound, name + " is not there or cannot be read");
+    return parse_ensight_case(in, path.parent_path(), name);
+}
+
+core::Result<EnsightCase>
+parse_ensight_case(std::istream& in, const fs::path& folder, const std::string& name) {
+    EnsightCase found;
+    found.folder = folder;
+    found.name = name;
     auto sections = sections_of(in);
     const auto& format = sections["FORMAT"];
     if (format.empty() || format[0].key != "type" || format[0].words.empty() ||

@@ -7,6 +7,7 @@
 #include "server/import/sources/source_files.hpp"
 
 #include <filesystem>
+#include <istream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,10 +42,15 @@ struct EnsightCase {
 
     const EnsightVariable* find(const core::FieldInfo& field) const;
     /// The file at a time of `times`; of the mesh, which may change more seldom, the latest one then.
-    NamedFile file_at(const EnsightFile& file, double time) const;
+    /// Error: Unsupported, where it lies outside of the case's folder.
+    core::Result<NamedFile> file_at(const EnsightFile& file, double time) const;
 };
 
 /// Error: NotFound, Io, Corrupt, Unsupported (EnSight 6, several time-steps in one file, no vector).
 core::Result<EnsightCase> read_ensight_case(const std::filesystem::path& path);
+
+/// The same of a text. @param folder  that the case's files lie in
+core::Result<EnsightCase>
+parse_ensight_case(std::istream& in, const std::filesystem::path& folder, const std::string& name);
 
 } // namespace wakesurf::server

@@ -44,12 +44,12 @@ class EnsightSource final : public Source {
     }
 
     core::Result<void> prepare() {
-        const NamedFile file = found_.file_at(found_.geometry, found_.times.front());
-        auto geometry = read_ensight_geometry(file);
+        const auto file = found_.file_at(found_.geometry, found_.times.front());
+        auto geometry = file.and_then(read_ensight_geometry);
         if (!geometry)
             return tl::unexpected(geometry.error());
         geometry_ = std::move(*geometry);
-        geometry_file_ = file.name;
+        geometry_file_ = file->name;
         find_faces_on_blocks();
         std::vector<FieldInfo> fields;
         for (const auto& one : found_.variables)
@@ -66,17 +66,26 @@ class EnsightSource final : public Source {
     const SourceDescription& description() const override { return description_; }
 
     core::Result<std::vector<protocol::SourceFile>> shared_files() const override {
-        return fingerprint({{found_.folder / found_.name, found_.name},
-                            found_.file_at(found_.geometry, found_.times.front())});
+        return found_.file_at(found_.geometry, found_.times.front())
+            .and_then([&](const NamedFile& mesh) {
+                return fingerprint({{found_.folder / found_.name, found_.name}, mesh});
+            });
     }
 
     core::Result<std::vector<protocol::SourceFile>> files(std::size_t step) const override {
         std::vector<NamedFile> out;
         const double time = found_.times.at(step);
-        if (auto mesh = found_.file_at(found_.geometry, time); mesh.name != geometry_file_)
-            out.push_back(std::move(mesh));
-        for (const auto& one : found_.variables)
-            out.push_back(found_.file_at(one.file, time));
+        auto mesh = found_.file_at(found_.geometry, time);
+        if (!mesh)
+            return tl::unexpected(mesh.error());
+        if (mesh->name != geometry_file_)
+            out.push_back(std::move(*mesh));
+        for (const auto& one : found_.variables) {
+            auto file = found_.file_at(one.file, time);
+            if (!file)
+                return tl::unexpected(file.error());
+            out.push_back(std::move(*file));
+        }
         return fingerprint(out);
     }
 
@@ -97,8 +106,10 @@ class EnsightSource final : public Source {
             if (variable == nullptr)
                 return core::fail(Error::Code::NotFound,
                                   found_.name + " has no field " + field.name);
-            const NamedFile file = found_.file_at(variable->file, time);
-            auto values = read_ensight_variable(file, geometry_, variable->field);
+            const auto file = found_.file_at(variable->file, time);
+            auto values = file.and_then([&](const NamedFile& named) {
+                return read_ensight_variable(named, geometry_, variable->field);
+            });
             if (!values)
                 return tl::unexpected(values.error());
             for (auto& [number, of_part] : *values) {
@@ -108,7 +119,7 @@ class EnsightSource final : public Source {
                     attach(*face->second, *of_part.faces, field);
             }
             for (const auto& [number, block] : blocks)
-                if (auto whole = require_fields(*block, {field}, file.name); !whole)
+                if (auto whole = require_fields(*block, {field}, file->name); !whole)
                     return tl::unexpected(whole.error());
         }
         SourceStep out;
@@ -125,15 +136,15 @@ class EnsightSource final : public Source {
 
   private:
     core::Result<void> check_mesh(double time) {
-        const NamedFile file = found_.file_at(found_.geometry, time);
-        if (file.name == geometry_file_)
+        const auto file = found_.file_at(found_.geometry, time);
+        if (file && file->name == geometry_file_)
             return {};
-        const auto now = read_ensight_geometry(file);
+        const auto now = file.and_then(read_ensight_geometry);
         if (!now)
             return tl::unexpected(now.error());
         if (!same_geometry(geometry_, *now))
             return core::fail(Error::Code::Unsupported,
-                              "the mesh changes: " + file.name + " differs from " + geometry_file_,
+                              "the mesh changes: " + file->name + " differs from " + geometry_file_,
                               "only meshes that stand still can be read");
         return {};
     }
@@ -181,8 +192,11 @@ class EnsightSource final : public Source {
             if (vectors.empty())
                 break;
             const auto* velocity = found_.find(vectors.front());
-            const auto values = read_ensight_variable(
-                found_.file_at(velocity->file, found_.times[step]), geometry_, velocity->field);
+            const auto values =
+                found_.file_at(velocity->file, found_.times[step])
+                    .and_then([&](const NamedFile& file) {
+                        return read_ensight_variable(file, geometry_, velocity->field);
+                    });
             if (!values)
                 continue;
             for (const auto number : on_blocks_) {

@@ -1,6 +1,7 @@
 #include "server/import/sources/plot3d_files.hpp"
 
 #include "server/import/sources/file_names.hpp"
+#include "server/import/sources/named_path.hpp"
 #include "server/import/sources/numbered_files.hpp"
 
 #include <nlohmann/json.hpp>
@@ -104,9 +105,11 @@ core::Result<Plot3dFiles> read_meta(const fs::path& file) {
         if (grid.empty() || solution.empty())
             return core::fail(Error::Code::Corrupt,
                               name + " has an entry without an xyz and a q file");
-        Plot3dStep step{{file.parent_path() / grid, grid, {}},
-                        {file.parent_path() / solution, solution, {}},
-                        std::nullopt};
+        const auto grid_path = named_path(file.parent_path(), grid, name);
+        const auto solution_path = named_path(file.parent_path(), solution, name);
+        if (!grid_path || !solution_path)
+            return tl::unexpected(grid_path ? solution_path.error() : grid_path.error());
+        Plot3dStep step{{*grid_path, grid, {}}, {*solution_path, solution, {}}, std::nullopt};
         if (entry.contains("time")) {
             if (!entry["time"].is_number() || !std::isfinite(entry["time"].get<double>()))
                 return core::fail(Error::Code::Corrupt,

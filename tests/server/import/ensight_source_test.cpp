@@ -417,5 +417,30 @@ TEST_F(EnsightSource, RefusesWhatItCannotRead) {
         "increasing");
 }
 
+TEST_F(EnsightSource, RefusesFilesOutsideOfTheCasesFolder) {
+    write_file(folder_ / "secret", "root:x:0:0");
+    const fs::path inside = folder_ / "case";
+    fs::create_directory(inside);
+    fs::create_symlink(folder_ / "secret", inside / "link.geo");
+    const auto expect_outside = [&](const std::string& model, const std::string& variable) {
+        write_file(inside / "flow.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: " + model +
+                                             "\nVARIABLE\nvector per node: U " + variable + "\n");
+        const auto source = open_ensight(inside / "flow.case");
+        ASSERT_FALSE(source.has_value()) << model;
+        EXPECT_EQ(source.error().code, Error::Code::Unsupported);
+        EXPECT_NE(source.error().message.find("which lies outside of its folder"),
+                  std::string::npos)
+            << source.error().message;
+        EXPECT_EQ(source.error().message.find('/'), std::string::npos) << source.error().message;
+    };
+    expect_outside("../../../../../../../etc/passwd", "U.vel");
+    expect_outside("../secret", "U.vel");
+    expect_outside(folder_ / "secret", "U.vel");
+    expect_outside("link.geo", "U.vel");
+    write_file(inside / "mesh.geo", geometry(EnsightEncoding::Text));
+    expect_outside("mesh.geo", "../secret");
+    expect_outside("mesh.geo", "/etc/passwd");
+}
+
 } // namespace
 } // namespace wakesurf::server

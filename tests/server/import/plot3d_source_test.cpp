@@ -217,6 +217,12 @@ TEST_F(Plot3dSource, ReadsOneSolutionAndAListOfFiles) {
                                      {"time":4,"xyz":"one.x","q":"late.q"}]})");
     expect_failure(open_source(folder_ / "list.p3d"), Error::Code::Corrupt,
                    "one.q and late.q have the same time, 4");
+    for (const char* outside : {"../../etc/passwd", "/etc/passwd"}) {
+        put("list.p3d",
+            std::string(R"({"filenames":[{"time":4,"xyz":"one.x","q":")") + outside + "\"}]}");
+        expect_failure(open_source(folder_ / "list.p3d"), Error::Code::Unsupported,
+                       "list.p3d names passwd, which lies outside of its folder");
+    }
     put("list.p3d", "{\"filenames\":[]}");
     expect_failure(open_source(folder_ / "list.p3d"), Error::Code::Corrupt, "list of filenames");
 }
