@@ -19,6 +19,17 @@ bool settled(DatasetState state) {
            state == DatasetState::Incomplete;
 }
 
+// What an import may take: the same part of the whole budget as it takes of a machine otherwise, one import at a time; with
+// less than some megabytes, none could begin.
+std::size_t import_memory(std::size_t budget) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    constexpr std::size_t least = std::size_t{1} << 30;
+#else
+    constexpr std::size_t least = std::size_t{64} << 20;
+#endif
+    return std::max(budget / 4, least);
+}
+
 std::size_t steps_ready(const LoadedDataset& open) {
     if (!open.cache)
         return open.info.times.size();
@@ -214,8 +225,19 @@ core::Result<void> DatasetCatalogue::run_import(Entry& entry,
         if (show(entry, progress, folder))
             listener_(entry.status.dataset);
     };
-    return run_import_process({entry.argument.path, folder, {}, {}, options_.importer}, listener,
-                              source.get_token());
+    const auto shares = static_cast<std::size_t>(
+        std::count_if(entries_.begin(), entries_.end(), [](const auto& each) {
+            return each->argument.kind != DatasetArgument::Kind::Flow;
+        }));
+    return run_import_process({entry.argument.path,
+                               folder,
+                               {},
+                               {},
+                               options_.importer,
+                               {},
+                               0,
+                               import_memory(shares * options_.cache.budget_bytes)},
+                              listener, source.get_token());
 }
 
 // Of an import that was stopped, or of an earlier one; by now it may be wanted again.

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace wakesurf::server {
 
 using core::Error;
@@ -36,6 +38,8 @@ std::vector<std::string> arguments_of(const ImportCommand& command) {
         arguments.push_back("--precision=" + command.precision);
     if (command.jobs > 0)
         arguments.push_back("--jobs=" + std::to_string(command.jobs));
+    if (command.memory > 0)
+        arguments.push_back("--memory=" + std::to_string(command.memory));
     return arguments;
 }
 
@@ -50,14 +54,17 @@ std::size_t address_space() {
 #endif
 }
 
-std::string last_line(std::string text) {
-    while (!text.empty() && text.back() == '\n')
-        text.pop_back();
-    text.erase(0, text.rfind('\n') + 1); // npos + 1 == 0
+// The importer's own sentence; whatever libraries print besides is none.
+std::string own_words(const std::string& errors) {
     const std::string prefix = std::string(program_name) + ": ";
-    if (text.starts_with(prefix))
-        text.erase(0, prefix.size());
-    return text;
+    std::string words;
+    for (std::size_t start = 0; start < errors.size();) {
+        const auto end = std::min(errors.find('\n', start), errors.size());
+        if (errors.compare(start, prefix.size(), prefix) == 0)
+            words = errors.substr(start + prefix.size(), end - start - prefix.size());
+        start = end + 1;
+    }
+    return words;
 }
 
 core::Result<void> judge(const ChildOutcome& outcome, const std::stop_token& stop) {
@@ -71,7 +78,7 @@ core::Result<void> judge(const ChildOutcome& outcome, const std::stop_token& sto
                           "a file of the dataset is probably damaged");
     if (outcome.exit_status == 0)
         return {};
-    const std::string words = last_line(outcome.errors);
+    const std::string words = own_words(outcome.errors);
     return core::fail(outcome.exit_status == 2 ? Error::Code::InvalidArgument
                                                : Error::Code::Corrupt,
                       words.empty() ? "the importer failed without saying why" : words);
@@ -106,11 +113,14 @@ core::Result<void> run_import_process(const ImportCommand& command,
 
 core::Result<core::DatasetInfo> describe_with_import_process(const ImportCommand& command,
                                                              std::stop_token stop) {
+    constexpr protocol::JsonLimits limits{std::size_t{64} << 20, 16};
     std::string text;
-    const auto line = [&](std::string_view part) { text.append(part).append("\n"); };
+    const auto line = [&](std::string_view part) {
+        if (text.size() <= limits.bytes) // more is refused below
+            text.append(part).append("\n");
+    };
     if (auto described = run(command, true, line, stop); !described)
         return tl::unexpected(described.error());
-    constexpr protocol::JsonLimits limits{std::size_t{64} << 20, 16};
     return protocol::parse_json(text, limits).and_then([](const nlohmann::json& value) {
         return protocol::parse_dataset_info(value);
     });

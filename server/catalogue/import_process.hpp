@@ -22,6 +22,7 @@ struct ImportCommand {
     std::filesystem::path program{}; ///< empty: wakesurf-import beside our own executable
     std::string precision{};         ///< --precision; empty: single
     std::size_t jobs = 0;            ///< --jobs; 0: one a core
+    std::uint64_t memory = 0;        ///< --memory, of all its processes; 0: its own bound
 };
 
 /// Runs an import to its end in the calling thread; `listener` hears of every step, in this thread. When `stop`

@@ -30,20 +30,19 @@ constexpr std::string_view lock_name = "store.lock";
 std::array<char, 4096> part_name{};
 std::atomic<bool> unfinished{false};
 std::string_view last_words;
-std::string_view words_on_alarm;
 void (*before_end)() = nullptr;
 
 // A file reaches the disk in portions, so that one as large as memory neither fills it with unwritten pages nor keeps
 // Ctrl-C waiting for all of them at the end.
 constexpr off_t portion_bytes = off_t{32} << 20;
 
-extern "C" void end_now(int signal) {
-    const std::string_view words = signal == SIGALRM ? words_on_alarm : last_words;
+extern "C" void end_now(int) {
     if (before_end != nullptr)
         before_end();
     if (unfinished.load())
         ::unlink(part_name.data());
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, words.data(), words.size());
+    [[maybe_unused]] const auto written =
+        ::write(STDERR_FILENO, last_words.data(), last_words.size());
     ::_exit(1);
 }
 
@@ -244,15 +243,6 @@ void end_on_signals(std::string_view words, void (*first)()) {
     ::sigaction(SIGTERM, &action, nullptr);
     ::signal(SIGPIPE,
              SIG_IGN); // the program that reads the progress may go away; the import goes on
-}
-
-void end_on_alarm(std::string_view words) {
-    words_on_alarm = words;
-
-    struct sigaction action {};
-
-    action.sa_handler = end_now;
-    ::sigaction(SIGALRM, &action, nullptr);
 }
 
 } // namespace wakesurf::server

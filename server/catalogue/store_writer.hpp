@@ -62,7 +62,4 @@ class StoreWriter {
 /// error and ends the process with status 1 at once. `first` is called before that; it may do what a signal handler may.
 void end_on_signals(std::string_view words, void (*first)() = nullptr);
 
-/// The same on SIGALRM, which alarm(2) sends to a process that takes too long. Call end_on_signals first.
-void end_on_alarm(std::string_view words);
-
 } // namespace wakesurf::server

@@ -22,7 +22,8 @@ int run_import(const ImportOptions& options) {
          options.times,
          {},
          options.precision,
-         options.jobs},
+         options.jobs,
+         options.memory},
         [](const ImportProgress& progress) { show_progress(progress, stdout); }, signals.token());
     if (!imported) {
         const int status = report_failure(imported.error());

@@ -11,9 +11,10 @@ struct ImportOptions {
     std::string dataset;
     std::string store;
     std::vector<std::string> fields;
-    std::string times;     ///< T0:T1[:EVERY], or empty
-    std::string precision; ///< single, half or empty
-    std::size_t jobs = 0;  ///< 0: one a core
+    std::string times;        ///< T0:T1[:EVERY], or empty
+    std::string precision;    ///< single, half or empty
+    std::size_t jobs = 0;     ///< 0: one a core
+    std::uint64_t memory = 0; ///< bytes; 0: the importer's own bound
 };
 
 /// Exit status.

@@ -38,7 +38,7 @@ core::Result<core::DatasetInfo> describe_store(const std::filesystem::path& fold
     return std::move(manifest->info);
 }
 
-core::Result<core::DatasetInfo> describe(const DatasetArgument& argument) {
+core::Result<core::DatasetInfo> describe(const DatasetArgument& argument, std::uint64_t memory) {
     switch (argument.kind) {
     case DatasetArgument::Kind::Flow:
         return core::describe_analytic_flow(argument.flow);
@@ -48,7 +48,8 @@ core::Result<core::DatasetInfo> describe(const DatasetArgument& argument) {
         break;
     }
     const StopOnSignal signals;
-    return describe_with_import_process({argument.path, {}, {}, {}}, signals.token());
+    return describe_with_import_process({argument.path, {}, {}, {}, {}, {}, 0, memory},
+                                        signals.token());
 }
 
 std::string grid_text(const core::DatasetInfo& info) {
@@ -94,7 +95,10 @@ void print_text(const core::DatasetInfo& info) {
 } // namespace
 
 int run_info(const InfoOptions& options) {
-    const auto info = resolve_dataset(options.dataset).and_then(describe);
+    const auto info =
+        resolve_dataset(options.dataset).and_then([&](const DatasetArgument& argument) {
+            return describe(argument, options.memory);
+        });
     if (!info)
         return report_failure(info.error());
     if (options.json)

@@ -8,6 +8,7 @@ namespace wakesurf::server {
 struct InfoOptions {
     std::string dataset;
     bool json = false;
+    std::uint64_t memory = 0; ///< bytes that finding out may take; 0: the importer's own bound
 };
 
 /// Exit status.

@@ -3,6 +3,7 @@
 #include "server/cli/generate_command.hpp"
 #include "server/cli/import_command.hpp"
 #include "server/cli/info_command.hpp"
+#include "server/cli/memory_size.hpp"
 #include "server/cli/serve_command.hpp"
 #include "server/cli/sessions_command.hpp"
 #include "server/cli/state_command.hpp"
@@ -31,6 +32,11 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
         ->check(CLI::IsMember({"single", "half"}));
     command.add_option("--jobs", options.jobs, "Processes at once (default: one a core)")
         ->check(CLI::Range(1, 256));
+    command
+        .add_option("--memory", options.memory,
+                    "Of all its processes, 4GiB for example (default: a quarter of the machine or "
+                    "of the control group)")
+        ->transform(as_memory_size());
     command
         .add_option("--fields", options.fields,
                     "Fields to import, a,b (default: the velocity, all scalars, and the magnitudes "
@@ -71,6 +77,11 @@ int run(int argc, char** argv) {
                      "A file or folder of simulation results, a store, or flow:NAME[?k=v,...]")
         ->required();
     info_command->add_flag("--json", info.json, "As JSON");
+    info_command
+        ->add_option("--memory", info.memory,
+                     "Of what reads the files (default: a quarter of the machine or of the control "
+                     "group)")
+        ->transform(as_memory_size());
     ImportOptions import;
     add_import_options(
         *command("import", "Convert a dataset into a store", [&] { return run_import(import); }),

@@ -1,5 +1,7 @@
 #include "server/import/import_plan.hpp"
 
+#include "server/import/progress_marks.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -70,6 +72,7 @@ core::Result<ImportPlan> make_plan(const ImportRequest& request) {
     plan.made_from.selection = request.selection;
     plan.precision = request.precision;
     plan.jobs = request.jobs;
+    plan.memory = request.memory;
     for (const std::size_t step : plan.steps)
         plan.times.push_back(description.times[step]);
     plan.source = std::move(*source);
@@ -78,6 +81,7 @@ core::Result<ImportPlan> make_plan(const ImportRequest& request) {
         return core::fail(choice.error().code, plan.step_name(0) + ": " + choice.error().message,
                           choice.error().hint);
     plan.choice = std::move(*choice);
+    progress_marks().surveyed = true;
     return plan;
 }
 

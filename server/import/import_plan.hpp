@@ -23,6 +23,8 @@ struct ImportRequest {
     std::string
         selection; ///< all of these as the user wrote them, part of what the store was made from
     std::size_t jobs = 0; ///< processes that convert time-steps; 0: as many as there are cores
+    std::uint64_t memory =
+        0; ///< bytes that all processes together may take; 0: half of what is free
 };
 
 struct ImportPlan {
@@ -32,6 +34,7 @@ struct ImportPlan {
     FieldChoice choice;
     core::Precision precision = core::Precision::Single;
     std::size_t jobs = 0;
+    std::uint64_t memory = 0; ///< as ImportRequest
     protocol::StoreSource made_from;
 
     /// For messages: "flow_3.vti (time-step 3)".

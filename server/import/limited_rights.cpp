@@ -8,15 +8,18 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <string>
+#include <system_error>
 
 namespace wakesurf::server {
 
-namespace {
+using core::Error;
 
-unsigned stall_seconds = 0;
+namespace {
 
 constexpr std::array denied{SCMP_SYS(socket),
                             SCMP_SYS(socketpair),
@@ -55,16 +58,36 @@ constexpr std::array denied{SCMP_SYS(socket),
                             SCMP_SYS(clock_settime),
                             SCMP_SYS(sethostname)};
 
-bool limit_system_calls() {
+// Of files by their names: Landlock knows nothing of these, or only newer versions do.
+constexpr std::array denied_by_name{
+    SCMP_SYS(truncate),    SCMP_SYS(chmod),        SCMP_SYS(fchmodat),  SCMP_SYS(chown),
+    SCMP_SYS(lchown),      SCMP_SYS(fchownat),     SCMP_SYS(setxattr),  SCMP_SYS(lsetxattr),
+    SCMP_SYS(removexattr), SCMP_SYS(lremovexattr), SCMP_SYS(utimensat), SCMP_SYS(mknod),
+    SCMP_SYS(mknodat)};
+
+core::Result<void> cannot(const char* what, int error) {
+    return core::fail(Error::Code::Io,
+                      std::string("cannot give up rights before reading files (") + what + ": " +
+                          std::generic_category().message(error) + ")",
+                      "run it where seccomp filters and Landlock are allowed; files of strangers "
+                      "are not read without");
+}
+
+core::Result<void> limit_system_calls() {
     scmp_filter_ctx filter = ::seccomp_init(SCMP_ACT_ALLOW);
     if (filter == nullptr)
-        return false;
-    bool done = true;
-    for (const int call : denied)
-        done = ::seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), call, 0) == 0 && done;
-    done = ::seccomp_load(filter) == 0 && done;
+        return cannot("seccomp", ENOMEM);
+    int error = 0;
+    const auto deny = [&](int call) {
+        if (error == 0)
+            error = -::seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), call, 0);
+    };
+    std::for_each(denied.begin(), denied.end(), deny);
+    std::for_each(denied_by_name.begin(), denied_by_name.end(), deny);
+    if (error == 0)
+        error = -::seccomp_load(filter);
     ::seccomp_release(filter);
-    return done;
+    return error == 0 ? core::Result<void>() : cannot("seccomp", error);
 }
 
 // Every way of changing a file system that the first version of Landlock knows.
@@ -74,45 +97,58 @@ constexpr std::uint64_t writing = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCES
                                   LANDLOCK_ACCESS_FS_MAKE_SOCK | LANDLOCK_ACCESS_FS_MAKE_FIFO |
                                   LANDLOCK_ACCESS_FS_MAKE_BLOCK | LANDLOCK_ACCESS_FS_MAKE_SYM;
 
-void allow_writing(int rules, const std::filesystem::path& folder) {
-    const int opened = ::open(folder.c_str(), O_PATH | O_CLOEXEC);
-    if (opened < 0)
-        return;
-    const landlock_path_beneath_attr rule{writing, opened};
-    ::syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0);
-    ::close(opened);
-}
+// landlock_ruleset_attr of version 6 (Linux 6.12); headers may be older, and kernels take the part they know.
+struct Ruleset {
+    std::uint64_t files = 0;
+    std::uint64_t network = 0;
+    std::uint64_t scoped = 0;
+};
 
-void limit_writing(const LimitedRights& rights) {
-    const landlock_ruleset_attr handled{writing};
-    const auto rules =
-        static_cast<int>(::syscall(SYS_landlock_create_ruleset, &handled, sizeof(handled), 0));
+constexpr std::uint64_t abstract_sockets_and_signals = 3; // to processes that have more rights
+
+core::Result<void> limit_writing(const LimitedRights& rights) {
+    const auto version =
+        ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
+    if (version < 0 && (errno == ENOSYS || errno == EOPNOTSUPP))
+        return {}; // this kernel has no Landlock, or it is switched off
+    if (version < 0)
+        return cannot("Landlock", errno);
+    const Ruleset handled{writing, 0, version >= 6 ? abstract_sockets_and_signals : 0};
+    const std::size_t known = version >= 6 ? sizeof(handled) : sizeof(handled.files);
+    const auto rules = static_cast<int>(::syscall(SYS_landlock_create_ruleset, &handled, known, 0));
     if (rules < 0)
-        return; // this kernel has no Landlock
+        return cannot("Landlock", errno);
+    core::Result<void> done;
     if (rights.store) {
         std::error_code told_by_the_writer;
         std::filesystem::create_directories(*rights.store, told_by_the_writer);
-        allow_writing(rules, *rights.store);
+        const int opened = ::open(rights.store->c_str(), O_PATH | O_CLOEXEC);
+        const landlock_path_beneath_attr rule{writing, opened};
+        // A store that cannot be made or opened is told by the writer, which may then write nowhere.
+        if (opened >= 0 &&
+            ::syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0) != 0)
+            done = cannot("Landlock", errno);
+        ::close(opened);
     }
-    ::syscall(SYS_landlock_restrict_self, rules, 0);
+    if (done && ::syscall(SYS_landlock_restrict_self, rules, 0) != 0)
+        done = cannot("Landlock", errno);
     ::close(rules);
+    return done;
 }
 
 } // namespace
 
-bool limit_rights(const LimitedRights& rights) {
+core::Result<void> limit_rights(const LimitedRights& rights) {
     const rlimit none{0, 0};
-    ::setrlimit(RLIMIT_CORE, &none); // a core file would hold what was read
-    stall_seconds = static_cast<unsigned>(rights.stall.count());
-    made_progress();
+    if (::setrlimit(RLIMIT_CORE, &none) != 0) // a core file would hold what was read
+        return cannot("core files", errno);
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
-        return false;
-    limit_writing(rights);
-    return limit_system_calls();
+        return cannot("new privileges", errno);
+    return limit_writing(rights).and_then([] { return limit_system_calls(); });
 }
 
-void made_progress() {
-    ::alarm(stall_seconds);
+bool kernel_has_landlock() {
+    return ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) > 0;
 }
 
 } // namespace wakesurf::server

@@ -2,7 +2,8 @@
 // looking into other processes, and writing anywhere but in its store. A file that takes a reader over gets no further.
 #pragma once
 
-#include <chrono>
+#include "core/base/result.hpp"
+
 #include <filesystem>
 #include <optional>
 
@@ -11,15 +12,14 @@ namespace wakesurf::server {
 struct LimitedRights {
     std::optional<std::filesystem::path>
         store; ///< the one folder to write to, made when missing; none: nowhere
-    std::chrono::seconds stall{
-        0}; ///< without progress for so long the process ends itself; 0: never
 };
 
-/// For this process and those it forks, for good. What the kernel does not know (Landlock before 5.13) is left out without a
-/// word; the return value tells whether system calls are limited. Call it before there are threads.
-bool limit_rights(const LimitedRights& rights);
+/// For this process and those it forks, for good. Call it before there are threads. A kernel without Landlock (before 5.13, or
+/// switched off) leaves writing to the rights of the user, which is no error; anything else that fails is.
+/// Error: Io, naming what could not be given up: read nothing then.
+core::Result<void> limit_rights(const LimitedRights& rights);
 
-/// Sets the clock of `stall` back.
-void made_progress();
+/// Whether writing is limited to the store, besides what the user may write at all.
+bool kernel_has_landlock();
 
 } // namespace wakesurf::server

@@ -3,79 +3,151 @@
 #include "protocol/dataset_json.hpp"
 #include "protocol/json_text.hpp"
 #include "server/catalogue/store_writer.hpp"
+#include "server/cli/memory_size.hpp"
 #include "server/import/conversion.hpp"
+#include "server/import/failure_words.hpp"
 #include "server/import/limited_rights.hpp"
+#include "server/import/own_output.hpp"
+#include "server/import/progress_marks.hpp"
 #include "server/import/step_workers.hpp"
+#include "server/import/told_words.hpp"
+#include "server/import/watched_process.hpp"
 
 #include <CLI/CLI.hpp>
 #include <malloc.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include <array>
 #include <cstdio>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace {
 
 using namespace wakesurf;
 
-int failed(const core::Error& error) {
+/// What the command line says.
+struct Wish {
+    server::ImportRequest request;
+    server::ImportBounds bounds;
+    std::string store; ///< empty: describe the source only
+    bool show_libraries = false;
+};
+
+std::string name_of(const std::filesystem::path& source) {
+    return (source.has_filename() ? source : source.parent_path()).filename().string();
+}
+
+// Folders that no message names: those of the source and of the store, as given and as they are.
+std::vector<std::filesystem::path> folders_of(const Wish& wish) {
+    std::vector<std::filesystem::path> out;
+    for (const auto& path : std::array<std::filesystem::path, 2>{wish.request.source, wish.store}) {
+        std::error_code error;
+        for (const auto& form : {path, std::filesystem::weakly_canonical(path, error)})
+            out.push_back(form.parent_path());
+    }
+    return out;
+}
+
+int failed(std::FILE* stream, const Wish& wish, core::Error error) {
+    if (error.code == core::Error::Code::OverLimit && !error.limit)
+        error = server::with_memory_bound(std::move(error), wish.bounds.memory);
     const std::string hint = error.hint.empty() ? "" : " (" + error.hint + ")";
-    std::fprintf(stderr, "wakesurf-import: %s%s\n", error.message.c_str(), hint.c_str());
+    const std::string words = server::without_folders(error.message + hint, folders_of(wish));
+    std::fprintf(stream, "wakesurf-import: %s\n", words.c_str());
     return error.code == core::Error::Code::InvalidArgument && error.message.starts_with("--") ? 2
                                                                                                : 1;
 }
 
-void show(const server::ImportProgress& progress) {
-    server::made_progress();
-    if (::isatty(STDOUT_FILENO) != 0) {
-        server::show_progress(progress, stdout);
-    } else {
-        std::puts(server::progress_line(progress).c_str());
-        std::fflush(stdout);
+int run(const Wish& wish, const server::OwnOutput& out) {
+    if (wish.store.empty()) {
+        const auto info = server::describe_source(wish.request);
+        if (!info)
+            return failed(out.errors, wish, info.error());
+        std::fprintf(out.results, "%s\n",
+                     protocol::json_text(protocol::dataset_json(*info), 2).c_str());
+        return 0;
+    }
+    bool rights_told = server::kernel_has_landlock();
+    const auto show = [&](server::ImportProgress progress) {
+        server::made_progress();
+        if (!std::exchange(rights_told, true))
+            progress.note += (progress.note.empty() ? "" : "; ") +
+                             std::string("this kernel has no Landlock: what reads the files could "
+                                         "write wherever you may");
+        if (::isatty(::fileno(out.results)) != 0)
+            server::show_progress(progress, out.results);
+        else
+            std::fprintf(out.results, "%s\n", server::progress_line(progress).c_str());
+        std::fflush(out.results);
+    };
+    const auto converted = server::convert(wish.request, wish.store, show);
+    return converted ? 0 : failed(out.errors, wish, converted.error());
+}
+
+// In the process that is watched.
+int read_and_convert(const Wish& wish) {
+    const auto out = server::take_outputs(wish.show_libraries);
+    server::end_on_signals({}, server::end_step_workers);
+    server::LimitedRights rights;
+    if (!wish.store.empty())
+        rights.store = wish.store;
+    if (auto limited = server::limit_rights(rights); !limited)
+        return failed(out.errors, wish, limited.error());
+    // Every time-step needs as much memory as the one before: what is freed is kept, not given back and cleared anew.
+    ::mallopt(M_MMAP_MAX, 0);
+    ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+    try {
+        return run(wish, out);
+    } catch (const std::exception& error) {
+        return failed(out.errors, wish, server::error_of(error, name_of(wish.request.source)));
     }
 }
 
-int run(const server::ImportRequest& request, const std::string& store, bool describe_only) {
-    if (describe_only) {
-        const auto info = server::describe_source(request);
-        if (!info)
-            return failed(info.error());
-        std::puts(protocol::json_text(protocol::dataset_json(*info), 2).c_str());
-        return 0;
-    }
-    const auto converted = server::convert(request, store, show);
-    return converted ? 0 : failed(converted.error());
+void add_bounds(CLI::App& app, server::ImportBounds& bounds) {
+    const auto seconds = [&app](const char* name, std::chrono::seconds& value, const char* about) {
+        app.add_option_function<unsigned>(
+               name, [&value](unsigned count) { value = std::chrono::seconds(count); }, about)
+            ->default_str(std::to_string(value.count()));
+    };
+    seconds("--stall", bounds.stall, "seconds without progress after which to give up; 0: never");
+    seconds("--survey", bounds.survey,
+            "the same until it is clear what SOURCE holds, for each of its files");
+    app.add_option("--memory", bounds.memory,
+                   "of all processes together, 4GiB for example; default: a quarter of the machine "
+                   "or of the control group")
+        ->transform(server::as_memory_size());
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    server::ImportRequest request;
+    Wish wish;
     std::string source;
-    std::string store;
     std::string times;
     std::string precision = "single";
-    unsigned stall = 1800;
     bool describe_only = false;
     CLI::App app("Converts a simulation of any format VTK reads into a wakesurf store.",
                  "wakesurf-import");
     app.add_option("SOURCE", source,
                    "a file, a collection, the first of a numbered series, a case folder")
         ->required();
-    auto* folder = app.add_option("STORE_DIR", store, "the store's folder, made when missing");
-    app.add_option("--fields", request.fields,
+    auto* folder = app.add_option("STORE_DIR", wish.store, "the store's folder, made when missing");
+    app.add_option("--fields", wish.request.fields,
                    "names of the velocity (or of its parts), of scalars, and of vectors to keep "
                    "the magnitudes of")
         ->delimiter(',');
     app.add_option("--times", times, "T0:T1[:EVERY], both included; every EVERY-th time-step");
     app.add_option("--precision", precision, "single, or half: half the size, rounded to 2^-11")
         ->check(CLI::IsMember({"single", "half"}));
-    app.add_option("--jobs", request.jobs,
+    app.add_option("--jobs", wish.request.jobs,
                    "processes that convert time-steps at once; default: one a core")
         ->check(CLI::Range(1, 256));
-    app.add_option("--stall", stall, "seconds without progress after which to give up; 0: never")
-        ->capture_default_str();
+    add_bounds(app, wish.bounds);
+    app.add_flag("--library-output", wish.show_libraries,
+                 "show what the libraries that read files print, on standard error");
     auto* describe =
         app.add_flag("--describe", describe_only, "print what SOURCE is as JSON, write nothing");
     try {
@@ -85,32 +157,21 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
+    wish.request.source = source;
     if (!times.empty()) {
         const auto selection = server::parse_times(times);
         if (!selection)
-            return failed(selection.error());
-        request.times = *selection;
+            return failed(stderr, wish, selection.error());
+        wish.request.times = *selection;
     }
-    request.source = source;
-    for (const auto& field : request.fields)
-        request.selection += "field " + field + " ";
-    request.selection += times.empty() ? "" : "times " + times;
-    request.precision = precision == "half" ? core::Precision::Half : core::Precision::Single;
-    server::end_on_signals(
-        "wakesurf-import: interrupted; the same command goes on where this one ended\n",
-        server::end_step_workers);
-    server::end_on_alarm("wakesurf-import: no progress for longer than --stall allows; the same "
-                         "command goes on where this one ended\n");
-    server::LimitedRights rights{std::nullopt, std::chrono::seconds(stall)};
-    if (!describe_only)
-        rights.store = store;
-    server::limit_rights(rights);
-    // Every time-step needs as much memory as the one before: what is freed is kept, not given back and cleared anew.
-    ::mallopt(M_MMAP_MAX, 0);
-    ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-    try {
-        return run(request, store, describe_only);
-    } catch (const std::exception& error) {
-        return failed({core::Error::Code::Io, std::string("unexpected: ") + error.what(), {}});
-    }
+    for (const auto& field : wish.request.fields)
+        wish.request.selection += "field " + field + " ";
+    wish.request.selection += times.empty() ? "" : "times " + times;
+    wish.request.precision = precision == "half" ? core::Precision::Half : core::Precision::Single;
+    if (wish.bounds.memory == 0)
+        wish.bounds.memory = server::usual_import_memory();
+    wish.request.memory = wish.bounds.memory;
+    const auto ended = server::run_watched(name_of(source), wish.bounds,
+                                           [&wish] { return read_and_convert(wish); });
+    return ended ? *ended : failed(stderr, wish, ended.error());
 }

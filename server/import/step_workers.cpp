@@ -2,6 +2,8 @@
 
 #include "server/catalogue/store_writer.hpp"
 #include "server/catalogue/whole_bytes.hpp"
+#include "server/import/failure_words.hpp"
+#include "server/import/progress_marks.hpp"
 #include "server/import/step_message.hpp"
 
 #include <fcntl.h>
@@ -47,13 +49,21 @@ struct Worker {
             else
                 message.outcome = tl::unexpected(begun.error());
         } catch (const std::exception& error) {
-            message.outcome = core::fail(Error::Code::Io, work.name(message.index) +
-                                                              ": unexpected: " + error.what());
+            message.outcome = tl::unexpected(error_of(error, work.name(message.index)));
         }
         if (!send(results, message))
             break;
     }
     ::_exit(0);
+}
+
+Error how_it_ended(int status, const std::string& step) {
+    if (progress_marks().out_of_memory)
+        return {Error::Code::OverLimit, "there is not enough memory to convert " + step, {}};
+    const std::string how =
+        WIFSIGNALED(status) ? " (signal " + std::to_string(WTERMSIG(status)) + ")" : "";
+    return {Error::Code::Corrupt, "the library that reads " + step + " crashed" + how,
+            "the file is damaged, or holds something that the library cannot take"};
 }
 
 class Workers {
@@ -176,12 +186,7 @@ class Workers {
         for (auto& entry : running)
             if (entry == worker.process)
                 entry = 0;
-        const std::string how =
-            WIFSIGNALED(status) ? " (signal " + std::to_string(WTERMSIG(status)) + ")" : "";
-        outcomes_.emplace(index,
-                          core::fail(Error::Code::Corrupt,
-                                     work_.name(index) + " ended its reader unexpectedly" + how,
-                                     "the file is probably damaged"));
+        outcomes_.emplace(index, tl::unexpected(how_it_ended(status, work_.name(index))));
     }
 
     core::Result<void> commit() {

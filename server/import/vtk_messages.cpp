@@ -1,10 +1,10 @@
 #include "server/import/vtk_messages.hpp"
 
+#include "server/import/told_words.hpp"
+
 #include <vtkLogger.h>
 #include <vtkOutputWindow.h>
 #include <vtkSmartPointer.h>
-
-#include <algorithm>
 
 namespace wakesurf::server {
 
@@ -28,18 +28,6 @@ class FirstMessage final : public vtkOutputWindow {
     std::string first;
 };
 
-// "ERROR: In ./IO/XML/vtkXMLReader.cxx, line 501\nvtkXMLReader (0x55..): Error opening file x\n\n"
-std::string sentence(std::string text) {
-    if (const auto object = text.find("): "); object != std::string::npos)
-        text.erase(0, object + 3);
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
-    while (!text.empty() && (text.back() == ' ' || text.back() == '.'))
-        text.pop_back();
-    constexpr std::size_t longest = 200;
-    return text.substr(0, longest);
-}
-
 } // namespace
 
 VtkMessages::VtkMessages() {
@@ -55,9 +43,13 @@ core::Result<void> VtkMessages::verdict(const std::string& file) const {
     const auto* window = dynamic_cast<FirstMessage*>(vtkOutputWindow::GetInstance());
     if (window == nullptr || window->first.empty())
         return {};
-    return core::fail(
-        core::Error::Code::Corrupt,
-        file + " is damaged or not what it says it is (VTK: " + sentence(window->first) + ")");
+    if (window->first.find("nable to allocate") != std::string::npos)
+        return core::fail(core::Error::Code::OverLimit,
+                          "there is not enough memory to read " + file);
+    const std::string words = sentence_of_library(window->first);
+    return core::fail(core::Error::Code::Corrupt,
+                      file + " is damaged or not what it says it is" +
+                          (words.empty() ? "" : " (VTK: " + words + ")"));
 }
 
 } // namespace wakesurf::server

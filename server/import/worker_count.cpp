@@ -37,8 +37,12 @@ std::size_t worker_count(const ImportPlan& plan, std::size_t nodes) {
     std::size_t a_step = a_node * nodes;
     for (const auto& file : plan.made_from.steps.front())
         a_step += copies * static_cast<std::size_t>(file.size);
-    const std::size_t memory = free_memory() / 2;
-    return memory == 0
+    std::size_t memory = free_memory() / 2;
+    // What is allowed is shared with the first time-step, which the process that starts the others holds.
+    const std::size_t allowed = plan.memory - std::min<std::size_t>(plan.memory, a_step);
+    if (plan.memory > 0)
+        memory = memory == 0 ? allowed : std::min(memory, allowed);
+    return memory == 0 && plan.memory == 0
                ? wanted
                : std::clamp<std::size_t>(memory / std::max<std::size_t>(a_step, 1), 1, wanted);
 }

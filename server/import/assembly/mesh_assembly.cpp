@@ -66,7 +66,7 @@ class MeshAssembly {
     core::Result<GridAssembly> run() {
         constexpr std::size_t most = 0xfffffff0u;
         if (points_.at.size() > most)
-            return core::fail(Error::Code::OverLimit, "has more than 2^32 points");
+            return core::over_limit(most, "has more than 2^32 points");
         if (auto marked = mark_used(); !marked)
             return tl::unexpected(marked.error());
         number_nodes();

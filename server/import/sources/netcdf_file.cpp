@@ -1,5 +1,6 @@
 #include "server/import/sources/netcdf_file.hpp"
 
+#include "server/import/progress_marks.hpp"
 #include "server/import/sources/netcdf_size.hpp"
 
 #include <algorithm>
@@ -101,6 +102,7 @@ Packing packing_of(const NetcdfFile& file, const NetcdfVariable& variable) {
 } // namespace
 
 core::Result<NetcdfFile> NetcdfFile::open(const ListedFile& file) {
+    made_progress();
     if (auto whole = check_netcdf_size({file.path, file.name}); !whole)
         return tl::unexpected(whole.error());
     NetcdfFile out;

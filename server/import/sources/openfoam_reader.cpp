@@ -1,5 +1,6 @@
 #include "server/import/sources/openfoam_reader.hpp"
 
+#include "server/import/sources/openfoam_cells.hpp"
 #include "server/import/sources/openfoam_file.hpp"
 #include "server/import/sources/openfoam_times.hpp"
 #include "server/import/vtk_messages.hpp"
@@ -60,6 +61,11 @@ core::Result<void> OpenfoamReader::check_files(const FoamTime& time,
 }
 
 core::Result<void> OpenfoamReader::open(const std::string& what) {
+    for (const auto& region : found_.regions) {
+        const std::string mesh = found_.relative(part_, "constant", region.name, "polyMesh");
+        if (auto sound = check_foam_cells(found_.folder / mesh, mesh); !sound)
+            return sound;
+    }
     const VtkMessages messages;
     reader_ = vtkSmartPointer<vtkOpenFOAMReader>::New();
     reader_->SetFileName((found_.folder / part_ / "case.foam").c_str()); // only its folder counts

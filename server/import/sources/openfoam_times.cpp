@@ -1,5 +1,6 @@
 #include "server/import/sources/openfoam_times.hpp"
 
+#include "server/import/progress_marks.hpp"
 #include "server/import/sources/openfoam_file.hpp"
 
 #include <algorithm>
@@ -135,6 +136,7 @@ core::Result<std::vector<FoamTime>> list_foam_times(const fs::path& folder,
 }
 
 std::set<std::string> foam_fields(const fs::path& folder) {
+    made_progress();
     std::set<std::string> out;
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {

@@ -1,5 +1,6 @@
 #include "server/import/sources/plot3d_layout.hpp"
 
+#include "server/import/progress_marks.hpp"
 #include "server/import/sources/file_names.hpp"
 
 #include <algorithm>
@@ -268,6 +269,7 @@ core::Result<Plot3dLayout> grid_layout(const ListedFile& grid) {
 }
 
 core::Result<double> check_solution(const ListedFile& solution, const Plot3dLayout& grid) {
+    made_progress();
     std::ifstream in(solution.path, std::ios::binary | std::ios::ate);
     if (!in)
         return core::fail(Error::Code::Io, "cannot open " + solution.name);

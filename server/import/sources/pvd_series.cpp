@@ -1,5 +1,6 @@
 #include "server/import/sources/pvd_series.hpp"
 
+#include "server/import/sources/bounded_xml.hpp"
 #include "server/import/sources/file_names.hpp"
 #include "server/import/sources/named_path.hpp"
 #include "server/import/sources/series_times.hpp"
@@ -7,10 +8,10 @@
 
 #include <vtkSmartPointer.h>
 #include <vtkXMLDataElement.h>
-#include <vtkXMLUtilities.h>
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
 #include <string_view>
 
 namespace wakesurf::server {
@@ -55,8 +56,11 @@ core::Result<DataSetElement> read_element(vtkXMLDataElement& element,
 core::Result<std::vector<DataSetElement>> read_elements(const std::filesystem::path& file) {
     const std::string name = file.filename().string();
     const VtkMessages messages;
-    const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(
-        vtkXMLUtilities::ReadElementFromFile(file.c_str()));
+    std::ifstream in(file, std::ios::binary);
+    const auto parsed = parse_xml(in, name);
+    if (!parsed)
+        return tl::unexpected(parsed.error());
+    vtkXMLDataElement* const root = (*parsed)->GetRootElement();
     if (auto clean = messages.verdict(name); !clean)
         return tl::unexpected(clean.error());
     auto* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;

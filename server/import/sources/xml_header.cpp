@@ -1,6 +1,7 @@
 #include "server/import/sources/xml_header.hpp"
 
-#include <vtkXMLDataParser.h>
+#include "server/import/progress_marks.hpp"
+#include "server/import/sources/bounded_xml.hpp"
 
 #include <algorithm>
 #include <array>
@@ -138,14 +139,16 @@ core::Result<void> check_counts(vtkXMLDataElement& primary, const std::string& n
 } // namespace
 
 core::Result<XmlHeader> read_xml_header(const ListedFile& file) {
+    made_progress();
     if (auto whole = check_ending(file); !whole)
         return tl::unexpected(whole.error());
     XmlHeader header;
     std::ifstream in(file.path, std::ios::binary);
-    auto parser = vtkSmartPointer<vtkXMLDataParser>::New();
-    parser->SetStream(&in);
-    if (parser->Parse() != 0)
-        header.root = parser->GetRootElement();
+    const auto parsed = parse_xml(in, file.name);
+    if (!parsed)
+        return tl::unexpected(parsed.error());
+    vtkXMLDataParser* parser = *parsed;
+    header.root = parser->GetRootElement();
     header.appended = parser->GetAppendedDataPosition();
     const char* type = header.root ? header.root->GetAttribute("type") : nullptr;
     header.type = type == nullptr ? "" : type;

@@ -1,0 +1,66 @@
+// What is made of an importer's output, whatever else is printed between its own words.
+#include "server/catalogue/import_process.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wakesurf::server {
+namespace {
+
+using core::Error;
+namespace fs = std::filesystem;
+
+class ImportProcess : public testing::Test {
+  protected:
+    // A program that does as the script says in the importer's place.
+    ImportCommand with(const std::string& script) const {
+        const fs::path program = folder_ / "importer";
+        tests::write_file(program, "#!/bin/sh\n" + script + "\n");
+        fs::permissions(program, fs::perms::owner_all);
+        ImportCommand command{"source", "store", {}, {}, program};
+        return command;
+    }
+
+    tests::TemporaryFolder folder_;
+};
+
+TEST_F(ImportProcess, TellsTheImportersSentenceAndNothingThatLibrariesPrint) {
+    const auto failed = run_import_process(with("echo 'wakesurf-import: u.cgns is damaged' >&2\n"
+                                                "echo 'L,G_top,T_top,F,P,P,FD,E,SL,FL' >&2\n"
+                                                "exit 1"),
+                                           [](const ImportProgress&) {});
+    EXPECT_EQ(failed.error().message, "u.cgns is damaged");
+    EXPECT_EQ(failed.error().code, Error::Code::Corrupt);
+    const auto silent = run_import_process(with("echo 'HDF5-DIAG: Error detected' >&2; exit 1"),
+                                           [](const ImportProgress&) {});
+    EXPECT_EQ(silent.error().message, "the importer failed without saying why");
+}
+
+TEST_F(ImportProcess, PassesItsShareOfMemoryOn) {
+    auto command = with("echo \"wakesurf-import: $*\" >&2; exit 1");
+    command.memory = 1'000'000;
+    const auto failed = run_import_process(command, [](const ImportProgress&) {});
+    EXPECT_EQ(failed.error().message, "--memory=1000000 -- source store");
+    command.memory = 0;
+    EXPECT_EQ(run_import_process(command, [](const ImportProgress&) {}).error().message,
+              "-- source store");
+}
+
+TEST_F(ImportProcess, HearsOnlyProgressOfWhatIsPrinted) {
+    std::size_t heard = 0;
+    const auto done = run_import_process(
+        with("echo 'a warning of a library'\necho '{\"phase\":\"done\",\"done\":2,\"total\":2}'"),
+        [&](const ImportProgress& progress) { heard += progress.done; });
+    EXPECT_TRUE(done.has_value());
+    EXPECT_EQ(heard, 2u);
+}
+
+TEST_F(ImportProcess, DoesNotKeepADescriptionWithoutEnd) {
+    const auto endless =
+        describe_with_import_process(with("line=$(head -c 500000 /dev/zero | tr '\\0' x)\n"
+                                          "for i in $(seq 200); do echo $line; done"));
+    EXPECT_EQ(endless.error().code, Error::Code::OverLimit);
+}
+
+} // namespace
+} // namespace wakesurf::server

@@ -1,0 +1,135 @@
+// Small files that would take all of a machine's memory or time, or crash what reads them: each ends in seconds, within its
+// bound, with one sentence that says what to do.
+#include "tests/server/import/import_fixture.hpp"
+#include "tests/support/foam_files.hpp"
+
+#include <sys/resource.h>
+
+#include <chrono>
+
+namespace wakesurf::server {
+namespace {
+
+class HostileFiles : public Import {
+  protected:
+    static constexpr const char* bound = "--memory=512MiB";
+
+    // Refused by both commands, soon, with words that hold one of `any_of`.
+    void expect_refused_soon(const fs::path& source, const std::vector<std::string>& any_of) {
+        for (const auto& arguments : {std::vector<std::string>{bound, "--describe", source},
+                                      std::vector<std::string>{bound, source, store()}}) {
+            const auto begun = std::chrono::steady_clock::now();
+            const auto outcome = import(arguments);
+            const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+            EXPECT_EQ(outcome.status, 1) << source.filename() << ": " << outcome.errors;
+            EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1)
+                << outcome.errors;
+            EXPECT_TRUE(std::any_of(any_of.begin(), any_of.end(), [&](const std::string& words) {
+                return outcome.errors.find(words) != std::string::npos;
+            })) << outcome.errors;
+            EXPECT_LT(took.count(), 50.0) << "before the time for a survey is over";
+        }
+        rusage children{};
+        ::getrusage(RUSAGE_CHILDREN, &children);
+        EXPECT_LT(children.ru_maxrss, 800 * 1024) << "of the largest process, in kB";
+    }
+};
+
+const std::vector<std::string> of_memory{"memory: an import may take 512 MiB (import it with "
+                                         "--memory SIZE",
+                                         "needs too much memory"};
+
+TEST_F(HostileFiles, ThatClaimBillionsOfComponents) {
+    auto text = sample_vti().text();
+    const std::string three = "NumberOfComponents=\"3\"";
+    text.replace(text.find(three), three.size(), "NumberOfComponents=\"2000000000\"");
+    expect_refused_soon(put("hugecomp.vti", text), {of_memory[0], of_memory[1], "hugecomp.vti"});
+    // Appended data: nothing but the header is looked at before the array is made.
+    const auto begin = text.find("<DataArray");
+    const auto end = text.find("</DataArray>") + 12;
+    text.replace(begin, end - begin,
+                 "<DataArray type=\"Float64\" Name=\"U\" NumberOfComponents=\"2000000000\" "
+                 "format=\"appended\" offset=\"0\"/>");
+    text.replace(text.find("</VTKFile>"), 10,
+                 "<AppendedData encoding=\"raw\">_12345678</AppendedData></VTKFile>");
+    expect_refused_soon(put("appended.vti", text), {of_memory[0], of_memory[1], "appended.vti"});
+}
+
+TEST_F(HostileFiles, ThatClaimBillionsOfCells) {
+    const std::string array = "<DataArray type=\"Int64\" Name=\"NAME\" format=\"ascii\">0 1 2 3"
+                              "</DataArray>";
+    const auto named = [&](const char* name) {
+        auto out = array;
+        return out.replace(out.find("NAME"), 4, name);
+    };
+    expect_refused_soon(
+        put("hugecells.vtu",
+            "<?xml version=\"1.0\"?><VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+            "byte_order=\"LittleEndian\" header_type=\"UInt64\"><UnstructuredGrid><Piece "
+            "NumberOfPoints=\"4\" NumberOfCells=\"4000000000\"><PointData>" +
+                vti_array("U", 3, 4, [](std::size_t) { return 1.0; }) + "</PointData><Points>" +
+                vti_array("P", 3, 4, [](std::size_t i) { return static_cast<double>(i % 5); }) +
+                "</Points><Cells>" + named("connectivity") + named("offsets") + named("types") +
+                "</Cells></Piece></UnstructuredGrid></VTKFile>\n"),
+        {of_memory[0], of_memory[1], "hugecells.vtu"});
+}
+
+TEST_F(HostileFiles, ThatNestBlocksSoDeepThatParsersCrash) {
+    std::string deep;
+    std::string ends;
+    for (int i = 0; i < 200'000; ++i) {
+        deep += "<Block index=\"0\">";
+        ends += "</Block>";
+    }
+    const std::string multi_block = "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">"
+                                    "<vtkMultiBlockDataSet>";
+    expect_refused_soon(
+        put("deep.vtm", multi_block + deep + ends + "</vtkMultiBlockDataSet></VTKFile>\n"),
+        {"deep.vtm has elements nested more than 64 deep"});
+    expect_refused_soon(
+        put("deep.pvd", "<VTKFile type=\"Collection\">" + deep + ends + "</VTKFile>\n"),
+        {"deep.pvd has elements nested more than 64 deep"});
+    expect_refused_soon(put("cut.vtm", multi_block + deep + "</VTKFile>\n"), {"cut.vtm"});
+}
+
+// A number in the table of cells that no mesh of this size has: VTK's reader makes, or looks for, as many cells.
+TEST_F(HostileFiles, ThatNameCellsFarBeyondTheMesh) {
+    for (const bool binary : {false, true}) {
+        const auto mesh = foam_block_mesh({});
+        FoamField velocity;
+        for (const int cell : mesh.cells)
+            velocity.values.push_back({0.5 * cell, 1.0, 2.0});
+        const fs::path place = folder_ / (binary ? "binary" : "text");
+        write_foam_mesh(place / "constant", mesh, binary);
+        write_foam_field(place / "0", mesh, velocity, binary);
+        write_file(place / "case.foam", "");
+        const fs::path owner = place / "constant" / "polyMesh" / "owner";
+        std::string text = read_file(owner);
+        const auto list = text.rfind('(');
+        if (binary) {
+            const std::int32_t large = 1'500'000'000;
+            text.replace(list + 1 + 4 * 20, 4, reinterpret_cast<const char*>(&large), 4);
+        } else {
+            text.insert(text.find_first_of("0123456789", list + 60), "15000000");
+        }
+        write_file(owner, text);
+        expect_refused_soon(place / "case.foam",
+                            {"constant/polyMesh/owner is damaged: it names cell "});
+    }
+}
+
+TEST_F(HostileFiles, ThatNeedMoreThanAnyBoundSayWhichBoundWhereTheyAreGood) {
+    auto file = sample_vti();
+    file.nodes = {80, 80, 80};
+    file.points = vti_array("U", 3, file.point_count(), [](std::size_t) { return 1.0; });
+    put("large.vti", file.text());
+    const auto outcome = run("large.vti", {"--memory=12MiB"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.errors.find("an import may take 12 MiB (import it with --memory SIZE"),
+              std::string::npos)
+        << outcome.errors;
+    EXPECT_EQ(run("large.vti", {"--memory=2GiB"}).status, 0);
+}
+
+} // namespace
+} // namespace wakesurf::server
