@@ -1,5 +1,6 @@
 #include "server/import/field_choice.hpp"
 
+#include "server/import/sources/physical_units.hpp"
 #include "server/import/velocity_choice.hpp"
 
 #include <algorithm>
@@ -57,6 +58,22 @@ core::Result<void> check_wanted(const std::vector<FieldInfo>& fields,
                               "leave it out of --fields");
     }
     return {};
+}
+
+// A vertical velocity in Pa s-1 beside two in m s-1 is no part of their vector.
+core::Result<void> check_units(const std::vector<FieldInfo>& parts) {
+    std::string units;
+    bool same = true;
+    for (const auto& part : parts) {
+        units += (units.empty() ? "" : ", ") + part.name + " in " +
+                 (part.unit.empty() ? "no unit" : part.unit);
+        same = same && may_be_same(part.unit, parts.front().unit);
+    }
+    if (same)
+        return {};
+    return core::fail(Error::Code::Unsupported,
+                      "the parts of the velocity have different units: " + units,
+                      "convert them to one unit, or choose others with --fields");
 }
 
 // Part of file names: lower case, digits and single dashes.
@@ -184,6 +201,8 @@ core::Result<FieldChoice> choose_fields(const std::vector<FieldInfo>& fields,
     auto velocity = choose_velocity(fields, wanted);
     if (!velocity)
         return tl::unexpected(velocity.error());
+    if (auto same = check_units(velocity->parts.arrays); !same)
+        return tl::unexpected(same.error());
     FieldChoice choice;
     choice.velocity = std::move(velocity->parts);
     choice.velocity_name = std::move(velocity->name);

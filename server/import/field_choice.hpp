@@ -41,7 +41,7 @@ struct FieldChoice {
 /// magnitudes of other vectors as `NAME magnitude`; or those among `wanted` (--fields) where it names some; of two of one name
 /// that of the points, but an array before a magnitude.
 /// Error: NotFound (no velocity; a wanted field is not there), InvalidArgument (several candidates), Unsupported (a
-/// momentum without its density), each listing what there is.
+/// momentum without its density, parts in different units), each listing what there is.
 core::Result<FieldChoice> choose_fields(const std::vector<core::FieldInfo>& fields,
                                         const std::vector<std::string>& wanted);
 

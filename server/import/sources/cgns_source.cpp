@@ -9,8 +9,11 @@
 
 #include <vtkCGNSReader.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
 
 #include <algorithm>
+#include <array>
 #include <new>
 
 namespace wakesurf::server {
@@ -48,6 +51,22 @@ void select(vtkCGNSReader& reader, const WantedArrays& wanted) {
         [&](const char* name) { reader.SetCellArrayStatus(name, 1); });
 }
 
+// VTK gives structured and unstructured zones, both with points of their own.
+void scale_points(vtkDataSet& data, double factor) {
+    auto* const points = vtkPointSet::SafeDownCast(&data);
+    if (factor == 1.0 || points == nullptr)
+        return;
+    auto scaled = vtkSmartPointer<vtkPoints>::New();
+    scaled->SetDataTypeToDouble();
+    scaled->SetNumberOfPoints(points->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
+        std::array<double, 3> at{};
+        points->GetPoint(i, at.data());
+        scaled->SetPoint(i, factor * at[0], factor * at[1], factor * at[2]);
+    }
+    points->SetPoints(scaled);
+}
+
 class CgnsSource final : public Source {
   public:
     explicit CgnsSource(FileSeries series) : series_(std::move(series)) {}
@@ -56,10 +75,13 @@ class CgnsSource final : public Source {
         description_.name = series_.name;
         description_.reader = "vtkCGNSReader (" + series_.kind + ")";
         std::vector<TimedEntry> times;
+        CgnsUnits units;
         for (std::size_t i = 0; i < series_.entries.size(); ++i) {
             const auto survey = survey_cgns(listed(i));
             if (!survey)
                 return tl::unexpected(survey.error());
+            if (i == 0)
+                units = survey->units;
             if (survey->times.empty()) {
                 steps_.push_back({i, std::nullopt});
                 times.push_back({listed(i).name, std::nullopt});
@@ -75,7 +97,9 @@ class CgnsSource final : public Source {
             return tl::unexpected(settled.error());
         description_.times = std::move(settled->times);
         description_.note = std::move(settled->note);
-        return load(0, {true, {}}).map([&](const Blocks& blocks) {
+        if (!units.note.empty())
+            description_.note += (description_.note.empty() ? "" : "; ") + units.note;
+        return load(0, {true, {}}, units).map([&](const Blocks& blocks) {
             description_.fields = common_fields(blocks);
         });
     }
@@ -101,7 +125,7 @@ class CgnsSource final : public Source {
                  : !survey->times.empty())
             return core::fail(Error::Code::Corrupt,
                               step_name(step) + " is not in the file any more");
-        auto blocks = load(step, {false, fields});
+        auto blocks = load(step, {false, fields}, survey->units);
         if (!blocks)
             return tl::unexpected(blocks.error());
         SourceStep out;
@@ -129,7 +153,8 @@ class CgnsSource final : public Source {
         return listed(file).name + (time ? " at time " + time_text(*time) : "");
     }
 
-    core::Result<Blocks> load(std::size_t step, const WantedArrays& wanted) const {
+    core::Result<Blocks>
+    load(std::size_t step, const WantedArrays& wanted, const CgnsUnits& units) const {
         const std::string name = step_name(step);
         const VtkMessages messages;
         auto reader =
@@ -158,6 +183,7 @@ class CgnsSource final : public Source {
             auto block = fluid_part(*leaf.data, name);
             if (!block)
                 return tl::unexpected(block.error());
+            scale_points(**block, units.coordinates);
             blocks.push_back(std::move(*block));
         }
         if (blocks.empty())

@@ -1,5 +1,7 @@
 #include "server/import/sources/cgns_survey.hpp"
 
+#include "server/import/progress_marks.hpp"
+
 #include <vtk_cgns.h>
 // clang-format off
 #include VTK_CGNS(cgnslib.h)
@@ -65,6 +67,10 @@ class Survey {
             return core::fail(Error::Code::Unsupported,
                               name_ + " is not three-dimensional: no base has cells in space",
                               "extrude it by two cells or more first");
+        auto units = read_cgns_units(id_, name_);
+        if (!units)
+            return tl::unexpected(units.error());
+        out_.units = std::move(*units);
         return std::move(out_);
     }
 
@@ -192,6 +198,7 @@ class Survey {
 } // namespace
 
 core::Result<CgnsSurvey> survey_cgns(const ListedFile& file) {
+    made_progress();
     const CgnsFile opened(file.path);
     if (!opened.sound())
         return core::fail(Error::Code::Corrupt, file.name + " is damaged or not what it says it is "

@@ -1,5 +1,7 @@
 #include "server/import/sources/netcdf_axes.hpp"
 
+#include "server/import/sources/netcdf_units.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -199,7 +201,8 @@ core::Result<AxisKind> axis_kind(const NetcdfFile& file, int dimension) {
 
 core::Result<NetcdfAxis> read_axis(const NetcdfFile& file, int dimension) {
     const auto& [name, length] = file.dimensions()[static_cast<std::size_t>(dimension)];
-    NetcdfAxis axis{dimension, {}, false, false};
+    NetcdfAxis axis;
+    axis.dimension = dimension;
     const auto* variable = coordinates_of(file, dimension);
     if (variable == nullptr) {
         axis.numbered = true;
@@ -211,6 +214,7 @@ core::Result<NetcdfAxis> read_axis(const NetcdfFile& file, int dimension) {
     if (!nodes)
         return tl::unexpected(nodes.error());
     axis.nodes = std::move(*nodes);
+    axis.units = file.text(*variable, "units");
     if (lower(file.text(*variable, "positive")) == "down")
         std::transform(axis.nodes.begin(), axis.nodes.end(), axis.nodes.begin(), std::negate<>());
     axis.flipped = axis.nodes.size() > 1 && axis.nodes.front() > axis.nodes.back();
@@ -240,6 +244,8 @@ core::Result<NetcdfGrid> find_grid(const NetcdfFile& file) {
                               "extrude it by two cells or more first");
         grid.axes[i] = std::move(*axis);
     }
+    if (auto converted = convert_axes(file, grid); !converted)
+        return tl::unexpected(converted.error());
     return grid;
 }
 

@@ -18,6 +18,9 @@ struct NetcdfAxis {
     std::vector<double> nodes; ///< strictly rising
     bool flipped = false;      ///< stored falling
     bool numbered = false;     ///< the file has no coordinates: 0, 1, 2, ...
+    std::string units{};       ///< as the file states them
+    bool known = false;        ///< a unit of length
+    double factor = 1.0;       ///< that the nodes were multiplied by, to be in metres
 };
 
 /// A depth, positive downwards, becomes a height. Error: Corrupt (coordinates that are missing, not finite, neither
@@ -31,8 +34,8 @@ struct NetcdfGrid {
         variables; ///< those on this grid: of its three dimensions, each once, in any order
 };
 
-/// The grid the variables are on. Error: Unsupported (two-dimensional data, velocities on staggered grids, curvilinear or
-/// spherical coordinates), Corrupt.
+/// The grid the variables are on, in metres where the file states a unit of length. Error: Unsupported (two-dimensional data, velocities on staggered grids, curvilinear or
+/// spherical coordinates, axes that are no lengths), Corrupt, Io.
 core::Result<NetcdfGrid> find_grid(const NetcdfFile& file);
 
 } // namespace wakesurf::server

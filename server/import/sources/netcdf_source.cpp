@@ -3,7 +3,9 @@
 #include "server/import/sources/file_names.hpp"
 #include "server/import/sources/fluid_blocks.hpp"
 #include "server/import/sources/netcdf_axes.hpp"
+#include "server/import/sources/netcdf_units.hpp"
 #include "server/import/sources/series_times.hpp"
+#include "server/import/velocity_choice.hpp"
 
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
@@ -95,6 +97,7 @@ core::Result<vtkSmartPointer<vtkDataArray>> read_array(const NetcdfFile& file,
     const auto values = file.read(variable, start, count);
     if (!values)
         return tl::unexpected(values.error());
+    const double factor = unit_of(file, variable).factor;
     auto array = vtkSmartPointer<Array>::New();
     array->SetName(variable.name.c_str());
     array->SetNumberOfTuples(static_cast<vtkIdType>(values->size()));
@@ -107,8 +110,8 @@ core::Result<vtkSmartPointer<vtkDataArray>> read_array(const NetcdfFile& file,
     for (std::size_t k = 0; k < grid.axes[2].nodes.size(); ++k)
         for (std::size_t j = 0; j < grid.axes[1].nodes.size(); ++j)
             for (std::size_t i = 0; i < grid.axes[0].nodes.size(); ++i)
-                array->SetValue(out++,
-                                static_cast<Value>((*values)[at(0, i) + at(1, j) + at(2, k)]));
+                array->SetValue(
+                    out++, static_cast<Value>(factor * (*values)[at(0, i) + at(1, j) + at(2, k)]));
     return vtkSmartPointer<vtkDataArray>(array);
 }
 
@@ -207,22 +210,38 @@ class NetcdfSource final : public Source {
         if (length == 0)
             return core::fail(Error::Code::Corrupt, file->name() + " has no time-steps yet");
         const auto* variable = file->variable(name);
-        const bool timed =
-            variable != nullptr && variable->dimensions == std::vector<int>{*grid->time};
-        auto values = timed ? file->read(*variable) : std::vector<double>();
-        if (!values)
-            return tl::unexpected(values.error());
-        for (std::size_t i = 0; i < length; ++i) {
-            const auto what = "time-step " + std::to_string(i) + " of " + file->name();
-            if (timed && !std::isfinite((*values)[i]))
-                return core::fail(Error::Code::Corrupt, what + " has no time");
-            steps_.push_back({entry, i});
-            times.push_back({what, timed ? std::optional((*values)[i]) : std::nullopt});
+        if (variable == nullptr || variable->dimensions != std::vector<int>{*grid->time}) {
+            for (std::size_t i = 0; i < length; ++i)
+                add_step(*file, entry, i, std::nullopt, times);
+            return {};
         }
-        if (const auto units = timed ? file->text(*variable, "units") : "";
-            entry == 0 && !units.empty())
-            add_note("times are in " + units);
+        auto read = read_times(*file, *variable, reference_);
+        if (!read)
+            return tl::unexpected(read.error());
+        for (std::size_t i = 0; i < length; ++i) {
+            if (!std::isfinite(read->seconds[i]))
+                return core::fail(Error::Code::Corrupt, step_name(*file, i) + " has no time");
+            add_step(*file, entry, i, read->seconds[i], times);
+        }
+        if (entry == 0) {
+            reference_ = read->reference;
+            time_unit_ = read->unit;
+            add_note(read->note);
+        }
         return {};
+    }
+
+    static std::string step_name(const NetcdfFile& file, std::size_t step) {
+        return "time-step " + std::to_string(step) + " of " + file.name();
+    }
+
+    void add_step(const NetcdfFile& file,
+                  std::size_t entry,
+                  std::size_t step,
+                  std::optional<double> time,
+                  std::vector<TimedEntry>& times) {
+        steps_.push_back({entry, step});
+        times.push_back({step_name(file, step), time});
     }
 
     core::Result<void> describe() {
@@ -242,11 +261,23 @@ class NetcdfSource final : public Source {
         return read(0, all).map([&](const SourceStep& first) {
             description_.fields = common_fields(first.blocks);
             for (auto& field : description_.fields)
-                field.unit = file->text(*file->variable(field.name), "units");
+                field.unit = unit_of(*file, *file->variable(field.name)).unit;
+            add_note(note_on_units(*file, *grid, velocity_names(), time_unit_));
         });
     }
 
+    // Of what is the velocity unless a user names another; none where that is not clear.
+    std::vector<std::string> velocity_names() const {
+        std::vector<std::string> out;
+        if (const auto chosen = choose_velocity(description_.fields, {}))
+            for (const auto& array : chosen->parts.arrays)
+                out.push_back(array.name);
+        return out;
+    }
+
     FileSeries series_;
+    std::string reference_; ///< that times are counted from
+    std::optional<std::string> time_unit_;
     std::vector<Step> steps_;
     SourceDescription description_;
 };

@@ -1,13 +1,6 @@
 // CGNS files as sources, written with the CGNS library: structured and unstructured zones, time-steps in one file and
 // in several, cell and vertex data, refusals.
-#include "tests/server/import/known_flow.hpp"
-#include "tests/support/temporary_folder.hpp"
-
-#include <vtk_cgns.h>
-// clang-format off
-#include VTK_CGNS(cgnslib.h)
-
-// clang-format on
+#include "tests/server/import/cgns_files.hpp"
 
 namespace wakesurf::server {
 namespace {
@@ -15,142 +8,6 @@ namespace {
 using namespace tests;
 using core::Error;
 namespace fs = std::filesystem;
-
-enum class Pointers { Written, Missing };
-
-struct Contents {
-    std::vector<double> times{0.25, 0.5, 2};
-    std::string vector = "Velocity"; ///< its components get X, Y and Z
-    bool structured = true;
-    bool adf = false;
-    Pointers pointers = Pointers::Written;
-    bool at_cells = false;
-    int first_step = 0; ///< which known flow the first time-step is
-};
-
-void ok(int status) {
-    ASSERT_EQ(status, CG_OK) << cg_get_error();
-}
-
-// Solution of one zone at one step: the vector at the vertices, T in the cells.
-void write_solution(int file, int zone, vtkDataSet& data, const Contents& contents, int step) {
-    const std::string n = std::to_string(step);
-    int solution = 0;
-    int field = 0;
-    ok(cg_sol_write(file, 1, zone, ("Flow" + n).c_str(),
-                    contents.at_cells ? CGNS_ENUMV(CellCenter) : CGNS_ENUMV(Vertex), &solution));
-    const vtkIdType count = contents.at_cells ? data.GetNumberOfCells() : data.GetNumberOfPoints();
-    for (std::size_t c = 0; c < 3; ++c) {
-        std::vector<double> values;
-        for (vtkIdType i = 0; i < count; ++i)
-            values.push_back(
-                contents.at_cells
-                    ? known_velocity(cell_centre(data, i).data(), contents.first_step + step)[c]
-                    : known_velocity(data.GetPoint(i), contents.first_step + step)[c]);
-        ok(cg_field_write(file, 1, zone, solution, CGNS_ENUMV(RealDouble),
-                          (contents.vector + "XYZ"[c]).c_str(), values.data(), &field));
-    }
-    std::vector<double> density(static_cast<std::size_t>(count), 1.25);
-    ok(cg_field_write(file, 1, zone, solution, CGNS_ENUMV(RealDouble), "Density", density.data(),
-                      &field));
-}
-
-int write_zone(int file, const std::string& name, vtkStructuredGrid& grid) {
-    const int* n = grid.GetDimensions();
-    const std::array<cgsize_t, 9> size{n[0], n[1], n[2], n[0] - 1, n[1] - 1, n[2] - 1, 0, 0, 0};
-    int zone = 0;
-    ok(cg_zone_write(file, 1, name.c_str(), size.data(), CGNS_ENUMV(Structured), &zone));
-    return zone;
-}
-
-int write_zone(int file, const std::string& name, vtkUnstructuredGrid& grid) {
-    const std::array<cgsize_t, 3> size{grid.GetNumberOfPoints(), grid.GetNumberOfCells(), 0};
-    int zone = 0;
-    ok(cg_zone_write(file, 1, name.c_str(), size.data(), CGNS_ENUMV(Unstructured), &zone));
-    const std::array<std::pair<int, CGNS_ENUMT(ElementType_t)>, 4> types{
-        {{VTK_HEXAHEDRON, CGNS_ENUMV(HEXA_8)},
-         {VTK_WEDGE, CGNS_ENUMV(PENTA_6)},
-         {VTK_PYRAMID, CGNS_ENUMV(PYRA_5)},
-         {VTK_TETRA, CGNS_ENUMV(TETRA_4)}}};
-    cgsize_t next = 1;
-    for (const auto& [vtk, cgns] : types) {
-        std::vector<cgsize_t> nodes;
-        const cgsize_t first = next;
-        for (vtkIdType i = 0; i < grid.GetNumberOfCells(); ++i) {
-            if (grid.GetCellType(i) != vtk)
-                continue;
-            ++next;
-            for (vtkIdType k = 0; k < grid.GetCell(i)->GetNumberOfPoints(); ++k)
-                nodes.push_back(grid.GetCell(i)->GetPointId(static_cast<int>(k)) + 1);
-        }
-        int section = 0;
-        ok(cg_section_write(file, 1, zone, (std::string("E") + std::to_string(vtk)).c_str(), cgns,
-                            first, next - 1, 0, nodes.data(), &section));
-    }
-    const std::array<cgsize_t, 4> quad{1, 2, 10, 9}; // of the boundary: no cell
-    int section = 0;
-    ok(cg_section_write(file, 1, zone, "Floor", CGNS_ENUMV(QUAD_4), next, next, 0, quad.data(),
-                        &section));
-    return zone;
-}
-
-void write_coordinates(int file, int zone, vtkDataSet& data) {
-    for (std::size_t c = 0; c < 3; ++c) {
-        std::vector<double> values;
-        for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i)
-            values.push_back(data.GetPoint(i)[c]);
-        int coordinate = 0;
-        ok(cg_coord_write(file, 1, zone, CGNS_ENUMV(RealDouble),
-                          (std::string("Coordinate") + "XYZ"[c]).c_str(), values.data(),
-                          &coordinate));
-    }
-}
-
-void write_pointers(int file, int zone, std::size_t steps) {
-    ok(cg_ziter_write(file, 1, zone, "ZoneIterativeData"));
-    ok(cg_goto(file, 1, "Zone_t", zone, "ZoneIterativeData_t", 1, "end"));
-    std::string names(32 * steps, ' ');
-    for (std::size_t i = 0; i < steps; ++i)
-        names.replace(32 * i, 5, "Flow" + std::to_string(i));
-    const std::array<cgsize_t, 2> size{32, static_cast<cgsize_t>(steps)};
-    ok(cg_array_write("FlowSolutionPointers", CGNS_ENUMV(Character), 2, size.data(), names.data()));
-}
-
-void write_cgns(const fs::path& path, const Contents& contents) {
-    fs::remove(path);
-    ok(cg_set_file_type(contents.adf ? CG_FILE_ADF : CG_FILE_HDF5));
-    int file = 0;
-    int base = 0;
-    ok(cg_open(path.c_str(), CG_MODE_WRITE, &file));
-    ok(cg_base_write(file, "Base", 3, 3, &base));
-    if (!contents.times.empty()) {
-        ok(cg_biter_write(file, base, "TimeIterValues", static_cast<int>(contents.times.size())));
-        ok(cg_goto(file, base, "BaseIterativeData_t", 1, "end"));
-        const auto steps = static_cast<cgsize_t>(contents.times.size());
-        ok(cg_array_write("TimeValues", CGNS_ENUMV(RealDouble), 1, &steps, contents.times.data()));
-    }
-    for (int block = 0; block < 2; ++block) {
-        const std::string name = "Zone" + std::to_string(block);
-        vtkSmartPointer<vtkDataSet> data;
-        int zone = 0;
-        if (contents.structured) {
-            auto grid = sample_structured(20.0 * block);
-            zone = write_zone(file, name, *grid);
-            data = grid;
-        } else {
-            auto grid = sample_mesh(20.0 * block);
-            zone = write_zone(file, name, *grid);
-            data = grid;
-        }
-        write_coordinates(file, zone, *data);
-        const auto steps = std::max<std::size_t>(contents.times.size(), 1);
-        for (std::size_t step = 0; step < steps; ++step)
-            write_solution(file, zone, *data, contents, static_cast<int>(step));
-        if (contents.pointers == Pointers::Written && !contents.times.empty())
-            write_pointers(file, zone, steps);
-    }
-    ok(cg_close(file));
-}
 
 class CgnsSource : public testing::Test {
   protected:
@@ -216,6 +73,35 @@ TEST_F(CgnsSource, LeavesCellDataInTheCells) {
                                     1e-9);
             }
         }
+    }
+}
+
+TEST_F(CgnsSource, ConvertsCoordinatesToTheUnitOfLengthOfTheVelocity) {
+    Contents contents;
+    const auto length_and_note = [&] {
+        const auto source = open(contents);
+        if (!source)
+            return std::pair(0.0, source.error().message);
+        const auto bounds = (*source)->read(1, {})->blocks[1]->GetBounds();
+        return std::pair(bounds[0], (*source)->description().note);
+    };
+    for (const bool structured : {true, false}) {
+        contents.structured = structured;
+        contents.length = contents.of_coordinates = CGNS_ENUMV(LengthUnitsNull);
+        const auto [as_written, no_note] = length_and_note();
+        EXPECT_EQ(no_note, "");
+        contents.length = CGNS_ENUMV(Meter);
+        EXPECT_EQ(length_and_note(), (std::pair(as_written, std::string())));
+        contents.of_coordinates = CGNS_ENUMV(Millimeter);
+        const auto [millimetres, note] = length_and_note();
+        EXPECT_NEAR(millimetres, 1e-3 * as_written, 1e-15);
+        EXPECT_EQ(note, "x, y, z were converted from millimeter to meter, the velocity's unit");
+        contents.length = CGNS_ENUMV(Millimeter); // one system, whichever it is
+        EXPECT_EQ(length_and_note(), (std::pair(as_written, std::string())));
+        contents.length = CGNS_ENUMV(LengthUnitsNull);
+        EXPECT_EQ(length_and_note(),
+                  std::pair(as_written, std::string("the velocities have no unit of length: kept, "
+                                                    "and taken as millimeter per second")));
     }
 }
 

@@ -1,13 +1,8 @@
 // NetCDF-CF files as sources, written with the netCDF library: packing, fill values, axes in every order, refusals.
-#include "tests/server/import/known_flow.hpp"
+#include "tests/server/import/netcdf_files.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-#include <netcdf.h>
-
 #include <algorithm>
-#include <functional>
-#include <limits>
-#include <map>
 
 namespace wakesurf::server {
 namespace {
@@ -15,139 +10,6 @@ namespace {
 using namespace tests;
 using core::Error;
 namespace fs = std::filesystem;
-
-using Names = std::vector<std::string>;
-
-// A file under construction; every netCDF call is checked.
-class Writer {
-  public:
-    explicit Writer(const fs::path& file, int format = NC_NETCDF4) {
-        ok(nc_create(file.c_str(), NC_CLOBBER | format, &id_));
-        nc_set_fill(id_, NC_NOFILL, nullptr);
-    }
-
-    ~Writer() { ok(nc_close(id_)); }
-
-    Writer(const Writer&) = delete;
-    Writer& operator=(const Writer&) = delete;
-
-    static void ok(int status) { ASSERT_EQ(status, NC_NOERR) << nc_strerror(status); }
-
-    void dimension(const std::string& name, std::size_t length) {
-        int dimension = 0;
-        ok(nc_def_dim(id_, name.c_str(), length, &dimension));
-        dimensions_[name] = dimension;
-    }
-
-    int variable(const std::string& name, nc_type type, const Names& dimensions) {
-        std::vector<int> ids;
-        for (const auto& dimension : dimensions)
-            ids.push_back(dimensions_.at(dimension));
-        int variable = 0;
-        ok(nc_def_var(id_, name.c_str(), type, static_cast<int>(ids.size()), ids.data(),
-                      &variable));
-        return variable;
-    }
-
-    void text(int variable, const char* attribute, const std::string& value) {
-        ok(nc_put_att_text(id_, variable, attribute, value.size(), value.c_str()));
-    }
-
-    void number(int variable, const char* attribute, nc_type type, double value) {
-        ok(nc_put_att_double(id_, variable, attribute, type, 1, &value));
-    }
-
-    void end() { nc_enddef(id_); }
-
-    void put(int variable,
-             const std::vector<std::size_t>& start,
-             const std::vector<std::size_t>& count,
-             const std::vector<double>& values) {
-        ok(nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()));
-    }
-
-    void put(int variable, const std::vector<double>& values) {
-        put(variable, {0}, {values.size()}, values);
-    }
-
-  private:
-    int id_ = 0;
-    std::map<std::string, int> dimensions_;
-};
-
-struct Flow {
-    int format = NC_NETCDF4;
-    Names order{"time", "z", "y", "x"};
-    nc_type type = NC_DOUBLE;
-    std::map<std::string, std::vector<double>> axes{
-        {"x", {0, 0.5, 1, 1.5}}, {"y", {-1, 0, 1, 2, 3}}, {"z", {2, 2.25, 2.5}}};
-    std::vector<double> times{0.5, 1.5, 4};
-    double scale = 0; // packed where not 0
-    std::map<std::string, std::string> units{};
-    bool with_axis_attributes = true;
-    Names velocity{"u", "v", "w"};
-};
-
-// Raw value of component c at (x, y, z) of step t; `spoil` may put another one there.
-using Spoil = std::function<void(std::size_t index, double& raw)>;
-
-void write_flow(const fs::path& file, const Flow& flow, const Spoil& spoil = {}) {
-    Writer out(file, flow.format);
-    out.dimension("time", NC_UNLIMITED);
-    std::map<std::string, int> coordinates;
-    for (const auto& [name, nodes] : flow.axes)
-        out.dimension(name, nodes.size());
-    const int time = out.variable("time", NC_DOUBLE, {"time"});
-    out.text(time, "units", "seconds since 2000-01-01 00:00:00");
-    for (const auto& [name, nodes] : flow.axes) {
-        coordinates[name] = out.variable(name, NC_DOUBLE, {name});
-        if (flow.with_axis_attributes)
-            out.text(coordinates[name], "axis", std::string(1, static_cast<char>(name[0] - 32)));
-        if (flow.units.contains(name))
-            out.text(coordinates[name], "units", flow.units.at(name));
-    }
-    std::vector<int> variables;
-    for (const auto& name : flow.velocity) {
-        variables.push_back(out.variable(name, flow.type, flow.order));
-        out.text(variables.back(), "units", "m s-1");
-        if (flow.scale > 0) {
-            out.number(variables.back(), "scale_factor", NC_DOUBLE, flow.scale);
-            out.number(variables.back(), "add_offset", NC_DOUBLE, 1.0);
-            out.number(variables.back(), "_FillValue", flow.type, -32768);
-        }
-    }
-    out.end();
-    for (const auto& [name, nodes] : flow.axes)
-        out.put(coordinates[name], nodes);
-    out.put(time, flow.times);
-    for (std::size_t t = 0; t < flow.times.size(); ++t) {
-        std::vector<std::size_t> start, count;
-        for (const auto& name : flow.order) {
-            start.push_back(name == "time" ? t : 0);
-            count.push_back(name == "time" ? 1 : flow.axes.at(name).size());
-        }
-        std::size_t total = 1;
-        for (const auto n : count)
-            total *= n;
-        for (std::size_t c = 0; c < 3; ++c) {
-            std::vector<double> values(total);
-            for (std::size_t i = 0; i < total; ++i) {
-                std::map<std::string, double> p{{"x", 0}, {"y", 0}, {"z", 0}};
-                std::size_t rest = i;
-                for (std::size_t d = flow.order.size(); d-- > 0; rest /= count[d])
-                    if (flow.order[d] != "time")
-                        p[flow.order[d]] = flow.axes.at(flow.order[d])[rest % count[d]];
-                const std::array<double, 3> at{p["x"], p["y"], p["z"]};
-                values[i] = known_velocity(at.data(), static_cast<int>(t))[c];
-                if (flow.scale > 0)
-                    values[i] = std::round((values[i] - 1.0) / flow.scale);
-                if (spoil)
-                    spoil(i, values[i]);
-            }
-            out.put(variables[c], start, count, values);
-        }
-    }
-}
 
 class NetcdfSource : public testing::Test {
   protected:
@@ -207,7 +69,8 @@ TEST_F(NetcdfSource, TellsFieldsUnitsAndTimes) {
     const auto source = open_source(write({}));
     const auto& description = (*source)->description();
     EXPECT_EQ(description.name, "flow");
-    EXPECT_EQ(description.note, "times are in seconds since 2000-01-01 00:00:00");
+    EXPECT_EQ(description.note, "times are in seconds since 2000-01-01 00:00:00; "
+                                "x, y, z have no unit: kept, and taken as m");
     ASSERT_EQ(description.fields.size(), 3u);
     EXPECT_EQ(description.fields[1].name, "v");
     EXPECT_EQ(description.fields[1].components, 1);
@@ -276,10 +139,10 @@ TEST_F(NetcdfSource, UnpacksIntegersAndMakesFillValuesNan) {
 }
 
 TEST_F(NetcdfSource, MakesMissingAndDefaultFillAndInvalidValuesNan) {
-    const auto nan_at_3 = [&](const std::function<void(Writer&, int)>& define, nc_type type,
+    const auto nan_at_3 = [&](const std::function<void(NetcdfWriter&, int)>& define, nc_type type,
                               double raw) {
         {
-            Writer out(folder_ / "m.nc");
+            NetcdfWriter out(folder_ / "m.nc");
             for (const char* name : {"x", "y", "z"})
                 out.dimension(name, 3);
             const int u = out.variable("u", type, {"z", "y", "x"});
@@ -297,23 +160,24 @@ TEST_F(NetcdfSource, MakesMissingAndDefaultFillAndInvalidValuesNan) {
             EXPECT_EQ(std::isnan(found->GetTuple1(i)), i == 3) << i;
         EXPECT_EQ((*source)->description().fields[0].range, (std::array{5.0, 5.0}));
     };
-    const auto nothing = [](Writer&, int) {};
+    const auto nothing = [](NetcdfWriter&, int) {};
     nan_at_3(nothing, NC_FLOAT, static_cast<double>(NC_FILL_FLOAT));
     nan_at_3(nothing, NC_DOUBLE, NC_FILL_DOUBLE);
     nan_at_3(nothing, NC_SHORT, NC_FILL_SHORT);
     nan_at_3(nothing, NC_DOUBLE, std::nan(""));
-    nan_at_3([](Writer& w, int u) { w.number(u, "missing_value", NC_FLOAT, 1e20); }, NC_FLOAT,
+    nan_at_3([](NetcdfWriter& w, int u) { w.number(u, "missing_value", NC_FLOAT, 1e20); }, NC_FLOAT,
              static_cast<double>(1e20f));
-    nan_at_3([](Writer& w, int u) { w.number(u, "missing_value", NC_DOUBLE, 1e20); }, NC_FLOAT,
-             static_cast<double>(1e20f));
-    nan_at_3([](Writer& w, int u) { w.number(u, "_FillValue", NC_FLOAT, -999); }, NC_FLOAT, -999);
-    nan_at_3([](Writer& w, int u) { w.number(u, "valid_max", NC_FLOAT, 50); }, NC_FLOAT, 51);
-    nan_at_3([](Writer& w, int u) { w.number(u, "valid_min", NC_FLOAT, -1); }, NC_FLOAT, -2);
+    nan_at_3([](NetcdfWriter& w, int u) { w.number(u, "missing_value", NC_DOUBLE, 1e20); },
+             NC_FLOAT, static_cast<double>(1e20f));
+    nan_at_3([](NetcdfWriter& w, int u) { w.number(u, "_FillValue", NC_FLOAT, -999); }, NC_FLOAT,
+             -999);
+    nan_at_3([](NetcdfWriter& w, int u) { w.number(u, "valid_max", NC_FLOAT, 50); }, NC_FLOAT, 51);
+    nan_at_3([](NetcdfWriter& w, int u) { w.number(u, "valid_min", NC_FLOAT, -1); }, NC_FLOAT, -2);
 }
 
 TEST_F(NetcdfSource, NotesMissingCoordinatesAndTimes) {
     {
-        Writer out(folder_ / "n.nc");
+        NetcdfWriter out(folder_ / "n.nc");
         out.dimension("time", 2);
         for (const char* name : {"x", "y", "z"})
             out.dimension(name, 3);
@@ -377,7 +241,7 @@ TEST_F(NetcdfSource, RefusesWhatIsNotAGridInSpace) {
 
 TEST_F(NetcdfSource, RefusesStaggeredAndCurvilinearGrids) {
     {
-        Writer out(folder_ / "s.nc");
+        NetcdfWriter out(folder_ / "s.nc");
         for (const char* name : {"x", "y", "z", "xu"})
             out.dimension(name, 4);
         out.text(out.variable("xu", NC_DOUBLE, {"xu"}), "axis", "X");
@@ -387,7 +251,7 @@ TEST_F(NetcdfSource, RefusesStaggeredAndCurvilinearGrids) {
     expect_failure(open_source(folder_ / "s.nc"), Error::Code::Unsupported,
                    "s.nc has a staggered grid");
     {
-        Writer out(folder_ / "c.nc");
+        NetcdfWriter out(folder_ / "c.nc");
         for (const char* name : {"i", "j", "z"})
             out.dimension(name, 4);
         out.variable("xc", NC_DOUBLE, {"j", "i"});
