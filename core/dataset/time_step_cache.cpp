@@ -1,10 +1,10 @@
 #include "core/dataset/time_step_cache.hpp"
 
+#include "core/dataset/step_window.hpp"
+
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
 #include <cstdint>
-#include <deque>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -25,21 +25,6 @@ constexpr int looks_when_deadlocked = 3;
 constexpr int looks_when_merely_full = 300;
 
 constexpr std::size_t smallest_window = 4;
-constexpr std::size_t left_free =
-    8; ///< of the account one part in so many, for what begins elsewhere
-
-struct Entry {
-    StepState state = StepState::Cold;
-    std::shared_ptr<const TimeStep> step; ///< while resident
-    std::weak_ptr<const TimeStep> lease;  ///< what is handed out
-    std::size_t leases = 0;               ///< handed out and not yet given back
-    std::size_t waiters = 0;              ///< acquire() calls waiting for it
-    bool in_window = false;               ///< wanted by the last prefetch()
-    std::uint64_t last_use = 0;
-    std::uint64_t failures = 0;
-    Error error;           ///< of the last failure
-    std::stop_source load; ///< of the load in flight
-};
 
 // How long an acquire() that waits for room may see nothing given back.
 class Patience {
@@ -59,63 +44,10 @@ class Patience {
     int deadlocked_looks_ = 0;
 };
 
-struct Job {
-    std::size_t index = 0;
-    std::stop_token stop;
-    std::shared_ptr<const TimeStep> evicted; ///< freed before the load, so that both never coexist
-};
-
 } // namespace
 
-// Every change of a step's state happens in a load thread; acquire() only asks and waits. A step's
-// memory counts from the moment its load is picked until it is evicted, and only steps that nobody
-// holds are evicted: that is what makes the budget hard.
 struct TimeStepCache::State {
-    struct Window {
-        std::mutex mutex;
-        std::condition_variable_any changed; ///< a load ended
-        std::condition_variable_any work;    ///< something to load, or room for it
-        std::vector<Entry> entries;
-        std::deque<std::size_t> demanded;   ///< cold steps somebody waits for, oldest first
-        std::deque<std::size_t> prefetched; ///< cold steps to load ahead, nearest first
-        std::size_t position = 0;           ///< of the last prefetch()
-        std::size_t capacity = 0; ///< time-steps the budget holds; with an account: could at most
-        std::size_t smallest = 0; ///< that are always there
-        std::size_t step_bytes = 0;
-        std::optional<MemoryAccount> account;
-        MemoryAccount::Share share; ///< of the account: `used`, at least `smallest`
-        bool starved = false; ///< the last load had to wait: there was no memory beyond `used`
-        std::size_t used = 0; ///< resident and in flight
-        std::size_t lent = 0; ///< entries handed out
-        std::size_t held = 0; ///< by those whose acquire() waits, together
-        std::size_t idle_threads = 0;
-        bool closing = false;
-        std::uint64_t clock = 0;    ///< order of use
-        std::uint64_t progress = 0; ///< counts loads ended and leases given back
-        std::uint64_t hits = 0;
-        std::uint64_t loads = 0;
-
-        std::shared_ptr<const TimeStep> lend(const std::shared_ptr<Window>& self,
-                                             std::size_t index);
-        void give_back(std::size_t index);
-        void demand(std::size_t index);
-        void withdraw(std::size_t index);
-        template <class Unwanted>
-        void stop_loads(Unwanted unwanted);
-        std::size_t room() const;
-
-        bool hungry() const { return starved && !demanded.empty(); }
-
-        bool make_room(std::size_t leave);
-        void count();
-        std::vector<std::shared_ptr<const TimeStep>> give_back_spare(std::size_t bytes);
-        bool may_be_deadlocked() const;
-        std::optional<std::size_t> victim(bool spare_window) const;
-        std::shared_ptr<const TimeStep> evict(std::size_t index);
-        std::optional<Job> pick();
-        std::optional<Job> start(std::size_t index, bool spare_window);
-        void finish(std::size_t index, Result<std::shared_ptr<const TimeStep>> loaded);
-    };
+    using Window = StepWindow;
 
     std::shared_ptr<const TimeStepSource> source;
     std::size_t step_bytes = 0;
@@ -126,203 +58,19 @@ struct TimeStepCache::State {
     std::vector<std::jthread> threads;
     std::shared_ptr<void> asked; ///< by others, for memory
 
-    Result<std::shared_ptr<const TimeStep>> load(const Job& job) const;
+    Result<std::shared_ptr<const TimeStep>> load(const StepJob& job) const;
     void load_until(const std::stop_token& stop);
     void announce();
 };
 
-std::shared_ptr<const TimeStep>
-TimeStepCache::State::Window::lend(const std::shared_ptr<Window>& self, std::size_t index) {
-    Entry& entry = entries[index];
-    entry.last_use = ++clock;
-    if (auto shared = entry.lease.lock())
-        return shared;
-    if (entry.leases++ == 0)
-        ++lent;
-    // The lease keeps window and step alive, so it may outlive the cache.
-    std::shared_ptr<const TimeStep> lease(
-        entry.step.get(), [keep = self, index, step = entry.step](const TimeStep*) mutable {
-            step.reset();
-            // Out of the capture, which the window's own weak_ptr keeps.
-            const auto window = std::move(keep);
-            window->give_back(index);
-        });
-    entry.lease = lease;
-    return lease;
-}
-
-void TimeStepCache::State::Window::give_back(std::size_t index) {
-    bool room_wanted = false;
-    {
-        const std::scoped_lock lock(mutex);
-        if (--entries[index].leases == 0)
-            --lent;
-        ++progress;
-        room_wanted = !demanded.empty() || !prefetched.empty();
-    }
-    if (room_wanted)
-        work.notify_one();
-}
-
-void TimeStepCache::State::Window::demand(std::size_t index) {
-    if (entries[index].state == StepState::Cold &&
-        std::find(demanded.begin(), demanded.end(), index) == demanded.end())
-        demanded.push_back(index);
-    if (entries[index].state == StepState::Cold && idle_threads == 0)
-        stop_loads([](const Entry& other) { return other.waiters == 0; });
-}
-
-template <class Unwanted>
-void TimeStepCache::State::Window::stop_loads(Unwanted unwanted) {
-    for (Entry& entry : entries)
-        if (entry.state == StepState::Loading && unwanted(entry))
-            entry.load.request_stop();
-}
-
-void TimeStepCache::State::Window::withdraw(std::size_t index) {
-    if (--entries[index].waiters == 0)
-        std::erase(demanded, index);
-}
-
-/// Time-steps there may be as things stand.
-std::size_t TimeStepCache::State::Window::room() const {
-    return starved ? std::min(capacity, std::max(used, smallest)) : capacity;
-}
-
-bool TimeStepCache::State::Window::may_be_deadlocked() const {
-    return lent >= room() && lent <= held;
-}
-
-/// For one more. Within what is free: others are not asked while the window is locked.
-bool TimeStepCache::State::Window::make_room(std::size_t leave) {
-    if (used >= capacity)
-        return false;
-    const bool there =
-        !account || used < smallest || share.grow_within_free((used + 1) * step_bytes, leave);
-    starved = !there;
-    return there;
-}
-
-void TimeStepCache::State::Window::count() {
-    share.shrink_to(std::max(used, smallest) * step_bytes);
-}
-
-/// Beyond the smallest window, and nobody holds them. To be freed without the lock.
-std::vector<std::shared_ptr<const TimeStep>>
-TimeStepCache::State::Window::give_back_spare(std::size_t bytes) {
-    std::vector<std::shared_ptr<const TimeStep>> freed;
-    while (used > smallest && freed.size() * step_bytes < bytes) {
-        const auto out = victim(false);
-        if (!out)
-            break;
-        freed.push_back(evict(*out));
-    }
-    count();
-    return freed;
-}
-
-std::shared_ptr<const TimeStep> TimeStepCache::State::Window::evict(std::size_t index) {
-    Entry& entry = entries[index];
-    auto step = std::move(entry.step);
-    entry.step.reset();
-    entry.lease.reset();
-    entry.state = StepState::Cold;
-    --used;
-    return step;
-}
-
-// Least recently used outside the window; inside it the farthest from its position.
-std::optional<std::size_t> TimeStepCache::State::Window::victim(bool spare_window) const {
-    std::optional<std::size_t> best;
-    const auto distance = [&](std::size_t i) { return i > position ? i - position : position - i; };
-    const auto better = [&](std::size_t a, std::size_t b) {
-        if (entries[a].in_window != entries[b].in_window)
-            return entries[b].in_window;
-        return entries[a].in_window ? distance(a) > distance(b)
-                                    : entries[a].last_use < entries[b].last_use;
-    };
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const Entry& entry = entries[i];
-        const bool free = entry.state == StepState::Resident && entry.leases == 0 &&
-                          entry.waiters == 0 && !(spare_window && entry.in_window);
-        if (free && (!best || better(i, *best)))
-            best = i;
-    }
-    return best;
-}
-
-std::optional<Job> TimeStepCache::State::Window::pick() {
-    if (closing)
-        return std::nullopt;
-    while (!demanded.empty() && entries[demanded.front()].state != StepState::Cold)
-        demanded.pop_front();
-    if (!demanded.empty()) {
-        auto job = start(demanded.front(), false);
-        if (job)
-            demanded.pop_front();
-        return job; // no room for what is waited for: nothing is loaded ahead either
-    }
-    while (!prefetched.empty() && entries[prefetched.front()].state != StepState::Cold)
-        prefetched.pop_front();
-    if (prefetched.empty())
-        return std::nullopt;
-    auto job = start(prefetched.front(), true);
-    if (job)
-        prefetched.pop_front();
-    return job;
-}
-
-std::optional<Job> TimeStepCache::State::Window::start(std::size_t index, bool spare_window) {
-    Job job;
-    job.index = index;
-    if (!make_room(account ? account->budget() / left_free : 0)) {
-        if (const auto out = victim(spare_window))
-            job.evicted = evict(*out);
-        else if (spare_window || !make_room(0))
-            return std::nullopt;
-    }
-    Entry& entry = entries[index];
-    entry.state = StepState::Loading;
-    entry.load = std::stop_source();
-    job.stop = entry.load.get_token();
-    ++used;
-    return job;
-}
-
-void TimeStepCache::State::Window::finish(std::size_t index,
-                                          Result<std::shared_ptr<const TimeStep>> loaded) {
-    const std::scoped_lock lock(mutex);
-    Entry& entry = entries[index];
-    ++progress;
-    if (loaded) {
-        ++loads;
-        entry.step = std::move(*loaded);
-        entry.state = StepState::Resident;
-        entry.last_use = ++clock;
-        return;
-    }
-    entry.state = StepState::Cold;
-    --used;
-    count();
-    if (entry.load.stop_requested() && !closing) { // it had made way; it may be wanted again
-        if (entry.waiters > 0)
-            demanded.push_front(index);
-        else if (entry.in_window)
-            prefetched.push_front(index);
-        return;
-    }
-    ++entry.failures;
-    entry.error = std::move(loaded.error());
-}
-
-Result<std::shared_ptr<const TimeStep>> TimeStepCache::State::load(const Job& job) const {
+Result<std::shared_ptr<const TimeStep>> TimeStepCache::State::load(const StepJob& job) const {
     try {
         return source->load(job.index, job.stop);
     } catch (const std::bad_alloc&) {
         return fail(Error::Code::OverLimit,
                     "there is no memory for time-step " + std::to_string(job.index) + " (" +
                         std::to_string(step_bytes) + " bytes)",
-                    "give the cache a smaller --memory");
+                    "start with a smaller --memory");
     } catch (const std::exception& problem) {
         return fail(Error::Code::Io, "time-step " + std::to_string(job.index) +
                                          " could not be loaded: " + problem.what());
@@ -337,7 +85,7 @@ void TimeStepCache::State::announce() {
 
 void TimeStepCache::State::load_until(const std::stop_token& stop) {
     while (true) {
-        std::optional<Job> job;
+        std::optional<StepJob> job;
         {
             std::unique_lock lock(window->mutex);
             ++window->idle_threads;
@@ -412,13 +160,13 @@ TimeStepCache::~TimeStepCache() {
     {
         const std::scoped_lock lock(window.mutex);
         window.closing = true;
-        window.stop_loads([](const Entry&) { return true; });
+        window.stop_loads([](const StepEntry&) { return true; });
     }
     state_->threads.clear();
     // A lease that outlives the cache keeps its own step, and none of the others.
     std::vector<std::shared_ptr<const TimeStep>> freed;
     const std::scoped_lock lock(window.mutex);
-    for (Entry& entry : window.entries)
+    for (StepEntry& entry : window.entries)
         freed.push_back(std::move(entry.step));
     window.share.shrink_to(window.lent * window.step_bytes);
 }
@@ -433,7 +181,7 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
     std::unique_lock lock(window.mutex);
     if (index >= window.entries.size())
         return fail(Error::Code::InvalidArgument, "there is no time-step " + std::to_string(index));
-    Entry& entry = window.entries[index];
+    StepEntry& entry = window.entries[index];
     if (entry.state == StepState::Resident) {
         ++window.hits;
         return window.lend(state_->window, index);
@@ -498,7 +246,7 @@ void TimeStepCache::prefetch(std::size_t index, int direction, std::size_t behin
                  [&](std::size_t i) { return cold[i] && state_->source->ready(i); });
 
     const std::scoped_lock lock(window.mutex);
-    for (Entry& entry : window.entries)
+    for (StepEntry& entry : window.entries)
         entry.in_window = false;
     for (const auto& steps : {kept, ahead})
         for (const std::size_t i : steps)
@@ -507,7 +255,7 @@ void TimeStepCache::prefetch(std::size_t index, int direction, std::size_t behin
         window.entries[index].in_window = true;
     window.position = index;
     window.prefetched = std::move(wanted);
-    window.stop_loads([](const Entry& e) { return e.waiters == 0 && !e.in_window; });
+    window.stop_loads([](const StepEntry& e) { return e.waiters == 0 && !e.in_window; });
     window.work.notify_all();
 }
 
@@ -517,7 +265,7 @@ TimeStepCache::Status TimeStepCache::status() const {
     const std::scoped_lock lock(state_->window->mutex);
     status.budget = state_->budget_bytes;
     if (window.account) {
-        const std::size_t leave = window.account->budget() / left_free;
+        const std::size_t leave = window.account->budget() / StepWindow::left_free;
         const std::size_t free = window.account->free();
         status.budget = window.share.bytes() + (free - std::min(free, leave));
     }
@@ -525,7 +273,7 @@ TimeStepCache::Status TimeStepCache::status() const {
     status.hits = window.hits;
     status.loads = window.loads;
     status.steps.reserve(window.entries.size());
-    for (const Entry& entry : window.entries)
+    for (const StepEntry& entry : window.entries)
         status.steps.push_back(entry.state);
     return status;
 }

@@ -102,11 +102,9 @@ protocol::MeshMetadata metadata_of(const SurfaceJob& job,
     return out;
 }
 
-/// A vertex of a mesh, its arrays and its part of the cells; and of what is made on the way to a file: the most of all formats,
-/// Draco's, as the peak beside the mesh of 380,000 vertices.
-constexpr std::size_t mesh_bytes = 120;
+/// What is made on the way from a mesh to its file, a vertex: the most of all formats, Draco's, as the peak beside the mesh of
+/// 380,000 vertices.
 constexpr std::size_t file_bytes = 560;
-constexpr std::size_t building_bytes = 450; ///< while it is computed
 
 /// What a file is made from. Finished meshes are not kept: 100 MB a million quads.
 struct FileJob {
@@ -115,7 +113,6 @@ struct FileJob {
     std::vector<std::string> fields;
     DownloadRequest request;
     std::optional<double> time;
-    std::size_t expected; ///< vertices, as far as is known
     const core::MemoryAccount* account;
 
     core::Result<void>
@@ -129,13 +126,14 @@ struct FileJob {
 
     core::Result<std::string> make(const std::stop_token& stop,
                                    core::MemoryAccount::Share& share) const {
-        if (auto taken = take(expected * building_bytes, stop, share); !taken)
-            return tl::unexpected(taken.error());
-        const auto shown = surface_mesh(surface, time, core::SteadyClock{}, stop);
+        core::WorkMemory memory(*account, stop, limits::download_memory);
+        const auto shown =
+            surface_mesh(surface, time, core::SteadyClock{}, stop, {nullptr, &memory});
+        if (!shown && memory.exhausted())
+            return tl::unexpected(memory.refusal("a file of this surface"));
         if (!shown)
             return tl::unexpected(shown.error());
-        const std::size_t needed =
-            shown->mesh.vertices() * (mesh_bytes + file_bytes + 8 * fields.size());
+        const std::size_t needed = shown->mesh.vertices() * (file_bytes + 8 * fields.size());
         if (auto taken = take(needed, stop, share); !taken)
             return tl::unexpected(taken.error());
         const auto scalars = surface_scalars(*dataset, shown->mesh, shown->times, fields, stop);
@@ -272,8 +270,7 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     }
     files_.get(
         tag + place.session, turns_of(place.session, identity),
-        [file = FileJob{std::move(job), *dataset, record->fields, *wanted, *time,
-                        (*live)->outcome().statistics.vertices, &account_}](
+        [file = FileJob{std::move(job), *dataset, record->fields, *wanted, *time, &account_}](
             const std::stop_token& stop, core::MemoryAccount::Share& share) {
             return file.make(stop, share);
         },

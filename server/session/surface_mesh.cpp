@@ -13,12 +13,15 @@ namespace wakesurf::server {
 
 namespace {
 
-core::Result<SurfaceMesh>
-played(const SurfaceJob& job, double age, const core::Clock& clock, const std::stop_token& stop) {
-    auto surface = PlayedSurface::start(job, 0, clock, stop); // nothing to step back to
+core::Result<SurfaceMesh> played(const SurfaceJob& job,
+                                 double age,
+                                 const core::Clock& clock,
+                                 const std::stop_token& stop,
+                                 const core::WorkPart& work) {
+    auto surface = PlayedSurface::start(job, 0, clock, stop, work); // nothing to step back to
     if (!surface)
         return tl::unexpected(surface.error());
-    auto shown = surface->at(age, stop);
+    auto shown = surface->at(age, stop, work);
     if (!shown)
         return tl::unexpected(shown.error());
     auto times = shown->times();
@@ -30,16 +33,19 @@ played(const SurfaceJob& job, double age, const core::Clock& clock, const std::s
 core::Result<SurfaceMesh> surface_mesh(const SurfaceJob& job,
                                        std::optional<double> time,
                                        const core::Clock& clock,
-                                       const std::stop_token& stop) {
+                                       const std::stop_token& stop,
+                                       const core::WorkPart& work) {
     const core::SurfaceParameters& p = job.parameters;
     const bool timed = time && moves(p);
     const double age = age_at(p, time);
     if (timed && p.kind != core::SurfaceKind::Path)
-        return played(job, age, clock, stop);
-    auto surface = core::build_surface(*job.flow, job.rake, p, stop, clock);
+        return played(job, age, clock, stop, work);
+    auto surface = core::build_surface(*job.flow, job.rake, p, stop, clock, work);
     if (!surface)
         return tl::unexpected(surface.error());
     if (timed) {
+        if (!work.takes(2 * core::memory_of(surface->mesh)))
+            return core::fail(core::Error::Code::Cancelled, "there is no memory for the surface");
         const GrowingMesh growing(surface->mesh, std::abs(p.to - p.from));
         surface->mesh = growing.at(age).mesh;
         surface->statistics.quads = surface->mesh.cells.size();

@@ -20,10 +20,12 @@ struct SurfaceMesh {
 };
 
 /// @param time  nothing: at its end. Surfaces that do not move ignore it
+/// @param work  told what memory it takes, in the end that of the mesh
 /// Error: what core::build_surface and PlayedSurface report.
 core::Result<SurfaceMesh> surface_mesh(const SurfaceJob& job,
                                        std::optional<double> time,
                                        const core::Clock& clock,
-                                       const std::stop_token& stop);
+                                       const std::stop_token& stop,
+                                       const core::WorkPart& work = {});
 
 } // namespace wakesurf::server

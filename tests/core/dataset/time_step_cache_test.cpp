@@ -1,4 +1,5 @@
 #include "core/dataset/time_step_cache.hpp"
+#include "tests/support/gated_source.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,103 +15,8 @@
 namespace wakesurf::core {
 namespace {
 
-constexpr std::size_t step_bytes = 4096;
-
-// A series made on demand. Closing the gate holds every load where it is; the order of loads and the most
-// time-steps alive at once are recorded.
-class GatedSource final : public TimeStepSource {
-  public:
-    explicit GatedSource(std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i)
-            times_.push_back(static_cast<double>(i));
-    }
-
-    const Grid& grid() const override { return grid_; }
-
-    const SolidMask& mask() const override { return mask_; }
-
-    const std::vector<double>& times() const override { return times_; }
-
-    bool ready(std::size_t index) const override { return index < ready_steps; }
-
-    std::size_t bytes_per_step() const override { return step_bytes; }
-
-    Result<std::shared_ptr<const TimeStep>> load(std::size_t index,
-                                                 std::stop_token stop) const override {
-        Alive alive(*this);
-        {
-            std::unique_lock lock(mutex_);
-            order_.push_back(index);
-            changed_.notify_all();
-            changed_.wait(lock, stop, [&] { return open_; });
-        }
-        if (stop.stop_requested())
-            return fail(Error::Code::Cancelled, "stopped");
-        if (failing)
-            return fail(Error::Code::Io, "the disk is on fire");
-        alive.handed_over = true;
-        return std::shared_ptr<const TimeStep>(new TimeStep{index, times_[index], Slab(64)},
-                                               [this](const TimeStep* step) {
-                                                   delete step;
-                                                   --alive_;
-                                               });
-    }
-
-    void close() {
-        const std::scoped_lock lock(mutex_);
-        open_ = false;
-    }
-
-    void open() {
-        const std::scoped_lock lock(mutex_);
-        open_ = true;
-        changed_.notify_all();
-    }
-
-    void wait_for_loads(std::size_t count) {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return order_.size() >= count; });
-    }
-
-    std::vector<std::size_t> order() const {
-        const std::scoped_lock lock(mutex_);
-        return order_;
-    }
-
-    std::size_t alive() const { return alive_; }
-
-    std::size_t most_alive() const { return most_; }
-
-    std::atomic<bool> failing{false};
-    std::atomic<std::size_t> ready_steps{1'000'000};
-
-  private:
-    // Counts a load in flight as alive as well; its result takes the count over.
-    struct Alive {
-        explicit Alive(const GatedSource& source) : source_(source) {
-            const std::size_t now = ++source_.alive_;
-            std::size_t most = source_.most_;
-            while (now > most && !source_.most_.compare_exchange_weak(most, now)) {
-            }
-        }
-
-        ~Alive() { source_.alive_ -= handed_over ? 0 : 1; }
-
-        bool handed_over = false;
-
-        const GatedSource& source_;
-    };
-
-    Grid grid_;
-    SolidMask mask_;
-    std::vector<double> times_;
-    mutable std::mutex mutex_;
-    mutable std::condition_variable_any changed_;
-    bool open_ = true;
-    mutable std::vector<std::size_t> order_;
-    mutable std::atomic<std::size_t> alive_{0};
-    mutable std::atomic<std::size_t> most_{0};
-};
+using tests::GatedSource;
+using tests::step_bytes;
 
 struct Bench {
     explicit Bench(std::size_t steps, std::size_t capacity, std::size_t threads = 1)
@@ -206,60 +112,6 @@ TEST(TimeStepCache, HoldsAtLeastFourSteps) {
     EXPECT_EQ(bench.source->order().size(), 4u);
     EXPECT_EQ(TimeStepCache::smallest_budget(*bench.source), 4 * step_bytes);
     EXPECT_EQ(TimeStepCache::smallest_budget(GatedSource(2)), 2 * step_bytes);
-}
-
-TEST(TimeStepCache, TakesWhatOthersLeaveAndGivesItBackDownToFourSteps) {
-    const MemoryAccount account(32 * step_bytes);
-    const auto source = std::make_shared<GatedSource>(100);
-    TimeStepCache cache(source, {0, 1, account});
-    EXPECT_EQ(account.used(MemoryUse::TimeSteps), 4 * step_bytes) << "taken at once";
-    for (std::size_t i = 0; i < 100; ++i)
-        ASSERT_TRUE(cache.acquire(i));
-    EXPECT_EQ(account.used(MemoryUse::TimeSteps), 28 * step_bytes) << "an eighth stays free";
-    EXPECT_EQ(source->alive(), 28u);
-
-    auto others = account.open(MemoryUse::Builds);
-    ASSERT_TRUE(others.grow_to(20 * step_bytes));
-    EXPECT_EQ(source->alive(), 12u);
-    ASSERT_TRUE(others.grow_to(28 * step_bytes));
-    EXPECT_FALSE(others.grow_to(29 * step_bytes)) << "never below its smallest";
-    EXPECT_EQ(source->alive(), 4u);
-    for (std::size_t i = 0; i < 100; ++i)
-        ASSERT_TRUE(cache.acquire(i));
-    EXPECT_EQ(source->alive(), 4u);
-
-    others.shrink_to(0);
-    for (std::size_t i = 0; i < 100; ++i)
-        ASSERT_TRUE(cache.acquire(i));
-    EXPECT_EQ(source->alive(), 28u);
-    EXPECT_LE(cache.status().bytes, cache.status().budget);
-}
-
-TEST(TimeStepCache, GivesBackNoStepThatSomebodyHolds) {
-    const MemoryAccount account(32 * step_bytes);
-    const auto source = std::make_shared<GatedSource>(100);
-    TimeStepCache cache(source, {0, 1, account});
-    std::vector<std::shared_ptr<const TimeStep>> held;
-    for (std::size_t i = 0; i < 10; ++i)
-        held.push_back(*cache.acquire(i));
-    auto others = account.open(MemoryUse::Builds);
-    EXPECT_FALSE(others.grow_to(23 * step_bytes));
-    EXPECT_TRUE(others.grow_to(22 * step_bytes));
-    for (std::size_t i = 0; i < 10; ++i)
-        EXPECT_EQ(held[i]->index, i);
-}
-
-TEST(TimeStepCache, WhoWaitsForAStepHasOthersGiveBackMemory) {
-    const MemoryAccount account(32 * step_bytes);
-    TimeStepCache cache(std::make_shared<GatedSource>(100), {0, 1, account});
-    auto kept = account.open(MemoryUse::Downloads);
-    ASSERT_TRUE(kept.grow_to(28 * step_bytes));
-    const auto ticket =
-        account.on_need(GiveBack::Downloads, [&](std::size_t) { kept.shrink_to(0); });
-    std::vector<std::shared_ptr<const TimeStep>> held;
-    for (std::size_t i = 0; i < 6; ++i) // two more than there is room for
-        held.push_back(*cache.acquire(i));
-    EXPECT_EQ(kept.bytes(), 0u);
 }
 
 TEST(TimeStepCache, EvictsTheLeastRecentlyUsedStep) {
