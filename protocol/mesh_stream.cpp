@@ -263,10 +263,12 @@ core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
     const AttributeValues values = held.attributes
                                        ? AttributeValues(mesh.mesh, empty ? without_values : fields)
                                        : AttributeValues();
+    // What has nothing to do with the mesh before is coded as if that had never been: the same surface gives the same state.
+    const bool anew = !held.started || options.unrelated;
     std::vector<AttributeRange> ranges;
     if (held.attributes)
-        ranges = ranges_for(values, held.started ? std::span(held.state->ranges) : held.ranges);
-    bool key = !held.started || options.unrelated || ranges != held.state->ranges;
+        ranges = ranges_for(values, anew ? held.ranges : std::span(held.state->ranges));
+    bool key = anew || ranges != held.state->ranges;
     MeshMatch matched = key ? match({}, {}, mesh, held.attributes)
                             : match(held.places, held.state->cells(), mesh, false);
     const auto vertices = static_cast<double>(mesh.mesh.vertices());

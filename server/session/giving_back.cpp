@@ -35,7 +35,7 @@ struct GivingBack::State : std::enable_shared_from_this<State> {
         std::erase_if(all, [](const auto& each) {
             return each->resting() || each->looked_at() || each->busy();
         });
-        std::ranges::sort(all, {}, [](const auto& each) { return each->asked_for(); });
+        std::ranges::stable_sort(all, {}, [](const auto& each) { return each->asked_for(); });
         for (const auto& each : all)
             if (account.free() < bytes)
                 each->fall_back();

@@ -14,7 +14,7 @@
 
 namespace wakesurf::tests {
 
-constexpr std::size_t step_bytes = 4096;
+inline constexpr std::size_t step_bytes = 4096;
 
 class GatedSource final : public core::TimeStepSource {
   public:

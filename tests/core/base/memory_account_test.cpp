@@ -157,6 +157,7 @@ TEST(MemoryAccount, SeesWhatTheProcessHoldsBeyondItsShares) {
     EXPECT_EQ(account.used(MemoryUse::Other), 3 * mebi) << "importers are other processes";
     EXPECT_EQ(account.free(), 4 * mebi);
     ASSERT_TRUE(steps.grow_to(5 * mebi));
+    account.look();
     EXPECT_EQ(account.used(MemoryUse::Other), 0U)
         << "what was taken a moment ago is not touched yet";
     resident = 9 * mebi;
