@@ -48,6 +48,7 @@ Point = Sequence[float]
 Json = Dict[str, Any]
 _LONGEST_WAIT_MS = 60_000
 _NULL = object()  # a parameter that is null, not left out
+_USUAL = object()  # a parameter that is left out where null means something
 _FORMATS = (".vtp", ".glb", ".ply", ".obj", ".drc")
 _PROBE_BYTES, _PROBE_POINTS = 48_000, 4096  # of one call; the server takes 65,536 bytes
 
@@ -371,10 +372,11 @@ class Session:
         """A new session with copies of the records."""
         return Session(self.client, self.call("session.fork", name=name)["session"])
 
-    def share(self, role: str = "viewer", expires_in: Optional[int] = None) -> str:
-        """The address that lets others into this session, as viewer, editor or host, for `expires_in` seconds. Whoever
-        has it is in: treat it as a password."""
-        return self.client.url + "/" + self.call("session.share", role=role, expiresIn=expires_in)["link"]
+    def share(self, role: str = "viewer", expires_in: Any = _USUAL) -> str:
+        """The address that lets others into this session, as viewer, editor or host, for `expires_in` seconds; None: until
+        it is taken back; left out: a week, or as long as the link you came by. Whoever has it is in: treat it as a password."""
+        lasts = None if expires_in is _USUAL else _NULL if expires_in is None else expires_in
+        return self.client.url + "/" + self.call("session.share", role=role, expiresIn=lasts)["link"]
 
     def rake(self, line: Optional[Sequence[Point]] = None, polyline: Optional[Sequence[Point]] = None,
              circle: Optional[Sequence[Point]] = None, points: Optional[Sequence[Point]] = None, seeds: int = 32,

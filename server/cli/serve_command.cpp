@@ -130,6 +130,9 @@ core::Result<ServerOptions> server_options(const ServeOptions& options) {
         options.store.empty() ? default_store_root() : std::filesystem::path(options.store);
     if (auto folders = check_folders(options, server); !folders)
         return tl::unexpected(folders.error());
+    auto proxies = TrustedProxies::parse(options.trusted_proxies);
+    if (!proxies)
+        return tl::unexpected(proxies.error());
     const auto token = choose_token(options, *address);
     if (!token)
         return tl::unexpected(token.error());
@@ -141,6 +144,7 @@ core::Result<ServerOptions> server_options(const ServeOptions& options) {
     server.threads = options.threads;
     server.token = *token;
     server.origins = options.origins;
+    server.proxies = std::move(*proxies);
     server.certificate = options.certificate;
     server.key = options.key;
     server.web = options.web;
@@ -199,6 +203,9 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
         ->excludes(file);
     command.add_option("--origin", options.origins,
                        "a further page address that may connect, exactly as in the browser");
+    command.add_option(
+        "--trusted-proxy", options.trusted_proxies,
+        "ADDR or ADDR/BITS: believe this proxy who asks (X-Forwarded-For, PROXY protocol)");
     auto* const certificate =
         command.add_option("--tls-cert", options.certificate, "speak TLS: PEM certificate chain");
     auto* const key = command.add_option("--tls-key", options.key, "PEM key of the certificate");

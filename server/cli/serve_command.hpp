@@ -21,6 +21,7 @@ struct ServeOptions {
     std::string token_file;
     bool no_auth = false;
     std::vector<std::string> origins;
+    std::vector<std::string> trusted_proxies;
     std::string certificate;
     std::string key;
     std::string web;

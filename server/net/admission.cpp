@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -14,19 +15,18 @@ using boost::asio::ip::address;
 
 constexpr std::size_t descriptors_for_files = 64;
 
-/// IPv4 in IPv6 clothes is IPv4.
-address plain(const address& given) {
+const std::string loopback = "loopback";
+
+} // namespace
+
+address plain_address(const address& given) {
     if (given.is_v6() && given.to_v6().is_v4_mapped())
         return boost::asio::ip::make_address_v4(boost::asio::ip::v4_mapped, given.to_v6());
     return given;
 }
 
-const std::string loopback = "loopback";
-
-} // namespace
-
 std::string address_group(const address& given) {
-    const address who = plain(given);
+    const address who = plain_address(given);
     if (who.is_loopback())
         return loopback;
     if (who.is_v4())
@@ -36,50 +36,88 @@ std::string address_group(const address& given) {
     return boost::asio::ip::address_v6(bytes).to_string() + "/64";
 }
 
-std::unique_ptr<Admission::Place> Admission::admit(const address& who) {
-    if (connections_ >= limits_.connections) {
+std::unique_ptr<Admission::Place> Admission::admit(const address& who, bool proxy) {
+    if (connections_ >= limits_.connections && !make_room_in_all()) {
         metrics_.reject(Rejection::TooManyClients);
         return nullptr;
     }
-    std::string group = address_group(who);
-    const auto most = group == loopback ? limits_.pending_loopback : limits_.pending;
-    const auto found = pending_.find(group);
-    if (found != pending_.end() && found->second >= most) {
-        metrics_.reject(Rejection::TooManyPending);
-        return nullptr;
-    }
-    return std::make_unique<Place>(*this, std::move(group));
+    return std::make_unique<Place>(*this, address_group(who), proxy);
 }
 
-Admission::Place::Place(Admission& owner, std::string address)
-    : owner_(owner), number_(++owner.last_number_), address_(std::move(address)) {
-    ++owner_.connections_;
-    ++owner_.pending_[address_];
+std::size_t Admission::most(const Place& place) const {
+    return place.proxy_ || place.address_ == loopback ? limits_.pending_loopback : limits_.pending;
 }
 
-Admission::Place::~Place() {
-    --owner_.connections_;
-    if (address_.empty())
-        --owner_.clients_;
-    else if (const auto found = owner_.pending_.find(address_); --found->second == 0)
-        owner_.pending_.erase(found);
-}
-
-bool Admission::Place::promote() {
-    if (owner_.clients_ >= owner_.limits_.clients) {
-        owner_.metrics_.reject(Rejection::TooManyClients);
+/// The address with the most gives one up.
+bool Admission::make_room_in_all() {
+    const auto largest =
+        std::max_element(pending_.begin(), pending_.end(), [](const auto& a, const auto& b) {
+            return a.second.size() < b.second.size();
+        });
+    if (largest == pending_.end())
         return false;
-    }
-    ++owner_.clients_;
-    if (const auto found = owner_.pending_.find(address_); --found->second == 0)
-        owner_.pending_.erase(found);
-    address_.clear();
+    make_room(largest->second);
     return true;
 }
 
+void Admission::make_room(Pending& among) {
+    Place& oldest = *among.front();
+    metrics_.reject(Rejection::TooManyPending);
+    oldest.leave();
+    oldest.counted_ = false;
+    --connections_;
+    if (const auto end = std::exchange(oldest.end_, nullptr))
+        end();
+}
+
+Admission::Place::Place(Admission& owner, std::string address, bool proxy)
+    : owner_(owner), number_(++owner.last_number_), address_(std::move(address)), proxy_(proxy) {
+    ++owner_.connections_;
+    wait();
+}
+
+Admission::Place::~Place() {
+    leave();
+    if (counted_)
+        --owner_.connections_;
+}
+
+void Admission::Place::let_in() {
+    leave();
+}
+
+void Admission::Place::wait() {
+    leave();
+    if (!counted_)
+        return;
+    if (const auto found = owner_.pending_.find(address_);
+        found != owner_.pending_.end() && found->second.size() >= owner_.most(*this))
+        owner_.make_room(found->second);
+    Pending& own = owner_.pending_[address_];
+    at_ = own.insert(own.end(), this);
+    pending_ = true;
+}
+
+void Admission::Place::came_from(const address& address, bool proxy) {
+    const bool waiting = pending_;
+    leave();
+    address_ = address_group(address);
+    proxy_ = proxy;
+    if (waiting)
+        wait();
+}
+
+void Admission::Place::leave() {
+    if (!std::exchange(pending_, false))
+        return;
+    const auto found = owner_.pending_.find(address_);
+    found->second.erase(at_);
+    if (found->second.empty())
+        owner_.pending_.erase(found);
+}
+
 Admission::Limits limits_for_descriptors() {
-    Admission::Limits out{limits::connections, limits::clients, limits::pending,
-                          limits::pending_loopback};
+    Admission::Limits out{limits::connections, limits::pending, limits::pending_loopback};
     rlimit descriptors{};
     if (::getrlimit(RLIMIT_NOFILE, &descriptors) != 0)
         return out;

@@ -74,6 +74,7 @@ struct ByteStream::State : std::enable_shared_from_this<State> {
 
     template <class Buffers>
     void write_whole(const Buffers& buffers, AnyHandler handler);
+    void read_proxy_header(std::size_t seen, std::function<void(error_code, ProxyHeader)> done);
     void handshake(AnyHandler handler);
     void tell_plain(AnyHandler handler);
     void drain(AnyHandler handler);
@@ -81,6 +82,7 @@ struct ByteStream::State : std::enable_shared_from_this<State> {
     tcp::socket socket;
     asio::steady_timer deadline;
     std::optional<ssl::stream<tcp::socket&>> tls;
+    std::string put_back;         ///< read already, to be read again
     std::array<char, 512> rest{}; ///< what comes after the end, and is nobody's
     bool timed_out = false;
     bool writing = false;               ///< something that must not be interrupted
@@ -111,6 +113,33 @@ void ByteStream::State::write_whole(const Buffers& buffers, AnyHandler handler) 
         next_write.emplace_back(std::move(begin));
     else
         AnyHandler(std::move(begin))({});
+}
+
+/// Looked at in place: what comes after it may be the first bytes of TLS, which must still be there.
+/// @param seen  bytes that were there the last time
+void ByteStream::State::read_proxy_header(std::size_t seen,
+                                          std::function<void(error_code, ProxyHeader)> done) {
+    error_code ignored;
+    socket.set_option(asio::socket_base::receive_low_watermark(static_cast<int>(seen) + 1),
+                      ignored);
+    socket.async_wait(tcp::socket::wait_read, [self = shared_from_this(), seen,
+                                               done = std::move(done)](error_code error) mutable {
+        std::array<char, longest_proxy_header> first{};
+        std::size_t there = 0;
+        if (!error)
+            there = self->socket.receive(asio::buffer(first), tcp::socket::message_peek, error);
+        const ProxyHeader header = parse_proxy_header({first.data(), there});
+        const bool partial = header.is == ProxyHeader::Is::Partial;
+        if (!error && partial && there > seen)
+            return self->read_proxy_header(there, std::move(done));
+        if (!error && (partial || header.is == ProxyHeader::Is::Malformed))
+            error = asio::error::make_error_code(asio::error::no_protocol_option);
+        if (!error)
+            self->socket.receive(asio::buffer(first.data(), header.length), 0, error);
+        error_code lost;
+        self->socket.set_option(asio::socket_base::receive_low_watermark(1), lost);
+        done(error, header);
+    });
 }
 
 /// By its first byte: a TLS record, or somebody who speaks plain HTTP.
@@ -186,6 +215,12 @@ void ByteStream::accept(AnyHandler handler) {
 
 // TLS touches its state once more before it calls a handler, even when the stream has gone meanwhile.
 void ByteStream::read(asio::mutable_buffer buffer, AnyHandler handler) {
+    if (!state_->put_back.empty()) {
+        const std::size_t taken = asio::buffer_copy(buffer, asio::buffer(state_->put_back));
+        state_->put_back.erase(0, taken);
+        return asio::post(state_->socket.get_executor(),
+                          [taken, handler = std::move(handler)]() mutable { handler({}, taken); });
+    }
     if (state_->tls)
         state_->tls->async_read_some(buffer, kept_alive(state_, std::move(handler)));
     else
@@ -199,6 +234,14 @@ void ByteStream::write(const Gathered& buffers, AnyHandler handler) {
         state_->tls->async_write_some(buffers, kept_alive(state_, std::move(handler)));
     else
         state_->socket.async_write_some(buffers, std::move(handler));
+}
+
+void ByteStream::async_proxy_header(std::function<void(Error, ProxyHeader)> done) {
+    state_->read_proxy_header(0, std::move(done));
+}
+
+void ByteStream::put_back(std::string bytes) {
+    state_->put_back = std::move(bytes);
 }
 
 void ByteStream::write_whole(std::span<const asio::const_buffer> buffers, AnyHandler handler) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "server/net/any_handler.hpp"
+#include "server/net/proxy_protocol.hpp"
 #include "server/net/tls_context.hpp"
 
 #include <boost/asio/any_io_executor.hpp>
@@ -11,8 +12,10 @@
 
 #include <array>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace boost::beast {
 enum class role_type;
@@ -74,6 +77,13 @@ class ByteStream {
     }
 
     static constexpr std::size_t whole = 256;
+
+    /// Before anything else, on a connection from a proxy: what it says in the PROXY protocol, if it does. Error: what it says is
+    /// malformed.
+    void async_proxy_header(std::function<void(Error, ProxyHeader)> done);
+
+    /// What comes next before anything else that is read. REQUIRES: no read is under way.
+    void put_back(std::string bytes);
 
     /// Says that nothing more will come, waits at most `linger` for the other side to say the same, and closes.
     template <class Handler>

@@ -16,6 +16,8 @@ class Connection {
     virtual void abandon() = 0;
     /// A message for every WebSocket; others ignore it.
     virtual void announce(const std::string& message) = 0;
+    /// A login has ended: a WebSocket that came by it goes; others ignore it.
+    virtual void log_out(const std::string& person) = 0;
 };
 
 /// Loop thread only.
@@ -32,16 +34,25 @@ class Connections {
             each->announce(message);
     }
 
-    void go_away() { each_of(&Connection::go_away); }
+    void go_away() {
+        each_of([](Connection& each) { each.go_away(); });
+    }
 
-    void abandon() { each_of(&Connection::abandon); }
+    void abandon() {
+        each_of([](Connection& each) { each.abandon(); });
+    }
+
+    void log_out(const std::string& person) {
+        each_of([&](Connection& each) { each.log_out(person); });
+    }
 
   private:
     /// A connection may end, and take others along, while the list is gone through.
-    void each_of(void (Connection::*act)()) {
+    template <class Act>
+    void each_of(Act act) {
         for (Connection* each : std::set(open_))
             if (open_.contains(each))
-                (each->*act)();
+                act(*each);
     }
 
     std::set<Connection*> open_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 
 namespace wakesurf::server {
 
@@ -18,6 +19,19 @@ std::string lower(std::string_view text) {
 
 bool contains(const std::vector<std::string>& list, std::string_view value) {
     return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+std::string person_of(const Login& login) {
+    return "login " + std::to_string(login.number);
+}
+
+std::optional<std::uint64_t> login_of(std::string_view person) {
+    constexpr std::string_view word = "login ";
+    if (!person.starts_with(word))
+        return std::nullopt;
+    std::uint64_t number = 0;
+    std::from_chars(person.data() + word.size(), person.data() + person.size(), number);
+    return number;
 }
 
 std::optional<std::string_view> bearer(std::string_view header) {
@@ -87,17 +101,15 @@ bool is_loopback(std::string_view host) {
 }
 
 Gate::Gate(GateOptions options, Entropy& entropy, const core::Clock& clock, const Grants& grants)
-    : options_(std::move(options)), token_(secret_digest(options_.token)), cookies_(entropy),
-      clock_(clock), grants_(grants), wrong_tokens_left_(limits::wrong_tokens_at_once),
-      counted_at_(clock.now()) {
+    : options_(std::move(options)), token_(secret_digest(options_.token)), cookies_(entropy, clock),
+      clock_(clock), grants_(grants) {
     const bool v6 = options_.host.find(':') != std::string::npos && options_.host.front() != '[';
     hosts_ = {"localhost", "127.0.0.1", "[::1]",
               v6 ? "[" + options_.host + "]" : lower(options_.host)};
-    const std::string scheme = options_.tls ? "https://" : "http://";
     for (const std::string& host : hosts_) {
-        origins_.push_back(scheme + host + ":" + std::to_string(options_.port));
+        origins_.push_back(scheme() + host + ":" + std::to_string(options_.port));
         if (options_.port == (options_.tls ? 443 : 80)) // browsers leave the default port out
-            origins_.push_back(scheme + host);
+            origins_.push_back(scheme() + host);
     }
     for (const std::string& origin : options_.origins) {
         origins_.push_back(lower(origin));
@@ -114,25 +126,31 @@ std::optional<Refusal> Gate::check_open(const HttpRequest& request) const {
     return check_origin(request);
 }
 
-tl::expected<Identity, Refusal> Gate::check(const HttpRequest& request) {
+tl::expected<Visitor, Refusal> Gate::check(const HttpRequest& request) {
     if (auto refusal = check_open(request))
         return tl::unexpected(std::move(*refusal));
     if (options_.token.empty())
-        return Identity{};
+        return Visitor({}, request.from);
     auto identity = check_token(request);
     if (!identity)
         return identity;
-    // A browser says where a page that posts or opens a WebSocket comes from. Without that only the token itself will
-    // do, because the cookie goes along with other pages' requests in browsers that do not know SameSite.
     const bool harmless = (request.method == "GET" || request.method == "HEAD") && !request.upgrade;
-    if (!harmless && request.all("origin").empty() && request.all("authorization").empty())
-        return tl::unexpected(Refusal{403, "the request says no Origin",
-                                      "send the token in an Authorization header"});
+    if (auto refusal = harmless ? std::nullopt : check_sender(request))
+        return tl::unexpected(std::move(*refusal));
     return identity;
 }
 
-bool Gate::still(const Identity& identity) const {
-    return holder_of_grant(identity.grant).has_value();
+/// A browser says where a page that posts or opens a WebSocket comes from. Without that only the token itself will
+/// do, because the cookie goes along with other pages' requests in browsers that do not know SameSite.
+std::optional<Refusal> Gate::check_sender(const HttpRequest& request) const {
+    if (!request.all("origin").empty() || !request.all("authorization").empty())
+        return std::nullopt;
+    return Refusal{403, "the request says no Origin", "send the token in an Authorization header"};
+}
+
+bool Gate::still(const Visitor& visitor) const {
+    const auto login = login_of(visitor.person);
+    return (!login || cookies_.lasts(*login)) && holder_of_grant(visitor.grant);
 }
 
 std::optional<Refusal> Gate::check_host(const HttpRequest& request) const {
@@ -146,28 +164,42 @@ std::optional<Refusal> Gate::check_host(const HttpRequest& request) const {
 
 std::optional<Refusal> Gate::check_origin(const HttpRequest& request) const {
     const auto values = request.all("origin");
-    if (values.empty() || (values.size() == 1 && contains(origins_, values.front())))
+    const bool one = values.size() == 1;
+    if (values.empty() || (one && (contains(origins_, values.front()) || tunnelled(request))))
         return std::nullopt;
     return Refusal{403, "the request comes from a page of another origin",
                    "open the page at the address wakesurf printed, or start it with --origin"};
 }
 
-tl::expected<Identity, Refusal> Gate::check_token(const HttpRequest& request) {
+/// Through `ssh -L` browsers know the server by another port. The page's origin is then the very address that the request went to;
+/// under a name of the browser's own machine, which no foreign DNS can point here.
+bool Gate::tunnelled(const HttpRequest& request) const {
+    const std::string_view authority = request.header("host");
+    const auto name = host_name(authority);
+    return name && is_loopback(*name) &&
+           request.header("origin") == scheme() + std::string(authority);
+}
+
+std::string Gate::scheme() const {
+    return options_.tls ? "https://" : "http://";
+}
+
+tl::expected<Visitor, Refusal> Gate::check_token(const HttpRequest& request) {
     const auto authorization = request.all("authorization");
     if (authorization.size() > 1)
-        return tl::unexpected(wrong_token());
+        return tl::unexpected(wrong_token(request.from));
     if (authorization.size() == 1) {
         const auto token = bearer(authorization.front());
-        const auto identity = token ? holder_of(*token) : std::nullopt;
-        if (identity)
-            return *identity;
-        return tl::unexpected(wrong_token());
+        auto identity = token ? holder_of(*token) : std::nullopt;
+        if (!identity)
+            return tl::unexpected(wrong_token(request.from));
+        return Visitor(std::move(*identity), request.from);
     }
     for (const std::string_view cookie :
          cookies_named(cookie_name(request, options_.port), request))
-        if (const auto grant = cookies_.grant_of(cookie))
-            if (const auto identity = holder_of_grant(*grant))
-                return *identity;
+        if (const auto login = cookies_.find(cookie))
+            if (auto identity = holder_of_grant(login->grant))
+                return Visitor(std::move(*identity), person_of(*login));
     return tl::unexpected(
         Refusal{401, "a token is needed",
                 "send `Authorization: Bearer TOKEN` with the token wakesurf printed, or "
@@ -184,15 +216,18 @@ std::optional<Identity> Gate::holder_of_grant(const std::string& grant) const {
     return grant.empty() ? Identity{} : grants_.identity(grant);
 }
 
-Refusal Gate::wrong_token() {
+Refusal Gate::wrong_token(const std::string& from) {
     const auto now = clock_.now();
-    const double elapsed = std::chrono::duration<double>(now - counted_at_).count();
-    counted_at_ = now;
-    wrong_tokens_left_ = std::min(limits::wrong_tokens_at_once,
-                                  wrong_tokens_left_ + elapsed * limits::wrong_tokens_per_second);
-    if (wrong_tokens_left_ < 1.0)
+    if (wrong_tokens_.size() >= limits::connections)
+        std::erase_if(wrong_tokens_, [now](auto& each) { return each.second.full(now); });
+    const std::string& key = wrong_tokens_.size() < limits::connections ? from : std::string();
+    TokenBucket& left =
+        wrong_tokens_
+            .try_emplace(key, limits::wrong_tokens_per_second, limits::wrong_tokens_at_once, now)
+            .first->second;
+    if (left.wait_for(now, 1.0).count() > 0)
         return {429, "too many wrong tokens have been tried", "wait a few seconds"};
-    wrong_tokens_left_ -= 1.0;
+    left.take(now, 1.0);
     return {401, "the token is wrong, or the share link has ended",
             "use the token wakesurf printed when it was last started, or ask for a new link"};
 }
@@ -200,14 +235,33 @@ Refusal Gate::wrong_token() {
 tl::expected<std::string, Refusal> Gate::login(const HttpRequest& request, std::string_view token) {
     const auto identity = options_.token.empty() ? Identity{} : holder_of(token);
     if (!identity)
-        return tl::unexpected(wrong_token());
+        return tl::unexpected(wrong_token(request.from));
     const std::string name = cookie_name(request, options_.port);
-    std::string value;
     for (const std::string_view cookie : cookies_named(name, request))
-        if (cookies_.grant_of(cookie) == identity->grant)
-            value = cookie;
-    if (value.empty())
-        value = cookies_.make(identity->grant);
+        if (const auto login = cookies_.find(cookie); login && login->grant == identity->grant)
+            return set_cookie(name, std::string(cookie));
+    for (const std::string_view cookie : cookies_named(name, request))
+        cookies_.end(cookie); // the browser is about to forget it
+    const auto made = cookies_.make(identity->grant, request.from);
+    if (made)
+        return set_cookie(name, *made);
+    constexpr std::chrono::seconds later{60};
+    return tl::unexpected(
+        Refusal{429, made.error().message, made.error().hint, made.error().limit, later});
+}
+
+tl::expected<Gate::LoggedOut, Refusal> Gate::logout(const HttpRequest& request) {
+    if (auto refusal = check_sender(request))
+        return tl::unexpected(std::move(*refusal));
+    const std::string name = cookie_name(request, options_.port);
+    LoggedOut out{set_cookie(name, {}) + "; Max-Age=0", {}};
+    for (const std::string_view cookie : cookies_named(name, request))
+        if (const auto login = cookies_.end(cookie))
+            out.people.push_back(person_of(*login));
+    return out;
+}
+
+std::string Gate::set_cookie(const std::string& name, const std::string& value) const {
     return name + "=" + value + "; HttpOnly; SameSite=Strict; Path=/" +
            (options_.tls ? "; Secure" : "");
 }

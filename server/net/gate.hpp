@@ -8,11 +8,14 @@
 #include "server/net/login_cookies.hpp"
 #include "server/session/entropy.hpp"
 #include "server/session/grants.hpp"
-#include "server/session/identity.hpp"
+#include "server/session/token_bucket.hpp"
+#include "server/session/visitor.hpp"
 
 #include <tl/expected.hpp>
 
+#include <chrono>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,6 +36,8 @@ struct Refusal {
     unsigned status = 403;
     std::string message;
     std::string hint;
+    std::optional<std::uint64_t> limit = {}; ///< more than that was asked for
+    std::chrono::seconds retry_after{5};     ///< of 429 and 503
 };
 
 /// Loop thread only. The grants outlive it.
@@ -44,22 +49,34 @@ class Gate {
     std::optional<Refusal> check_open(const HttpRequest& request) const;
 
     /// Who comes. Without authentication everybody is a host.
-    tl::expected<Identity, Refusal> check(const HttpRequest& request);
+    tl::expected<Visitor, Refusal> check(const HttpRequest& request);
 
     /// Whether that is still so, for answers that took their time.
-    bool still(const Identity& identity) const;
+    bool still(const Visitor& visitor) const;
 
     /// Whoever shows the token or the key of a share link gets the value of Set-Cookie: the cookie that came with the request
-    /// if it is good for the same, else a new one.
+    /// if it is good for the same, else a new one, and the one that came ends.
     tl::expected<std::string, Refusal> login(const HttpRequest& request, std::string_view token);
+
+    struct LoggedOut {
+        std::string cookie;              ///< value of Set-Cookie: the browser forgets it
+        std::vector<std::string> people; ///< Visitor::person of the logins that have ended
+    };
+
+    /// Ends the logins whose cookies came with the request.
+    tl::expected<LoggedOut, Refusal> logout(const HttpRequest& request);
 
   private:
     std::optional<Refusal> check_host(const HttpRequest& request) const;
     std::optional<Refusal> check_origin(const HttpRequest& request) const;
-    tl::expected<Identity, Refusal> check_token(const HttpRequest& request);
+    tl::expected<Visitor, Refusal> check_token(const HttpRequest& request);
     std::optional<Identity> holder_of(std::string_view token) const;
     std::optional<Identity> holder_of_grant(const std::string& grant) const;
-    Refusal wrong_token();
+    bool tunnelled(const HttpRequest& request) const;
+    std::string scheme() const;
+    std::optional<Refusal> check_sender(const HttpRequest& request) const;
+    std::string set_cookie(const std::string& name, const std::string& value) const;
+    Refusal wrong_token(const std::string& from);
 
     GateOptions options_;
     SecretDigest token_;
@@ -68,8 +85,7 @@ class Gate {
     const Grants& grants_;
     std::vector<std::string> hosts_;
     std::vector<std::string> origins_;
-    double wrong_tokens_left_;
-    std::chrono::steady_clock::time_point counted_at_;
+    std::map<std::string, TokenBucket> wrong_tokens_; ///< by address
 };
 
 /// The name in a Host header or an authority, in lower case, without the port and with the brackets of an IPv6 address;

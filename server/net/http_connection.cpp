@@ -10,6 +10,7 @@
 
 #include <boost/asio/ssl/error.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core/buffers_to_string.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/parser.hpp>
@@ -63,7 +64,8 @@ std::optional<HttpResponse> answer_to(error_code error, std::size_t longest_body
 bool ambiguous(const http::request_header<>& header) {
     const auto codings = header.count(http::field::transfer_encoding);
     const auto lengths = header.count(http::field::content_length);
-    return codings + lengths > 1 ||
+    const bool list = header[http::field::content_length].find(',') != beast::string_view::npos;
+    return codings + lengths > 1 || list ||
            (codings == 1 && !beast::iequals(header[http::field::transfer_encoding], "chunked"));
 }
 
@@ -98,27 +100,34 @@ class HttpConnection final : public Connection,
 
     ~HttpConnection() override { services_.connections.remove(*this); }
 
-    void start();
+    void start(const boost::asio::ip::address& peer);
 
-    void go_away() override { stream_.close(); }
+    void go_away() override { abandon(); }
 
-    void abandon() override { stream_.close(); }
+    void abandon() override {
+        waiting_.cancel();
+        stream_.close();
+    }
 
     void announce(const std::string&) override {}
+
+    void log_out(const std::string&) override {}
 
   private:
     using Request = http::request<http::string_body>;
     using Response = http::response<http::span_body<const char>>;
 
+    void accept();
     void await_request(std::chrono::seconds patience);
     void read_header();
     void read_body();
     void failed(error_code error);
     void handle(Request request);
     void look_whether_gone();
-    void upgrade(const HttpRequest& request, const Identity& identity);
+    void upgrade(const HttpRequest& request, const Admitted& admitted);
     void respond(const HttpResponse& response, bool keep_alive, bool head);
     void write();
+    void written();
     void end();
 
     ByteStream stream_;
@@ -126,7 +135,8 @@ class HttpConnection final : public Connection,
     NetServices services_;
     std::unique_ptr<Admission::Place> place_;
     std::optional<http::request_parser<http::string_body>> parser_;
-    std::shared_ptr<const std::string> body_; ///< of the response under way
+    boost::asio::ip::address peer_; ///< or who a trusted proxy says is behind this connection
+    HttpResponse answer_;           ///< the response under way
     std::optional<Response> response_;
     std::optional<http::response_serializer<http::span_body<const char>>> serializer_;
     std::optional<std::stop_source> gone_; ///< while an answer is awaited
@@ -153,8 +163,28 @@ HttpRequest plain(const http::request_header<>& request) {
     return out;
 }
 
-void HttpConnection::start() {
+void HttpConnection::start(const boost::asio::ip::address& peer) {
+    peer_ = peer;
+    place_->on_end([weak = weak_from_this()] {
+        if (const auto self = weak.lock())
+            self->stream_.close();
+    });
     stream_.expires_after(limits::handshake);
+    if (!services_.proxies.trusts(peer))
+        return accept();
+    stream_.async_proxy_header(
+        [self = shared_from_this()](error_code error, const ProxyHeader& header) {
+            if (error)
+                return self->failed(error);
+            if (header.from) {
+                self->peer_ = *header.from;
+                self->place_->came_from(self->peer_, self->services_.proxies.trusts(self->peer_));
+            }
+            self->accept();
+        });
+}
+
+void HttpConnection::accept() {
     stream_.async_accept([self = shared_from_this()](error_code error) {
         if (!error)
             return self->await_request(limits::handshake);
@@ -232,20 +262,26 @@ void HttpConnection::handle(Request request) {
     stream_.expires_never(); // an answer may take its time; writing it sets the clock again
     HttpRequest values = plain(request);
     values.body = std::move(request.body());
+    if (services_.proxies.trusts(peer_)) {
+        const auto client = services_.proxies.client_of(peer_, values.all("x-forwarded-for"));
+        place_->came_from(client, services_.proxies.trusts(client));
+    }
+    values.from = place_->from();
     const auto host = host_name(values.header("host"));
     named_ = stream_.encrypted() && host && !is_loopback(*host);
     if (values.upgrade) {
-        const auto identity = services_.routes.admit_upgrade(values);
-        if (!identity)
-            return respond(identity.error(), false, false);
-        return upgrade(values, *identity);
+        const auto admitted = services_.routes.admit_upgrade(values);
+        if (!admitted)
+            return respond(admitted.error(), false, false);
+        return upgrade(values, *admitted);
     }
     values.gone = gone_.emplace().get_token();
     look_whether_gone();
     const bool keep_alive = request.keep_alive();
     const bool head = request.method() == http::verb::head;
     services_.routes.handle(
-        values, [self = shared_from_this(), keep_alive, head](const HttpResponse& response) {
+        values, [this] { place_->let_in(); },
+        [self = shared_from_this(), keep_alive, head](const HttpResponse& response) {
             self->respond(response, keep_alive, head);
         });
 }
@@ -264,14 +300,11 @@ void HttpConnection::look_whether_gone() {
     });
 }
 
-void HttpConnection::upgrade(const HttpRequest& request, const Identity& identity) {
-    if (!place_->promote())
-        return respond(http_over_limit(503, limits::clients,
-                                       "the server has as many clients as it may have",
-                                       "try again later"),
-                       false, false);
+void HttpConnection::upgrade(const HttpRequest& request, const Admitted& admitted) {
+    place_->let_in();
     services_.connections.remove(*this);
-    serve_websocket(std::move(stream_), request, identity, services_, std::move(place_));
+    stream_.put_back(beast::buffers_to_string(buffer_.data())); // frames may follow at once
+    serve_websocket(std::move(stream_), request, admitted, services_, std::move(place_));
 }
 
 void HttpConnection::respond(const HttpResponse& response, bool keep_alive, bool head) {
@@ -281,7 +314,7 @@ void HttpConnection::respond(const HttpResponse& response, bool keep_alive, bool
     }
     gone_.reset();
     waiting_.cancel();
-    body_ = response.body;
+    answer_ = response;
     response_.emplace();
     response_->result(response.status);
     response_->version(11);
@@ -297,9 +330,9 @@ void HttpConnection::respond(const HttpResponse& response, bool keep_alive, bool
         response_->insert(name, value);
     const bool bodiless = response.status == 204 || response.status == 304;
     if (!bodiless)
-        response_->content_length(body_->size());
+        response_->content_length(answer_.body->size());
     if (!bodiless && !head)
-        response_->body() = {body_->data(), body_->size()};
+        response_->body() = {answer_.body->data(), answer_.body->size()};
     response_->keep_alive(keep_alive);
     serializer_.emplace(*response_);
     write();
@@ -316,11 +349,24 @@ void HttpConnection::write() {
                                    return self->stream_.close();
                                if (!self->serializer_->is_done())
                                    return self->write();
-                               self->body_.reset();
-                               if (self->response_->keep_alive())
-                                   return self->await_request(limits::idle);
-                               self->end();
+                               self->written();
                            });
+}
+
+void HttpConnection::written() {
+    const auto pause = std::exchange(answer_, {}).pause;
+    place_->wait();
+    if (!response_->keep_alive())
+        return end();
+    if (pause.count() == 0)
+        return await_request(limits::idle);
+    services_.metrics.reject(Rejection::RateLimited);
+    stream_.expires_never();
+    waiting_.expires_after(pause);
+    waiting_.async_wait([self = shared_from_this()](error_code error) {
+        if (!error)
+            self->await_request(limits::idle);
+    });
 }
 
 void HttpConnection::end() {
@@ -334,11 +380,12 @@ void serve_http(tcp::socket socket, NetServices services) {
     const auto from = socket.remote_endpoint(error);
     if (error)
         return; // gone already
-    auto place = services.admission.admit(from.address());
+    const auto peer = plain_address(from.address());
+    auto place = services.admission.admit(peer, services.proxies.trusts(peer));
     if (!place)
         return;
     socket.set_option(tcp::no_delay(true), error);
-    std::make_shared<HttpConnection>(std::move(socket), std::move(place), services)->start();
+    std::make_shared<HttpConnection>(std::move(socket), std::move(place), services)->start(peer);
 }
 
 } // namespace wakesurf::server

@@ -7,7 +7,9 @@
 #include "server/net/connections.hpp"
 #include "server/net/routes.hpp"
 #include "server/net/tls_context.hpp"
+#include "server/net/trusted_proxies.hpp"
 #include "server/net/write_turns.hpp"
+#include "server/session/budgets.hpp"
 
 #include <boost/asio/ip/tcp.hpp>
 
@@ -19,6 +21,8 @@ struct NetServices {
     Connections& connections;
     Grants& grants;
     Admission& admission;
+    Budgets& budgets;
+    const TrustedProxies& proxies;
     Metrics& metrics;
     WriteTurns& turns;
     TlsContext* tls; ///< nothing: plain TCP

@@ -60,20 +60,26 @@ HttpResponse http_error(const core::Error& error) {
 
 HttpResponse
 http_over_limit(unsigned status, std::uint64_t limit, std::string message, std::string hint) {
-    return fault_response(
+    HttpResponse response = fault_response(
         status, {protocol::RpcCode::OverLimit,
                  std::move(message),
                  std::move(hint),
                  {},
                  std::make_shared<const nlohmann::json>(nlohmann::json{{"limit", limit}})});
+    if (status == 503)
+        response.headers.emplace_back("Retry-After", "5");
+    return response;
 }
 
 HttpResponse http_error(const Refusal& refusal) {
-    HttpResponse response = http_error(refusal.status, refusal.message, refusal.hint);
+    HttpResponse response =
+        refusal.limit
+            ? http_over_limit(refusal.status, *refusal.limit, refusal.message, refusal.hint)
+            : http_error(refusal.status, refusal.message, refusal.hint);
     if (refusal.status == 401)
         response.headers.emplace_back("WWW-Authenticate", "Bearer");
     if (refusal.status == 429)
-        response.headers.emplace_back("Retry-After", "5");
+        response.headers.emplace_back("Retry-After", std::to_string(refusal.retry_after.count()));
     return response;
 }
 

@@ -1,6 +1,7 @@
 // HTTP requests and responses as plain values, so that only the connection knows Beast.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <stop_token>
@@ -19,6 +20,7 @@ struct HttpRequest {
     std::string body;
     bool upgrade = false; ///< to a WebSocket
     std::stop_token gone; ///< fires on the loop's thread when nobody takes the answer any more
+    std::string from;     ///< the address group of who asks: see admission
 
     /// The values of a header, in order.
     std::vector<std::string_view> all(std::string_view name) const {
@@ -40,6 +42,8 @@ struct HttpResponse {
     unsigned status = 200;
     std::vector<std::pair<std::string, std::string>> headers;
     std::shared_ptr<const std::string> body = std::make_shared<const std::string>();
+    std::shared_ptr<void> held = {};      ///< until it has been written
+    std::chrono::milliseconds pause = {}; ///< before the connection is read from again
 };
 
 /// Takes the one response, now or later, on the loop's thread.

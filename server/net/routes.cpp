@@ -8,12 +8,22 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+
 namespace wakesurf::server {
 
 namespace {
 
 bool reads(const HttpRequest& request) {
     return request.method == "GET" || request.method == "HEAD";
+}
+
+/// As if there were something to change.
+bool writes(const HttpRequest& request) {
+    const std::string& method = request.method;
+    return method == "POST" || method == "PUT" || method == "PATCH" || method == "DELETE";
 }
 
 HttpResponse wrong_method(const char* allowed) {
@@ -48,88 +58,156 @@ bool speaks_our_protocol(const HttpRequest& request) {
     return offers.empty();
 }
 
+/// 16 bytes in base64 (RFC 6455, 4.2.1).
+bool is_websocket_key(std::string_view key) {
+    constexpr std::size_t digits = 22;
+    const auto digit = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '/';
+    };
+    return key.size() == digits + 2 && key.ends_with("==") &&
+           std::all_of(key.begin(), key.begin() + digits, digit);
+}
+
+/// Where something may be whose name is not known here.
+bool has_files(std::string_view path) {
+    return path == "/openrpc.json" || path == "/metrics" || path == "/ws" ||
+           path.starts_with("/api/v1/sessions/") || path.starts_with("/api/v1/datasets/");
+}
+
+bool is_mesh(const HttpRequest& request) {
+    return request.path.starts_with("/api/v1/sessions/") &&
+           request.path.find("/mesh.") != std::string::npos && reads(request);
+}
+
+HttpResponse nothing_there() {
+    return http_error(404, "there is nothing at this path", "README.md lists the paths");
+}
+
 /// Meshes of sessions a share link is not for.
-bool out_of_reach(std::string_view path, const Identity& identity) {
+bool out_of_reach(std::string_view path, const Visitor& visitor) {
     constexpr std::string_view sessions = "/api/v1/sessions/";
-    if (identity.session.empty() || !path.starts_with(sessions))
+    if (visitor.session.empty() || !path.starts_with(sessions))
         return false;
     path.remove_prefix(sessions.size());
-    return path.substr(0, path.find('/')) != identity.session;
+    return path.substr(0, path.find('/')) != visitor.session;
 }
 
 } // namespace
 
-tl::expected<Identity, HttpResponse> Routes::admit_upgrade(const HttpRequest& request) {
-    auto identity = gate_.check(request);
-    if (!identity)
-        return tl::unexpected(http_error(identity.error()));
+tl::expected<Admitted, HttpResponse> Routes::admit_upgrade(const HttpRequest& request) {
+    auto visitor = gate_.check(request);
+    if (!visitor)
+        return tl::unexpected(http_error(visitor.error()));
     if (request.path != "/ws")
         return tl::unexpected(
             http_error(404, "there is no WebSocket at this path", "connect to /ws"));
     if (!speaks_our_protocol(request))
         return tl::unexpected(http_error(400, "none of the subprotocols offered is spoken here",
                                          "offer wakesurf.v1"));
-    return std::move(*identity);
+    const auto keys = request.all("sec-websocket-key");
+    if (keys.size() != 1 || !is_websocket_key(keys.front()))
+        return tl::unexpected(http_error(400, "Sec-WebSocket-Key is not 16 bytes in base64",
+                                         "leave it to a WebSocket library"));
+    auto place = budgets_.take(*visitor, Use::Socket);
+    if (!place)
+        return tl::unexpected(http_error(place.error()));
+    return Admitted{std::move(*visitor), std::move(*place)};
 }
 
 std::size_t Routes::longest_body(const HttpRequest& header) {
     if (header.method != "POST" || header.path != SessionFiles::import_path)
         return limits::message_bytes;
-    const auto identity = gate_.check(header);
-    return identity && identity->grant.empty() ? limits::session_file_bytes : limits::message_bytes;
+    const auto visitor = gate_.check(header);
+    return visitor && visitor->grant.empty() ? limits::session_file_bytes : limits::message_bytes;
 }
 
-void Routes::handle(const HttpRequest& request, Respond respond) {
+void Routes::handle(const HttpRequest& request,
+                    const std::function<void()>& let_in,
+                    Respond respond) {
     const bool file = files_.has(request.path);
-    if (file || request.path == "/healthz" || request.path == "/api/v1/login") {
+    const bool in = request.path == "/api/v1/login";
+    const bool out = request.path == "/api/v1/logout";
+    if (file || in || out || request.path == "/healthz") {
         if (const auto refusal = gate_.check_open(request))
             return respond(http_error(*refusal));
-        if (request.path == "/api/v1/login")
-            return respond(request.method == "POST" ? login(request) : wrong_method("POST"));
+        if ((in || out) && request.method != "POST")
+            return respond(wrong_method("POST"));
+        if (in || out)
+            return respond(in ? login(request) : logout(request));
         if (!reads(request))
             return respond(wrong_method("GET"));
         return respond(file ? files_.respond(request) : healthy());
     }
-    const auto identity = gate_.check(request);
-    if (!identity)
-        return respond(http_error(identity.error()));
-    // What took its time, a wait or a file, is not for those whose share link has ended meanwhile.
-    serve(
-        request, *identity,
-        [&gate = gate_, identity = *identity, respond = std::move(respond)](HttpResponse response) {
-            if (gate.still(identity))
-                return respond(std::move(response));
-            respond(http_error(Refusal{401, "the share link has ended", "ask for a new one"}));
-        });
+    const auto visitor = gate_.check(request);
+    if (!visitor)
+        return respond(http_error(visitor.error()));
+    const double messages = 1.0 + static_cast<double>(request.body.size()) / 1024.0;
+    const auto pause = budgets_.read(*visitor, messages);
+    auto places = places_for(request, *visitor);
+    if (!places) {
+        HttpResponse refusal = http_error(places.error());
+        refusal.pause = pause;
+        return respond(std::move(refusal));
+    }
+    let_in();
+    // What took its time, a wait or a file, is not for those whose share link or login has ended meanwhile.
+    serve(request, *visitor,
+          [&gate = gate_, visitor = *visitor, pause, places = std::move(*places),
+           respond = std::move(respond)](HttpResponse response) {
+              if (!gate.still(visitor))
+                  response = http_error(Refusal{401, "the share link or login has ended",
+                                                "ask for a new link, or log in again"});
+              response.pause = pause;
+              response.held = places;
+              respond(std::move(response));
+          });
 }
 
-void Routes::serve(const HttpRequest& request, const Identity& identity, Respond respond) {
+/// Of the request, and of a download, until the response has been written.
+core::Result<std::shared_ptr<void>> Routes::places_for(const HttpRequest& request,
+                                                       const Visitor& visitor) {
+    auto both = std::make_shared<std::array<Budgets::Place, 2>>();
+    auto place = budgets_.take(visitor, Use::Request);
+    if (!place)
+        return tl::unexpected(place.error());
+    (*both)[0] = std::move(*place);
+    if (!is_mesh(request))
+        return both;
+    place = budgets_.take(visitor, Use::Download);
+    if (!place)
+        return tl::unexpected(place.error());
+    (*both)[1] = std::move(*place);
+    return both;
+}
+
+void Routes::serve(const HttpRequest& request, const Visitor& visitor, Respond respond) {
     if (request.path == "/rpc")
-        return request.method == "POST" ? call(request, identity, std::move(respond))
+        return request.method == "POST" ? call(request, visitor, std::move(respond))
                                         : respond(wrong_method("POST"));
     if (request.path == SessionFiles::import_path)
-        return request.method == "POST" ? session_files_.post(request, identity, respond)
+        return request.method == "POST" ? session_files_.post(request, visitor, respond)
                                         : respond(wrong_method("POST"));
     if (!reads(request))
-        return respond(wrong_method("GET"));
+        return respond(has_files(request.path) || !writes(request) ? wrong_method("GET")
+                                                                   : nothing_there());
     if (request.path == "/openrpc.json")
         return respond(http_json(dispatcher_.document()));
     if (request.path == "/metrics")
-        return respond(identity.grant.empty() ? counted(metrics_())
-                                              : http_error(403, "a share link does not open this",
-                                                           "send the token wakesurf printed"));
+        return respond(visitor.grant.empty() ? counted(metrics_())
+                                             : http_error(403, "a share link does not open this",
+                                                          "send the token wakesurf printed"));
     if (request.path == "/ws")
         return respond(http_error(426, "this path is for WebSockets",
                                   "connect with the subprotocol wakesurf.v1"));
-    if (out_of_reach(request.path, identity))
+    if (out_of_reach(request.path, visitor))
         return respond(http_error(403, "the share link is for another session",
                                   "ask a host of that session for a link to it"));
-    if (!session_files_.get(request, respond) && !downloads_.handle(request, identity, respond))
-        respond(http_error(404, "there is nothing at this path", "README.md lists the paths"));
+    if (!session_files_.get(request, respond) && !downloads_.handle(request, visitor, respond))
+        respond(nothing_there());
 }
 
-void Routes::call(const HttpRequest& request, const Identity& identity, Respond respond) {
-    dispatcher_.dispatch(request.body, identity, nullptr,
+void Routes::call(const HttpRequest& request, const Visitor& visitor, Respond respond) {
+    dispatcher_.dispatch(request.body, visitor, nullptr,
                          [respond = std::move(respond)](std::string text) {
                              if (text.empty())
                                  respond({204, {{"Cache-Control", "no-store"}}});
@@ -151,6 +229,15 @@ HttpResponse Routes::login(const HttpRequest& request) {
     if (!cookie)
         return http_error(cookie.error());
     return {204, {{"Set-Cookie", *cookie}, {"Cache-Control", "no-store"}}};
+}
+
+HttpResponse Routes::logout(const HttpRequest& request) {
+    const auto done = gate_.logout(request);
+    if (!done)
+        return http_error(done.error());
+    for (const std::string& person : done->people)
+        logged_out_(person);
+    return {204, {{"Set-Cookie", done->cookie}, {"Cache-Control", "no-store"}}};
 }
 
 } // namespace wakesurf::server

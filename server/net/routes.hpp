@@ -8,49 +8,67 @@
 #include "server/net/session_files.hpp"
 #include "server/net/static_files.hpp"
 #include "server/rpc/dispatcher.hpp"
+#include "server/session/budgets.hpp"
 
 #include <tl/expected.hpp>
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace wakesurf::server {
 
+/// Who may have a WebSocket, and the place of it.
+struct Admitted {
+    Visitor visitor;
+    Budgets::Place place;
+};
+
 /// Loop thread only. Everything it refers to outlives it.
 class Routes {
   public:
-    /// @param metrics  gives the text of /metrics
+    /// @param metrics     gives the text of /metrics
+    /// @param logged_out  a person's login has ended: their sockets go
     Routes(Gate& gate,
+           Budgets& budgets,
            const StaticFiles& files,
            Dispatcher& dispatcher,
            Downloads& downloads,
            SessionFiles& session_files,
-           std::function<std::string()> metrics)
-        : gate_(gate), files_(files), dispatcher_(dispatcher), downloads_(downloads),
-          session_files_(session_files), metrics_(std::move(metrics)) {}
+           std::function<std::string()> metrics,
+           std::function<void(const std::string&)> logged_out)
+        : gate_(gate), budgets_(budgets), files_(files), dispatcher_(dispatcher),
+          downloads_(downloads), session_files_(session_files), metrics_(std::move(metrics)),
+          logged_out_(std::move(logged_out)) {}
 
     /// How long the body of a request may be, by its header: longer than messages only for what is known to be let in.
     std::size_t longest_body(const HttpRequest& header);
 
     /// Whose WebSocket the request may become, or why it may not.
-    tl::expected<Identity, HttpResponse> admit_upgrade(const HttpRequest& request);
+    tl::expected<Admitted, HttpResponse> admit_upgrade(const HttpRequest& request);
 
-    void handle(const HttpRequest& request, Respond respond);
+    /// @param let_in  called, before this returns, if the request has shown a token
+    void handle(const HttpRequest& request, const std::function<void()>& let_in, Respond respond);
 
     Dispatcher& dispatcher() const { return dispatcher_; }
 
   private:
-    void serve(const HttpRequest& request, const Identity& identity, Respond respond);
-    void call(const HttpRequest& request, const Identity& identity, Respond respond);
+    core::Result<std::shared_ptr<void>> places_for(const HttpRequest& request,
+                                                   const Visitor& visitor);
+    void serve(const HttpRequest& request, const Visitor& visitor, Respond respond);
+    void call(const HttpRequest& request, const Visitor& visitor, Respond respond);
     HttpResponse login(const HttpRequest& request);
+    HttpResponse logout(const HttpRequest& request);
 
     Gate& gate_;
+    Budgets& budgets_;
     const StaticFiles& files_;
     Dispatcher& dispatcher_;
     Downloads& downloads_;
     SessionFiles& session_files_;
     std::function<std::string()> metrics_;
+    std::function<void(const std::string&)> logged_out_;
 };
 
 } // namespace wakesurf::server

@@ -13,6 +13,7 @@
 #include "server/rpc/import_waiters.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/session/catalogue_datasets.hpp"
+#include "server/session/log_text.hpp"
 #include "server/session/session_restoring.hpp"
 #include "server/state/kept_sessions.hpp"
 #include "server/state/sqlite_journal.hpp"
@@ -39,6 +40,14 @@ nlohmann::json dataset_entries(const DatasetCatalogue& catalogue) {
     for (const DatasetStatus& each : catalogue.list())
         list.push_back(dataset_entry(each));
     return list;
+}
+
+/// Sockets and requests of all, where there may be fewer connections: the rest is for those who have shown nothing yet.
+limits::Budget budget_for(std::size_t connections) {
+    limits::Budget out = limits::all;
+    out.sockets = std::min(out.sockets, connections / 2);
+    out.requests = std::min(out.requests, connections / 4);
+    return out;
 }
 
 } // namespace
@@ -77,12 +86,14 @@ struct Server::Parts {
             method_table(),
             MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); },
                           prober, grants, clock, loop, journal.get(), [this] { return standing(); },
-                          &metrics, &imports.emplace(*catalogue, loop), notice},
+                          &metrics, &imports.emplace(*catalogue, loop), notice, &budgets},
             protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
         downloads.emplace(loop, pool, *sessions, *catalogue, memory.account());
         session_files.emplace(loop, pool, *sessions, *datasets, journal.get());
-        routes.emplace(*gate, files, *dispatcher, *downloads, *session_files,
-                       [this] { return metrics.text(standing()); });
+        routes.emplace(
+            *gate, budgets, files, *dispatcher, *downloads, *session_files,
+            [this] { return metrics.text(standing()); },
+            [this](const std::string& person) { connections.log_out(person); });
         if (kept)
             restore();
     }
@@ -91,7 +102,7 @@ struct Server::Parts {
         Standing out;
         out.uptime = std::chrono::duration<double>(clock.now() - started).count();
         out.connections = admission.connections();
-        out.clients = admission.clients();
+        out.clients = budgets.used(Use::Socket);
         out.memory = memory_standing(memory.account());
         out.sessions = sessions->all().size();
         for (const auto& [id, session] : sessions->all()) {
@@ -174,6 +185,20 @@ struct Server::Parts {
                              [this, deadline] { stop_when_alone(deadline); });
     }
 
+    /// A renewed certificate is taken at SIGHUP.
+    void renew_tls_on(asio::signal_set& hangup) {
+        hangup.async_wait([this, &hangup](boost::system::error_code error, int) {
+            if (error)
+                return;
+            if (const auto renewed = tls->renew())
+                spdlog::info("event=certificate_renewed");
+            else
+                spdlog::warn("event=certificate_kept reason={}",
+                             log_value(renewed.error().message));
+            renew_tls_on(hangup);
+        });
+    }
+
     void run_what_is_left() {
         context.restart();
         for (int round = 0; round < 16; ++round)
@@ -188,7 +213,10 @@ struct Server::Parts {
     core::SteadyClock clock;
     const std::chrono::steady_clock::time_point started = clock.now();
     Metrics metrics{clock};
-    Admission admission{limits_for_descriptors(), metrics};
+    const Admission::Limits places = limits_for_descriptors();
+    Admission admission{places, metrics};
+    Budgets budgets{clock, &metrics, budget_for(places.connections)};
+    TrustedProxies proxies;
     std::unique_ptr<TlsContext> tls;
     Connections connections;
     WriteTurns turns{[this](std::function<void()> task) { loop.post(std::move(task)); }, clock};
@@ -229,6 +257,7 @@ core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options)
     }
     auto parts = std::make_unique<Parts>(options, std::move(kept));
     Parts* const all = parts.get();
+    all->proxies = options.proxies;
     if (!options.certificate.empty()) {
         auto tls = TlsContext::load(options.certificate, options.key);
         if (!tls)
@@ -238,8 +267,8 @@ core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options)
     auto listener = Listener::open(
         all->context, options.host, options.port, [all](asio::ip::tcp::socket socket) {
             serve_http(std::move(socket),
-                       {*all->routes, all->connections, all->grants, all->admission, all->metrics,
-                        all->turns, all->tls.get()});
+                       {*all->routes, all->connections, all->grants, all->admission, all->budgets,
+                        all->proxies, all->metrics, all->turns, all->tls.get()});
         });
     if (!listener)
         return tl::unexpected(listener.error());
@@ -274,13 +303,18 @@ void Server::run() {
     signals.async_wait([&](boost::system::error_code error, int) {
         if (error)
             return;
-        spdlog::info("event=stopping clients={}", all.admission.clients());
+        spdlog::info("event=stopping clients={}", all.budgets.used(Use::Socket));
         all.listener->stop();
         all.connections.go_away();
         all.stop_when_alone(std::chrono::steady_clock::now() + goodbye);
     });
+    asio::signal_set hangup(all.context);
+    if (all.tls) {
+        hangup.add(SIGHUP);
+        all.renew_tls_on(hangup);
+    }
     spdlog::info("event=listening port={} tls={} connections={}", all.port, all.tls != nullptr,
-                 limits_for_descriptors().connections);
+                 all.places.connections);
     all.listener->start();
     all.watch_memory();
     const auto served = all.loop.after(limits::start_watched, [&all] {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "server/net/trusted_proxies.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +24,7 @@ struct ServerOptions {
     unsigned threads = 0; ///< that compute; 0: one a core
     std::string token;    ///< empty: no authentication
     std::vector<std::string> origins;
+    TrustedProxies proxies;
     std::filesystem::path certificate; ///< empty: plain HTTP
     std::filesystem::path key;         ///< the certificate's
     std::filesystem::path web;         ///< the built client; empty: where it was built or installed

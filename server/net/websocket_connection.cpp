@@ -4,7 +4,6 @@
 #include "server/net/message_batch.hpp"
 #include "server/net/outbox.hpp"
 #include "server/net/security_headers.hpp"
-#include "server/net/token_bucket.hpp"
 #include "server/rpc/client.hpp"
 
 #include <boost/asio/steady_timer.hpp>
@@ -32,6 +31,8 @@ namespace {
 
 constexpr std::size_t small_message = 1024;
 constexpr std::size_t large_part = std::size_t{16} << 10;
+constexpr double part_of_message = 0.25; ///< what it costs to read one that comes in parts
+constexpr std::chrono::milliseconds most_debt{2000}; ///< of who pings
 
 class WebSocketConnection final : public Connection,
                                   public Wire,
@@ -39,22 +40,28 @@ class WebSocketConnection final : public Connection,
                                   public std::enable_shared_from_this<WebSocketConnection> {
   public:
     WebSocketConnection(ByteStream stream,
+                        const Admitted& admitted,
                         NetServices services,
                         std::unique_ptr<Admission::Place> place)
         : stream_(std::move(stream)), stall_(stream_.get_executor()), services_(services),
-          place_(std::move(place)), pause_(stream_.get_executor()) {
+          place_(std::move(place)), admitted_(admitted), pause_(stream_.get_executor()) {
         services_.connections.add(*this);
     }
 
     ~WebSocketConnection() override { services_.connections.remove(*this); }
 
-    void accept(const HttpRequest& request, const Identity& identity);
+    void accept(const HttpRequest& request);
 
     void go_away() override { close(websocket::close_code::going_away, "the server is stopping"); }
 
     void abandon() override { end(); }
 
     void announce(const std::string& message) override { send(message); }
+
+    void log_out(const std::string& person) override {
+        if (client_ && open_ && admitted_.visitor.person == person)
+            client_->logged_out();
+    }
 
     void send(std::string message) override {
         send_shared(std::make_shared<const std::string>(std::move(message)));
@@ -83,7 +90,8 @@ class WebSocketConnection final : public Connection,
 
     void read();
     void received(bool text, bool whole);
-    void read_after(std::size_t bytes);
+    void read_after(double messages);
+    void pinged();
     void write_soon();
     void write();
     void write_rest(std::shared_ptr<MessageBatch> batch, Time begun);
@@ -95,10 +103,9 @@ class WebSocketConnection final : public Connection,
     boost::asio::steady_timer stall_; ///< runs while the socket takes no more
     NetServices services_;
     std::unique_ptr<Admission::Place> place_;
+    const Admitted admitted_;
     boost::asio::steady_timer
         pause_; ///< runs while a client that talks too fast is not listened to
-    TokenBucket messages_{limits::messages_per_second, limits::messages_at_once,
-                          std::chrono::steady_clock::now()};
     beast::flat_buffer buffer_;
     Outbox outbox_;
     bool busy_ = false;   ///< a write is under way
@@ -107,7 +114,7 @@ class WebSocketConnection final : public Connection,
     std::optional<Client> client_;
 };
 
-void WebSocketConnection::accept(const HttpRequest& request, const Identity& identity) {
+void WebSocketConnection::accept(const HttpRequest& request) {
     http::request<http::empty_body> upgrade(http::verb::get, request.path, 11);
     for (const auto& [name, value] : request.headers)
         upgrade.insert(name, value);
@@ -130,13 +137,18 @@ void WebSocketConnection::accept(const HttpRequest& request, const Identity& ide
                 response.set(http::field::sec_websocket_protocol, "wakesurf.v1");
         }));
     stream_.auto_fragment(false);
-    stream_.read_message_max(0); // read() limits it, with a reason in the close frame
-    stream_.async_accept(upgrade, [self = shared_from_this(), identity](error_code error) {
+    // read() limits it, with a reason in the close frame; what announces far more need not send it.
+    stream_.read_message_max(16 * limits::message_bytes);
+    stream_.control_callback([this](websocket::frame_type kind, beast::string_view) {
+        if (kind == websocket::frame_type::ping)
+            pinged();
+    });
+    stream_.async_accept(upgrade, [self = shared_from_this()](error_code error) {
         if (error)
             return;
         self->open_ = true;
         spdlog::debug("event=client_opened client={}", self->place_->number());
-        self->client_.emplace(*self, identity, self->services_.grants);
+        self->client_.emplace(*self, self->admitted_.visitor, self->services_.grants);
         self->read();
     });
 }
@@ -162,7 +174,7 @@ void WebSocketConnection::received(bool text, bool whole) {
     if (buffer_.size() > limits::message_bytes)
         return close(websocket::close_code::too_big, "a message may have at most 65536 bytes");
     if (!whole)
-        return read();
+        return read_after(part_of_message);
     const std::string message = beast::buffers_to_string(buffer_.data());
     buffer_.clear();
     if (buffer_.capacity() > small_message)
@@ -174,15 +186,13 @@ void WebSocketConnection::received(bool text, bool whole) {
                                                if (self && !answer.empty())
                                                    self->send(std::move(answer));
                                            });
-    read_after(message.size());
+    read_after(1.0 + static_cast<double>(message.size()) / 1024.0);
 }
 
-/// A message counts for one, and for one more a KiB.
-void WebSocketConnection::read_after(std::size_t bytes) {
+void WebSocketConnection::read_after(double messages) {
     if (!open_)
         return;
-    const auto wait =
-        messages_.take(std::chrono::steady_clock::now(), 1.0 + static_cast<double>(bytes) / 1024.0);
+    const auto wait = services_.budgets.read(admitted_.visitor, messages);
     if (wait.count() == 0)
         return read();
     services_.metrics.reject(Rejection::RateLimited);
@@ -190,6 +200,16 @@ void WebSocketConnection::read_after(std::size_t bytes) {
     pause_.async_wait([self = shared_from_this()](error_code error) {
         if (!error && self->open_)
             self->read();
+    });
+}
+
+/// Called while reading, which goes on by itself: who pings more than they may talk cannot be made to wait.
+void WebSocketConnection::pinged() {
+    if (!open_ || services_.budgets.read(admitted_.visitor, 1.0) < most_debt)
+        return;
+    services_.metrics.reject(Rejection::RateLimited);
+    boost::asio::post(stream_.get_executor(), [self = shared_from_this()] {
+        self->close(websocket::close_code::policy_error, "the client pings too often");
     });
 }
 
@@ -322,11 +342,11 @@ void WebSocketConnection::end() {
 
 void serve_websocket(ByteStream stream,
                      const HttpRequest& upgrade,
-                     const Identity& identity,
+                     const Admitted& admitted,
                      NetServices services,
                      std::unique_ptr<Admission::Place> place) {
-    std::make_shared<WebSocketConnection>(std::move(stream), services, std::move(place))
-        ->accept(upgrade, identity);
+    std::make_shared<WebSocketConnection>(std::move(stream), admitted, services, std::move(place))
+        ->accept(upgrade);
 }
 
 } // namespace wakesurf::server

@@ -10,10 +10,10 @@
 
 namespace wakesurf::server {
 
-/// Answers the upgrade request, already let in as `identity`, and serves the stream until it closes.
+/// Answers the upgrade request, already let in, and serves the stream until it closes.
 void serve_websocket(ByteStream stream,
                      const HttpRequest& upgrade,
-                     const Identity& identity,
+                     const Admitted& admitted,
                      NetServices services,
                      std::unique_ptr<Admission::Place> place);
 

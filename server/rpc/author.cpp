@@ -1,6 +1,7 @@
 #include "server/rpc/author.hpp"
 
 #include "server/limits.hpp"
+#include "server/rpc/permission.hpp"
 
 #include <utility>
 
@@ -25,9 +26,7 @@ std::string read_gesture(protocol::CheckedJson& in) {
 }
 
 bool is_host(const Call& call, const Session& session) {
-    const Role role =
-        call.client != nullptr ? call.client->role_in(session.id()) : call.identity.role;
-    return role == Role::Host;
+    return role_in(session.id(), call) == Role::Host;
 }
 
 } // namespace wakesurf::server

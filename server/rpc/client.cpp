@@ -13,7 +13,7 @@ namespace wakesurf::server {
 
 using nlohmann::json;
 
-Client::Client(Wire& wire, Identity identity, Grants& grants)
+Client::Client(Wire& wire, Visitor identity, Grants& grants)
     : wire_(wire), identity_(std::move(identity)), grants_(grants) {
     if (identity_.grant.empty())
         return;
@@ -32,19 +32,27 @@ core::Result<Joined> Client::join(std::shared_ptr<Session> session, Arrival arri
     if (session != session_)
         leave();
     arrival.identity = identity_;
+    if (const auto now = grants_.identity(identity_.grant))
+        arrival.identity.role = now->role; // which a host may have lessened for newcomers
     auto joined = session->join(arrival, *this);
-    if (joined) {
-        session_ = std::move(session);
-        participant_ = joined->you.id;
+    if (!joined)
+        return joined;
+    session_ = std::move(session);
+    participant_ = joined->you.id;
+    grants_.seat(identity_.grant, participant_, identity_.person);
+    const auto least = grants_.least_of(identity_.grant, identity_.person);
+    if (least && *least < joined->you.role) { // set for another place of the same person
+        session_->participants().set_role(participant_, *least);
+        joined->you.role = *least;
     }
     return joined;
 }
 
-Role Client::role_in(const std::string& session) const {
+std::optional<Role> Client::role_in(const std::string& session) const {
     if (session_ && session_->id() == session)
         if (const Participant* me = session_->participants().find(*this))
             return me->role;
-    return identity_.role;
+    return std::nullopt;
 }
 
 std::string Client::participant() const {
@@ -147,6 +155,11 @@ void Client::sent_away(Farewell why) {
 void Client::grant_ended(const std::string& reason) {
     leave();
     say_goodbye(Goodbye::LinkEnded, "linkEnded", reason);
+}
+
+void Client::logged_out() {
+    leave();
+    say_goodbye(Goodbye::LoggedOut, "loggedOut", "you have logged out");
 }
 
 void Client::say_goodbye(Goodbye goodbye, const char* kind, const std::string& reason) {

@@ -2,13 +2,12 @@
 // subscribed to. When it goes, nothing of it stays.
 #pragma once
 
-#include "server/rpc/call_rate.hpp"
 #include "server/rpc/pending_calls.hpp"
 #include "server/rpc/wire.hpp"
 #include "server/session/grants.hpp"
-#include "server/session/identity.hpp"
 #include "server/session/observer.hpp"
 #include "server/session/session.hpp"
+#include "server/session/visitor.hpp"
 
 #include <memory>
 #include <optional>
@@ -21,21 +20,19 @@ namespace wakesurf::server {
 class Client final : public Observer, public GrantHolder {
   public:
     /// `identity` is what the connection was let in with. The grants outlive the client.
-    Client(Wire& wire, Identity identity, Grants& grants);
+    Client(Wire& wire, Visitor identity, Grants& grants);
 
     ~Client() override;
     Client(const Client&) = delete;
     Client& operator=(const Client&) = delete;
 
-    const Identity& identity() const { return identity_; }
+    const Visitor& identity() const { return identity_; }
 
-    /// What it may do in a session: its identity's role, unless a host has set another there.
-    Role role_in(const std::string& session) const;
+    /// Of its place in a session; nothing where it has none.
+    std::optional<Role> role_in(const std::string& session) const;
 
     /// Its id in the session joined, or empty.
     std::string participant() const;
-
-    CallRate& rate() { return rate_; }
 
     /// The session joined, or nothing.
     const std::shared_ptr<Session>& session() const { return session_; }
@@ -80,6 +77,7 @@ class Client final : public Observer, public GrantHolder {
     void presence(const std::string& message) override;
     void sent_away(Farewell why) override;
     void grant_ended(const std::string& reason) override;
+    void logged_out();
 
   private:
     template <class Words>
@@ -88,9 +86,8 @@ class Client final : public Observer, public GrantHolder {
     void say_goodbye(Goodbye goodbye, const char* kind, const std::string& reason);
 
     Wire& wire_;
-    Identity identity_;
+    Visitor identity_;
     Grants& grants_;
-    CallRate rate_;
     PendingCalls calls_;
     std::shared_ptr<Session> session_;
     std::string participant_; ///< of that session

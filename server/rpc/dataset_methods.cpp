@@ -7,6 +7,7 @@
 #include "server/rpc/import_waiters.hpp"
 #include "server/rpc/lattice_json.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/rpc/permission.hpp"
 #include "server/rpc/work_progress.hpp"
 #include "server/session/surface_rules.hpp"
 
@@ -54,6 +55,7 @@ struct Opening {
     explicit Opening(Reply to) : reply(std::move(to)) {}
 
     Reply reply;
+    Budgets::Place place;
     std::optional<WorkProgress> progress;
     std::optional<std::stop_callback<std::function<void()>>> left;
 };
@@ -88,8 +90,12 @@ void open_one(const Call& call, Reply reply) {
                                                         "there is no dataset of this name");
     if (!status)
         return reply.fault(status.error());
-    const bool editor = call.identity.role != Role::Viewer;
+    const bool editor = role_of(call) != Role::Viewer;
+    auto place = take(call, Use::Wait);
+    if (!place)
+        return reply.fault(place.error());
     const auto opening = std::make_shared<Opening>(std::move(reply));
+    opening->place = std::move(*place);
     if (status->state == DatasetState::Stopped && !editor)
         return answer_opening(*opening, status);
     if (*token && call.client != nullptr)
@@ -146,10 +152,13 @@ void probe_sample(const Call& call, Reply reply) {
     auto open = call.context.datasets.open(id);
     if (!open)
         return reply.fault(open.error());
+    auto place = take(call, Use::Probe);
+    if (!place)
+        return reply.fault(place.error());
     const auto answer = std::make_shared<Reply>(std::move(reply));
     call.context.prober.ask(
-        std::move(*open), std::move(request), call.stop,
-        [answer](const core::Result<ProbeResult>& result) {
+        std::move(*open), std::move(request), Budgets::line(call.identity), call.stop,
+        [answer, place = std::move(*place)](const core::Result<ProbeResult>& result) {
             if (!result)
                 return answer->fault(result.error());
             json values = json::object();

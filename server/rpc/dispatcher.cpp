@@ -98,7 +98,7 @@ const Method* Dispatcher::find(std::string_view name) const {
 }
 
 void Dispatcher::dispatch(std::string_view text,
-                          const Identity& identity,
+                          const Visitor& identity,
                           Client* client,
                           Answer answer) {
     const Caller caller{identity, client};
@@ -113,22 +113,16 @@ void Dispatcher::dispatch(std::string_view text,
 }
 
 std::optional<RpcFault> Dispatcher::too_fast(bool edits, const Caller& caller) {
-    if (rates_.size() > limits::kept_sessions * limits::grants)
-        std::erase_if(rates_, [this](const auto& each) {
-            return !each.first.empty() && !context_.grants.identity(each.first);
-        });
-    CallRate& rate =
-        caller.client != nullptr ? caller.client->rate() : rates_[caller.identity.grant];
-    const auto wait = rate.take(edits, context_.clock.now());
+    const auto wait =
+        context_.budgets != nullptr ? context_.budgets->call(caller.identity, edits) : std::nullopt;
     if (!wait)
         return std::nullopt;
     return RpcFault{RpcCode::OverLimit,
                     "calls come faster than they may",
                     "wait for data.retryAfterMs milliseconds",
                     {},
-                    std::make_shared<const json>(json{
-                        {"retryAfterMs", wait->count()},
-                        {"limit", edits ? limits::edits_per_second : limits::calls_per_second}})};
+                    std::make_shared<const json>(
+                        json{{"retryAfterMs", wait->retry_after.count()}, {"limit", wait->limit}})};
 }
 
 void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, Answer answer) {

@@ -4,7 +4,6 @@
 #include "server/rpc/method.hpp"
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,14 +21,14 @@ class Dispatcher {
 
     /// `identity` is whose call it is, `client` its WebSocket, if it has one. `answer` is called once, now or later, with the text to send back: empty when there is none (notifications).
     using Answer = std::function<void(std::string)>;
-    void dispatch(std::string_view text, const Identity& identity, Client* client, Answer answer);
+    void dispatch(std::string_view text, const Visitor& identity, Client* client, Answer answer);
 
     /// The OpenRPC document.
     const std::string& document() const { return document_; }
 
   private:
     struct Caller {
-        const Identity& identity;
+        const Visitor& identity;
         Client* client;
     };
 
@@ -41,7 +40,6 @@ class Dispatcher {
     MethodContext context_;
     protocol::RpcLimits limits_;
     std::string document_;
-    std::map<std::string, CallRate> rates_; ///< of HTTP, by grant
 };
 
 } // namespace wakesurf::server

@@ -23,4 +23,9 @@ void Reply::fault(const protocol::RpcFault& fault) {
         sink(nullptr, &fault);
 }
 
+core::Result<Budgets::Place> take(const Call& call, Use use) {
+    Budgets* const budgets = call.context.budgets;
+    return budgets == nullptr ? Budgets::Place() : budgets->take(call.identity, use);
+}
+
 } // namespace wakesurf::server

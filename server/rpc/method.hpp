@@ -5,12 +5,13 @@
 #include "protocol/json_rpc.hpp"
 #include "server/metrics/metrics.hpp"
 #include "server/rpc/client.hpp"
+#include "server/session/budgets.hpp"
 #include "server/session/datasets.hpp"
 #include "server/session/grants.hpp"
-#include "server/session/identity.hpp"
 #include "server/session/journal.hpp"
 #include "server/session/probe.hpp"
 #include "server/session/session_directory.hpp"
+#include "server/session/visitor.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -59,17 +60,21 @@ struct MethodContext {
     Metrics* metrics = nullptr;           ///< nobody counts without
     ImportWaiters* imports = nullptr;     ///< without, datasets are as they are
     std::string notice{};                 ///< a whole notification for each who joins; empty: none
+    Budgets* budgets = nullptr;           ///< anybody may use as much as they like without
 };
 
 struct Call {
     const MethodContext& context;
     const nlohmann::json& parameters; ///< an object, valid until the handler returns
-    const Identity& identity;         ///< valid until the handler returns
+    const Visitor& identity;          ///< valid until the handler returns
     Client* client;                   ///< nothing over HTTP
     bool batched;                     ///< the answer will wait for others
     std::stop_token stop{};           ///< the answer is not wanted any more, or its caller is gone
     std::stop_token cancelled{};      ///< by $/cancelRequest; fires before `stop`
 };
+
+/// One of a kind, of the caller's budget. Error: OverLimit.
+core::Result<Budgets::Place> take(const Call& call, Use use);
 
 struct Parameter {
     std::string name;

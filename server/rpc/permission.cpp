@@ -31,6 +31,18 @@ std::string session_of(const Method& method, const Call& call) {
     return call.identity.session;
 }
 
+Role role_in(const std::string& session, const Call& call) {
+    if (const auto place = call.client != nullptr ? call.client->role_in(session) : std::nullopt)
+        return *place;
+    const auto now = call.context.grants.identity(call.identity.grant);
+    return call.identity.grant.empty() ? call.identity.role : now ? now->role : Role::Viewer;
+}
+
+Role role_of(const Call& call) {
+    const bool joined = call.client != nullptr && call.client->session();
+    return role_in(joined ? call.client->session()->id() : call.identity.session, call);
+}
+
 std::optional<RpcFault> refused(const Method& method, const Call& call) {
     const Identity& identity = call.identity;
     if (!identity.grant.empty() && !call.context.grants.identity(identity.grant))
@@ -43,7 +55,7 @@ std::optional<RpcFault> refused(const Method& method, const Call& call) {
     if (!identity.session.empty() && !session.empty() && session != identity.session)
         return not_permitted("the share link is for another session",
                              "use `" + identity.session + "`, or ask for a link to this one");
-    const Role role = call.client != nullptr ? call.client->role_in(session) : identity.role;
+    const Role role = role_in(session, call);
     if (role < method.traits.least)
         return not_permitted(
             method.name + " needs the role " + std::string(name(method.traits.least)) +

@@ -12,6 +12,12 @@ namespace wakesurf::server {
 /// none, and for methods that are about none.
 std::string session_of(const Method& method, const Call& call);
 
+/// What the caller may do in that session now: the role of the place taken there, else the token's or the link's for newcomers.
+Role role_in(const std::string& session, const Call& call);
+
+/// The same in the session joined, or else the link's: for methods that are about no session.
+Role role_of(const Call& call);
+
 /// Unauthenticated once the share link has ended; NotPermitted for another session than the link's and for a lesser role than
 /// the method's; else nothing. Whether there is such a session is not told.
 std::optional<protocol::RpcFault> refused(const Method& method, const Call& call);

@@ -130,7 +130,13 @@ constexpr std::string_view shapes = R"json({
 "Share": {
   "type": "object",
   "properties": {
-    "grant": "#Id", "role": "#Role", "expires?": {"type": "number", "description": "seconds since 1970"}}},
+    "grant": "#Id", "role": "#Role", "expires?": {"type": "number", "description": "seconds since 1970; left out: never"},
+    "newcomers?": {"enum": ["viewer", "editor"], "description":
+      "where a host gave somebody who came by it a lesser role: what those are who come by it from then on"},
+    "madeBy": {"type": "object", "properties": {
+      "grant?": {"type": "string", "description": "the link its maker came by; left out: the server's own token"},
+      "name": {"type": "string", "description": "of the participant; empty: a script"}}},
+    "children": {"type": "integer", "minimum": 0, "description": "links in force that were made by it, or by those it made"}}},
 "Bookmark": {
   "type": "object",
   "properties": {
@@ -236,7 +242,7 @@ constexpr std::string_view results = R"json({
 "server.stats": {
   "type": "object",
   "properties": {
-    "uptime": {"type": "number", "minimum": 0}, "connections": "#Count", "clients": "#Count", "sessions": "#Count",
+    "uptime?": {"type": "number", "minimum": 0}, "connections?": "#Count", "clients?": "#Count", "sessions?": "#Count",
     "participants": "#Count", "surfaces": "#Count",
     "stages": {
       "type": "object",
@@ -244,16 +250,16 @@ constexpr std::string_view results = R"json({
         "queue": "#Quantiles", "load": "#Quantiles", "advect": "#Quantiles", "refine": "#Quantiles",
         "encode": "#Quantiles", "send": "#Quantiles"}},
     "firstFrame": "#Quantiles",
-    "cache": {
+    "cache?": {
       "type": "array",
       "items": {
         "type": "object",
         "properties": {
           "dataset": "#Id", "hits": "#Count", "loads": "#Count", "bytes": "#Count", "budget": "#Count"}}},
-    "memory": {"type": "object", "properties": {
+    "memory?": {"type": "object", "properties": {
         "rss": "#Count", "peak": "#Count", "budget": "#Count", "used": "#Count", "refused": "#Count",
         "byUse": {"type": "object", "additionalProperties": "#Count"}}},
-    "messages": "#Count", "frames": "#Count", "bytes": "#Count", "keyframes": "#Count", "dropped": "#Count"}},
+    "messages?": "#Count", "frames?": "#Count", "bytes?": "#Count", "keyframes?": "#Count", "dropped?": "#Count"}},
 "$/cancelRequest": "#Empty",
 "dataset.list": {"type": "object", "properties": {"datasets": {"type": "array", "items": "#DatasetEntry"}}},
 "dataset.describe": "#Dataset",
@@ -312,11 +318,16 @@ constexpr std::string_view results = R"json({
 "session.share": {
   "type": "object",
   "properties": {
-    "grant": "#Id", "role": "#Role", "expires?": {"type": "number"}, "key": {"type": "string"},
-    "link": {"type": "string"}}},
+    "grant": "#Id", "role": "#Role", "expires?": {"type": "number"}, "newcomers?": {"enum": ["viewer", "editor"]},
+    "madeBy": {"type": "object", "properties": {"grant?": {"type": "string"}, "name": {"type": "string"}}},
+    "children": {"type": "integer", "minimum": 0}, "key": {"type": "string"}, "link": {"type": "string"}}},
 "session.shares": {"type": "object", "properties": {"shares": {"type": "array", "items": "#Share"}}},
-"session.unshare": {"type": "object", "properties": {}},
-"session.setRole": {"type": "object", "properties": {"participant": "#Id", "role": "#Role"}},
+"session.unshare": {"type": "object", "properties": {"children": {"type": "array", "items": "#Share"}}},
+"session.setRole": {
+  "type": "object",
+  "properties": {
+    "participant": "#Id", "role": "#Role", "also": {"type": "array", "items": {"type": "string"}},
+    "newcomers?": {"enum": ["viewer", "editor"]}}},
 "session.kick": {"type": "object", "properties": {}},
 "presence.update": "#Empty",
 "rake.set": {

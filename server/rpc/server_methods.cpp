@@ -1,5 +1,6 @@
 // server.info, server.ping, server.stats.
 #include "protocol/mesh_file.hpp"
+#include "server/budget_limits.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/stats_json.hpp"
@@ -32,8 +33,9 @@ json info() {
              {{"messageBytes", limits::message_bytes},
               {"batch", limits::batch},
               {"depth", limits::message_depth},
-              {"clients", limits::clients},
-              {"callsPerSecond", limits::calls_per_second},
+              {"clients", limits::all.sockets},
+              {"callsPerSecond", limits::person.calls},
+              {"editsPerSecond", limits::person.edits},
               {"sessions", limits::kept_sessions},
               {"trash", limits::trash},
               {"thumbnailBytes", limits::thumbnail_bytes},
@@ -49,7 +51,9 @@ json info() {
               {"subscriptions", limits::subscriptions},
               {"waiters", limits::waiters},
               {"pendingCalls", limits::pending_calls},
-              {"probes", limits::probes},
+              {"probes", limits::person.probes},
+              {"sockets", limits::person.sockets},
+              {"downloads", limits::person.downloads},
               {"quads", limits::quads_most},
               {"fields", limits::fields},
               {"waitMs", limits::wait_ms}}}};
@@ -62,7 +66,12 @@ void stats(const Call& call, Reply reply) {
                             "server.info says what it offers",
                             {},
                             {}});
-    reply.result(stats_json(*call.context.metrics, call.context.standing()));
+    if (call.identity.session.empty())
+        return reply.result(stats_json(*call.context.metrics, call.context.standing()));
+    const auto session = call.context.sessions.find(call.identity.session);
+    if (!session)
+        return reply.fault(session.error());
+    reply.result(stats_json(*call.context.metrics, **session));
 }
 
 } // namespace
@@ -83,15 +92,16 @@ std::vector<Method> server_methods() {
          [](const Call&, Reply reply) { reply.result(json::object()); }},
         {"server.stats",
          "How long each stage from an edit to the socket took in the last minute, in seconds, and "
-         "how the server stands.",
+         "how the server stands; with a share link how its session does.",
          {},
-         "{uptime, connections, clients, sessions, participants, surfaces, stages: {queue, load, "
+         "{participants, surfaces, uptime, connections, clients, sessions, stages: {queue, load, "
          "advect, refine, encode, send: "
          "{p50, p95, p99, count}}, firstFrame, cache: [{dataset, hits, loads, bytes, budget}], "
          "memory: {rss, peak, budget, used, refused, byUse: {timeSteps, meshes, builds, surfaces, "
          "rings, "
          "histories, downloads, importers, other}}, messages, "
-         "frames, bytes, keyframes, dropped}",
+         "frames, bytes, keyframes, dropped}; with a share link only participants, surfaces, "
+         "stages and firstFrame",
          any_viewer,
          stats},
     };

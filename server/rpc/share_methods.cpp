@@ -1,6 +1,7 @@
 // session.share, session.shares, session.unshare, session.setRole, session.kick: who may be in a session, and as what. For its
 // hosts.
 #include "protocol/checked_json.hpp"
+#include "server/budget_limits.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/session_choice.hpp"
@@ -21,26 +22,60 @@ Role read_role(protocol::CheckedJson& in) {
     return role.value_or(Role::Viewer);
 }
 
-json grant_json(const Grant& grant) {
-    json out{{"grant", grant.id}, {"role", name(grant.role)}};
+json grant_json(const Grant& grant, const Grants& grants) {
+    json made_by{{"name", grant.maker}};
+    if (!grant.lineage.empty())
+        made_by["grant"] = grant.lineage.back();
+    json out{{"grant", grant.id},
+             {"role", name(grant.role)},
+             {"madeBy", std::move(made_by)},
+             {"children", grants.descendants(grant.session, grant.id).size()}};
     if (grant.expires)
         out["expires"] = *grant.expires;
+    if (grant.newcomers() != grant.role)
+        out["newcomers"] = name(grant.newcomers());
     return out;
+}
+
+json grants_json(const std::vector<Grant>& list, const Grants& grants) {
+    json out = json::array();
+    for (const Grant& each : list)
+        out.push_back(grant_json(each, grants));
+    return out;
+}
+
+/// Nothing: never. Null says so on purpose; left out it is a week, or as long as the maker's own link.
+std::optional<std::chrono::seconds> read_expiry(protocol::CheckedJson& in, const Call& call) {
+    using std::chrono::seconds;
+    const auto given = in.count_if("expiresIn", 1, limits::grant_seconds);
+    if (given)
+        return seconds(*given);
+    if (call.parameters.contains("expiresIn"))
+        return std::nullopt;
+    const seconds week(limits::grant_seconds_default);
+    return std::min(week, call.context.grants.longest_of(call.identity.grant).value_or(week));
+}
+
+/// In words for people: the name in this session, where the caller is in it.
+std::string name_of(const Call& call, Session& session) {
+    const Participant* const me =
+        call.client != nullptr ? session.participants().find(*call.client) : nullptr;
+    return me != nullptr ? me->name : std::string();
 }
 
 void share(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const Role role = read_role(in);
-    const auto seconds = in.count_if("expiresIn", 1, limits::grant_seconds);
+    const auto expires_in = read_expiry(in, call);
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    const auto expires_in = seconds ? std::optional(std::chrono::seconds(*seconds)) : std::nullopt;
-    const auto made = call.context.grants.make((*session)->id(), role, expires_in);
+    const auto made = call.context.grants.make((*session)->id(), role, expires_in,
+                                               {call.identity.grant, name_of(call, **session)});
     if (!made)
         return reply.fault(made.error());
     (*session)->made_on_purpose();
-    json out = grant_json(made->grant);
+    json out = grant_json(made->grant, call.context.grants);
     out["key"] = made->key;
     out["link"] = "#session=" + (*session)->id() + "&token=" + made->key;
     reply.result(out);
@@ -51,21 +86,21 @@ void shares(const Call& call, Reply reply) {
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    json list = json::array();
-    for (const Grant& each : call.context.grants.of((*session)->id()))
-        list.push_back(grant_json(each));
-    reply.result({{"shares", std::move(list)}});
+    const Grants& grants = call.context.grants;
+    reply.result({{"shares", grants_json(grants.of((*session)->id()), grants)}});
 }
 
 void unshare(const Call& call, Reply reply) {
     protocol::CheckedJson in(call.parameters);
     const std::string grant = in.text("grant");
+    const bool children = in.flag_or("children", false);
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    if (const auto done = call.context.grants.revoke((*session)->id(), grant); !done)
+    Grants& grants = call.context.grants;
+    if (const auto done = grants.revoke((*session)->id(), grant, children); !done)
         return reply.fault(done.error());
-    reply.result(json::object());
+    reply.result({{"children", grants_json(grants.descendants((*session)->id(), grant), grants)}});
 }
 
 /// Whoever has the server's own token is not at the mercy of those who came by a link.
@@ -100,8 +135,22 @@ void set_role(const Call& call, Reply reply) {
     const auto session = read_session_of(id, in, call);
     if (!session)
         return reply.fault(session.error());
-    (*session)->participants().set_role(id, role);
-    reply.result({{"participant", id}, {"role", name(role)}});
+    Participants& people = (*session)->participants();
+    Grants& grants = call.context.grants;
+    const Participant place = *people.find(id);
+    people.set_role(id, role);
+    grants.set_role(place.grant, id, role);
+    json out{{"participant", id}, {"role", name(role)}, {"also", json::array()}};
+    const Grant* const link = grants.grant(place.grant);
+    if (link != nullptr && role < link->role)
+        for (const std::string& other : grants.others_of(place.grant, id))
+            if (people.find(other)) {
+                people.set_role(other, role);
+                out["also"].push_back(other);
+            }
+    if (link != nullptr && link->newcomers() != link->role)
+        out["newcomers"] = name(link->newcomers());
+    reply.result(out);
 }
 
 void kick(const Call& call, Reply reply) {
@@ -129,28 +178,38 @@ std::vector<Method> share_methods() {
          {session_parameter(),
           role,
           {"expiresIn",
-           fmt::format(R"({{"type":"integer","minimum":1,"maximum":{}}})", limits::grant_seconds),
-           false, "seconds from now; left out: until it is taken back"}},
-         "{grant, key, role, expires?, link}: expires in seconds since 1970, link goes behind the "
-         "page's address",
+           fmt::format(R"({{"type":["integer","null"],"minimum":1,"maximum":{}}})",
+                       limits::grant_seconds),
+           false,
+           "seconds from now; left out: 7 days, or as long as the link you came by; null: until it "
+           "is taken back"}},
+         "{grant, key, role, expires?, madeBy: {grant?, name}, children, link}: expires in seconds "
+         "since 1970, link goes behind the page's address",
          any_host,
          share},
         {"session.shares",
          "The links into this session that are in force, without their keys.",
          {session_parameter()},
-         "{shares: [{grant, role, expires?}]}",
+         "{shares: [{grant, role, expires?, newcomers?, madeBy: {grant?, name}, children}]}",
          host,
          shares},
         {"session.unshare",
-         "Takes a link back; whoever came by it is disconnected.",
-         {session_parameter(), {"grant", text, true, "an id from session.shares"}},
-         "{}",
+         "Takes a link back; whoever came by it is disconnected. Links that were made by it stay, "
+         "unless `children` says otherwise.",
+         {session_parameter(),
+          {"grant", text, true, "an id from session.shares"},
+          {"children", R"({"type":"boolean","default":false})", false,
+           "also those made by it, and by those it made"}},
+         "{children}: the links made by it that are still in force, as in session.shares",
          any_host,
          unshare},
         {"session.setRole",
-         "Sets what a participant may do here, from its next message on.",
+         "Sets what a participant may do here, from its next message on. A lesser role than that "
+         "of the link they came by also holds for their other places, for calls without a place, "
+         "and for whoever else comes by that link from now on.",
          {session_parameter(), participant, role},
-         "{participant, role}",
+         "{participant, role, also, newcomers?}: also are the other places of that person, "
+         "newcomers is the role of who comes by that link from now on",
          any_host,
          set_role},
         {"session.kick",

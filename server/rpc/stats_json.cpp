@@ -15,13 +15,24 @@ json quantiles_json(const Quantiles& quantiles) {
             {"count", quantiles.count}};
 }
 
-} // namespace
-
-json stats_json(const Metrics& metrics, const Standing& standing) {
+json stages_json(const Metrics& metrics) {
     json stages = json::object();
     for (std::size_t i = 0; i < stage_names.size(); ++i)
         stages[std::string(stage_names[i])] =
             quantiles_json(metrics.quantiles(static_cast<Stage>(i)));
+    return stages;
+}
+
+} // namespace
+
+json stats_json(const Metrics& metrics, Session& session) {
+    return {{"participants", session.participants().present().size()},
+            {"surfaces", session.surfaces().size()},
+            {"stages", stages_json(metrics)},
+            {"firstFrame", quantiles_json(metrics.first_frames())}};
+}
+
+json stats_json(const Metrics& metrics, const Standing& standing) {
     json caches = json::array();
     for (const CacheStanding& each : standing.caches)
         caches.push_back({{"dataset", each.dataset},
@@ -41,7 +52,7 @@ json stats_json(const Metrics& metrics, const Standing& standing) {
             {"sessions", standing.sessions},
             {"participants", standing.participants},
             {"surfaces", standing.surfaces},
-            {"stages", std::move(stages)},
+            {"stages", stages_json(metrics)},
             {"firstFrame", quantiles_json(metrics.first_frames())},
             {"cache", std::move(caches)},
             {"memory",

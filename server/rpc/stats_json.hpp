@@ -2,6 +2,7 @@
 #pragma once
 
 #include "server/metrics/metrics.hpp"
+#include "server/session/session.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -11,5 +12,8 @@ namespace wakesurf::server {
 /// {p50, ...}, cache: [{dataset, hits, loads, bytes, budget}], memory: {rss, peak}, messages, frames, bytes, keyframes, dropped}.
 /// Times in seconds.
 nlohmann::json stats_json(const Metrics& metrics, const Standing& standing);
+
+/// What concerns those in one session: {participants, surfaces, stages, firstFrame}.
+nlohmann::json stats_json(const Metrics& metrics, Session& session);
 
 } // namespace wakesurf::server

@@ -40,6 +40,7 @@ struct Waiting {
     explicit Waiting(Reply to) : reply(std::move(to)) {}
 
     Reply reply;
+    Budgets::Place place;
     std::optional<WorkProgress> progress;
     std::optional<std::stop_callback<std::function<void()>>> cancelled;
 };
@@ -57,7 +58,11 @@ void wait(const Call& call, Reply reply) {
     const auto token = read_work_token(call);
     if (!token)
         return reply.fault(token.error());
+    auto place = take(call, Use::Wait);
+    if (!place)
+        return reply.fault(place.error());
     const auto waiting = std::make_shared<Waiting>(std::move(reply));
+    waiting->place = std::move(*place);
     const std::weak_ptr<LiveSurface> weak = *live;
     if (*token && call.client != nullptr)
         waiting->progress.emplace(call, **token, "waiting for surface " + surface, [weak] {

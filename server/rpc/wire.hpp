@@ -14,7 +14,8 @@ namespace wakesurf::server {
 enum class Goodbye : std::uint16_t {
     Displaced = 4001, ///< a newer connection has taken its participant's place
     Removed = 4002,   ///< a host sent the participant away
-    LinkEnded = 4003  ///< the share link expired or was taken back
+    LinkEnded = 4003, ///< the share link expired or was taken back
+    LoggedOut = 4004  ///< the browser it came from has logged out
 };
 
 /// Loop thread only. Nothing here blocks or calls back.

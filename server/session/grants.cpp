@@ -1,5 +1,6 @@
 #include "server/session/grants.hpp"
 
+#include "server/budget_limits.hpp"
 #include "server/limits.hpp"
 
 #include <algorithm>
@@ -29,21 +30,49 @@ std::optional<std::uint64_t> number_of(std::string_view id) {
 
 } // namespace
 
+Role Grant::newcomers() const {
+    Role least = role;
+    for (const auto& [participant, set] : lowered)
+        least = std::min(least, set);
+    return least;
+}
+
 Grants::Grants(GrantServices services) : services_(std::move(services)) {}
 
 core::Result<Grants::Made> Grants::make(const std::string& session,
                                         Role role,
-                                        std::optional<std::chrono::seconds> expires_in) {
+                                        std::optional<std::chrono::seconds> expires_in,
+                                        const LinkMaker& maker) {
     if (of(session).size() >= limits::grants)
         return core::over_limit(limits::grants,
                                 "a session may have at most " + std::to_string(limits::grants) +
                                     " share links",
                                 "take some back with session.unshare");
+    std::vector<std::string> lineage;
+    if (const Grant* parent = grant(maker.grant)) {
+        lineage = parent->lineage;
+        lineage.push_back(parent->id);
+    }
+    if (lineage.size() > limits::grant_depth)
+        return core::over_limit(limits::grant_depth,
+                                "links made by links made by links end after " +
+                                    std::to_string(limits::grant_depth),
+                                "ask somebody with the server's token for one");
+    const auto longest = longest_of(maker.grant);
+    if (longest && (!expires_in || *expires_in > *longest))
+        return fail(Error::Code::InvalidArgument,
+                    "`expiresIn` must be at most " + std::to_string(longest->count()) +
+                        ": a link cannot outlive the one it is made by",
+                    "leave it out, and it ends with yours");
     std::string key = random_hex(services_.entropy, 32);
     const std::uint64_t number = next_++;
     const std::string id = "g" + std::to_string(number);
     Entry& entry = entries_[id];
-    entry = {{id, session, role, {}}, secret_digest(key), {}, number, {}};
+    entry = {{id, session, role, {}, maker.name, std::move(lineage), {}},
+             secret_digest(key),
+             {},
+             number,
+             {}};
     if (expires_in) {
         entry.grant.expires = services_.wall_clock() + expires_in->count();
         entry.end = services_.clock.now() + *expires_in;
@@ -66,14 +95,93 @@ std::vector<Grant> Grants::of(const std::string& session) const {
     return out;
 }
 
-core::Result<void> Grants::revoke(const std::string& session, const std::string& id) {
+std::optional<std::chrono::seconds> Grants::longest_of(const std::string& grant) const {
+    const auto found = entries_.find(grant);
+    if (found == entries_.end() || !found->second.end)
+        return std::nullopt;
+    const auto left =
+        std::chrono::floor<std::chrono::seconds>(*found->second.end - services_.clock.now());
+    return std::max(left, std::chrono::seconds(1));
+}
+
+std::vector<Grant> Grants::descendants(const std::string& session, const std::string& id) const {
+    std::vector<Grant> out = of(session);
+    std::erase_if(out, [&](const Grant& each) {
+        return std::find(each.lineage.begin(), each.lineage.end(), id) == each.lineage.end();
+    });
+    return out;
+}
+
+core::Result<void>
+Grants::revoke(const std::string& session, const std::string& id, bool children) {
     const auto found = entries_.find(id);
     if (found == entries_.end() || found->second.grant.session != session)
         return fail(Error::Code::NotFound,
                     "the session has no share link `" + id.substr(0, 64) + "`",
                     "list them with session.shares");
-    end(id, "the share link was taken back");
+    const char* const reason = "the share link was taken back";
+    if (children)
+        for (const Grant& each : descendants(session, id))
+            end(each.id, reason);
+    end(id, reason);
     return {};
+}
+
+void Grants::seat(const std::string& id,
+                  const std::string& participant,
+                  const std::string& person) {
+    const auto found = entries_.find(id);
+    if (found == entries_.end() || person.empty())
+        return;
+    auto& people = found->second.people;
+    if (people.size() >= limits::seated && !people.contains(participant)) {
+        const auto spare = std::find_if(people.begin(), people.end(), [&](const auto& each) {
+            return !found->second.grant.lowered.contains(each.first);
+        });
+        people.erase(spare);
+    }
+    people[participant] = person;
+}
+
+std::vector<std::string> Grants::others_of(const std::string& id,
+                                           const std::string& participant) const {
+    std::vector<std::string> out;
+    const auto found = entries_.find(id);
+    if (found == entries_.end() || !found->second.people.contains(participant))
+        return out;
+    const auto& people = found->second.people;
+    for (const auto& [other, person] : people)
+        if (other != participant && person == people.at(participant))
+            out.push_back(other);
+    return out;
+}
+
+std::optional<Role> Grants::least_of(const std::string& id, const std::string& person) const {
+    std::optional<Role> least;
+    const auto found = entries_.find(id);
+    if (found == entries_.end())
+        return least;
+    for (const auto& [participant, role] : found->second.grant.lowered)
+        if (const auto who = found->second.people.find(participant);
+            who != found->second.people.end() && who->second == person)
+            least = std::min(least.value_or(role), role);
+    return least;
+}
+
+void Grants::set_role(const std::string& id, const std::string& participant, Role role) {
+    const auto found = entries_.find(id);
+    if (found == entries_.end())
+        return;
+    Grant& grant = found->second.grant;
+    if (role >= grant.role) {
+        grant.lowered.erase(participant);
+        for (const std::string& other : others_of(id, participant))
+            grant.lowered.erase(other);
+    } else if (grant.lowered.contains(participant) || grant.lowered.size() < limits::lowered)
+        grant.lowered[participant] = role;
+    else // it stays lowered as long as there is this link
+        grant.lowered[std::string()] = std::min(grant.newcomers(), role);
+    keep(found->second);
 }
 
 std::optional<Identity> Grants::find(std::string_view key) const {
@@ -84,14 +192,19 @@ std::optional<Identity> Grants::find(std::string_view key) const {
             match = &entry;
     if (match == nullptr || !in_force(*match))
         return std::nullopt;
-    return Identity{match->grant.role, match->grant.session, match->grant.id};
+    return Identity{match->grant.newcomers(), match->grant.session, match->grant.id};
 }
 
 std::optional<Identity> Grants::identity(const std::string& id) const {
-    const auto found = entries_.find(id);
-    if (found == entries_.end() || !in_force(found->second))
+    const Grant* const link = grant(id);
+    if (link == nullptr)
         return std::nullopt;
-    return Identity{found->second.grant.role, found->second.grant.session, id};
+    return Identity{link->newcomers(), link->session, id};
+}
+
+const Grant* Grants::grant(const std::string& id) const {
+    const auto found = entries_.find(id);
+    return found == entries_.end() || !in_force(found->second) ? nullptr : &found->second.grant;
 }
 
 void Grants::attend(const std::string& id, GrantHolder& holder) {
@@ -112,11 +225,19 @@ Grants::restore(const std::string& session, const std::string& id, std::string_v
     const auto number = number_of(id);
     const auto role = role_named(kept->role);
     const auto digest = read_digest(kept->digest);
-    if (!number || !role || !digest)
+    std::map<std::string, Role> lowered;
+    for (const auto& [participant, word] : kept->lowered)
+        if (const auto set = role_named(word))
+            lowered[participant] = *set;
+    if (!number || !role || !digest || lowered.size() != kept->lowered.size())
         return fail(Error::Code::Corrupt, "a share link that was kept is not one",
                     "make a new one with session.share");
     next_ = std::max(next_, *number + 1);
-    Entry entry{{id, session, *role, kept->expires}, *digest, {}, *number, {}};
+    Entry entry{{id, session, *role, kept->expires, kept->maker, kept->lineage, std::move(lowered)},
+                *digest,
+                {},
+                *number,
+                {}};
     if (kept->expires) {
         const auto most = static_cast<std::int64_t>(limits::grant_seconds);
         const std::int64_t now = services_.wall_clock();
@@ -196,10 +317,15 @@ void Grants::keep(const Entry& entry) {
     if (services_.journal == nullptr)
         return;
     const Grant& grant = entry.grant;
-    services_.journal->write(grant.session,
-                             {{"grant", grant.id,
-                               protocol::grant_text({std::string(name(grant.role)),
-                                                     digest_text(entry.digest), grant.expires})}});
+    protocol::GrantRecord record{std::string(name(grant.role)),
+                                 digest_text(entry.digest),
+                                 grant.expires,
+                                 grant.maker,
+                                 grant.lineage,
+                                 {}};
+    for (const auto& [participant, role] : grant.lowered)
+        record.lowered[participant] = name(role);
+    services_.journal->write(grant.session, {{"grant", grant.id, protocol::grant_text(record)}});
 }
 
 } // namespace wakesurf::server

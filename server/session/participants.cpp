@@ -1,5 +1,6 @@
 #include "server/session/participants.hpp"
 
+#include "server/budget_limits.hpp"
 #include "server/limits.hpp"
 #include "server/session/colours.hpp"
 #include "server/session/display_name.hpp"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 #include <utility>
 
 namespace wakesurf::server {
@@ -70,9 +72,10 @@ core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observ
     if (const Participant* mine = find(observer); mine != nullptr && !same(*mine))
         leave(observer);
     const bool here = std::any_of(present_.begin(), present_.end(), same);
-    if (!here && present_.size() >= limits::participants)
-        return core::over_limit(limits::participants,
-                                "the session has as many participants as it may have",
+    const std::size_t most =
+        limits::participants - (arrival.identity.grant.empty() ? 0 : limits::for_hosts.sockets);
+    if (!here && present_.size() >= most)
+        return core::over_limit(most, "the session has as many participants as it may have",
                                 "wait until somebody leaves, or create another session");
     Joined joined{take_place(token), arrival.resume_token, false};
     Participant& place = joined.you;
@@ -89,11 +92,12 @@ core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observ
         place.name = "guest " + place.id.substr(1);
         place.colour = free_colour();
     }
-    // A role a host has set is for whoever came by that link, not for another who learnt the resume token.
-    place.role_set = place.role_set && place.grant == arrival.identity.grant;
-    place.grant = arrival.identity.grant;
-    if (!place.role_set)
+    // The role of a place is for whoever came by that link, not for another who learnt the resume token.
+    if (!joined.returned || place.grant != arrival.identity.grant) {
         place.role = arrival.identity.role;
+        place.role_set = false;
+    }
+    place.grant = arrival.identity.grant;
     const std::string wanted = display_name(arrival.name, limits::name_bytes);
     place.name = free_name(wanted.empty() ? place.name : wanted, limits::name_bytes,
                            [this](const std::string& each) { return taken(each); });
@@ -210,15 +214,26 @@ void Participants::hide(const std::string& id) {
     news_.left(id);
 }
 
-/// Those who left too long ago, and the oldest of too many, first of those nobody sees any more.
+/// Those who left too long ago, and of too many the oldest of the link by which most came, first of those nobody sees any more: who
+/// comes and goes by one link all day takes nobody else's place.
 void Participants::trim() {
     const std::int64_t expired = unix_time_() - limits::place_kept.count();
     while (!absent_.empty() && absent_.front().left < expired)
         forget(absent_.begin());
     while (absent_.size() > limits::participants) {
-        const auto oldest = std::find_if(absent_.begin(), absent_.end(),
-                                         [](const Absent& each) { return !each.shown; });
-        forget(oldest == absent_.end() ? absent_.begin() : oldest);
+        std::map<std::string_view, std::size_t> count;
+        for (const Absent& each : absent_)
+            ++count[each.place.grant];
+        const auto most =
+            std::max_element(count.begin(), count.end(),
+                             [](const auto& a, const auto& b) { return a.second < b.second; });
+        const auto oldest = [&](bool shown_too) {
+            return std::find_if(absent_.begin(), absent_.end(), [&](const Absent& each) {
+                return each.place.grant == most->first && (shown_too || !each.shown);
+            });
+        };
+        const auto hidden = oldest(false);
+        forget(hidden == absent_.end() ? oldest(true) : hidden);
     }
 }
 

@@ -1,7 +1,6 @@
 #include "server/session/probe.hpp"
 
 #include "core/field/sample_scalar.hpp"
-#include "server/limits.hpp"
 
 #include <fmt/format.h>
 
@@ -95,23 +94,16 @@ probe(const OpenDataset& dataset, const ProbeRequest& request, const std::stop_t
 
 void Prober::ask(OpenDataset dataset,
                  ProbeRequest request,
+                 const std::string& line,
                  const std::stop_token& unwanted,
                  std::function<void(core::Result<ProbeResult>)> answer) {
-    if (*running_ >= limits::probes)
-        return answer(core::over_limit(limits::probes,
-                                       fmt::format("{} probes are running already", limits::probes),
-                                       "wait for their answers, and put many points into one"));
-    ++*running_;
     compute<ProbeResult>(
-        loop_, pool_,
+        loop_, pool_, line,
         [dataset = std::move(dataset), request = std::move(request),
          stop = std::make_shared<EitherStop>(stop_.get_token(), unwanted)] {
             return probe(dataset, request, stop->token());
         },
-        [running = running_, answer = std::move(answer)](core::Result<ProbeResult> result) {
-            --*running;
-            answer(std::move(result));
-        });
+        std::move(answer));
 }
 
 } // namespace wakesurf::server

@@ -36,7 +36,7 @@ struct ProbeResult {
 core::Result<ProbeResult>
 probe(const OpenDataset& dataset, const ProbeRequest& request, const std::stop_token& stop);
 
-/// Probes on the compute threads, a bounded number at a time. Loop thread only.
+/// Probes on the compute threads. Loop thread only.
 class Prober {
   public:
     Prober(Loop& loop, ComputePool& pool) : loop_(loop), pool_(pool) {}
@@ -47,17 +47,18 @@ class Prober {
     Prober(const Prober&) = delete;
     Prober& operator=(const Prober&) = delete;
 
-    /// Calls `answer` on the loop. Error: OverLimit at once when too many are running; else as probe.
+    /// Calls `answer` on the loop. Error: as probe.
+    /// @param line      whose turn it is in the pool
     /// @param unwanted  stops this one
     void ask(OpenDataset dataset,
              ProbeRequest request,
+             const std::string& line,
              const std::stop_token& unwanted,
              std::function<void(core::Result<ProbeResult>)> answer);
 
   private:
     Loop& loop_;
     ComputePool& pool_;
-    std::shared_ptr<std::size_t> running_ = std::make_shared<std::size_t>(0);
     std::stop_source stop_;
 };
 

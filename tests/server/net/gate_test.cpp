@@ -1,4 +1,4 @@
-#include "server/limits.hpp"
+#include "server/budget_limits.hpp"
 #include "server/net/gate.hpp"
 #include "tests/support/server/hand_clock.hpp"
 
@@ -59,8 +59,15 @@ struct GateTest : testing::Test {
     }
 
     std::optional<Identity> who(const char* header, const std::string& value) {
-        const auto identity = gate.check(request("GET", {{"host", "localhost"}, {header, value}}));
-        return identity ? std::optional(*identity) : std::nullopt;
+        const auto visitor = gate.check(request("GET", {{"host", "localhost"}, {header, value}}));
+        return visitor ? std::optional<Identity>(*visitor) : std::nullopt;
+    }
+
+    /// From an address of one's own.
+    std::string cookie_from(const std::string& address, const std::string& secret) {
+        HttpRequest from;
+        from.from = address;
+        return cookie(secret, from);
     }
 };
 
@@ -102,7 +109,6 @@ TEST_F(GateTest, LetsInOnlyOriginsOnTheList) {
         {"http://[::1]:8080", 200},
         {"https://viewer.example", 200},
         {"http://lab:9000", 200},
-        {"http://localhost", 403},
         {"http://localhost:8081", 403},
         {"https://localhost:8080", 403},
         {"HTTP://LOCALHOST:8080", 403},
@@ -125,6 +131,27 @@ TEST_F(GateTest, LetsInOnlyOriginsOnTheList) {
     EXPECT_EQ(status(request("GET", {{"host", "localhost"},
                                      {"origin", "http://localhost:8080"},
                                      {"origin", "http://localhost:8080"}}),
+                     true),
+              403u);
+}
+
+TEST_F(GateTest, LetsInThePageThatCameThroughATunnelToAnotherPortOfTheBrowsersMachine) {
+    const auto through = [&](const std::string& host, const std::string& origin) {
+        return status(request("GET", {{"host", host}, {"origin", origin}}), true);
+    };
+    EXPECT_EQ(through("localhost:9000", "http://localhost:9000"), 200u);
+    EXPECT_EQ(through("127.0.0.1:9000", "http://127.0.0.1:9000"), 200u);
+    EXPECT_EQ(through("[::1]:9000", "http://[::1]:9000"), 200u);
+    EXPECT_EQ(through("localhost", "http://localhost"), 200u);
+    EXPECT_EQ(through("localhost:9000", "http://localhost:9001"), 403u) << "another page there";
+    EXPECT_EQ(through("localhost:9000", "http://127.0.0.1:9000"), 403u);
+    EXPECT_EQ(through("localhost:9000", "https://localhost:9000"), 403u);
+    EXPECT_EQ(through("lab:9001", "http://lab:9001"), 403u) << "DNS may say anything of a name";
+    EXPECT_EQ(through("evil.example:9000", "http://evil.example:9000"), 403u);
+    EXPECT_EQ(through("localhost:9000", "http://localhost:9000/"), 403u);
+    EXPECT_EQ(status(request("GET", {{"host", "localhost:9000"},
+                                     {"origin", "http://localhost:9000"},
+                                     {"origin", "http://localhost:9000"}}),
                      true),
               403u);
 }
@@ -203,7 +230,7 @@ TEST_F(GateTest, EndsAKeyAndItsCookiesWithTheShareLink) {
     const auto expiring = grants.make("main", Role::Viewer, std::chrono::seconds(60));
     const std::string first = cookie(taken_back->key);
     const std::string second = cookie(expiring->key);
-    const Identity early = *who("cookie", second);
+    const Visitor early = *gate.check(request("GET", {{"host", "localhost"}, {"cookie", second}}));
     EXPECT_TRUE(gate.still(early));
     ASSERT_TRUE(grants.revoke("main", taken_back->grant.id));
     EXPECT_EQ(who("cookie", first), std::nullopt);
@@ -259,21 +286,100 @@ TEST_F(GateTest, LeavesTheLoginsOfOtherServersOnTheHostAlone) {
     EXPECT_TRUE(comes_in(gate, "[::1]")) << "a default port is not said";
 }
 
-TEST_F(GateTest, ForgetsTheOldestCookieOfWhoeverLogsInTooOften) {
+TEST_F(GateTest, LetsNobodyPushOutAnothersLoginByLoggingInTooOften) {
     const auto made = grants.make("main", Role::Viewer, {});
+    const auto other_link = grants.make("main", Role::Viewer, {});
     const std::string host = cookie();
-    const std::string oldest = cookie(made->key);
-    const std::string next = cookie(made->key);
-    for (std::size_t i = 1; i < limits::cookies_of_one; ++i)
-        cookie(made->key);
-    EXPECT_EQ(who("cookie", oldest), std::nullopt);
-    EXPECT_TRUE(who("cookie", next));
-    EXPECT_TRUE(who("cookie", host));
+    const std::string used = cookie(made->key);
+    const std::string elsewhere = cookie_from("192.0.2.1", made->key);
+    EXPECT_TRUE(who("cookie", used));
+    const std::string never_used = cookie(made->key);
+    for (std::size_t i = 2; i < limits::logins_from_one; ++i)
+        EXPECT_NE(cookie(made->key), "refused") << i;
+    const auto refused = gate.login({}, made->key);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().status, 429u);
+    EXPECT_EQ(refused.error().limit, limits::logins_from_one);
+    EXPECT_EQ(cookie(other_link->key).find("refused"), std::string::npos);
+    EXPECT_EQ(cookie_from("192.0.2.1", made->key).find("refused"), std::string::npos);
+    clock.time += limits::login_proof;
+    EXPECT_NE(cookie(made->key), "refused") << "in place of one that nobody has used";
+    EXPECT_EQ(who("cookie", never_used), std::nullopt);
+    for (const std::string& each : {host, used, elsewhere})
+        EXPECT_TRUE(who("cookie", each));
+}
+
+TEST_F(GateTest, LetsTheTokenInHoweverManyLogInByLinks) {
+    std::vector<std::string> keys;
+    for (std::size_t i = 0; i < limits::logins / limits::logins_of_one; ++i)
+        keys.push_back(grants.make("s" + std::to_string(i), Role::Viewer, {})->key);
+    std::size_t refused = 0;
+    for (const std::string& key : keys)
+        for (std::size_t i = 0; i <= limits::logins_of_one; ++i) {
+            const std::string made =
+                cookie_from("192.0.2." + std::to_string(i % 8), key); // eight addresses
+            who("cookie", made);
+            refused += made == "refused" ? 1 : 0;
+        }
+    EXPECT_EQ(refused, keys.size() + limits::logins_of_one) << "the last places are the token's";
+    std::vector<std::string> hosts;
+    for (std::size_t i = 0; i <= limits::logins_of_one; ++i)
+        hosts.push_back(cookie());
+    EXPECT_EQ(who("cookie", hosts.front()), std::nullopt) << "they make room for each other";
+    EXPECT_TRUE(who("cookie", hosts[1]));
+    EXPECT_TRUE(who("cookie", hosts.back()));
+}
+
+TEST_F(GateTest, EndsALoginThatIsNotUsedForAWeekOrIsAMonthOld) {
+    const std::string idle = cookie();
+    const std::string daily = cookie();
+    for (int day = 1; day < 30; ++day) {
+        clock.time += std::chrono::hours(24);
+        EXPECT_EQ(who("cookie", daily).has_value(), true) << day;
+        if (day == 7) {
+            EXPECT_EQ(who("cookie", idle), std::nullopt);
+        }
+    }
+    clock.time += std::chrono::hours(24);
+    EXPECT_EQ(who("cookie", daily), std::nullopt);
+}
+
+TEST_F(GateTest, EndsALoginWhereItsBrowserLogsOut) {
+    const std::string mine = cookie();
+    const std::string other = cookie();
+    const HttpRequest leaving = request(
+        "POST", {{"host", "localhost"}, {"origin", "http://localhost:8080"}, {"cookie", mine}});
+    const Visitor early = *gate.check(leaving);
+    const auto out = gate.logout(leaving);
+    ASSERT_TRUE(out);
+    EXPECT_EQ(out->people, std::vector<std::string>{early.person});
+    EXPECT_EQ(who("cookie", mine), std::nullopt);
+    EXPECT_FALSE(gate.still(early)) << "answers under way are dropped";
+    EXPECT_TRUE(who("cookie", other));
+    EXPECT_TRUE(gate.logout(leaving)->people.empty());
+    EXPECT_FALSE(gate.logout(request("POST", {{"host", "localhost"}, {"cookie", other}})))
+        << "another page may have sent it";
+    EXPECT_TRUE(who("cookie", other));
+}
+
+TEST_F(GateTest, TellsPeopleOfOneLinkApartByTheirLoginOrTheirAddress) {
+    const auto made = grants.make("main", Role::Viewer, {});
+    const auto person = [&](const char* header, const std::string& value, std::string address) {
+        HttpRequest from = request("GET", {{"host", "localhost"}, {header, value}});
+        from.from = std::move(address);
+        return gate.check(from)->person;
+    };
+    const std::string first = cookie(made->key);
+    const std::string second = cookie(made->key);
+    EXPECT_NE(person("cookie", first, "a"), person("cookie", second, "a"));
+    EXPECT_EQ(person("cookie", first, "a"), person("cookie", first, "b"));
+    const std::string bearer = "Bearer " + made->key;
+    EXPECT_NE(person("authorization", bearer, "a"), person("authorization", bearer, "b"));
 }
 
 TEST_F(GateTest, TakesEverybodyForAHostWhereThereIsNoAuthentication) {
     Gate open{{{}, "127.0.0.1", 8080, {}}, entropy, clock, grants};
-    EXPECT_EQ(open.check(request("GET", {{"host", "localhost"}})), Identity{});
+    EXPECT_EQ(*open.check(request("GET", {{"host", "localhost"}})), Identity{});
     EXPECT_FALSE(open.check(request("GET", {{"host", "evil.example"}})));
 }
 

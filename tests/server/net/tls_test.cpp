@@ -105,6 +105,54 @@ TEST_F(Tls, SpeaksVersion12AndLaterOnly) {
     EXPECT_EQ(status(ask("GET", "/healthz")), 200);
 }
 
+TEST_F(Tls, SpeaksEphemeralKeysAndAuthenticatedCiphersOnly) {
+    const auto connects = [](const char* cipher) {
+        return TlsSocket(server_->port(), certificate(), TLS1_2_VERSION, cipher).connected();
+    };
+    for (const char* good : {"ECDHE+AESGCM", "ECDHE+CHACHA20"})
+        EXPECT_TRUE(connects(good)) << good;
+    for (const char* weak : {"AES256-SHA", "AES128-SHA", "AES128-SHA256", "AES256-GCM-SHA384",
+                             "ECDHE-RSA-AES128-SHA256:ECDHE-ECDSA-AES128-SHA256",
+                             "ECDHE-RSA-AES256-SHA:ECDHE-ECDSA-AES256-SHA"})
+        EXPECT_FALSE(connects(weak)) << weak;
+}
+
+TEST(TlsRenewal, TakesARenewedCertificateAtAHangUpAndKeepsWhatIsOpen) {
+    const TemporaryFolder folder;
+    const auto certificate = folder.path() / "certificate.pem";
+    const auto key = folder.path() / "key.pem";
+    const auto first = folder.path() / "first.pem";
+    write_self_signed(certificate, key);
+    std::filesystem::copy_file(certificate, first);
+    ServerProcess server(
+        {"flow:abc", "--tls-cert", certificate.string(), "--tls-key", key.string()});
+    TlsSocket open(server.port(), first);
+    ASSERT_TRUE(open.connected());
+    write_self_signed(certificate, key);
+    const auto answers = [&](const std::filesystem::path& trusted) {
+        return TlsSocket(server.port(), trusted).connected();
+    };
+    EXPECT_TRUE(answers(first)) << "not before it is told to";
+    const auto hang_up = [&](const std::filesystem::path& expected) {
+        ::kill(server.pid(), SIGHUP);
+        bool there = false;
+        for (int tries = 0; tries < 2000 && !there; ++tries)
+            there = answers(expected);
+        return there;
+    };
+    EXPECT_TRUE(hang_up(certificate));
+    EXPECT_FALSE(answers(first));
+    open.send("GET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+    EXPECT_NE(open.receive_until("").find("200 OK"), std::string::npos) << "what is open goes on";
+    std::filesystem::copy_file(certificate, first,
+                               std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::resize_file(key, 10);
+    EXPECT_TRUE(hang_up(first)) << "a key that is none changes nothing";
+    const auto log = server.stop().log;
+    EXPECT_NE(log.find("event=certificate_renewed"), std::string::npos) << log;
+    EXPECT_NE(log.find("event=certificate_kept"), std::string::npos) << log;
+}
+
 TEST_F(Tls, TellsBrowsersToStayWithItOnlyUnderANameOfItsOwn) {
     EXPECT_EQ(header_of(ask("GET", "/healthz"), "Strict-Transport-Security"), "");
     EXPECT_EQ(

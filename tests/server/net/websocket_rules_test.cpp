@@ -121,6 +121,8 @@ TEST_F(WebSocketRules, EndTheConnectionOfWhoeverBreaksThem) {
          std::string("\x81\xff\x40\0\0\0\0\0\0\0\0\0\0\0", 14) + std::string(70000, ' '), 1009},
         {"the announcement of 2^63 bytes",
          std::string("\x81\xff\x80\0\0\0\0\0\0\0\0\0\0\0", 14) + std::string(70000, ' '), 1009},
+        {"the announcement of 2^63 bytes, and nothing",
+         std::string("\x81\xff\x80\0\0\0\0\0\0\0\0\0\0\0", 14), 1009},
     };
     for (const int opcode : {3, 4, 5, 6, 7, 11, 12, 13, 14, 15})
         cases.push_back(
@@ -185,6 +187,41 @@ TEST_F(WebSocketRules, UnderstandTextHoweverItIsCutUp) {
     EXPECT_EQ(json::parse(client.receive().payload)["error"]["code"], -32700);
 }
 
+TEST_F(WebSocketRules, TakeFramesThatComeWithTheHandshake) {
+    for (const std::size_t size : {std::size_t{10}, std::size_t{3000}}) {
+        RawSocket socket(server_->port());
+        std::string call = ping_call(9);
+        call.resize(std::max(call.size(), size), ' ');
+        socket.send("GET /ws HTTP/1.1\r\nHost: 127.0.0.1\r\nAuthorization: Bearer " +
+                    server_->token() +
+                    "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+                    "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n" +
+                    frame(fin | text, call) + frame(fin | ping, "and this"));
+        EXPECT_NE(socket.receive_until("\r\n\r\n").find("101"), std::string::npos);
+        const std::string answer = R"({"jsonrpc":"2.0","id":9,"result":{}})";
+        EXPECT_NE(socket.receive_until(answer).find(answer), std::string::npos);
+    }
+}
+
+TEST_F(WebSocketRules, EndTheConnectionOfWhoeverPingsWithoutEnd) {
+    WebSocketClient client(*server_, "");
+    const json link = client.result("session.share", {{"session", "main"}, {"role", "viewer"}});
+    WebSocketClient flood(*server_, "",
+                          {{"Authorization", "Bearer " + link["key"].get<std::string>()}});
+    constexpr int at_once = 200;
+    std::string pings;
+    for (int i = 0; i < at_once; ++i)
+        pings += frame(fin | ping, "");
+    WebSocketClient::Message answer;
+    for (int i = 0; i < 1000 && answer.opcode != closing; ++i) {
+        flood.socket().send(pings);
+        for (int k = 0; k < at_once && answer.opcode != closing; ++k)
+            answer = flood.receive();
+    }
+    EXPECT_EQ(answer.close_code(), 1008u);
+    EXPECT_EQ(client.result("server.ping"), json::object());
+}
+
 TEST_F(WebSocketRules, RefuseHandshakesThatAreNone) {
     const auto upgrade = [](const std::string& method, const std::string& headers) {
         RawSocket socket(server_->port());
@@ -209,6 +246,12 @@ TEST_F(WebSocketRules, RefuseHandshakesThatAreNone) {
     EXPECT_EQ(old.header("x-content-type-options"), "nosniff");
     EXPECT_EQ(upgrade("GET", both + version).status, 400) << "no key";
     EXPECT_EQ(upgrade("GET", both + key).status, 400) << "no version";
+    for (const char* wrong : {"short", "dGhlIHNhbXBsZSBub25jZQ=", "dGhlIHNhbXBsZSBub25jZQ==A",
+                              "dGhlIHNhbXBsZSBub25jZ!==", "dGhlIHNhbXBsZSBub25jZTEy"})
+        EXPECT_EQ(upgrade("GET", both + version + "Sec-WebSocket-Key: " + wrong + "\r\n").status,
+                  400)
+            << wrong;
+    EXPECT_EQ(upgrade("GET", both + key + key + version).status, 400) << "two keys";
     EXPECT_EQ(upgrade("GET", "Upgrade: websocket\r\n" + key + version).status, 426);
     EXPECT_EQ(upgrade("GET", "Connection: Upgrade\r\nUpgrade: h2c\r\n" + key + version).status,
               426);

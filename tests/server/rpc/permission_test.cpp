@@ -118,7 +118,7 @@ const std::map<std::string, Row> rows{
 struct PermissionTest : testing::Test {
     PermissionTest() { other = (*sessions.create("other"))->id(); }
 
-    json answer(const json& message, const Identity& identity, Client* client) {
+    json answer(const json& message, const Visitor& identity, Client* client) {
         std::optional<std::string> out;
         dispatcher.dispatch(message.dump(), identity, client,
                             [&](std::string text) { out = std::move(text); });
@@ -161,10 +161,21 @@ struct PermissionTest : testing::Test {
     SystemEntropy entropy;
     Grants grants{{loop, clock, entropy, [] { return std::int64_t{0}; }}};
     SessionDirectory sessions{{loop, pool, datasets, entropy}};
-    Dispatcher dispatcher{
-        method_table(),
-        {sessions, datasets, [] { return json::array(); }, prober, grants, clock, loop},
-        {}};
+    Budgets budgets{clock};
+    Dispatcher dispatcher{method_table(),
+                          {sessions,
+                           datasets,
+                           [] { return json::array(); },
+                           prober,
+                           grants,
+                           clock,
+                           loop,
+                           nullptr,
+                           {},
+                           nullptr,
+                           nullptr,
+                           &budgets},
+                          {}};
     std::string other;
 };
 
@@ -283,6 +294,99 @@ TEST_F(PermissionTest, FollowsTheRoleAHostSetsForAParticipant) {
     EXPECT_EQ(make("king"), -32602);
 }
 
+TEST_F(PermissionTest, HoldsALesserRoleForEveryWayThatPersonsLinkOffers) {
+    const Visitor by_link(link(Role::Editor), "login 1");
+    const Visitor elsewhere(by_link, "login 2");
+    const json join = call("session.join", {{"session", "main"}});
+    const json undo = call("history.undo", {{"session", "main"}});
+    Line lines[5];
+    Client demoted(lines[0], by_link, grants);
+    Client second_window(lines[1], by_link, grants);
+    Client colleague(lines[2], elsewhere, grants);
+    Client unjoined(lines[3], by_link, grants);
+    const json you = answer(join, by_link, &demoted)["result"];
+    const json second = answer(join, by_link, &second_window)["result"]["you"];
+    const json theirs = answer(join, elsewhere, &colleague)["result"];
+    EXPECT_EQ(code_of(answer(undo, by_link, &unjoined)), 0);
+    const auto set_role = [&](const char* role) {
+        return answer(call("session.setRole",
+                           {{"session", "main"}, {"participant", you["you"]}, {"role", role}}),
+                      {}, nullptr)["result"];
+    };
+    const json set = set_role("viewer");
+    EXPECT_EQ(set["also"], json::array({second}));
+    EXPECT_EQ(set["newcomers"], "viewer");
+    EXPECT_EQ(code_of(answer(undo, by_link, &demoted)), not_permitted);
+    EXPECT_EQ(code_of(answer(undo, by_link, &second_window)), not_permitted);
+    EXPECT_EQ(code_of(answer(undo, by_link, &unjoined)), not_permitted) << "a socket without place";
+    EXPECT_EQ(code_of(answer(undo, by_link, nullptr)), not_permitted) << "HTTP";
+    answer(call("session.leave"), by_link, &demoted);
+    EXPECT_EQ(code_of(answer(undo, by_link, &demoted)), not_permitted) << "after leaving";
+    EXPECT_EQ(answer(join, by_link, &demoted)["result"]["role"], "viewer") << "a new place";
+    EXPECT_EQ(code_of(answer(undo, by_link, &demoted)), not_permitted);
+    const auto rejoin = [&](Client& client, const Visitor& as, const json& token) {
+        return answer(call("session.join", {{"session", "main"}, {"resumeToken", token}}), as,
+                      &client)["result"]["role"];
+    };
+    EXPECT_EQ(rejoin(demoted, by_link, you["resumeToken"]), "viewer") << "the old place";
+    EXPECT_EQ(code_of(answer(undo, elsewhere, &colleague)), 0) << "who is another person";
+    EXPECT_EQ(rejoin(colleague, elsewhere, theirs["resumeToken"]), "editor");
+    Client anew(lines[4], elsewhere, grants);
+    EXPECT_EQ(answer(join, elsewhere, &anew)["result"]["role"], "viewer")
+        << "another login may be the same person";
+    EXPECT_FALSE(set_role("editor").contains("newcomers"));
+    EXPECT_EQ(code_of(answer(undo, by_link, nullptr)), 0);
+}
+
+TEST_F(PermissionTest, RaisesOnePlaceOnly) {
+    const Identity viewer = link(Role::Viewer);
+    Line lines[2];
+    Client raised(lines[0], viewer, grants);
+    Client other_socket(lines[1], viewer, grants);
+    const json you =
+        answer(call("session.join", {{"session", "main"}}), viewer, &raised)["result"]["you"];
+    answer(call("session.setRole", {{"session", "main"}, {"participant", you}, {"role", "editor"}}),
+           {}, nullptr);
+    const json undo = call("history.undo", {{"session", "main"}});
+    EXPECT_EQ(code_of(answer(undo, viewer, &raised)), 0);
+    EXPECT_EQ(code_of(answer(undo, viewer, &other_socket)), not_permitted);
+    EXPECT_EQ(code_of(answer(undo, viewer, nullptr)), not_permitted);
+}
+
+TEST_F(PermissionTest, TellsWhoMadeALinkAndOffersToEndWhatItMade) {
+    const auto share = [&](const Identity& by, json more = json::object()) {
+        more["session"] = "main";
+        more["role"] = "host";
+        return answer(call("session.share", more), by, nullptr);
+    };
+    const json first = share({}, {{"expiresIn", nullptr}})["result"];
+    EXPECT_FALSE(first.contains("expires")) << "for ever, on purpose";
+    EXPECT_FALSE(first["madeBy"].contains("grant"));
+    const Identity by_first = *grants.find(first["key"].get<std::string>());
+    const json week = share(by_first)["result"];
+    EXPECT_EQ(week["expires"], 7 * 24 * 3600);
+    EXPECT_EQ(week["madeBy"]["grant"], first["grant"]);
+    const Identity by_week = *grants.find(week["key"].get<std::string>());
+    clock.time += std::chrono::hours(24);
+    EXPECT_EQ(share(by_week)["result"]["expires"], 6 * 24 * 3600) << "not beyond its maker's link";
+    EXPECT_EQ(code_of(share(by_week, {{"expiresIn", nullptr}})), -32602);
+    const json shares =
+        answer(call("session.shares", {{"session", "main"}}), {}, nullptr)["result"]["shares"];
+    ASSERT_EQ(shares.size(), 3u);
+    EXPECT_EQ(shares[0]["children"], 2);
+    EXPECT_EQ(shares[1]["children"], 1);
+    const auto unshare = [&](const json& grant, bool children) {
+        return answer(call("session.unshare",
+                           {{"session", "main"}, {"grant", grant}, {"children", children}}),
+                      {}, nullptr)["result"]["children"];
+    };
+    const json alive = unshare(week["grant"], false);
+    ASSERT_EQ(alive.size(), 1u);
+    EXPECT_EQ(alive[0]["madeBy"]["grant"], week["grant"]);
+    EXPECT_TRUE(unshare(first["grant"], true).empty());
+    EXPECT_TRUE(grants.of("main").empty());
+}
+
 TEST_F(PermissionTest, KeepsLinksFromLordingItOverTheServersOwnToken) {
     const Identity host = link(Role::Host);
     Line owners_line;
@@ -306,29 +410,32 @@ TEST_F(PermissionTest, KeepsLinksFromLordingItOverTheServersOwnToken) {
     EXPECT_EQ(owners_line.closed, std::nullopt);
 }
 
-TEST_F(PermissionTest, TakesCallsNoFasterThanItMaySeparatelyForEachConnectionAndLink) {
+TEST_F(PermissionTest, TakesCallsNoFasterThanAPersonMayOverAllTheirConnections) {
     const json edit = call("rake.delete", {{"session", "main"}, {"rake", "r9"}});
-    const Identity editor = link(Role::Editor);
-    const auto limited = [&](const Identity& identity, Client* client) {
+    const Visitor editor(link(Role::Editor), "login 1");
+    const Visitor another(editor, "login 2");
+    Line lines[2];
+    Client first(lines[0], editor, grants);
+    Client second(lines[1], editor, grants);
+    const auto limited = [&](const Visitor& identity, Client* client) {
         int count = 0;
-        json last;
-        for (int i = 0; i < 500; ++i) {
+        for (int i = 0; i < 200; ++i) {
             const json out = answer(edit, identity, client);
             if (code_of(out) != -32014)
                 continue;
             ++count;
             EXPECT_EQ(out["error"]["data"]["retryAfterMs"], 5);
+            EXPECT_EQ(out["error"]["data"]["limit"], 200);
         }
         return count;
     };
-    Line line;
-    Client client(line, {}, grants);
-    EXPECT_EQ(limited({}, &client), 100);
-    EXPECT_EQ(limited({}, nullptr), 100);
-    EXPECT_EQ(limited(editor, nullptr), 100);
-    EXPECT_EQ(code_of(answer(call("rake.list", {{"session", "main"}}), {}, nullptr)), 0);
+    EXPECT_EQ(limited(editor, &first) + limited(editor, &second), 0);
+    EXPECT_EQ(limited(editor, nullptr), 200) << "400 at once, whichever way";
+    EXPECT_EQ(limited(another, nullptr), 0) << "another person";
+    EXPECT_EQ(limited({}, nullptr), 0) << "the server's own token";
+    EXPECT_EQ(code_of(answer(call("rake.list", {{"session", "main"}}), editor, nullptr)), 0);
     clock.time += std::chrono::milliseconds(5);
-    EXPECT_EQ(code_of(answer(edit, {}, &client)), -32004);
+    EXPECT_EQ(code_of(answer(edit, editor, &first)), -32004);
 }
 
 } // namespace wakesurf::server

@@ -18,6 +18,7 @@ namespace {
 constexpr unsigned displaced = 4001;
 constexpr unsigned removed = 4002;
 constexpr unsigned link_ended = 4003;
+constexpr unsigned logged_out = 4004;
 
 Headers with_key(const std::string& key) {
     return {{"Authorization", "Bearer " + key}};
@@ -69,7 +70,7 @@ TEST_F(Sharing, TakesALinkWhereverItTakesTheTokenAndInItsRoleOnly) {
     const json made = share("viewer");
     const std::string key = made["key"];
     EXPECT_EQ(made["link"], "#session=main&token=" + key);
-    EXPECT_FALSE(made.contains("expires"));
+    EXPECT_TRUE(made.contains("expires"));
     const Headers bearer = with_key(key);
     EXPECT_EQ(rpc_status(bearer), 200);
     EXPECT_EQ(http(server.port(), "GET", "/openrpc.json", bearer).status, 200);
@@ -95,7 +96,43 @@ TEST_F(Sharing, TakesALinkWhereverItTakesTheTokenAndInItsRoleOnly) {
     WebSocketClient browser(server, "main", with_cookie);
     EXPECT_EQ(browser.call("rake.set", rake(1))["error"]["code"], -32003);
     const json shares = host.result("session.shares")["shares"];
-    EXPECT_EQ(shares, json::array({{{"grant", made["grant"]}, {"role", "viewer"}}}));
+    ASSERT_EQ(shares.size(), 1u);
+    EXPECT_EQ(shares[0]["grant"], made["grant"]);
+    EXPECT_EQ(shares[0]["role"], "viewer");
+    EXPECT_EQ(shares[0]["madeBy"], json({{"name", "guest 1"}}));
+    EXPECT_FALSE(shares[0].contains("key"));
+}
+
+TEST_F(Sharing, LogsABrowserOutWithItsSocketsAndNobodyElse) {
+    const json made = share("viewer");
+    const Headers page{{"Origin", server.origin()}};
+    const auto log_in = [&] {
+        const HttpReply login =
+            http(server.port(), "POST", "/api/v1/login", page, json{{"token", made["key"]}}.dump());
+        Headers with = page;
+        const std::string cookie = login.header("set-cookie");
+        with.emplace_back("Cookie", cookie.substr(0, cookie.find(';')));
+        return with;
+    };
+    const Headers mine = log_in();
+    const Headers theirs = log_in();
+    WebSocketClient window(server, "main", mine);
+    WebSocketClient unjoined(server, "", mine);
+    WebSocketClient other(server, "main", theirs);
+    const Headers without_origin{mine.back()};
+    EXPECT_EQ(http(server.port(), "POST", "/api/v1/logout", without_origin).status, 403);
+    EXPECT_EQ(http(server.port(), "GET", "/api/v1/logout", mine).status, 405);
+    EXPECT_EQ(rpc_status(mine), 200);
+    const HttpReply out = http(server.port(), "POST", "/api/v1/logout", mine);
+    EXPECT_EQ(out.status, 204);
+    EXPECT_NE(out.header("set-cookie").find("Max-Age=0"), std::string::npos);
+    EXPECT_EQ(close_code(window), logged_out);
+    EXPECT_EQ(close_code(unjoined), logged_out);
+    EXPECT_EQ(rpc_status(mine), 401);
+    EXPECT_EQ(rpc_status(theirs), 200);
+    EXPECT_EQ(other.result("server.ping"), json::object());
+    EXPECT_EQ(http(server.port(), "POST", "/api/v1/logout", page).status, 204)
+        << "nothing to end is no error";
 }
 
 TEST_F(Sharing, DisconnectsEverybodyWhoCameByALinkWithinASecondOfTakingItBack) {

@@ -1,4 +1,5 @@
 // Share links: how long they are good for, who is told of their end, and what of them is kept.
+#include "server/budget_limits.hpp"
 #include "server/limits.hpp"
 #include "server/session/grants.hpp"
 #include "tests/support/server/hand_clock.hpp"
@@ -162,6 +163,9 @@ TEST_F(GrantsTest, RefusesRecordsThatAreNoLinks) {
           record(R"("role":"owner","sha256":")" + digest + "\""),
           record(R"("role":"viewer","sha256":")" + digest + "0\""),
           record(R"("role":"viewer","sha256":"short")"), record(good + R"(,"expires":"soon")"),
+          record(good + R"(,"lineage":"g1")"), record(good + R"(,"lineage":[1])"),
+          record(good + R"(,"maker":7)"), record(good + R"(,"lowered":{"p1":1})"),
+          record(good + R"(,"lowered":{"p1":"king"})"), record(good + R"(,"lowered":["viewer"])"),
           record(good + R"(,"expires":1e99)")})
         EXPECT_EQ(grants.restore("main", "g6", bad).error().code, core::Error::Code::Corrupt)
             << bad;
@@ -177,6 +181,80 @@ TEST_F(GrantsTest, ForgetsTheLinksOfASessionThatIsGone) {
     EXPECT_EQ(holder.reasons.size(), 1u);
     EXPECT_EQ(grants.find(made->key), std::nullopt);
     EXPECT_TRUE(grants.find(other->key));
+}
+
+TEST_F(GrantsTest, KnowsWhichLinksALinkHasMadeAndEndsThemWhereThatIsAskedFor) {
+    const auto first = grants.make("main", Role::Host, {}, {"", "Ada"});
+    const auto child = grants.make("main", Role::Host, {}, {first->grant.id, "Bob"});
+    const auto grandchild = grants.make("main", Role::Viewer, {}, {child->grant.id, ""});
+    const auto other = grants.make("main", Role::Viewer, {});
+    EXPECT_EQ(first->grant.maker, "Ada");
+    EXPECT_TRUE(first->grant.lineage.empty());
+    EXPECT_EQ(grandchild->grant.lineage,
+              (std::vector<std::string>{first->grant.id, child->grant.id}));
+    EXPECT_EQ(grants.descendants("main", first->grant.id).size(), 2u);
+    // The one between has gone; what it made is known all the same, also after a restart.
+    ASSERT_TRUE(grants.revoke("main", child->grant.id));
+    EXPECT_TRUE(grants.find(grandchild->key));
+    Grants after(services());
+    for (const auto& [id, record] : disk.records)
+        ASSERT_TRUE(after.restore("main", id, record));
+    ASSERT_EQ(after.descendants("main", first->grant.id).size(), 1u);
+    EXPECT_EQ(after.grant(first->grant.id)->maker, "Ada");
+    Holder by_grandchild;
+    after.attend(grandchild->grant.id, by_grandchild);
+    ASSERT_TRUE(after.revoke("main", first->grant.id, true));
+    EXPECT_EQ(by_grandchild.reasons.size(), 1u);
+    EXPECT_EQ(after.find(grandchild->key), std::nullopt);
+    EXPECT_TRUE(after.find(other->key));
+}
+
+TEST_F(GrantsTest, LetsNoLinkOutliveTheOneThatMadeIt) {
+    const auto parent = grants.make("main", Role::Host, seconds(60));
+    const LinkMaker maker{parent->grant.id, {}};
+    EXPECT_EQ(grants.longest_of(parent->grant.id), seconds(60));
+    EXPECT_EQ(grants.longest_of(""), std::nullopt);
+    EXPECT_TRUE(grants.make("main", Role::Viewer, seconds(60), maker));
+    EXPECT_EQ(grants.make("main", Role::Viewer, seconds(61), maker).error().code,
+              core::Error::Code::InvalidArgument);
+    EXPECT_EQ(grants.make("main", Role::Viewer, {}, maker).error().code,
+              core::Error::Code::InvalidArgument);
+}
+
+TEST_F(GrantsTest, BoundsHowLongAChainOfLinksMayGet) {
+    LinkMaker maker;
+    for (std::size_t i = 0; i <= limits::grant_depth; ++i) {
+        const auto made = grants.make("main", Role::Host, {}, maker);
+        ASSERT_TRUE(made) << i;
+        maker.grant = made->grant.id;
+    }
+    EXPECT_EQ(grants.make("main", Role::Host, {}, maker).error().code,
+              core::Error::Code::OverLimit);
+}
+
+TEST_F(GrantsTest, GivesNewcomersNoMoreThanAnybodyWhoCameByTheLinkWasLeft) {
+    const auto made = grants.make("main", Role::Host, {});
+    const std::string& id = made->grant.id;
+    const auto role = [&](const Grants& of) { return of.find(made->key)->role; };
+    grants.set_role(id, "p1", Role::Editor);
+    EXPECT_EQ(role(grants), Role::Editor);
+    grants.set_role(id, "p2", Role::Viewer);
+    EXPECT_EQ(role(grants), Role::Viewer);
+    EXPECT_EQ(grants.identity(id)->role, Role::Viewer);
+    EXPECT_EQ(grants.of("main").front().role, Role::Host) << "the link is what it was";
+    Grants after(services());
+    ASSERT_TRUE(after.restore("main", id, disk.records.at(id)));
+    EXPECT_EQ(role(after), Role::Viewer) << "a restart lifts nothing";
+    after.set_role(id, "p2", Role::Host);
+    EXPECT_EQ(role(after), Role::Editor);
+    after.set_role(id, "p1", Role::Host);
+    EXPECT_EQ(role(after), Role::Host);
+    for (std::size_t i = 0; i < 2 * limits::lowered; ++i)
+        after.set_role(id, "p" + std::to_string(i), Role::Viewer);
+    for (std::size_t i = 0; i < 2 * limits::lowered; ++i)
+        after.set_role(id, "p" + std::to_string(i), Role::Host);
+    EXPECT_EQ(role(after), Role::Viewer) << "of too many only the least is remembered";
+    after.set_role("g99", "p1", Role::Viewer);
 }
 
 TEST(Secrets, AreComparedByTheirSha256) {

@@ -1,4 +1,5 @@
 // Who is in a session: places that outlive connections, and presence that reaches the others gathered, at most every 50 ms.
+#include "server/budget_limits.hpp"
 #include "server/limits.hpp"
 #include "server/session/colours.hpp"
 #include "server/session/participants.hpp"
@@ -373,6 +374,38 @@ TEST_F(ParticipantsTest, KeepsNoMorePlacesOnTheDiskThanTheLimit) {
     const auto kept = std::count_if(disk.records.begin(), disk.records.end(),
                                     [](const auto& each) { return each.second.has_value(); });
     EXPECT_EQ(kept, static_cast<std::ptrdiff_t>(limits::participants));
+}
+
+TEST_F(ParticipantsTest, LetsWhoComesAndGoesByOneLinkTakeNobodyElsesPlace) {
+    const Joined by_other_link = *people.join({"Ada", {}, {}, {Role::Editor, "main", "g2"}}, ada);
+    people.leave(ada);
+    const Joined by_token = join(bob);
+    people.leave(bob);
+    Joined first;
+    for (std::size_t i = 0; i < limits::participants; ++i) {
+        loop.advance(seconds(1));
+        const Joined joined = *people.join({{}, {}, {}, {Role::Viewer, "main", "g1"}}, eve);
+        if (i == 0)
+            first = joined;
+        people.leave(eve);
+    }
+    EXPECT_FALSE(people.find(first.you.id));
+    EXPECT_TRUE(people.find(by_other_link.you.id));
+    EXPECT_TRUE(people.find(by_token.you.id));
+}
+
+TEST_F(ParticipantsTest, KeepsTheLastPlacesForThoseWithTheServersToken) {
+    std::deque<Watcher> watchers;
+    const auto come = [&](const std::string& grant) {
+        return people.join({{}, {}, {}, {Role::Host, "main", grant}}, watchers.emplace_back(clock))
+            .has_value();
+    };
+    for (std::size_t i = 0; i < limits::participants - limits::for_hosts.sockets; ++i)
+        ASSERT_TRUE(come("g1"));
+    EXPECT_FALSE(come("g1"));
+    for (std::size_t i = 0; i < limits::for_hosts.sockets; ++i)
+        ASSERT_TRUE(come(""));
+    EXPECT_FALSE(come(""));
 }
 
 TEST_F(ParticipantsTest, RemovesSomebodyForGood) {

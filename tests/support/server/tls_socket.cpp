@@ -24,7 +24,10 @@ struct TlsSocket::State {
     }
 };
 
-TlsSocket::TlsSocket(std::uint16_t port, const std::filesystem::path& trusted, int newest)
+TlsSocket::TlsSocket(std::uint16_t port,
+                     const std::filesystem::path& trusted,
+                     int newest,
+                     const std::string& ciphers)
     : state_(std::make_unique<State>()) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
@@ -39,6 +42,8 @@ TlsSocket::TlsSocket(std::uint16_t port, const std::filesystem::path& trusted, i
     SSL_CTX_set_max_proto_version(state_->context, newest);
     if (newest != 0) // or this side would refuse what the server is to refuse
         SSL_CTX_set_security_level(state_->context, 0);
+    if (!ciphers.empty())
+        SSL_CTX_set_cipher_list(state_->context, ciphers.c_str());
     SSL_CTX_load_verify_locations(state_->context, trusted.c_str(), nullptr);
     SSL_CTX_set_verify(state_->context, SSL_VERIFY_PEER, nullptr);
     state_->ssl = SSL_new(state_->context);

@@ -14,8 +14,12 @@ namespace wakesurf::tests {
 class TlsSocket {
   public:
     /// Connects and shakes hands; connected() says whether that went well.
-    /// @param newest  TLS1_1_VERSION, ...; 0: whatever OpenSSL offers
-    TlsSocket(std::uint16_t port, const std::filesystem::path& trusted, int newest = 0);
+    /// @param newest   TLS1_1_VERSION, ...; 0: whatever OpenSSL offers
+    /// @param ciphers  of TLS 1.2, as OpenSSL names them; empty: whatever it offers
+    TlsSocket(std::uint16_t port,
+              const std::filesystem::path& trusted,
+              int newest = 0,
+              const std::string& ciphers = {});
     ~TlsSocket();
     TlsSocket(const TlsSocket&) = delete;
     TlsSocket& operator=(const TlsSocket&) = delete;

@@ -16,7 +16,7 @@ const endings: ReadonlyMap<number, string> = new Map([
     [4001, 'This place in the session has been taken by a newer window.'],
     [4002, 'A host has ended your stay in this session.'],
     [linkEnded, 'The link that opened this page has expired or was taken back.'],
-    [4004, 'This browser has logged out.'],
+    [4004, 'This browser has logged out of the server.'],
 ]);
 
 /** The part of WebSocket used here, already open. */

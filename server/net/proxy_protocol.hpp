@@ -1,0 +1,32 @@
+// The PROXY protocol of haproxy, versions 1 and 2: what a proxy says before anything else on a connection about who is behind it
+// (www.haproxy.org/download/2.8/doc/proxy-protocol.txt). Read from trusted proxies only.
+#pragma once
+
+#include <boost/asio/ip/address.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace wakesurf::server {
+
+/// What the first bytes of a connection are.
+struct ProxyHeader {
+    enum class Is {
+        None,     ///< something else
+        Partial,  ///< may be one, with more bytes
+        Complete, ///< the first `length` bytes
+        Malformed ///< begins like one and is none
+    };
+    Is is = Is::None;
+    std::size_t length = 0;
+    std::optional<boost::asio::ip::address>
+        from; ///< nothing: the proxy itself asks, or does not know
+};
+
+/// The longest that is understood; addresses take at most 52 bytes of version 2, the rest are extensions.
+inline constexpr std::size_t longest_proxy_header = 536;
+
+ProxyHeader parse_proxy_header(std::string_view bytes);
+
+} // namespace wakesurf::server
