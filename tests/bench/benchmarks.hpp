@@ -51,6 +51,9 @@ void register_fair_benchmark(const std::string& dataset);
 /// A server in a control group of 512 MB beside tenants who take all they are granted, for so many seconds.
 void register_hostile_benchmark(const std::string& dataset, int seconds);
 
+/// A host who joins, edits and downloads beside one viewer's link at full force: 2,048 sockets, refused edits, downloads in a loop.
+void register_flood_benchmark(const std::string& dataset);
+
 /// StoreReader::load of 300 MB time-steps against a plain read() of the same bytes.
 void register_store_benchmarks();
 

@@ -73,6 +73,7 @@ int measure(const server::BenchOptions& options) {
     register_load_benchmarks(dataset);
     register_fair_benchmark(dataset);
     register_hostile_benchmark(dataset, options.seconds);
+    register_flood_benchmark(dataset);
     register_kill_benchmarks();
     register_drag_benchmark(dataset);
     register_decode_benchmark();
