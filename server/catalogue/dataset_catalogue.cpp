@@ -19,16 +19,12 @@ bool settled(DatasetState state) {
            state == DatasetState::Incomplete;
 }
 
-// What an import may take: the same part of the whole budget as it takes of a machine otherwise, one import at a time; with
-// less than some megabytes, none could begin.
-std::size_t import_memory(std::size_t budget) {
+// What the importer is told at least: with less, none could begin.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    constexpr std::size_t least = std::size_t{1} << 30;
+constexpr std::size_t smallest_import = std::size_t{1} << 30;
 #else
-    constexpr std::size_t least = std::size_t{64} << 20;
+constexpr std::size_t smallest_import = std::size_t{64} << 20;
 #endif
-    return std::max(budget / 4, least);
-}
 
 std::size_t steps_ready(const LoadedDataset& open) {
     if (!open.cache)
@@ -225,18 +221,9 @@ core::Result<void> DatasetCatalogue::run_import(Entry& entry,
         if (show(entry, progress, folder))
             listener_(entry.status.dataset);
     };
-    const auto shares = static_cast<std::size_t>(
-        std::count_if(entries_.begin(), entries_.end(), [](const auto& each) {
-            return each->argument.kind != DatasetArgument::Kind::Flow;
-        }));
-    return run_import_process({entry.argument.path,
-                               folder,
-                               {},
-                               {},
-                               options_.importer,
-                               {},
-                               0,
-                               import_memory(shares * options_.cache.budget_bytes)},
+    const std::size_t most =
+        memory->bytes() > 0 ? std::max(memory->bytes(), smallest_import) : 0; // 0: its own bound
+    return run_import_process({entry.argument.path, folder, {}, {}, options_.importer, {}, 0, most},
                               listener, source.get_token());
 }
 

@@ -56,7 +56,7 @@ std::size_t address_space() {
 
 // The importer's own sentence; whatever libraries print besides is none.
 std::string own_words(const std::string& errors) {
-    const std::string prefix = std::string(program_name) + ": ";
+    constexpr std::string_view prefix = "wakesurf-import: ";
     std::string words;
     for (std::size_t start = 0; start < errors.size();) {
         const auto end = std::min(errors.find('\n', start), errors.size());
