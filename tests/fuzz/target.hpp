@@ -1,0 +1,32 @@
+// What is fuzzed: each target takes any bytes at all and must come back, with an error or without. Two programs run them: a test
+// that replays the seeds and mutations of them in every ./check, and libFuzzer under sanitizers (README.md here).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::fuzz {
+
+using Input = std::span<const std::uint8_t>;
+
+struct Target {
+    std::string_view name;
+    void (*run)(Input input);            ///< throws or aborts only for a fault of the product
+    std::vector<std::string> (*seeds)(); ///< inputs that are right, or nearly
+};
+
+/// In the order of the table in README.md.
+const std::vector<Target>& targets();
+
+inline std::string_view text_of(Input input) {
+    return {reinterpret_cast<const char*>(input.data()), input.size()};
+}
+
+/// A property that must hold whatever the input was; ends the process with the sentence otherwise.
+void demand(bool holds, std::string_view sentence);
+
+} // namespace wakesurf::fuzz

@@ -1,0 +1,70 @@
+// Records as they are kept, in every reader: what is read can be written and read again to the same text.
+#include "protocol/messages_grant.hpp"
+#include "protocol/messages_presence.hpp"
+#include "protocol/record_text.hpp"
+#include "tests/fuzz/targets/all.hpp"
+
+namespace wakesurf::fuzz {
+
+namespace {
+
+template <class Record, class Write, class Read>
+void check_twin(const core::Result<Record>& record, Write write, Read read) {
+    if (!record)
+        return;
+    const std::string text = write(*record);
+    const auto again = read(text);
+    demand(again.has_value(), "a record that was written can be read");
+    demand(write(*again) == text, "a record is the same after it was written and read");
+}
+
+} // namespace
+
+void records(Input input) {
+    const std::string_view text = text_of(input);
+    const protocol::RecordLimits limits;
+    const auto write = [](const auto& record) { return protocol::record_text(record); };
+    const auto check = [&](auto parse) {
+        check_twin(parse(text, limits), write,
+                   [&](const std::string& again) { return parse(again, limits); });
+    };
+    check([](auto t, auto& l) { return protocol::parse_rake(t, l); });
+    check([](auto t, auto& l) { return protocol::parse_surface(t, l); });
+    check([](auto t, auto& l) { return protocol::parse_bookmark(t, l); });
+    check([](auto t, auto& l) { return protocol::parse_annotation(t, l); });
+    check([](auto t, auto& l) { return protocol::parse_clock(t, l); });
+    check([](auto t, auto&) { return protocol::parse_session_head(t); });
+    check_twin(protocol::read_place(text), protocol::place_text, protocol::read_place);
+    check_twin(protocol::read_grant(text), protocol::grant_text, protocol::read_grant);
+}
+
+std::vector<std::string> records_seeds() {
+    protocol::RakeRecord rake;
+    rake.rake = "r1";
+    rake.rev = 3;
+    rake.shape.points = {{0, 0, 0}, {1, 0.1, 0}};
+    rake.shape.seeds = 32;
+    rake.name = "wake";
+    rake.colour = "#aabbcc";
+    protocol::SurfaceRecord surface;
+    surface.surface = "s1";
+    surface.rake = "r1";
+    surface.dataset = "d";
+    surface.fields = {"p"};
+    protocol::ClockRecord clock;
+    clock.time = 0.5;
+    protocol::BookmarkRecord bookmark;
+    bookmark.bookmark = "b1";
+    bookmark.view = R"({"camera":[1,2,3]})";
+    const std::string digest(64, 'a');
+    return {protocol::record_text(rake),
+            protocol::record_text(surface),
+            protocol::record_text(clock),
+            protocol::record_text(protocol::SessionHead{"main", 7, 1, 2, 3, 4}),
+            protocol::record_text(bookmark),
+            protocol::record_text(protocol::AnnotationRecord{}),
+            protocol::place_text({"Ada", "#102030", "editor", "", digest}),
+            protocol::grant_text({"viewer", digest, 5})};
+}
+
+} // namespace wakesurf::fuzz
