@@ -174,6 +174,7 @@ struct PermissionTest : testing::Test {
                            {},
                            nullptr,
                            nullptr,
+                           {},
                            &budgets},
                           {}};
     std::string other;
