@@ -242,6 +242,8 @@ TEST(Document, ASurfaceWhoseDatasetIsNotThereSaysSoAndIsBuiltOnceItIs) {
     after.datasets.there = true;
     after.sessions.dataset_changed("abc");
     EXPECT_GT(after.session->surface(surface->surface)->epoch, told);
+    EXPECT_TRUE(live->resting()) << "until somebody looks at it";
+    live->begin_now();
     after.loop.turn_until([&] { return onlooker.outcomes.size() > 1; });
     EXPECT_FALSE(onlooker.outcomes[1].error);
     EXPECT_TRUE(onlooker.outcomes[1].complete);
