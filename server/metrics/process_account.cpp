@@ -17,7 +17,7 @@ constexpr std::uint64_t part = 60;
 constexpr std::size_t without_proc = std::size_t{4} << 30;
 
 // Giving freed memory back costs some ms while others wait for the allocator.
-constexpr std::chrono::milliseconds rest{50};
+constexpr std::chrono::milliseconds rest{250};
 
 void make_allocator_frugal() {
 #ifdef __GLIBC__
