@@ -167,14 +167,19 @@ class Simulation {
         const server::SharedUpdate newest = live->newest();
         ++story_.surfaces;
         world_.note(outcome.crc);
+        // Of a key the server keeps the frames alone; what is left of the state is its sum.
+        std::shared_ptr<const protocol::WireMesh> truth = live->ring()->state();
         for (const auto& person : people_) {
             const protocol::DecodedState* const state = person->state(id);
             if (state == nullptr)
                 return person->name() + " sees nothing of surface " + id;
             if (state->header.epoch != newest->wire.epoch || state->header.seq != newest->wire.seq)
                 return person->name() + " sees an old surface " + id;
+            if (!truth)
+                truth = state->mesh;
             if (state->header.state_sum != outcome.crc ||
-                !protocol::same_state(*state->mesh, *newest->wire.state))
+                protocol::state_sum(*state->mesh) != outcome.crc ||
+                !protocol::same_state(*state->mesh, *truth))
                 return person->name() + " sees another surface " + id;
         }
         return {};
