@@ -58,7 +58,7 @@ TEST_F(CarefulStart, ComputesNothingOfBeforeAndTellsPeopleWhyAndWhatToDo) {
     die(2); // with the first one three
     ServerProcess server(arguments());
     WebSocketClient client(server);
-    const json notice = client.notification("server.notice")["params"];
+    const json notice = client.notification("server.notice");
     EXPECT_EQ(notice["kind"], "carefulStart");
     EXPECT_EQ(notice["level"], "warning");
     EXPECT_NE(notice["text"].get<std::string>().find("3 times"), std::string::npos);
