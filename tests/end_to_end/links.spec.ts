@@ -78,7 +78,7 @@ describe('logging out', () => {
         await page.getByRole('tab', { name: 'Share' }).click();
         await page.getByRole('button', { name: 'Log out' }).click();
         await page.getByText('You are logged out.').waitFor();
-        await beside.locator('#ended').getByText('This browser has logged out.').waitFor();
+        await beside.locator('#ended').getByText('This browser has logged out').waitFor();
         await page.reload();
         await page.getByText('needs the access token').waitFor();
         expect(await ask(host, (hook) => hook.connection)).toBe('open');
