@@ -42,9 +42,20 @@ std::optional<Wanted> wanted(std::string_view path) {
     return out;
 }
 
-HttpResponse picture(const Session& session, const HttpRequest& request) {
-    const auto image = read_thumbnail(session.thumbnail());
-    if (session.thumbnail().empty() || !image)
+/// In base64. Error: NotFound, for a session that is not even in the trash.
+core::Result<std::string> thumbnail_of(const SessionDirectory& sessions, const std::string& id) {
+    const TrashedSession* deleted = sessions.trash().find(id);
+    if (deleted == nullptr)
+        return sessions.find(id).map([](const auto& session) { return session->thumbnail(); });
+    for (const JournalEntry& each : deleted->entries)
+        if (each.type == "thumbnail" && each.record && each.record->size() > 2)
+            return each.record->substr(1, each.record->size() - 2); // in quotes, as JSON
+    return std::string();
+}
+
+HttpResponse picture(const std::string& base64, const HttpRequest& request) {
+    const auto image = read_thumbnail(base64);
+    if (base64.empty() || !image)
         return http_error(404, "nobody has sent a picture of this session",
                           "session.thumbnail sends one");
     const std::string tag = '"' + digest_text(secret_digest(image->bytes)).substr(0, 32) + '"';
@@ -72,13 +83,15 @@ bool SessionFiles::get(const HttpRequest& request, const Respond& respond) {
     const auto what = wanted(request.path);
     if (!what)
         return false;
-    const auto session = sessions_.find(what->session);
-    if (!session)
-        respond(http_error(session.error()));
-    else if (what->file == "thumbnail")
-        respond(picture(**session, request));
-    else
+    if (what->file == "thumbnail") {
+        const auto base64 = thumbnail_of(sessions_, what->session);
+        respond(base64 ? picture(*base64, request) : http_error(base64.error()));
+        return true;
+    }
+    if (const auto session = sessions_.find(what->session); session)
         send_file(**session, respond);
+    else
+        respond(http_error(session.error()));
     return true;
 }
 

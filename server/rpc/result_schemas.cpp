@@ -306,7 +306,8 @@ constexpr std::string_view results = R"json({
   "properties": {
     "resumed": {"type": "boolean"}, "snapshot?": "#Snapshot", "patches?": {"type": "array", "items": "#Patch"},
     "seq": "#Count", "participants": {"type": "array", "items": "#Participant"}, "you": "#Id", "role": "#Role",
-    "resumeToken": {"type": "string"}}},
+    "resumeToken": {"type": "string"},
+    "created?": {"type": "string", "description": "UTC, as in session.list"}}},
 "session.leave": "#Empty",
 "session.state": {
   "type": "object",

@@ -1,5 +1,6 @@
 // session.create, session.fork, session.list, session.join, session.leave, session.state.
 #include "protocol/checked_json.hpp"
+#include "protocol/utc_text.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/aside_json.hpp"
 #include "server/rpc/durability_notice.hpp"
@@ -107,6 +108,8 @@ void join(const Call& call, Reply reply) {
              {"you", joined->you.id},
              {"role", name(joined->you.role)},
              {"resumeToken", joined->resume_token}};
+    if (const auto created = (*session)->profile().created)
+        out["created"] = protocol::utc_text(*created);
     const auto missed =
         joined->same_life && last_seq ? (*session)->changes_since(*last_seq) : std::nullopt;
     out["resumed"] = missed.has_value();

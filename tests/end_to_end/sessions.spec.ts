@@ -20,7 +20,7 @@ async function named(name: string): Promise<SessionEntry | undefined> {
 }
 
 async function openList(page: Page): Promise<void> {
-    await page.getByRole('button', { name: 'Sessions', exact: true }).click();
+    await page.getByRole('complementary').getByRole('button', { name: 'Sessions', exact: true }).click();
     await page.getByRole('list', { name: 'Sessions on this server' }).waitFor();
 }
 
@@ -102,6 +102,13 @@ describe('the list of sessions', () => {
         expect((await ask(page, (hook) => hook.framesDrawn)) - framesBefore).toBeLessThanOrEqual(1);
         const { headers } = await page.request.get(new URL(`/api/v1/sessions/${session}/thumbnail`, stand.server.link).href).then((reply) => ({ headers: reply.headers() }));
         expect(headers['content-type']).toBe('image/jpeg');
+        // In the trash it is the same picture.
+        await stand.server.call('session.delete', { session });
+        await openList(page);
+        await page.getByRole('button', { name: /^Trash/ }).click();
+        const deleted = card(page, 'Thesis figure 4').locator('img');
+        await expect.poll(() => deleted.evaluate((img: HTMLImageElement) => img.naturalWidth)).toBe(320);
+        await screenshot(page, 'trash-picture');
         await page.context().close();
     });
 

@@ -93,7 +93,9 @@ TEST_F(SessionMethods, AListTellsWhoWasHereWhenAndWhatIsInASession) {
     const std::string id = result("session.create", {{"name", "wake"}})["session"];
     Line wire;
     Client ada(wire, {}, grants);
-    answer("session.join", {{"session", id}, {"name", "Ada"}, {"colour", "#102030"}}, {}, &ada);
+    const json joined =
+        answer("session.join", {{"session", id}, {"name", "Ada"}, {"colour", "#102030"}}, {}, &ada);
+    EXPECT_EQ(joined["result"]["created"], "2027-01-15T08:00:00Z");
     json setting = line;
     setting["session"] = id;
     result("rake.set", setting);
