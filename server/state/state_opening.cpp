@@ -36,10 +36,10 @@ keep_copy(Database& database, const StateOptions& options, const StateContent& c
     const std::string copy =
         (file.parent_path() / ("sessions-" + from + "-" + time_in_name(options.now()) + ".sqlite"))
             .string();
-    if (options.vfs == nullptr)
-        if (auto made = make_private_file(copy); !made)
-            return made;
-    auto done = database.copy_to(copy, options.vfs);
+    auto made = options.vfs == nullptr ? make_private_file(copy) : core::Result<void>();
+    auto done = made.and_then([&] { return database.copy_to(copy, options.vfs); });
+    if (std::error_code ignored; made && !done)
+        std::filesystem::remove(copy, ignored); // a part of it is no copy
     if (!done)
         done.error().message = "sessions.sqlite cannot be copied before this version changes it: " +
                                done.error().message;

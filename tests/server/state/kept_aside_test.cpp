@@ -76,7 +76,7 @@ TEST(KeptAside, RecordsAreToldToPeopleAndOverwrittenByNothing) {
         EXPECT_EQ(made["durable"], true);
         EXPECT_EQ(server.stop().status, 0);
     }
-    EXPECT_EQ(column(path, "SELECT id FROM aside WHERE session='main' ORDER BY rowid"), "r2\np1\n");
+    EXPECT_EQ(column(path, "SELECT id FROM aside WHERE session='main' ORDER BY id"), "p1\nr2\n");
     EXPECT_NE(column(path, "SELECT json FROM aside WHERE id='r2'").find("no length"),
               std::string::npos);
     ServerProcess server(arguments);

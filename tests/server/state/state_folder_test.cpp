@@ -41,7 +41,7 @@ TEST(StateFolder, IsForTheUserAlone) {
         EXPECT_EQ(mode(each), perms::owner_read | perms::owner_write) << each.path();
         ++files;
     }
-    EXPECT_EQ(files, 2); // with the log
+    EXPECT_EQ(files, 3); // with the log and how many changes were kept
 }
 
 TEST(StateFolder, SaysWhyItCannotBeUsed) {

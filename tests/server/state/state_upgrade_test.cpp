@@ -70,7 +70,9 @@ TEST(StateUpgrade, BringsAFileOfTheFirstLayoutUpToDateAfterCopyingIt) {
     EXPECT_EQ(permissions,
               std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
     // The copy is what the older program can start with.
-    auto from_copy = StateStore::open(options(folder / copies_in(folder)[0], "2.0"));
+    const TemporaryFolder other;
+    std::filesystem::copy_file(folder / copies_in(folder)[0], other / "sessions.sqlite");
+    auto from_copy = StateStore::open(options(other / "sessions.sqlite", "2.0"));
     ASSERT_TRUE(from_copy);
     EXPECT_EQ(records_of(from_copy->take_loaded().sessions), records);
 }
