@@ -48,7 +48,7 @@ TEST_F(BenchCommand, PassesItsArgumentsOnAndTheExitStatusBack) {
     std::string output;
     const auto outcome = run({"bench", "edit", "--json", "a b.json", "drag"}, output);
     EXPECT_EQ(outcome.exit_status, 7);
-    EXPECT_EQ(output, "--json=a b.json\n--\nedit\ndrag\n");
+    EXPECT_EQ(output, "--seconds=60\n--json=a b.json\n--\nedit\ndrag\n");
 }
 
 } // namespace

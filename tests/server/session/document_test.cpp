@@ -236,7 +236,6 @@ TEST(Document, ASurfaceWhoseDatasetIsNotThereSaysSoAndIsBuiltOnceItIs) {
     ASSERT_TRUE(live->outcome().error);
     EXPECT_EQ(live->outcome().error->code, Error::Code::NotFound);
     EXPECT_EQ(live->outcome().statistics.kind, core::SurfaceKind::Streak);
-    live->begin_now(); // somebody looks at it
     after.loop.turn_until([&] { return !onlooker.outcomes.empty(); });
     EXPECT_TRUE(onlooker.outcomes[0].error);
     const std::uint32_t told = after.session->surface(surface->surface)->epoch;

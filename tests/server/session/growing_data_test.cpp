@@ -34,7 +34,7 @@ TEST(GrowingData, ASurfaceThatEndedForWantOfATimeStepIsBuiltAgainOnceItIsThere) 
     WebSocketClient client(server);
     const auto failed = [&] {
         const json entry = client.result("dataset.list")["datasets"][0];
-        return entry["state"] == "ready" && entry.contains("error");
+        return entry["state"] == "incomplete" && entry.contains("error");
     };
     while (!failed())
         client.notification("dataset.patched");
