@@ -77,6 +77,7 @@ describe('/openrpc.json', () => {
             document.methods.filter((each) => each.name === name).flatMap((each) =>
                 each.params.filter(({ schema }) => 'default' in schema).map((each) => [each.name, each.schema['default']]));
         expect(Object.fromEntries(defaults('surface.set') as [string, unknown][])).toEqual({
+            default: false,
             direction: 'forward',
             accuracy: 'balanced',
             merge: 0.35,
