@@ -62,9 +62,9 @@ TEST(FailureWords, AreSentencesAboutTheFile) {
     EXPECT_EQ(error_of(std::bad_alloc(), "a.vtu").message,
               "there is not enough memory to read a.vtu");
     const std::filesystem::filesystem_error denied(
-        "open", "/root/secret/a.vtu", std::make_error_code(std::errc::permission_denied));
+        "open", "/home/ada/a.vtu", std::make_error_code(std::errc::permission_denied));
     EXPECT_EQ(error_of(denied, "a.vtu").message, "cannot read a.vtu: Permission denied");
-    EXPECT_EQ(error_of(std::runtime_error("no block 7 in /root/a.vtu"), "a.vtu").message,
+    EXPECT_EQ(error_of(std::runtime_error("no block 7 in /home/ada/a.vtu"), "a.vtu").message,
               "cannot read a.vtu (no block 7 in a.vtu)");
 }
 
