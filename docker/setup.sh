@@ -85,8 +85,9 @@ configure() {
         [ ! "$root/CMakePresets.json" -nt "$tree/CMakeCache.txt" ]; then
         return
     fi
+    # --fresh: what CMake remembers of packages that have gone since then is wrong.
     (cd "$root" && stage "configuring $1" \
-        cmake --preset "$1" -DWAKESURF_TESTS="$tests" -DCMAKE_PREFIX_PATH="$vtk") || return 1
+        cmake --fresh --preset "$1" -DWAKESURF_TESTS="$tests" -DCMAKE_PREFIX_PATH="$vtk") || return 1
     touch "$tree/CMakeCache.txt"
 }
 

@@ -1,6 +1,7 @@
 // `wakesurf info`: what a dataset is, without importing it.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace wakesurf::server {
