@@ -4,6 +4,7 @@
 #include "protocol/mesh_decoder.hpp"
 #include "protocol/state_sum.hpp"
 #include "tests/protocol/sample_sequences.hpp"
+#include "tests/support/places.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -19,8 +20,7 @@ namespace {
 using json = nlohmann::ordered_json;
 using Frames = std::vector<Bytes>;
 
-const std::filesystem::path folder =
-    std::filesystem::path(WAKESURF_SOURCE_DIR) / "protocol/fixtures";
+const std::filesystem::path folder = tests::source_folder() / "protocol/fixtures";
 
 void add(Frames& frames, const SharedFrames& more) {
     for (const auto& frame : more)

@@ -4,6 +4,7 @@
 
 #include "core/base/crc32c.hpp"
 #include "tests/fuzz/targets/all.hpp"
+#include "tests/support/places.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -63,7 +64,7 @@ std::vector<std::string> mesh_decoder_seeds() {
     std::vector<std::string> seeds;
     for (const char* const name :
          {"sheet", "hanging", "chaos", "refined", "empty", "obstacle", "growing"}) {
-        std::ifstream file(std::filesystem::path(WAKESURF_SOURCE_DIR) / "protocol/fixtures" /
+        std::ifstream file(tests::source_folder() / "protocol/fixtures" /
                                (std::string(name) + ".bin"),
                            std::ios::binary);
         seeds.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());

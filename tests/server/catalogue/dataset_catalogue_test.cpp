@@ -1,5 +1,6 @@
 #include "server/catalogue/dataset_catalogue.hpp"
 #include "server/catalogue/import_process.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/slow_series.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/vti_text.hpp"
@@ -25,8 +26,7 @@ class Bench {
 
     /// With the stores of an earlier one.
     Bench(const std::vector<std::string>& arguments, const std::filesystem::path& stores) {
-        OpenOptions options{
-            stores.empty() ? folder_ / "cache" : stores, {}, WAKESURF_IMPORT_BINARY};
+        OpenOptions options{stores.empty() ? folder_ / "cache" : stores, {}, importer_program()};
         options.watch_period = std::chrono::milliseconds(20);
         auto opened = DatasetCatalogue::open(arguments, options, [this](const std::string&) {
             const std::scoped_lock lock(mutex_);
@@ -76,7 +76,7 @@ class Bench {
     int changes_ = 0;
 };
 
-const std::string bundled = std::string(WAKESURF_SOURCE_DIR) + "/data/sqcyl";
+const std::string bundled = (source_folder() / "data/sqcyl").string();
 
 TEST(DatasetCatalogue, ImportsASourceAndOpensIt) {
     Bench bench({bundled});
@@ -266,8 +266,7 @@ TEST(DatasetCatalogue, AStoreWithoutItsLastTimeStepsIsIncompleteAndSaysWhatToDo)
     const TemporaryFolder folder;
     write_file(folder / "u_0.vti", sample_vti(0.0).text());
     write_file(folder / "u_1.vti", "nonsense");
-    const ImportCommand import{
-        folder / "u_0.vti", folder / "store", {}, {}, WAKESURF_IMPORT_BINARY};
+    const ImportCommand import{folder / "u_0.vti", folder / "store", {}, {}, importer_program()};
     ASSERT_FALSE(run_import_process(import, [](const ImportProgress&) {}));
     Bench bench({folder / "store"});
     const auto status = bench.wait_until_settled("store");

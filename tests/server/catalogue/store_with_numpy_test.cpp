@@ -5,6 +5,7 @@
 #include "server/catalogue/child_process.hpp"
 #include "server/catalogue/store_generation.hpp"
 #include "server/catalogue/store_writer.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ constexpr const char* debian_python = "/usr/bin/python3"; // where python3-numpy
 
 /// The code blocks of the Store section, in their order.
 std::vector<std::string> snippets() {
-    const std::string text = read_file(fs::path(WAKESURF_SOURCE_DIR) / "core" / "README.md");
+    const std::string text = read_file(tests::source_folder() / "core" / "README.md");
     const auto begin = text.find("## Store");
     const auto end = text.find("\n## ", begin + 1);
     std::vector<std::string> blocks;

@@ -1,5 +1,6 @@
 // `wakesurf bench` starts the program beside it, whatever that is, or says what is missing.
 #include "server/catalogue/child_process.hpp"
+#include "tests/support/places.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ class BenchCommand : public testing::Test {
     void SetUp() override {
         fs::remove_all(folder_);
         fs::create_directories(folder_);
-        fs::copy_file(WAKESURF_BINARY, folder_ / "wakesurf");
+        fs::copy_file(server_program(), folder_ / "wakesurf");
     }
 
     void TearDown() override { fs::remove_all(folder_); }

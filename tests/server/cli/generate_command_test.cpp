@@ -3,6 +3,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "protocol/store_manifest.hpp"
 #include "server/catalogue/child_process.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ struct Outcome {
 Outcome wakesurf(const std::vector<std::string>& arguments) {
     Outcome out;
     const auto line = [&](std::string_view text) { out.output.append(text).append("\n"); };
-    const auto run = run_child(WAKESURF_BINARY, arguments, 0, line, {});
+    const auto run = run_child(tests::server_program(), arguments, 0, line, {});
     EXPECT_TRUE(run) << run.error().message;
     out.status = run->exit_status;
     out.errors = run->errors;
@@ -77,7 +78,7 @@ class GenerateCommand : public testing::Test {
 class RunningGenerate {
   public:
     explicit RunningGenerate(const fs::path& store) {
-        const std::string command = "echo $$; exec " WAKESURF_BINARY " generate abc " +
+        const std::string command = "echo $$; exec " + tests::server_program() + " generate abc " +
                                     store.string() + " --grid 200,200,100 --times 0:1:3 2>&1";
         pipe_ = ::popen(command.c_str(), "r");
         process_ = std::stoi(line());

@@ -2,6 +2,7 @@
 // each other, whatever the engine does to get there.
 #include "core/base/vec3.hpp"
 #include "server/catalogue/child_process.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/vtp_arrays.hpp"
 
@@ -32,7 +33,8 @@ class MovingSurfaces : public testing::Test {
         std::vector<std::string> arguments{"surface", dataset, "-o",         out,
                                            "--stats", stats,   "--accuracy", "exact"};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        const auto run = run_child(WAKESURF_BINARY, arguments, 0, [](std::string_view) {}, {});
+        const auto run =
+            run_child(tests::server_program(), arguments, 0, [](std::string_view) {}, {});
         EXPECT_TRUE(run) << run.error().message;
         EXPECT_EQ(run->exit_status, 0) << run->errors;
         const auto file = tests::read_file(out);

@@ -1,4 +1,6 @@
 // `wakesurf serve` with arguments it cannot serve: one line on standard error, and the right exit status.
+#include "tests/support/places.hpp"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -21,7 +23,7 @@ struct Ended {
 /// `wakesurf serve ARGUMENTS` with variables of the environment before it, until it ends by itself.
 Ended serve(const std::string& variables, const std::string& arguments) {
     std::FILE* pipe = ::popen(
-        (variables + " " + WAKESURF_BINARY + " serve " + arguments + " 2>&1 >/dev/null").c_str(),
+        (variables + " " + server_program() + " serve " + arguments + " 2>&1 >/dev/null").c_str(),
         "r");
     Ended ended;
     std::array<char, 1024> part{};

@@ -1,5 +1,6 @@
 // `wakesurf state`: the sessions a server keeps are checked, backed up and restored from outside, also while it runs.
 #include "server/catalogue/child_process.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -33,7 +34,7 @@ class StateCommand : public testing::Test {
         std::vector<std::string> all{"state"};
         all.insert(all.end(), arguments.begin(), arguments.end());
         const auto outcome = server::run_child(
-            WAKESURF_BINARY, all, 0,
+            server_program(), all, 0,
             [&](std::string_view line) { said.output.append(line).push_back('\n'); }, {});
         EXPECT_TRUE(outcome) << outcome.error().message;
         said.status = outcome->exit_status;

@@ -1,6 +1,7 @@
 // `wakesurf surface` as its user meets it: a process with an exit status, messages and files.
 #include "server/catalogue/child_process.hpp"
 #include "tests/support/mesh_readers.hpp"
+#include "tests/support/places.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -46,7 +47,8 @@ class SurfaceCommand : public testing::Test {
         add("--separation", "0.1");
         add("-o", file("out.vtp"));
         arguments.insert(arguments.end(), more.begin(), more.end());
-        auto outcome = run_child(WAKESURF_BINARY, arguments, 0, [](std::string_view) {}, {});
+        auto outcome =
+            run_child(tests::server_program(), arguments, 0, [](std::string_view) {}, {});
         EXPECT_TRUE(outcome) << outcome.error().message;
         return outcome.value_or(ChildOutcome{.exit_status = -1, .signal = 0, .errors = {}});
     }
@@ -206,7 +208,7 @@ TEST_F(SurfaceCommand, KeepsTheOldFileWhenTheNewOneCannotBeMade) {
 
 TEST_F(SurfaceCommand, StopsWithinASecondAndLeavesNothingHalfWritten) {
     const auto command =
-        "echo $$; exec " WAKESURF_BINARY
+        "echo $$; exec " + tests::server_program() +
         " surface flow:abc --kind stream --rake '-9,0,0 9,0,0' --to 200 --separation 0.01"
         " --max-quads 50000000 -o " +
         file("out.vtp") + " 2>&1";

@@ -1,5 +1,6 @@
 // Imports into a store that is there: finished, interrupted, damaged, of a source that changed or grew.
 #include "tests/server/import/import_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -64,7 +65,8 @@ TEST_F(Import, GoesOnAfterItWasKilled) {
     const pid_t child = ::fork();
     if (child == 0) {
         ::dup2(ends[1], STDOUT_FILENO);
-        ::execl(WAKESURF_IMPORT_BINARY, "wakesurf-import", source.c_str(), target.c_str(), nullptr);
+        ::execl(tests::importer_program().c_str(), "wakesurf-import", source.c_str(),
+                target.c_str(), nullptr);
         ::_exit(127);
     }
     ::close(ends[1]);
@@ -94,7 +96,7 @@ TEST_F(Import, GoesOnAfterItWasKilled) {
 TEST_F(Import, LeavesOnlyWholeFilesWhenInterrupted) {
     std::stop_source stop;
     const auto outcome = run_import_process(
-        {bundled, store(), {}, {}, WAKESURF_IMPORT_BINARY},
+        {bundled, store(), {}, {}, tests::importer_program()},
         [&](const ImportProgress& progress) {
             if (progress.done == 2)
                 stop.request_stop();
@@ -113,7 +115,7 @@ TEST_F(Import, WaitsForAnotherImporterOfTheSameStore) {
     put("a.vti", sample_vti(1).text());
     std::vector<std::string> phases;
     const auto outcome =
-        run_import_process({folder_ / "a.vti", store(), {}, {}, WAKESURF_IMPORT_BINARY},
+        run_import_process({folder_ / "a.vti", store(), {}, {}, tests::importer_program()},
                            [&](const ImportProgress& progress) {
                                phases.push_back(progress.phase);
                                if (progress.phase == "waiting")

@@ -5,6 +5,7 @@
 #include "protocol/store_manifest.hpp"
 #include "server/catalogue/child_process.hpp"
 #include "server/catalogue/import_process.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/vti_text.hpp"
 
@@ -27,7 +28,7 @@ struct Outcome {
 
 inline Outcome import(const std::vector<std::string>& arguments) {
     Outcome out;
-    const auto run = run_child(WAKESURF_IMPORT_BINARY, arguments, 0,
+    const auto run = run_child(importer_program(), arguments, 0,
                                [&](std::string_view line) { out.lines.emplace_back(line); }, {});
     out.status = run->signal != 0 ? -run->signal : run->exit_status;
     out.errors = run->errors;
@@ -83,6 +84,6 @@ class Import : public testing::Test {
     TemporaryFolder folder_;
 };
 
-inline const fs::path bundled = fs::path(WAKESURF_SOURCE_DIR) / "data" / "sqcyl" / "sqcyl.pvd";
+inline const fs::path bundled = source_folder() / "data" / "sqcyl" / "sqcyl.pvd";
 
 } // namespace wakesurf::server

@@ -1,6 +1,7 @@
 // What wakesurf-import makes of good sources.
 #include "server/import/step_conversion.hpp"
 #include "tests/server/import/import_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -56,7 +57,8 @@ TEST_F(Import, GivesTheValuesVtkReads) {
 }
 
 TEST_F(Import, DescribesASourceWithoutWritingAnything) {
-    const auto info = describe_with_import_process({bundled, {}, {}, {}, WAKESURF_IMPORT_BINARY});
+    const auto info =
+        describe_with_import_process({bundled, {}, {}, {}, tests::importer_program()});
     ASSERT_TRUE(info.has_value()) << info.error().message;
     EXPECT_EQ(info->velocity, "U");
     EXPECT_EQ(info->points, 96u * 48u * 24u);

@@ -1,6 +1,7 @@
 #include "server/import/limited_rights.hpp"
 #include "server/import/process_memory.hpp"
 #include "tests/server/import/import_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <fcntl.h>
 #include <seccomp.h>
@@ -127,7 +128,8 @@ Outcome imported_where_fails(int system_call, int error, const fs::path& store) 
             ::seccomp_rule_add(filter, refuse, SCMP_SYS(prctl), 1,
                                SCMP_A0(SCMP_CMP_EQ, PR_SET_SECCOMP));
         ::seccomp_load(filter);
-        ::execl(WAKESURF_IMPORT_BINARY, "wakesurf-import", bundled.c_str(), store.c_str(), nullptr);
+        ::execl(tests::importer_program().c_str(), "wakesurf-import", bundled.c_str(),
+                store.c_str(), nullptr);
         ::_exit(127);
     }
     ::close(ends[1]);
@@ -176,7 +178,8 @@ TEST(LimitedRights, HoldWhileAnImportRuns) {
     if (child == 0) {
         ::dup2(ends[1], STDOUT_FILENO);
         ::dup2(ends[1], STDERR_FILENO);
-        ::execl(WAKESURF_IMPORT_BINARY, "wakesurf-import", bundled.c_str(), store.c_str(), nullptr);
+        ::execl(tests::importer_program().c_str(), "wakesurf-import", bundled.c_str(),
+                store.c_str(), nullptr);
         ::_exit(127);
     }
     ::close(ends[1]);

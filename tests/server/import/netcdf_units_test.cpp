@@ -2,6 +2,7 @@
 // state, or in words UDUNITS does not know, is kept and said.
 #include "tests/server/import/import_fixture.hpp"
 #include "tests/server/import/netcdf_files.hpp"
+#include "tests/support/places.hpp"
 
 #include <sstream>
 
@@ -178,7 +179,7 @@ TEST_F(NetcdfUnits, MakeAPathOfAnHour360MetresLong) {
     ASSERT_EQ(run("flow.nc").status, 0);
     const std::string mesh = folder_ / "path.obj";
     const auto built =
-        run_child(WAKESURF_BINARY,
+        run_child(tests::server_program(),
                   {"surface", store(), "--kind", "path", "--rake", "100,100,100 100,200,100",
                    "--from", "0", "--to", "3600", "-o", mesh},
                   0, [](std::string_view) {}, {});
@@ -198,7 +199,7 @@ TEST_F(NetcdfUnits, AreInTheNoteAndTheFieldsOfInfo) {
                   {"u", "km/h"}, {"v", "km/h"}, {"w", "km/h"}};
     write_flow(folder_ / "flow.nc", flow);
     const auto info =
-        describe_with_import_process({folder_ / "flow.nc", {}, {}, {}, WAKESURF_IMPORT_BINARY});
+        describe_with_import_process({folder_ / "flow.nc", {}, {}, {}, tests::importer_program()});
     ASSERT_TRUE(info.has_value()) << info.error().message;
     EXPECT_EQ(info->note, "times were converted from days to seconds since 2000-01-01; "
                           "x, y, z were converted from km to m; "

@@ -2,6 +2,7 @@
 #include "server/import/own_output.hpp"
 #include "tests/server/import/cgns_files.hpp"
 #include "tests/server/import/import_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <sys/wait.h>
 
@@ -53,7 +54,7 @@ TEST_F(Import, DescribesAndConvertsCgnsFilesThatTheLibraryWarnsOf) {
         contents.version = version;
         write_cgns(folder_ / "new.cgns", contents);
         const auto info = describe_with_import_process(
-            {folder_ / "new.cgns", {}, {}, {}, WAKESURF_IMPORT_BINARY});
+            {folder_ / "new.cgns", {}, {}, {}, tests::importer_program()});
         ASSERT_TRUE(info.has_value()) << version << ": " << info.error().message;
         EXPECT_EQ(info->times.size(), 3u);
         const auto outcome = run("new.cgns");

@@ -1,5 +1,6 @@
 #include "server/limits.hpp"
 #include "server/rpc/import_waiters.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/server/hand_loop.hpp"
 #include "tests/support/slow_series.hpp"
 
@@ -24,7 +25,7 @@ class ImportWaiting : public testing::Test {
     tests::TemporaryFolder folder;
     std::unique_ptr<DatasetCatalogue> catalogue =
         DatasetCatalogue::open({tests::write_slow_series(folder.path()), "flow:abc"},
-                               {folder / "cache", {}, WAKESURF_IMPORT_BINARY},
+                               {folder / "cache", {}, tests::importer_program()},
                                [](const std::string&) {})
             .value();
     tests::HandLoop loop;

@@ -1,4 +1,5 @@
 // The server with --state as its clients see it: restarts, a disk that refuses for a while, a second server.
+#include "tests/support/places.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -303,11 +304,11 @@ TEST_F(DurableServer, SaysNothingOfDurabilityWithoutAFolder) {
 
 TEST_F(DurableServer, RefusesAFolderAnotherServerHasAndADamagedOne) {
     const auto start = [&](const std::filesystem::path& state) {
-        std::FILE* pipe = ::popen((std::string(WAKESURF_BINARY) +
-                                   " serve flow:abc --listen 127.0.0.1:0 --state " +
-                                   state.string() + " 2>&1 >/dev/null")
-                                      .c_str(),
-                                  "r");
+        std::FILE* pipe =
+            ::popen((server_program() + " serve flow:abc --listen 127.0.0.1:0 --state " +
+                     state.string() + " 2>&1 >/dev/null")
+                        .c_str(),
+                    "r");
         std::string text;
         std::array<char, 1024> part{};
         while (pipe != nullptr && std::fgets(part.data(), part.size(), pipe) != nullptr)

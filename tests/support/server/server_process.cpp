@@ -1,5 +1,7 @@
 #include "tests/support/server/server_process.hpp"
 
+#include "tests/support/places.hpp"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -35,7 +37,7 @@ std::string read_all(int descriptor) {
 } // namespace
 
 ServerProcess::ServerProcess(std::vector<std::string> arguments) {
-    std::vector<std::string> command{WAKESURF_BINARY, "serve"};
+    std::vector<std::string> command{server_program(), "serve"};
     command.insert(command.end(), arguments.begin(), arguments.end());
     command.insert(command.end(), {"--listen", "127.0.0.1:0"});
     std::vector<char*> argv;

@@ -1,0 +1,17 @@
+#include "tests/support/places.hpp"
+
+namespace wakesurf::tests {
+
+std::filesystem::path source_folder() {
+    return WAKESURF_SOURCE_DIR;
+}
+
+std::string server_program() {
+    return WAKESURF_BINARY;
+}
+
+std::string importer_program() {
+    return WAKESURF_IMPORT_BINARY;
+}
+
+} // namespace wakesurf::tests
