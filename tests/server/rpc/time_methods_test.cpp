@@ -157,11 +157,16 @@ TEST_F(TimeMethods, HoldsUpdatesBackFromWhoDoesNotAcknowledgeThem) {
                        {"seq", decoder.newest()->header.seq}}}});
     };
     acknowledge();
+    WebSocketClient prompt(*server_, session);
+    prompt.result("surface.subscribe", {{"surface", surface}});
+    protocol::MeshDecoder unbroken;
     client.result("time.play", {{"speed", 0.5}, {"loop", true}});
     EXPECT_EQ(client.notification("server.notice"),
               (json{{"kind", "catchingUp"}, {"surface", surface}, {"subscription", number}}));
     const std::uint32_t before = decoder.newest()->header.seq;
     fold_until(client, decoder, [&](const auto& header) { return header.seq >= before + 8; });
+    // Only what the server makes meanwhile is held back.
+    fold_until(prompt, unbroken, [&](const auto& header) { return header.seq >= before + 12; });
     acknowledge();
     const auto& state =
         fold_until(client, decoder, [&](const auto& header) { return header.seq > before + 8; });
