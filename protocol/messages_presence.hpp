@@ -96,7 +96,7 @@ struct PlaceRecord {
     std::string digest;                 ///< of the resume token, 64 hexadecimal digits
     bool role_set = true;               ///< by a host, and so not the link's
     std::optional<std::int64_t> left{}; ///< seconds since 1970; nothing: was connected
-    std::string former;                 ///< digest of the token before, or empty
+    std::string former{};               ///< digest of the token before, or empty
 
     bool operator==(const PlaceRecord&) const = default;
 };

@@ -59,15 +59,18 @@ core::Result<core::UniformGrid> grid_over(const core::Box& box, const std::strin
 }
 
 core::Result<std::vector<double>> times_of(const std::string& text) {
+    const auto refused = core::fail(
+        Code::InvalidArgument, "--times: '" + text + "' is not T0:T1:N, N time-steps from T0 to T1",
+        "as in --times 0:10:21, with N from 1 to " + std::to_string(most_times));
     const auto parts = split(text, ':');
-    const auto first = number_of<double>(parts.front());
-    const auto last = parts.size() == 3 ? number_of<double>(parts[1]) : std::nullopt;
-    const auto count = parts.size() == 3 ? number_of<std::size_t>(parts[2]) : std::nullopt;
+    if (parts.size() != 3)
+        return refused;
+    const auto first = number_of<double>(parts[0]);
+    const auto last = number_of<double>(parts[1]);
+    const auto count = number_of<std::size_t>(parts[2]);
     if (!first || !last || !count || !std::isfinite(*first) || !std::isfinite(*last) ||
         *count < 1 || *count > most_times || (*count > 1 && !(*first < *last)))
-        return core::fail(Code::InvalidArgument,
-                          "--times: '" + text + "' is not T0:T1:N, N time-steps from T0 to T1",
-                          "as in --times 0:10:21, with N from 1 to " + std::to_string(most_times));
+        return refused;
     std::vector<double> times{*first};
     for (std::size_t i = 1; i < *count; ++i) {
         const double part = static_cast<double>(i) / static_cast<double>(*count - 1);

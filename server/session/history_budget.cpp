@@ -64,10 +64,10 @@ struct HistoryBudget::State {
         for (Entry* entry : idle)
             if (sum > room && now - entry->used >= limits::history_rest)
                 shrink(*entry, 0);
-        const std::size_t share = left == 0 ? 0 : room / left;
+        const std::size_t even = left == 0 ? 0 : room / left;
         for (Entry* entry : idle)
-            if (sum > room && share > 0 && entry->bytes > share)
-                shrink(*entry, share);
+            if (sum > room && even > 0 && entry->bytes > even)
+                shrink(*entry, even);
         for (Entry* entry : idle)
             if (sum > room && entry->bytes > 0)
                 shrink(*entry, 0);

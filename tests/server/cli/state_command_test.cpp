@@ -29,10 +29,10 @@ struct Said {
 
 class StateCommand : public testing::Test {
   protected:
-    Said state(const std::vector<std::string>& arguments) const {
+    Said state(const std::vector<std::string>& words) const {
         Said said;
         std::vector<std::string> all{"state"};
-        all.insert(all.end(), arguments.begin(), arguments.end());
+        all.insert(all.end(), words.begin(), words.end());
         const auto outcome = server::run_child(
             server_program(), all, 0,
             [&](std::string_view line) { said.output.append(line).push_back('\n'); }, {});

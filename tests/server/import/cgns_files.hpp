@@ -60,7 +60,8 @@ write_solution(int file, int zone, vtkDataSet& data, const Contents& contents, i
 }
 
 inline int write_zone(int file, const std::string& name, vtkStructuredGrid& grid) {
-    const int* n = grid.GetDimensions();
+    std::array<int, 3> n{};
+    grid.GetDimensions(n.data());
     const std::array<cgsize_t, 9> size{n[0], n[1], n[2], n[0] - 1, n[1] - 1, n[2] - 1, 0, 0, 0};
     int zone = 0;
     ok(cg_zone_write(file, 1, name.c_str(), size.data(), CGNS_ENUMV(Structured), &zone));
