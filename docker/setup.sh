@@ -21,6 +21,20 @@ begin_setup() {
 
 end_setup() { exec 9>&-; }
 
+# announce TESTS: what this start takes besides Debian packages, which install_packages counts. Said before anything begins.
+announce() {
+    local parts=() cores minutes=18 # of one core, with g++ 12: the programs
+    [ "$1" != ON ] || minutes=31    # with all tests
+    cores=$(nproc)
+    [ -d "$web/node_modules" ] || parts+=("some 100 MB of npm packages to download")
+    [ -n "$(ls "$release/bin" 2>/dev/null)" ] ||
+        parts+=("some $(((minutes + cores - 1) / cores)) min of compiling on the $cores cores of this machine")
+    case ${#parts[@]} in
+    1) say "the first start takes ${parts[0]}" ;;
+    2) say "the first start takes ${parts[0]} and ${parts[1]}" ;;
+    esac
+}
+
 # stage TITLE COMMAND...: the output goes to the log; of a failure the end is shown.
 stage() {
     local title=$1 start=$SECONDS
@@ -96,11 +110,5 @@ build() {
     local preset=$1 tests=$2
     shift 2
     configure "$preset" "$tests" || return 1
-    # Measured with g++ 12: 18 minutes of one core for the programs, 31 with all tests.
-    local minutes=18 cores
-    [ "$tests" = ON ] && minutes=31
-    cores=$(nproc)
-    [ "$preset" != release ] || [ -n "$(ls "$root/build/release/bin" 2>/dev/null)" ] ||
-        say "the first build takes some $(((minutes + cores - 1) / cores)) min on the $cores cores of this machine"
     stage "building $preset" cmake --build "$root/build/$preset" --target "$@"
 }

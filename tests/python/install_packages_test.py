@@ -1,5 +1,6 @@
-"""docker/install_packages with an apt of paper: which names it picks, what it says before it starts, what it never does."""
+"""docker/install_packages and ./run with an apt of paper: which names they pick, what they say before they start, what they never do."""
 import os
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -44,7 +45,7 @@ nodejs             web   sh
 """
 
 
-class InstallPackagesTest(unittest.TestCase):
+class PaperApt(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
@@ -67,6 +68,8 @@ class InstallPackagesTest(unittest.TestCase):
         with open(os.path.join(self.folder.name, name), "w", encoding="utf-8") as file:
             file.write(text)
 
+
+class InstallPackagesTest(PaperApt):
     def run_script(self, *groups):
         ran = subprocess.run([SCRIPT, *groups], env=self.environment, stdin=subprocess.DEVNULL, text=True, timeout=60,
                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -100,6 +103,7 @@ class InstallPackagesTest(unittest.TestCase):
         status, said, installs = self.run_script("run")
         self.assertEqual((status, installs), (1, []))
         self.assertIn("libfmt9|libfmt10", said)
+        self.assertIn("WAKESURF_PACKAGES=present", said)
 
     def test_it_takes_away_nothing_that_is_installed(self):
         self.write("known", "libfmt10\nlibssl3t64\nzlib1g\n")
@@ -119,6 +123,38 @@ class InstallPackagesTest(unittest.TestCase):
         status, said, _ = self.run_script("nonsense")
         self.assertEqual(status, 2)
         self.assertIn("nonsense", said)
+
+
+class FirstStartTest(PaperApt):
+    """./run of a clone, as far as the packages, which apt refuses here."""
+
+    def setUp(self):
+        super().setUp()
+        self.clone = os.path.join(self.folder.name, "clone")
+        shutil.copytree(os.path.join(ROOT, "docker"), os.path.join(self.clone, "docker"))
+        shutil.copy(os.path.join(ROOT, "run"), self.clone)
+        self.write("packages.txt", "libssl3 build -\nlibvtk9.1 vtk -\nnodejs web sh\n")
+        self.write("known", "libssl3\nlibvtk9.1\n")
+        self.write("conflict", "E: broken\n")
+
+    def run_clone(self):
+        ran = subprocess.run([os.path.join(self.clone, "run")], env=self.environment, stdin=subprocess.DEVNULL, text=True,
+                             timeout=60, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.assertEqual(ran.returncode, 3, ran.stdout)
+        return ran.stdout
+
+    def test_says_what_npm_will_download_and_how_long_it_compiles_before_it_starts(self):
+        said = self.run_clone()
+        self.assertRegex(said, r"^the first start takes some \d+ MB of npm packages to download "
+                               r"and some \d+ min of compiling on the \d+ cores of this machine\n")
+        self.assertIn("apt cannot install", said)
+
+    def test_says_nothing_of_what_is_there(self):
+        os.makedirs(os.path.join(self.clone, "web-client/node_modules"))
+        os.makedirs(os.path.join(self.clone, "build/release/bin"))
+        with open(os.path.join(self.clone, "build/release/bin/wakesurf"), "w", encoding="utf-8"):
+            pass
+        self.assertNotIn("first start", self.run_clone())
 
 
 if __name__ == "__main__":
