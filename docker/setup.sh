@@ -26,7 +26,7 @@ announce() {
     local parts=() cores minutes=18 # of one core, with g++ 12: the programs
     [ "$1" != ON ] || minutes=31    # with all tests
     cores=$(nproc)
-    [ -d "$web/node_modules" ] || parts+=("some 100 MB of npm packages to download")
+    [ -d "$web/node_modules" ] || parts+=("up to 140 MB of npm packages to download")
     [ -n "$(ls "$release/bin" 2>/dev/null)" ] ||
         parts+=("some $(((minutes + cores - 1) / cores)) min of compiling on the $cores cores of this machine")
     case ${#parts[@]} in

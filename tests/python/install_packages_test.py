@@ -145,7 +145,7 @@ class FirstStartTest(PaperApt):
 
     def test_says_what_npm_will_download_and_how_long_it_compiles_before_it_starts(self):
         said = self.run_clone()
-        self.assertRegex(said, r"^the first start takes some \d+ MB of npm packages to download "
+        self.assertRegex(said, r"^the first start takes up to \d+ MB of npm packages to download "
                                r"and some \d+ min of compiling on the \d+ cores of this machine\n")
         self.assertIn("apt cannot install", said)
 
