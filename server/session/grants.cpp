@@ -68,11 +68,13 @@ core::Result<Grants::Made> Grants::make(const std::string& session,
     const std::uint64_t number = next_++;
     const std::string id = "g" + std::to_string(number);
     Entry& entry = entries_[id];
-    entry = {{id, session, role, {}, maker.name, std::move(lineage), {}},
-             secret_digest(key),
-             {},
-             number,
-             {}};
+    entry.grant.id = id;
+    entry.grant.session = session;
+    entry.grant.role = role;
+    entry.grant.maker = maker.name;
+    entry.grant.lineage = std::move(lineage);
+    entry.digest = secret_digest(key);
+    entry.number = number;
     if (expires_in) {
         entry.grant.expires = services_.wall_clock() + expires_in->count();
         entry.end = services_.clock.now() + *expires_in;
