@@ -235,16 +235,25 @@ describe('a mesh', () => {
         const session = await ask(page, (hook) => hook.session);
         const { surface } = await ask(page, (hook) => hook.displayed!);
         const headers = { Authorization: `Bearer ${stand.server.token}` };
-        for (const format of ['vtp', 'glb', 'ply', 'obj', 'drc']) {
-            await page.locator('#mesh-format').selectOption(format);
+        for (const [choice, file] of [
+            ['vtp', 'mesh.vtp'],
+            ['glb-plain', 'mesh.glb?draco=false'],
+            ['glb', 'mesh.glb'],
+            ['ply', 'mesh.ply'],
+            ['obj', 'mesh.obj'],
+            ['drc', 'mesh.drc'],
+        ] as const) {
+            await page.locator('#mesh-format').selectOption(choice);
             const { name, bytes } = await saved('#download-mesh');
             const reply = await fetch(
-                new URL(`/api/v1/sessions/${session}/surfaces/${surface}/mesh.${format}`, stand.server.link),
+                new URL(`/api/v1/sessions/${session}/surfaces/${surface}/${file}`, stand.server.link),
                 { headers },
             );
-            expect(name).toBe(`sqcyl-stream.${format}`);
+            expect(name).toBe(`sqcyl-stream.${choice.split('-')[0]}`);
             expect(reply.status).toBe(200);
-            expect(bytes.equals(Buffer.from(await reply.arrayBuffer())), format).toBe(true);
+            const given = Buffer.from(await reply.arrayBuffer());
+            expect(bytes.equals(given), file).toBe(true);
+            if (choice === 'glb-plain') expect(given.includes('KHR_draco_mesh_compression')).toBe(false);
         }
     });
 });

@@ -3,6 +3,7 @@
 import {
     type CallStep,
     KeptId,
+    meshPath,
     type MeshStep,
     nounOf,
     ofSession,
@@ -50,7 +51,7 @@ function message(method: string, params: object): string {
 function download({ session }: ScriptPlace, { mesh, surface }: MeshStep): string {
     const before = `/api/v1/sessions/${encodeURIComponent(session)}/surfaces/`;
     const id = surface instanceof KeptId ? `"$${surface.name}"` : quoted(encodeURIComponent(surface));
-    return `get "$server"${quoted(before)}${id}/mesh.${mesh} -o surface.${mesh}`;
+    return `get "$server"${quoted(before)}${id}${quoted(`/${meshPath(mesh)}`)} -o surface.${mesh.format}`;
 }
 
 /** In single quotes a shell reads nothing but the end of them. */

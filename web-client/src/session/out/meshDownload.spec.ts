@@ -25,11 +25,21 @@ describe('MeshDownload', () => {
             response.end('mesh');
         });
         const download = new MeshDownload(base);
-        const mesh = download.fetch('a session', 's1', 'vtp');
+        const mesh = download.fetch('a session', 's1', { format: 'vtp' });
         expect(download.progress.value).toMatchObject({ state: 'waiting' });
         expect(await (await mesh)?.text()).toBe('mesh');
         expect(asked).toEqual(['/behind/a/proxy/api/v1/sessions/a%20session/surfaces/s1/mesh.vtp']);
         expect(download.progress.value).toEqual({ state: 'idle', words: '' });
+    });
+
+    it('asks for a .glb that programs without Draco open', async () => {
+        let asked: string | undefined;
+        const base = await serving((request, response) => {
+            asked = request.url;
+            response.end('mesh');
+        });
+        await new MeshDownload(base).fetch('main', 's1', { format: 'glb', draco: false });
+        expect(asked).toMatch(/\/surfaces\/s1\/mesh\.glb\?draco=false$/);
     });
 
     it('says in the words of the server why there is no mesh', async () => {
@@ -39,7 +49,7 @@ describe('MeshDownload', () => {
             response.end(JSON.stringify({ error }));
         });
         const download = new MeshDownload(base);
-        expect(await download.fetch('s', 's1', 'glb')).toBeNull();
+        expect(await download.fetch('s', 's1', { format: 'glb' })).toBeNull();
         expect(download.progress.value).toEqual({
             state: 'failed',
             words: 'the surface is empty: move the rake into the flow',
@@ -49,16 +59,16 @@ describe('MeshDownload', () => {
     it('is cancelled while it waits', async () => {
         const base = await serving(() => undefined);
         const download = new MeshDownload(base);
-        const mesh = download.fetch('s', 's1', 'obj');
+        const mesh = download.fetch('s', 's1', { format: 'obj' });
         download.cancel();
         expect(await mesh).toBeNull();
         expect(download.progress.value).toEqual({ state: 'idle', words: '' });
     });
 
-    it('says that nobody answers', async () => {
+    it('says that no one answers', async () => {
         const base = await serving((request) => request.destroy());
         const download = new MeshDownload(base);
-        expect(await download.fetch('s', 's1', 'obj')).toBeNull();
+        expect(await download.fetch('s', 's1', { format: 'obj' })).toBeNull();
         expect(download.progress.value).toEqual({ state: 'failed', words: 'The server cannot be reached.' });
     });
 });

@@ -1,7 +1,7 @@
 // The whole mesh of a surface as a file, in full precision. The server answers when the surface is final.
 import { signal } from '@preact/signals-core';
 import { faultOf, requestWords } from '../../connection/httpFault.ts';
-import type { MeshFormat } from './scriptStep.ts';
+import { type MeshFile, meshPath } from './scriptStep.ts';
 
 export interface DownloadProgress {
     state: 'idle' | 'waiting' | 'failed';
@@ -19,14 +19,14 @@ export class MeshDownload {
     }
 
     /** Null where it was cancelled or failed; why is in `progress`. */
-    async fetch(session: string, surface: string, format: MeshFormat): Promise<Blob | null> {
+    async fetch(session: string, surface: string, file: MeshFile): Promise<Blob | null> {
         this.current?.abort();
         const current = new AbortController();
         this.current = current;
         this.progress.value = { state: 'waiting', words: 'Waits until the surface is final, then loads it …' };
         const [of, id] = [encodeURIComponent(session), encodeURIComponent(surface)];
         try {
-            const url = new URL(`api/v1/sessions/${of}/surfaces/${id}/mesh.${format}`, this.base);
+            const url = new URL(`api/v1/sessions/${of}/surfaces/${id}/${meshPath(file)}`, this.base);
             const reply = await fetch(url, { signal: current.signal });
             if (!reply.ok) throw await faultOf(reply);
             const mesh = await reply.blob();

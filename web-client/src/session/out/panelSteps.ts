@@ -2,7 +2,7 @@
 import type { RakeRecord, Vec3 } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { type CallStep, KeptId, type MeshFormat, type ScriptStep } from './scriptStep.ts';
+import { type CallStep, KeptId, type MeshFile, type ScriptStep } from './scriptStep.ts';
 
 /** The rake of the surface that is being worked on, as it is on the screen. */
 export function rakeSteps(state: AppState): ScriptStep[] {
@@ -39,7 +39,7 @@ export function timeSteps(state: AppState): ScriptStep[] {
     return [{ method: 'time.play', params: { speed, loop, from: from ?? undefined, to: to ?? undefined } }];
 }
 
-export function meshSteps(state: AppState, mesh: MeshFormat): ScriptStep[] {
+export function meshSteps(state: AppState, mesh: MeshFile): ScriptStep[] {
     const surface = state.activeSurface.value;
     return surface === null ? [] : [{ mesh, surface }];
 }

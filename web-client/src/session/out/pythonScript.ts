@@ -75,7 +75,7 @@ function idiom(method: string, params: ReadonlyMap<string, unknown>): string | n
 }
 
 function download({ mesh, surface }: MeshStep): string[] {
-    const file = literal(`surface.${mesh}`);
+    const file = literal(`surface.${mesh.format}`) + (mesh.draco === false ? ', draco=False' : '');
     if (surface instanceof KeptId) return [`${surface.name}.wait()`, `${surface.name}.export(${file})`];
     const found = `surface = next(each for each in session.surfaces() if each.id == ${literal(surface)})`;
     return [found, 'surface.wait()', `surface.export(${file})`];

@@ -2,6 +2,18 @@
 
 export type MeshFormat = 'vtp' | 'glb' | 'ply' | 'obj' | 'drc';
 
+/** A file of a mesh, as the server offers it. */
+export interface MeshFile {
+    format: MeshFormat;
+    /** Of a .glb: false for programs that cannot read Draco. */
+    draco?: false;
+}
+
+/** Below the address of the surface. */
+export function meshPath({ format, draco }: MeshFile): string {
+    return `mesh.${format}${draco === false ? '?draco=false' : ''}`;
+}
+
 /** The id that an earlier step of the script has answered, under the name it was kept as. */
 export class KeptId {
     readonly name: string;
@@ -21,7 +33,7 @@ export interface CallStep {
 
 /** A download, in full precision, once the surface is final. */
 export interface MeshStep {
-    mesh: MeshFormat;
+    mesh: MeshFile;
     surface: KeptId | string;
 }
 

@@ -28,7 +28,7 @@ const made: ScriptStep[] = [
         params: { rake: new KeptId('rake'), dataset: "d'1", kind: 'streak', from: 8.5, to: 12, direction: 'both' },
         keep: 'surface',
     },
-    { mesh: 'vtp', surface: new KeptId('surface') },
+    { mesh: { format: 'vtp' }, surface: new KeptId('surface') },
 ];
 
 /** Runs a script with a stand-in for the client that notes what it is asked for. */
@@ -90,6 +90,12 @@ describe('a script for Python', () => {
         ]);
     });
 
+    it('exports a .glb for programs without Draco', () => {
+        const steps: ScriptStep[] = [{ mesh: { format: 'glb', draco: false }, surface: new KeptId('surface') }];
+        const script = `surface = session.surfaces()\n${pythonScript(place, steps)}`;
+        expect(script).toContain('surface.export("surface.glb", draco=False)');
+    });
+
     it('calls what the client has no method for by its name, and spells what Python keeps for itself', () => {
         const steps: ScriptStep[] = [
             { method: 'time.play', params: { speed: 0.5, loop: true, from: 1, to: 2 } },
@@ -127,6 +133,13 @@ describe('a script for curl', () => {
         });
         expect(sent(calls[1]!)).toMatchObject({ rake: 'r7', dataset: "d'1", kind: 'streak' });
         expect(calls[2]).toContain(`${place.server}/api/v1/sessions/main/surfaces/s8/mesh.vtp`);
+    });
+
+    it('asks for a .glb for programs without Draco', () => {
+        const steps: ScriptStep[] = [{ mesh: { format: 'glb', draco: false }, surface: 's8' }];
+        const [asked] = curlArguments(curlScript(place, steps));
+        expect(asked).toContain(`${place.server}/api/v1/sessions/main/surfaces/s8/mesh.glb?draco=false`);
+        expect(asked).toContain('surface.glb');
     });
 
     it('quotes any text as one word', () => {

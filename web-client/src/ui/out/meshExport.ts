@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { meshSteps } from '../../session/out/panelSteps.ts';
-import type { MeshFormat } from '../../session/out/scriptStep.ts';
+import type { MeshFile } from '../../session/out/scriptStep.ts';
 import type { AppModel } from '../base/appModel.ts';
 import './copyAs.ts';
 import { exportStyles } from './exportStyles.ts';
@@ -10,14 +10,21 @@ import { fileName, saveFile } from '../base/saveFile.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
-const formats: readonly { format: MeshFormat; words: string }[] = [
-    { format: 'vtp', words: 'vtp: ParaView, VTK' },
-    { format: 'glb', words: 'glb: glTF, Draco' },
-    { format: 'ply', words: 'ply: MeshLab, Blender' },
-    { format: 'obj', words: 'obj: any program' },
-    { format: 'drc', words: 'drc: Draco alone' },
+interface Choice extends MeshFile {
+    value: string;
+    words: string;
+}
+
+const vtp: Choice = { value: 'vtp', format: 'vtp', words: '.vtp for ParaView and VTK' };
+const choices: readonly Choice[] = [
+    vtp,
+    { value: 'glb-plain', format: 'glb', draco: false, words: '.glb for ParaView and any glTF viewer' },
+    { value: 'glb', format: 'glb', words: '.glb, small, for the web and Blender' },
+    { value: 'ply', format: 'ply', words: '.ply for MeshLab and Blender' },
+    { value: 'obj', format: 'obj', words: '.obj for most 3D programs' },
+    { value: 'drc', format: 'drc', words: '.drc for programs that read Draco' },
 ];
-const chosen = signal<MeshFormat>('vtp');
+const chosen = signal<Choice>(vtp);
 
 export class MeshExport extends SignalElement {
     static override properties = { model: { attribute: false } };
@@ -33,9 +40,9 @@ export class MeshExport extends SignalElement {
             <label
                 >Format
                 <select id="mesh-format" @change=${this.formatChosen}>
-                    ${formats.map(
-                        ({ format, words: label }) =>
-                            html`<option value=${format} .selected=${format === chosen.value}>${label}</option>`,
+                    ${choices.map(
+                        (each) =>
+                            html`<option value=${each.value} .selected=${each === chosen.value}>${each.words}</option>`,
                     )}
                 </select>
             </label>
@@ -60,17 +67,17 @@ export class MeshExport extends SignalElement {
 
     private formatChosen(event: Event): void {
         const { value } = event.target as HTMLSelectElement;
-        chosen.value = formats.find(({ format }) => format === value)?.format ?? 'vtp';
+        chosen.value = choices.find((each) => each.value === value) ?? vtp;
     }
 
     private async download(): Promise<void> {
         const { mesh, state } = this.model;
-        const format = chosen.value;
+        const choice = chosen.value;
         const { activeSurface, session, surface } = state;
         if (activeSurface.value === null || session.value === null) return;
         const kind = surface.value?.kind ?? 'surface';
-        const file = await mesh.fetch(session.value, activeSurface.value, format);
-        if (file !== null) saveFile(file, fileName(state.dataset.value?.name, `${kind}.${format}`));
+        const file = await mesh.fetch(session.value, activeSurface.value, choice);
+        if (file !== null) saveFile(file, fileName(state.dataset.value?.name, `${kind}.${choice.format}`));
     }
 }
 
