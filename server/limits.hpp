@@ -1,4 +1,5 @@
-// What one server grants: every quota in one place. A request beyond one is answered with -32014, never served partly.
+// What one server grants: each limit has its one home here, by subject. What is asked for beyond one is answered with -32014, or with 413, 429,
+// 431 or 503 over HTTP, never served partly. `--memory` is no limit of this kind: see core/base/memory_account.
 #pragma once
 
 #include <chrono>
@@ -16,28 +17,63 @@ inline constexpr std::uint32_t http_header_bytes = 8u << 10;
 
 // Connections.
 inline constexpr std::size_t connections = 4096;
-inline constexpr std::size_t clients = 2048; ///< WebSockets
-inline constexpr std::size_t pending = 256;  ///< connections of one address that are no WebSocket
+inline constexpr std::size_t pending = 256; ///< connections of one address that are no WebSocket
 inline constexpr std::size_t pending_loopback = 2048; ///< of this machine
 inline constexpr std::chrono::seconds handshake{
     10}; ///< of TLS, of a whole header, of a whole body: each
 inline constexpr std::chrono::seconds idle{40};    ///< a WebSocket's ping goes out at half of it
 inline constexpr std::chrono::seconds stalled{30}; ///< taking no data at all
-inline constexpr double messages_per_second =
-    4000.0; ///< of one WebSocket; what comes faster is read later
-inline constexpr double messages_at_once = 8000.0;
 inline constexpr std::size_t outbox_messages = 4096;
 inline constexpr std::size_t outbox_message_bytes = std::size_t{4} << 20;
+inline constexpr std::size_t outbox_small_bytes = std::size_t{32} << 10; ///< always fit
+inline constexpr std::size_t outboxes_part = 16; ///< of --memory, for all that waits for clients
+
+// Requests that show no token, or a wrong one, by address.
 inline constexpr double wrong_tokens_per_second = 5.0;
 inline constexpr double wrong_tokens_at_once = 20.0;
-inline constexpr std::size_t cookies_of_one = 1024; ///< logins that one token or share link keeps
-inline constexpr std::size_t cookies = 16384;
+inline constexpr double strangers_per_second = 200.0; ///< the page's files, logins, /healthz, 401
+inline constexpr double strangers_at_once = 4000.0;   ///< many people may share an address
+inline constexpr std::size_t strangers_bytes =
+    std::size_t{64} << 10; ///< of an answer: each of them counts for one more
+inline constexpr std::chrono::seconds stranger_pause{
+    1}; ///< between two answers of /healthz on one connection beyond that
+inline constexpr std::size_t addresses = 4096; ///< that are told apart
 
-// Calls of one WebSocket, or of all HTTP requests with one token or share link.
-inline constexpr double edits_per_second = 200.0;
-inline constexpr double edits_at_once = 400.0;
-inline constexpr double calls_per_second = 2000.0;
-inline constexpr double calls_at_once = 4000.0;
+/// What somebody may use at a time, and how fast, over all WebSockets and HTTP requests: see session/budgets.
+struct Budget {
+    std::size_t sockets;   ///< WebSockets
+    std::size_t requests;  ///< HTTP requests let in and not answered yet
+    std::size_t downloads; ///< asked for and not written yet
+    std::size_t probes;    ///< running
+    std::size_t waits;     ///< calls that wait for a surface or an import
+    double edits;          ///< a second; twice as many at once
+    double calls;          ///< the same
+    double messages;       ///< the same; what comes faster is read later. A KiB counts for one more
+};
+
+inline constexpr Budget person{64, 64, 8, 4, 32, 200.0, 2000.0, 4000.0}; ///< by one link
+inline constexpr Budget link{512, 256, 16, 8, 48, 600.0, 6000.0, 6000.0};
+inline constexpr Budget token{2048, 1024, 64, 32, 1024, 2000.0, 20000.0, 40000.0};
+/// Of all together. Rates are those of each link and of the token.
+inline constexpr Budget all{2048, 1024, 64, 32, 1024, 0.0, 0.0, 0.0};
+/// The part of all that only the server's token opens.
+inline constexpr Budget for_hosts{128, 256, 8, 4, 64, 0.0, 0.0, 0.0};
+
+// Logins by cookie.
+inline constexpr std::size_t logins = 16384;           ///< the last 1024 are for the server's token
+inline constexpr std::size_t logins_of_one = 1024;     ///< of the token, of a share link
+inline constexpr std::size_t logins_from_one = 256;    ///< of those of a link, from one address
+inline constexpr std::chrono::seconds login_proof{10}; ///< for a new login to come back once
+inline constexpr std::chrono::seconds login_idle{7 * 24 * 3600};
+inline constexpr std::chrono::seconds login_most{30 * 24 * 3600};
+
+// Share links.
+inline constexpr std::size_t grants = 32; ///< of one session
+inline constexpr std::uint64_t grant_seconds = std::uint64_t{10} * 366 * 24 * 3600;
+inline constexpr std::uint64_t grant_seconds_default = std::uint64_t{7} * 24 * 3600;
+inline constexpr std::size_t grant_depth = 8; ///< links made by links
+inline constexpr std::size_t lowered = 64;    ///< participants of a link with a lesser role
+inline constexpr std::size_t seated = 4096;   ///< participants of a link whose person is known
 
 // What waits for those who look at a surface.
 inline constexpr std::size_t ring_bytes = std::size_t{32}
@@ -49,8 +85,20 @@ inline constexpr std::size_t behind_bytes = std::size_t{4} << 20;
 inline constexpr std::chrono::seconds key_age{1};
 inline constexpr std::size_t subscriptions = 1024; ///< of one WebSocket
 
-// Sessions.
-inline constexpr std::size_t sessions = 64;
+// Sessions as a whole.
+inline constexpr std::size_t kept_sessions = 1024;
+inline constexpr std::size_t trash = 256;                         ///< deleted sessions
+inline constexpr std::chrono::seconds trash_kept{30 * 24 * 3600}; ///< then they are gone for good
+inline constexpr std::size_t thumbnail_bytes = std::size_t{24} << 10;
+inline constexpr std::size_t session_file_bytes = std::size_t{24} << 20;
+inline constexpr std::chrono::seconds session_file_time{120}; ///< for one to come in
+inline constexpr std::size_t session_imports = 2;             ///< read at a time
+inline constexpr std::size_t session_message_bytes =
+    std::size_t{256} << 10; ///< of records that session.export answers with
+inline constexpr std::chrono::seconds start_watched{
+    60}; ///< a server that lives for so long has started
+
+// In a session.
 inline constexpr std::size_t participants = 1536;
 inline constexpr std::chrono::seconds absence{10}; ///< how long a lost connection is shown
 inline constexpr std::chrono::seconds place_kept{7 * 24 *
@@ -62,12 +110,13 @@ inline constexpr std::size_t presence_entries = 2000; ///< of one telling, over 
 inline constexpr std::size_t presence_points = 64;    ///< of a rake being dragged
 inline constexpr std::size_t changes =
     1024; ///< records whose newest change is kept for those who come back
-inline constexpr std::size_t grants = 32; ///< share links of one session
-inline constexpr std::uint64_t grant_seconds = std::uint64_t{10} * 366 * 24 * 3600;
+inline constexpr std::size_t session_bytes =
+    std::size_t{1} << 20; ///< of all its records; as text, when somebody joins, three times as much
+inline constexpr std::size_t session_small_bytes = std::size_t{32}
+                                                   << 10; ///< fit whatever others hold
+inline constexpr std::size_t records_part = 8; ///< of --memory, for the records of all sessions
 inline constexpr std::size_t rakes = 256;
 inline constexpr std::size_t surfaces = 64;
-inline constexpr std::chrono::seconds start_watched{
-    60}; ///< a server that lives for so long has started
 inline constexpr std::size_t bookmarks = 256;
 inline constexpr std::size_t annotations = 512;
 inline constexpr std::size_t view_bytes = std::size_t{4} << 10;       ///< of a bookmark
@@ -75,7 +124,7 @@ inline constexpr std::size_t annotation_bytes = std::size_t{4} << 10; ///< of it
 inline constexpr std::chrono::milliseconds lease{5000};
 inline constexpr std::size_t undo_steps = 100;                  ///< of one participant
 inline constexpr std::size_t undo_authors = 128;                ///< of one session
-inline constexpr std::size_t undo_bytes = std::size_t{4} << 20; ///< of one session
+inline constexpr std::size_t undo_bytes = std::size_t{1} << 20; ///< of one session
 inline constexpr std::size_t gesture_bytes = 64;                ///< of its name
 inline constexpr std::size_t gesture_records = 64;              ///< that one step of undo gathers
 inline constexpr std::size_t import_waiters = 1024;             ///< unanswered dataset.open calls
@@ -112,7 +161,6 @@ inline constexpr std::chrono::milliseconds gone_check{
     250}; ///< between two looks whether who waits for an answer is still there
 
 // Probes.
-inline constexpr std::size_t probes = 32; ///< at a time
 inline constexpr std::size_t probe_points = 4096;
 inline constexpr std::size_t probe_fields = 64;
 

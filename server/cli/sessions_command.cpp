@@ -5,7 +5,7 @@
 #include "server/cli/failure.hpp"
 #include "server/cli/session_server.hpp"
 #include "server/cli/whole_file.hpp"
-#include "server/session_limits.hpp"
+#include "server/limits.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -6,7 +6,6 @@
 #include "server/net/http_error.hpp"
 #include "server/net/security_headers.hpp"
 #include "server/net/websocket_connection.hpp"
-#include "server/session_limits.hpp"
 
 #include <boost/asio/ssl/error.hpp>
 #include <boost/asio/steady_timer.hpp>

@@ -1,6 +1,6 @@
 #include "server/net/login_cookies.hpp"
 
-#include "server/budget_limits.hpp"
+#include "server/limits.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -4,7 +4,6 @@
 #include "protocol/json_text.hpp"
 #include "server/limits.hpp"
 #include "server/net/http_error.hpp"
-#include "server/session_limits.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -9,7 +9,6 @@
 #include "server/session/secret.hpp"
 #include "server/session/session_exchange.hpp"
 #include "server/session/thumbnail.hpp"
-#include "server/session_limits.hpp"
 
 #include <nlohmann/json.hpp>
 

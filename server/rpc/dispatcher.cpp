@@ -7,7 +7,6 @@
 #include "server/rpc/openrpc.hpp"
 #include "server/rpc/permission.hpp"
 #include "server/session/log_text.hpp"
-#include "server/session_limits.hpp"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>

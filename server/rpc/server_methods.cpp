@@ -1,10 +1,8 @@
 // server.info, server.ping, server.stats.
 #include "protocol/mesh_file.hpp"
-#include "server/budget_limits.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/stats_json.hpp"
-#include "server/session_limits.hpp"
 
 #include <nlohmann/json.hpp>
 

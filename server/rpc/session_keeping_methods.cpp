@@ -8,7 +8,6 @@
 #include "server/rpc/session_import.hpp"
 #include "server/session/display_name.hpp"
 #include "server/session/thumbnail.hpp"
-#include "server/session_limits.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

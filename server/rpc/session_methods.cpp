@@ -11,7 +11,6 @@
 #include "server/rpc/session_entry.hpp"
 #include "server/session/colours.hpp"
 #include "server/session/display_name.hpp"
-#include "server/session_limits.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -5,7 +5,7 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
-#include "server/budget_limits.hpp"
+#include "server/limits.hpp"
 #include "server/metrics/metrics.hpp"
 #include "server/session/token_bucket.hpp"
 #include "server/session/visitor.hpp"

@@ -1,6 +1,5 @@
 #include "server/session/grants.hpp"
 
-#include "server/budget_limits.hpp"
 #include "server/limits.hpp"
 
 #include <algorithm>

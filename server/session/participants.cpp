@@ -1,6 +1,5 @@
 #include "server/session/participants.hpp"
 
-#include "server/budget_limits.hpp"
 #include "server/limits.hpp"
 #include "server/session/colours.hpp"
 #include "server/session/display_name.hpp"

@@ -3,7 +3,7 @@
 #include "protocol/utc_text.hpp"
 #include "server/limits.hpp"
 #include "server/session/log_text.hpp"
-#include "server/session_limits.hpp"
+#include "server/session/record_room.hpp"
 
 #include <spdlog/spdlog.h>
 

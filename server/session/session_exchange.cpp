@@ -4,7 +4,7 @@
 #include "server/limits.hpp"
 #include "server/session/dataset_mark.hpp"
 #include "server/session/display_name.hpp"
-#include "server/session_limits.hpp"
+#include "server/session/record_room.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,7 +1,7 @@
 #include "server/session/session_trash.hpp"
 
 #include "protocol/utc_text.hpp"
-#include "server/session_limits.hpp"
+#include "server/limits.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "server/session/thumbnail.hpp"
 
-#include "server/session_limits.hpp"
+#include "server/limits.hpp"
 
 #include <openssl/evp.h>
 

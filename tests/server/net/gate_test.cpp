@@ -1,4 +1,5 @@
-#include "server/budget_limits.hpp"
+#include "server/limits.hpp"
+#include "server/metrics/metrics.hpp"
 #include "server/net/gate.hpp"
 #include "tests/support/server/hand_clock.hpp"
 

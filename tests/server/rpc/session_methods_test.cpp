@@ -3,7 +3,7 @@
 #include "server/rpc/dispatcher.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/session/session_restoring.hpp"
-#include "server/session_limits.hpp"
+#include "tests/support/server/noted_wire.hpp"
 #include "tests/support/server/session_bench.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
 // Share links: how long they are good for, who is told of their end, and what of them is kept.
-#include "server/budget_limits.hpp"
 #include "server/limits.hpp"
 #include "server/session/grants.hpp"
 #include "tests/support/server/hand_clock.hpp"

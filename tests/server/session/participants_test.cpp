@@ -1,5 +1,4 @@
 // Who is in a session: places that outlive connections, and presence that reaches the others gathered, at most every 50 ms.
-#include "server/budget_limits.hpp"
 #include "server/limits.hpp"
 #include "server/session/colours.hpp"
 #include "server/session/participants.hpp"

@@ -2,7 +2,6 @@
 #include "server/limits.hpp"
 #include "server/session/grants.hpp"
 #include "server/session/session_restoring.hpp"
-#include "server/session_limits.hpp"
 #include "tests/support/server/session_bench.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,6 @@
 #include "protocol/json_text.hpp"
 #include "server/limits.hpp"
 #include "server/session/session_exchange.hpp"
-#include "server/session_limits.hpp"
 #include "tests/support/server/session_bench.hpp"
 
 #include <gtest/gtest.h>
