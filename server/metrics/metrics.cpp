@@ -92,6 +92,10 @@ struct Metrics::State {
                                  "Requests and connections turned away or ended, by reason.");
         for (std::size_t i = 0; i < rejected.size(); ++i)
             rejected[i] = &reasons.Add({{"reason", std::string(rejection_names[i])}});
+        auto& kinds = counters(registry, "wakesurf_over_budget_total",
+                               "What was refused or put off, by the kind of budget used up.");
+        for (std::size_t i = 0; i < over_budget.size(); ++i)
+            over_budget[i] = &kinds.Add({{"kind", std::string(budgeted_names[i])}});
         gauges(registry, "wakesurf_build_info", "Always 1; the labels tell.")
             .Add({{"version", WAKESURF_VERSION}})
             .Set(1.0);
@@ -126,6 +130,7 @@ struct Metrics::State {
     Family<Gauge>& durable = gauges(
         registry, "wakesurf_state_durable", "1 while edits reach the disk, 0 while they do not.");
     std::array<Counter*, rejection_names.size()> rejected{};
+    std::array<Counter*, budgeted_names.size()> over_budget{};
     std::array<RecentValues, stage_names.size()> recent;
     RecentValues recent_first_frames;
 };
@@ -174,6 +179,10 @@ void Metrics::frames_dropped(std::uint64_t frames) {
 
 void Metrics::reject(Rejection reason) {
     state_->rejected[static_cast<std::size_t>(reason)]->Increment();
+}
+
+void Metrics::over_budget(Budgeted kind) {
+    state_->over_budget[static_cast<std::size_t>(kind)]->Increment();
 }
 
 void Metrics::error(int code) {

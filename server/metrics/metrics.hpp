@@ -39,6 +39,25 @@ inline constexpr std::array<std::string_view, 10> rejection_names{
     "unauthenticated", "forbidden", "rate_limited",      "too_many_clients", "too_many_pending",
     "malformed",       "too_large", "handshake_timeout", "stalled",          "overflow"};
 
+/// What of a person's, a link's or an address's budget was used up; see limits::Budget.
+enum class Budgeted : std::uint8_t {
+    Sockets,
+    Requests,
+    Downloads,
+    Probes,
+    Waits,
+    Edits,
+    Calls,
+    Messages, ///< read later
+    Logins,
+    WrongTokens,
+    Strangers, ///< requests that showed no token
+};
+
+inline constexpr std::array<std::string_view, 11> budgeted_names{
+    "sockets", "requests", "downloads", "probes",       "waits",        "edits",
+    "calls",   "messages", "logins",    "wrong_tokens", "without_token"};
+
 /// Thread safety: everything may be called from any thread. Cost of an observation: two uncontended locks, about
 /// 0.1 microseconds; once a pass or a frame, never once a particle.
 class Metrics {
@@ -64,6 +83,8 @@ class Metrics {
     /// Stale frames a client was spared: by a keyframe, or by a newer edit.
     void frames_dropped(std::uint64_t frames);
     void reject(Rejection reason);
+    /// Something was refused, or is read later, because there was more of it than a budget has.
+    void over_budget(Budgeted kind);
     /// A call was answered with a JSON-RPC error.
     void error(int code);
     /// Whether edits reach the disk; without a state folder nobody says.

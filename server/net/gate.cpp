@@ -100,9 +100,16 @@ bool is_loopback(std::string_view host) {
             name.find_first_not_of("0123456789.") == std::string::npos);
 }
 
-Gate::Gate(GateOptions options, Entropy& entropy, const core::Clock& clock, const Grants& grants)
+Gate::Gate(GateOptions options,
+           Entropy& entropy,
+           const core::Clock& clock,
+           const Grants& grants,
+           Metrics* metrics)
     : options_(std::move(options)), token_(secret_digest(options_.token)), cookies_(entropy, clock),
-      clock_(clock), grants_(grants) {
+      grants_(grants),
+      wrong_tokens_(limits::wrong_tokens_per_second, limits::wrong_tokens_at_once, clock),
+      strangers_(limits::strangers_per_second, limits::strangers_at_once, clock),
+      metrics_(metrics) {
     const bool v6 = options_.host.find(':') != std::string::npos && options_.host.front() != '[';
     hosts_ = {"localhost", "127.0.0.1", "[::1]",
               v6 ? "[" + options_.host + "]" : lower(options_.host)};
@@ -127,8 +134,10 @@ std::optional<Refusal> Gate::check_open(const HttpRequest& request) const {
 }
 
 tl::expected<Visitor, Refusal> Gate::check(const HttpRequest& request) {
-    if (auto refusal = check_open(request))
-        return tl::unexpected(std::move(*refusal));
+    if (auto refusal = check_open(request)) {
+        auto too_many = count_stranger(request.from, 1.0);
+        return tl::unexpected(too_many ? std::move(*too_many) : std::move(*refusal));
+    }
     if (options_.token.empty())
         return Visitor({}, request.from);
     auto identity = check_token(request);
@@ -185,25 +194,59 @@ std::string Gate::scheme() const {
 }
 
 tl::expected<Visitor, Refusal> Gate::check_token(const HttpRequest& request) {
-    const auto authorization = request.all("authorization");
-    if (authorization.size() > 1)
+    if (auto visitor = visitor_of(request))
+        return std::move(*visitor);
+    if (!request.all("authorization").empty())
         return tl::unexpected(wrong_token(request.from));
-    if (authorization.size() == 1) {
-        const auto token = bearer(authorization.front());
+    if (auto refusal = count_stranger(request.from, 1.0))
+        return tl::unexpected(std::move(*refusal));
+    return tl::unexpected(
+        Refusal{401, "a token is needed",
+                "send `Authorization: Bearer TOKEN` with the token wakesurf printed, or "
+                "the key of a share link"});
+}
+
+/// By the header where there is one, else by a cookie.
+std::optional<Visitor> Gate::visitor_of(const HttpRequest& request) {
+    const auto authorization = request.all("authorization");
+    if (!authorization.empty()) {
+        const auto token = authorization.size() == 1 ? bearer(authorization.front()) : std::nullopt;
         auto identity = token ? holder_of(*token) : std::nullopt;
-        if (!identity)
-            return tl::unexpected(wrong_token(request.from));
-        return Visitor(std::move(*identity), request.from);
+        return identity ? std::optional(Visitor(std::move(*identity), request.from)) : std::nullopt;
     }
     for (const std::string_view cookie :
          cookies_named(cookie_name(request, options_.port), request))
         if (const auto login = cookies_.find(cookie))
             if (auto identity = holder_of_grant(login->grant))
                 return Visitor(std::move(*identity), person_of(*login));
-    return tl::unexpected(
-        Refusal{401, "a token is needed",
-                "send `Authorization: Bearer TOKEN` with the token wakesurf printed, or "
-                "the key of a share link"});
+    return std::nullopt;
+}
+
+std::optional<Refusal> Gate::count_open(const HttpRequest& request, std::size_t bytes) {
+    auto refusal =
+        count_stranger(request.from, 1.0 + static_cast<double>(bytes / limits::strangers_bytes));
+    if (refusal && (options_.token.empty() || visitor_of(request)))
+        return std::nullopt;
+    return refusal;
+}
+
+std::optional<Refusal> Gate::count_stranger(const std::string& from, double count) {
+    const auto wait = strangers_.wait_for(from);
+    if (wait.count() == 0) {
+        strangers_.take(from, count);
+        return std::nullopt;
+    }
+    over_budget(Budgeted::Strangers);
+    return Refusal{429,
+                   "too many requests without a token come from this address",
+                   "wait a moment, or log in first",
+                   {},
+                   std::chrono::ceil<std::chrono::seconds>(wait)};
+}
+
+void Gate::over_budget(Budgeted kind) const {
+    if (metrics_ != nullptr)
+        metrics_->over_budget(kind);
 }
 
 /// Both are looked for whichever it is, so that the time tells nothing.
@@ -217,17 +260,13 @@ std::optional<Identity> Gate::holder_of_grant(const std::string& grant) const {
 }
 
 Refusal Gate::wrong_token(const std::string& from) {
-    const auto now = clock_.now();
-    if (wrong_tokens_.size() >= limits::connections)
-        std::erase_if(wrong_tokens_, [now](auto& each) { return each.second.full(now); });
-    const std::string& key = wrong_tokens_.size() < limits::connections ? from : std::string();
-    TokenBucket& left =
-        wrong_tokens_
-            .try_emplace(key, limits::wrong_tokens_per_second, limits::wrong_tokens_at_once, now)
-            .first->second;
-    if (left.wait_for(now, 1.0).count() > 0)
-        return {429, "too many wrong tokens have been tried", "wait a few seconds"};
-    left.take(now, 1.0);
+    const auto wait = wrong_tokens_.wait_for(from);
+    if (wait.count() > 0) {
+        over_budget(Budgeted::WrongTokens);
+        return {429, "too many wrong tokens have been tried from this address",
+                "wait a few seconds"};
+    }
+    wrong_tokens_.take(from, 1.0);
     return {401, "the token is wrong, or the share link has ended",
             "use the token wakesurf printed when it was last started, or ask for a new link"};
 }
@@ -245,6 +284,7 @@ tl::expected<std::string, Refusal> Gate::login(const HttpRequest& request, std::
     const auto made = cookies_.make(identity->grant, request.from);
     if (made)
         return set_cookie(name, *made);
+    over_budget(Budgeted::Logins);
     constexpr std::chrono::seconds later{60};
     return tl::unexpected(
         Refusal{429, made.error().message, made.error().hint, made.error().limit, later});

@@ -4,18 +4,18 @@
 #pragma once
 
 #include "core/base/clock.hpp"
+#include "server/metrics/metrics.hpp"
+#include "server/net/address_rates.hpp"
 #include "server/net/http_message.hpp"
 #include "server/net/login_cookies.hpp"
 #include "server/session/entropy.hpp"
 #include "server/session/grants.hpp"
-#include "server/session/token_bucket.hpp"
 #include "server/session/visitor.hpp"
 
 #include <tl/expected.hpp>
 
 #include <chrono>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,12 +43,21 @@ struct Refusal {
 /// Loop thread only. The grants outlive it.
 class Gate {
   public:
-    Gate(GateOptions options, Entropy& entropy, const core::Clock& clock, const Grants& grants);
+    /// @param metrics  counts refusals; may be null
+    Gate(GateOptions options,
+         Entropy& entropy,
+         const core::Clock& clock,
+         const Grants& grants,
+         Metrics* metrics = nullptr);
 
     /// Of requests that need no token: the same Host and Origin as all others. Nothing: come in.
     std::optional<Refusal> check_open(const HttpRequest& request) const;
 
-    /// Who comes. Without authentication everybody is a host.
+    /// Counts a request that needs no token, with an answer of so many bytes. Error: 429 where its address sends more of them than it
+    /// may; who shows a token all the same is not refused.
+    std::optional<Refusal> count_open(const HttpRequest& request, std::size_t bytes = 0);
+
+    /// Who comes. Without authentication everyone is a host.
     tl::expected<Visitor, Refusal> check(const HttpRequest& request);
 
     /// Whether that is still so, for answers that took their time.
@@ -70,6 +79,8 @@ class Gate {
     std::optional<Refusal> check_host(const HttpRequest& request) const;
     std::optional<Refusal> check_origin(const HttpRequest& request) const;
     tl::expected<Visitor, Refusal> check_token(const HttpRequest& request);
+    std::optional<Visitor> visitor_of(const HttpRequest& request);
+    std::optional<Refusal> count_stranger(const std::string& from, double count);
     std::optional<Identity> holder_of(std::string_view token) const;
     std::optional<Identity> holder_of_grant(const std::string& grant) const;
     bool tunnelled(const HttpRequest& request) const;
@@ -77,15 +88,17 @@ class Gate {
     std::optional<Refusal> check_sender(const HttpRequest& request) const;
     std::string set_cookie(const std::string& name, const std::string& value) const;
     Refusal wrong_token(const std::string& from);
+    void over_budget(Budgeted kind) const;
 
     GateOptions options_;
     SecretDigest token_;
     LoginCookies cookies_;
-    const core::Clock& clock_;
     const Grants& grants_;
     std::vector<std::string> hosts_;
     std::vector<std::string> origins_;
-    std::map<std::string, TokenBucket> wrong_tokens_; ///< by address
+    AddressRates wrong_tokens_;
+    AddressRates strangers_; ///< requests that show no token
+    Metrics* metrics_;
 };
 
 /// The name in a Host header or an authority, in lower case, without the port and with the brackets of an IPv6 address;

@@ -15,6 +15,10 @@ namespace wakesurf::server {
 
 namespace {
 
+constexpr std::string_view login_path = "/api/v1/login";
+constexpr std::string_view logout_path = "/api/v1/logout";
+constexpr std::string_view health_path = "/healthz";
+
 bool reads(const HttpRequest& request) {
     return request.method == "GET" || request.method == "HEAD";
 }
@@ -123,20 +127,8 @@ std::size_t Routes::longest_body(const HttpRequest& header) {
 void Routes::handle(const HttpRequest& request,
                     const std::function<void()>& let_in,
                     Respond respond) {
-    const bool file = files_.has(request.path);
-    const bool in = request.path == "/api/v1/login";
-    const bool out = request.path == "/api/v1/logout";
-    if (file || in || out || request.path == "/healthz") {
-        if (const auto refusal = gate_.check_open(request))
-            return respond(http_error(*refusal));
-        if ((in || out) && request.method != "POST")
-            return respond(wrong_method("POST"));
-        if (in || out)
-            return respond(in ? login(request) : logout(request));
-        if (!reads(request))
-            return respond(wrong_method("GET"));
-        return respond(file ? files_.respond(request) : healthy());
-    }
+    if (auto answer = answer_open(request))
+        return respond(counted_open(request, std::move(*answer)));
     const auto visitor = gate_.check(request);
     if (!visitor)
         return respond(http_error(visitor.error()));
@@ -160,6 +152,38 @@ void Routes::handle(const HttpRequest& request,
               response.held = places;
               respond(std::move(response));
           });
+}
+
+/// What needs no token; nothing: the path does.
+std::optional<HttpResponse> Routes::answer_open(const HttpRequest& request) {
+    const bool file = files_.has(request.path);
+    const bool in = request.path == login_path;
+    const bool out = request.path == logout_path;
+    if (!file && !in && !out && request.path != health_path)
+        return std::nullopt;
+    if (const auto refusal = gate_.check_open(request))
+        return http_error(*refusal);
+    if (in || out)
+        return request.method != "POST" ? wrong_method("POST")
+               : in                     ? login(request)
+                                        : logout(request);
+    if (!reads(request))
+        return wrong_method("GET");
+    return file ? files_.respond(request) : healthy();
+}
+
+/// A login that is good is none of a stranger's. Health is told however much else comes from the address, or a flood would have monitors
+/// restart a server that is well; its connection waits instead.
+HttpResponse Routes::counted_open(const HttpRequest& request, HttpResponse answer) {
+    if (request.path == login_path && answer.status == 204)
+        return answer;
+    const auto refusal = gate_.count_open(request, answer.body->size());
+    if (!refusal)
+        return answer;
+    if (request.path != health_path)
+        return http_error(*refusal);
+    answer.pause = limits::stranger_pause;
+    return answer;
 }
 
 /// Of the request, and of a download, until the response has been written.

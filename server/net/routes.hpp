@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace wakesurf::server {
@@ -56,6 +57,8 @@ class Routes {
   private:
     core::Result<std::shared_ptr<void>> places_for(const HttpRequest& request,
                                                    const Visitor& visitor);
+    std::optional<HttpResponse> answer_open(const HttpRequest& request);
+    HttpResponse counted_open(const HttpRequest& request, HttpResponse answer);
     void serve(const HttpRequest& request, const Visitor& visitor, Respond respond);
     void call(const HttpRequest& request, const Visitor& visitor, Respond respond);
     HttpResponse login(const HttpRequest& request);

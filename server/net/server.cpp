@@ -65,7 +65,7 @@ struct Server::Parts {
         desk = start_desk(options);
         gate.emplace(
             GateOptions{options.token, options.host, port, options.origins, tls != nullptr},
-            entropy, clock, grants);
+            entropy, clock, grants, &metrics);
         std::string notice;
         if (kept) {
             starts.emplace(kept->folder.path());

@@ -10,21 +10,23 @@ namespace {
 
 struct Kind {
     std::size_t limits::Budget::*most;
+    Budgeted budgeted;
     Rejection rejection;
     const char* words;
     const char* hint;
 };
 
 constexpr std::array<Kind, 5> kinds{{
-    {&limits::Budget::sockets, Rejection::TooManyClients, "WebSockets",
+    {&limits::Budget::sockets, Budgeted::Sockets, Rejection::TooManyClients, "WebSockets",
      "close those you do not need, or try again later"},
-    {&limits::Budget::requests, Rejection::RateLimited, "requests that are not answered yet",
-     "wait for answers"},
-    {&limits::Budget::downloads, Rejection::RateLimited, "downloads under way",
+    {&limits::Budget::requests, Budgeted::Requests, Rejection::RateLimited,
+     "requests that are not answered yet", "wait for answers"},
+    {&limits::Budget::downloads, Budgeted::Downloads, Rejection::RateLimited, "downloads under way",
      "wait until some have ended, a few at a time"},
-    {&limits::Budget::probes, Rejection::RateLimited, "probes under way",
+    {&limits::Budget::probes, Budgeted::Probes, Rejection::RateLimited, "probes under way",
      "wait for their answers, and put many points into one"},
-    {&limits::Budget::waits, Rejection::RateLimited, "calls that wait for surfaces or imports",
+    {&limits::Budget::waits, Budgeted::Waits, Rejection::RateLimited,
+     "calls that wait for surfaces or imports",
      "wait for answers, or end some calls with $/cancelRequest"},
 }};
 
@@ -72,8 +74,7 @@ core::Result<Budgets::Place> Budgets::take(const Visitor& who, Use use) {
     for (const auto& [account, whose] : levels) {
         if (account == nullptr || account->used[index] < account->budget->*kind.most)
             continue;
-        if (metrics_ != nullptr)
-            metrics_->reject(kind.rejection);
+        refused(kind.budgeted, kind.rejection);
         const std::size_t most = account->budget->*kind.most;
         return core::over_limit(
             most, fmt::format("{} as many {} as there may be, {}", whose, kind.words, most),
@@ -98,8 +99,7 @@ std::optional<Budgets::TooFast> Budgets::call(const Visitor& who, bool edits) {
         const auto wait = std::max(calls, edits ? each->edits.wait_for(now, 1.0) : calls);
         if (wait.count() == 0)
             continue;
-        if (metrics_ != nullptr)
-            metrics_->reject(Rejection::RateLimited);
+        refused(wait > calls ? Budgeted::Edits : Budgeted::Calls, Rejection::RateLimited);
         return TooFast{wait, wait > calls ? each->budget->edits : each->budget->calls};
     }
     for (const Shared& each : {accounts.person, accounts.holder})
@@ -115,7 +115,17 @@ std::chrono::milliseconds Budgets::read(const Visitor& who, double messages) {
     const Time now = clock_.now();
     const auto person = accounts.person != nullptr ? accounts.person->messages.take(now, messages)
                                                    : std::chrono::milliseconds::zero();
-    return std::max(person, accounts.holder->messages.take(now, messages));
+    const auto wait = std::max(person, accounts.holder->messages.take(now, messages));
+    if (wait.count() > 0 && metrics_ != nullptr)
+        metrics_->over_budget(Budgeted::Messages);
+    return wait;
+}
+
+void Budgets::refused(Budgeted kind, Rejection reason) const {
+    if (metrics_ == nullptr)
+        return;
+    metrics_->over_budget(kind);
+    metrics_->reject(reason);
 }
 
 std::size_t Budgets::used(Use use) const {

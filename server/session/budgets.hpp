@@ -1,5 +1,5 @@
 // What each person, each share link and all links together may use of the server, over all their WebSockets and HTTP requests: so many of a
-// kind at a time, and so many calls, edits and messages a second. Asked before anything is done; whoever is refused is told whose
+// kind at a time, and so many calls, edits and messages a second. Asked before anything is done; who is refused is told whose
 // limit it was. The last of everything are for those with the server's own token, so that a host can always come in and take a link back.
 #pragma once
 
@@ -82,6 +82,7 @@ class Budgets {
         Shared links; ///< nothing for the token
     };
 
+    void refused(Budgeted kind, Rejection reason) const;
     Accounts of(const Visitor& who);
     Shared account(const std::string& key, const limits::Budget& budget);
     void forget_idle();

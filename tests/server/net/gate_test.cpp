@@ -32,10 +32,12 @@ struct GateTest : testing::Test {
     HandClock clock;
     HandLoop loop{clock};
     Grants grants{{loop, clock, entropy, [] { return std::int64_t{0}; }}};
+    Metrics metrics{clock};
     Gate gate{{token, "127.0.0.1", 8080, {"https://viewer.example", "http://lab:9000"}},
               entropy,
               clock,
-              grants};
+              grants,
+              &metrics};
 
     static HttpRequest request(std::string method,
                                std::vector<std::pair<std::string, std::string>> headers) {
@@ -62,6 +64,14 @@ struct GateTest : testing::Test {
     std::optional<Identity> who(const char* header, const std::string& value) {
         const auto visitor = gate.check(request("GET", {{"host", "localhost"}, {header, value}}));
         return visitor ? std::optional<Identity>(*visitor) : std::nullopt;
+    }
+
+    /// What a request without a token to an open path is answered, with an answer of so many bytes.
+    unsigned open(const std::string& address, std::size_t bytes = 0) {
+        HttpRequest from = request("GET", {{"host", "localhost"}});
+        from.from = address;
+        const auto refusal = gate.count_open(from, bytes);
+        return refusal ? refusal->status : 200;
     }
 
     /// From an address of one's own.
@@ -206,6 +216,47 @@ TEST_F(GateTest, LimitsWrongTokensButNeverTheRightOne) {
     EXPECT_EQ(attempt("wrong"), 401u);
 }
 
+TEST_F(GateTest, LimitsWhatAnAddressAsksForWithoutAToken) {
+    std::size_t answered = 0;
+    for (int i = 0; i < 10000; ++i)
+        answered += open("192.0.2.1") == 200 ? 1 : 0;
+    EXPECT_EQ(static_cast<double>(answered), limits::strangers_at_once);
+    HttpRequest closed = request("GET", {{"host", "localhost"}});
+    closed.from = "192.0.2.1";
+    const auto refused = gate.check(closed);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().status, 429u) << "paths that need a token count as well";
+    EXPECT_EQ(refused.error().retry_after.count(), 1);
+    EXPECT_EQ(open("192.0.2.2"), 200u) << "another address";
+    clock.time += std::chrono::seconds(1);
+    EXPECT_EQ(open("192.0.2.1"), 200u);
+    EXPECT_NE(metrics.text({}).find(R"(wakesurf_over_budget_total{kind="without_token"} 6001)"),
+              std::string::npos)
+        << metrics.text({});
+}
+
+TEST_F(GateTest, CountsALargeAnswerToAStrangerForMore) {
+    const std::size_t large = 99 * limits::strangers_bytes;
+    int answered = 0;
+    while (answered < 1000 && open("192.0.2.1", large) == 200)
+        ++answered;
+    EXPECT_EQ(answered, static_cast<int>(limits::strangers_at_once / 100.0));
+}
+
+TEST_F(GateTest, LetsThoseWhoShowATokenInHoweverManyStrangersShareTheirAddress) {
+    while (open("192.0.2.1") == 200) {
+    }
+    HttpRequest known = request("GET", {{"host", "localhost"}, {"cookie", cookie()}});
+    known.from = "192.0.2.1";
+    EXPECT_FALSE(gate.count_open(known));
+    EXPECT_TRUE(gate.check(known));
+    known.headers.back() = {"authorization", "Bearer " + token};
+    EXPECT_FALSE(gate.count_open(known));
+    known.headers.back() = {"authorization", "Bearer wrong"};
+    EXPECT_EQ(gate.count_open(known)->status, 429u);
+    EXPECT_NE(cookie_from("192.0.2.1", token), "refused") << "they log in";
+}
+
 TEST_F(GateTest, GivesTheCookieForTheTokenOnly) {
     EXPECT_EQ(gate.login({}, "wrong").error().status, 401u);
     const auto value = gate.login({}, token);
@@ -304,7 +355,7 @@ TEST_F(GateTest, LetsNobodyPushOutAnothersLoginByLoggingInTooOften) {
     EXPECT_EQ(cookie(other_link->key).find("refused"), std::string::npos);
     EXPECT_EQ(cookie_from("192.0.2.1", made->key).find("refused"), std::string::npos);
     clock.time += limits::login_proof;
-    EXPECT_NE(cookie(made->key), "refused") << "in place of one that nobody has used";
+    EXPECT_NE(cookie(made->key), "refused") << "in place of one that no one has used";
     EXPECT_EQ(who("cookie", never_used), std::nullopt);
     for (const std::string& each : {host, used, elsewhere})
         EXPECT_TRUE(who("cookie", each));

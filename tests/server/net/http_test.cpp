@@ -163,6 +163,37 @@ TEST_F(Http, LimitsWrongTokensAndStillLetsTheRightOneIn) {
     EXPECT_EQ(get("/openrpc.json", server_->bearer()).status, 200);
 }
 
+TEST_F(Http, TellsItsHealthUnderItsOwnNamesOnly) {
+    EXPECT_EQ(get("/healthz", {{"Host", "localhost"}}).body, "ok");
+    EXPECT_EQ(get("/healthz", {{"Host", "rebound.example"}}).status, 403);
+    EXPECT_EQ(get("/healthz", {{"Origin", "http://evil.example"}}).status, 403);
+}
+
+TEST(HttpFlood, OfOneAddressWithoutATokenIsRefusedButNotItsHealthNorWhoHasTheToken) {
+    ServerProcess server({"flow:lamb-oseen"});
+    const std::string request = "GET /metrics HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n";
+    constexpr int batch = 500;
+    std::string requests;
+    for (int i = 0; i < batch; ++i)
+        requests += request;
+    RawSocket flood(server.port());
+    int last = 401;
+    for (int batches = 0; last == 401 && batches < 40; ++batches) {
+        flood.send(requests);
+        for (int i = 0; i < batch; ++i)
+            last = read_reply(flood).status;
+    }
+    EXPECT_EQ(last, 429);
+    const HttpReply refused = http(server.port(), "GET", "/nothing");
+    EXPECT_EQ(refused.status, 429);
+    EXPECT_EQ(refused.header("retry-after"), "1");
+    EXPECT_EQ(http(server.port(), "GET", "/healthz").body, "ok");
+    const HttpReply counted = http(server.port(), "GET", "/metrics", server.bearer());
+    EXPECT_EQ(counted.status, 200);
+    EXPECT_EQ(counted.body.find(R"(wakesurf_over_budget_total{kind="without_token"} 0)"),
+              std::string::npos);
+}
+
 TEST_F(Http, EndsClientsThatSendTheirHeaderForEver) {
     RawSocket silent(server_->port());
     RawSocket slow(server_->port());

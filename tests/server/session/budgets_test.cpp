@@ -87,6 +87,29 @@ TEST_F(BudgetsTest, SayWhoseLimitItIsAndWhatToDo) {
         << metrics.text({});
 }
 
+TEST_F(BudgetsTest, CountWhatTheyRefuseByItsKind) {
+    const Visitor person = by_link("g1", "a");
+    taken(person, Use::Socket, limits::person.sockets + 3);
+    taken(person, Use::Probe, limits::person.probes + 2);
+    let_through(person, true, static_cast<std::size_t>(2.0 * limits::person.edits) + 5,
+                milliseconds(0));
+    let_through(person, false, static_cast<std::size_t>(2.0 * limits::person.calls),
+                milliseconds(0));
+    budgets.read(person, 2.0 * limits::person.messages + 1.0);
+    const std::string text = metrics.text({});
+    const auto count = [&](const std::string& kind) {
+        const std::string start = "wakesurf_over_budget_total{kind=\"" + kind + "\"} ";
+        const auto at = text.find(start);
+        return at == std::string::npos ? -1 : std::stoi(text.substr(at + start.size()));
+    };
+    EXPECT_EQ(count("sockets"), 3);
+    EXPECT_EQ(count("probes"), 2);
+    EXPECT_EQ(count("edits"), 5);
+    EXPECT_EQ(count("calls"), static_cast<int>(2.0 * limits::person.edits));
+    EXPECT_EQ(count("messages"), 1);
+    EXPECT_EQ(count("downloads"), 0);
+}
+
 TEST_F(BudgetsTest, GiveAPlaceBackAlsoAfterTheirEnd) {
     Budgets::Place place;
     {
