@@ -13,9 +13,9 @@ namespace wakesurf::core {
 
 namespace {
 
-constexpr std::array<std::string_view, memory_uses> names{"timeSteps", "meshes",    "builds",
-                                                          "surfaces",  "rings",     "histories",
-                                                          "downloads", "importers", "other"};
+constexpr std::array<std::string_view, memory_uses> names{
+    "timeSteps", "meshes",    "builds",  "surfaces", "rings", "histories",
+    "downloads", "importers", "records", "messages", "other"};
 
 std::size_t index(MemoryUse use) {
     return static_cast<std::size_t>(use);

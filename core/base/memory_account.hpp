@@ -24,9 +24,11 @@ enum class MemoryUse {
     Histories, ///< checkpoints of moving surfaces
     Downloads,
     Importers, ///< other processes
+    Records,   ///< of sessions, and what undo needs of them
+    Messages,  ///< that wait for clients to take them
     Other,     ///< what the process was seen to take beyond its shares
 };
-inline constexpr std::size_t memory_uses = 9;
+inline constexpr std::size_t memory_uses = 11;
 
 /// For metrics and statistics: "timeSteps", "meshes", ...
 std::string_view name_of(MemoryUse use);

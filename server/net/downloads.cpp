@@ -59,11 +59,19 @@ std::string turns_of(const std::string& session, const Identity& identity) {
     return "\n" + session + "\n" + identity.grant; // no session is called like that
 }
 
+/// The mesh, its frames and what is made on the way to them, a vertex.
+constexpr std::size_t obstacle_bytes = 400;
+
 /// Frames, each preceded by its length.
-core::Result<std::string> obstacle_frames(const LoadedDataset& dataset) {
+core::Result<std::string> obstacle_frames(const LoadedDataset& dataset,
+                                          const core::MemoryAccount& account,
+                                          core::MemoryAccount::Share& share) {
     const auto mesh = obstacle_of(dataset);
     if (!mesh)
         return tl::unexpected(mesh.error());
+    const std::size_t needed = mesh->vertices() * obstacle_bytes;
+    if (!share.grow_to(needed))
+        return tl::unexpected(account.refusal("the file of this obstacle", needed));
     protocol::EncodeOptions options;
     options.final = true;
     options.attributes = false;
@@ -219,8 +227,9 @@ void Downloads::obstacle(const HttpRequest& request,
         return respond(http_error(dataset.error()));
     files_.get(
         "obstacle " + id, turns_of("", identity),
-        [loaded = *dataset](const std::stop_token&, core::MemoryAccount::Share&) {
-            return obstacle_frames(*loaded);
+        [loaded = *dataset, &account = account_](const std::stop_token&,
+                                                 core::MemoryAccount::Share& share) {
+            return obstacle_frames(*loaded, account, share);
         },
         request.gone,
         [respond](const core::Result<File>& file) {

@@ -5,6 +5,7 @@
 #include "server/metrics/metrics.hpp"
 #include "server/net/admission.hpp"
 #include "server/net/connections.hpp"
+#include "server/net/outbox_memory.hpp"
 #include "server/net/routes.hpp"
 #include "server/net/tls_context.hpp"
 #include "server/net/trusted_proxies.hpp"
@@ -24,6 +25,7 @@ struct NetServices {
     Budgets& budgets;
     const TrustedProxies& proxies;
     Metrics& metrics;
+    OutboxMemory& outboxes;
     WriteTurns& turns;
     TlsContext* tls; ///< nothing: plain TCP
 };

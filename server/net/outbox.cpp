@@ -2,6 +2,7 @@
 
 #include "server/limits.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace wakesurf::server {
@@ -10,8 +11,13 @@ bool Outbox::push(Message message) {
     if (messages_.size() >= limits::outbox_messages ||
         message_bytes_ + message->size() > limits::outbox_message_bytes)
         return false;
+    // Who tells holds one more; those told before have theirs counted already.
+    const long others = std::max(1L, message.use_count() - 1);
+    const std::size_t share = message->size() / static_cast<std::size_t>(others);
+    if (!memory_.grow(share))
+        return false;
     message_bytes_ += message->size();
-    messages_.push_back(std::move(message));
+    messages_.push_back({std::move(message), share});
     return true;
 }
 
@@ -45,10 +51,15 @@ std::optional<Outbox::Item> Outbox::pop() {
 std::optional<Outbox::Item> Outbox::pop_message() {
     if (messages_.empty())
         return std::nullopt;
-    Message message = std::move(messages_.front());
+    Message message = std::move(messages_.front().message);
+    popped_ += messages_.front().share;
     messages_.pop_front();
     message_bytes_ -= message->size();
     return message;
+}
+
+void Outbox::sent() {
+    memory_.shrink(std::exchange(popped_, 0));
 }
 
 Outbox::Frame Outbox::pop_frame() {

@@ -2,6 +2,7 @@
 // surfaces: here are only the places up to which this client has them.
 #pragma once
 
+#include "server/net/outbox_memory.hpp"
 #include "server/session/frame_cursor.hpp"
 
 #include <cstddef>
@@ -23,6 +24,9 @@ class Outbox {
     /// The same text may wait for many.
     using Message = std::shared_ptr<const std::string>;
     using Item = std::variant<Message, Frame>;
+
+    /// @param all  what waits for all clients; null: each is for itself
+    explicit Outbox(OutboxMemory* all = nullptr) : memory_(all) {}
 
     /// False when the client is too slow for its messages: close it.
     [[nodiscard]] bool push(Message message);
@@ -46,12 +50,22 @@ class Outbox {
     /// The cursors' notices may push messages meanwhile.
     std::optional<Item> pop();
 
+    /// All that was popped has been written.
+    void sent();
+
   private:
     std::optional<Item> pop_message();
     Frame pop_frame();
 
-    std::deque<Message> messages_;
+    struct Waiting {
+        Message message;
+        std::size_t share; ///< of its bytes: a text that waits for many is there once
+    };
+
+    std::deque<Waiting> messages_;
     std::size_t message_bytes_ = 0;
+    OutboxMemory::Share memory_;
+    std::size_t popped_ = 0;                       ///< bytes of memory_ that are being written
     std::map<std::uint32_t, FrameCursor> cursors_; ///< by surface
     std::uint32_t last_ = 0;                       ///< surface that had the last turn
 };

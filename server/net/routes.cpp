@@ -77,9 +77,22 @@ bool has_files(std::string_view path) {
            path.starts_with("/api/v1/sessions/") || path.starts_with("/api/v1/datasets/");
 }
 
-bool is_mesh(const HttpRequest& request) {
-    return request.path.starts_with("/api/v1/sessions/") &&
-           request.path.find("/mesh.") != std::string::npos && reads(request);
+/// What takes its time and memory to make.
+bool is_download(const HttpRequest& request) {
+    const std::string& path = request.path;
+    return path.starts_with("/api/v1/sessions/") && reads(request) &&
+           (path.find("/mesh.") != std::string::npos || path.ends_with("/session.json"));
+}
+
+/// Its memory has been taken as it was made, for all who read it: net/shared_files.
+bool is_shared_file(const std::string& path) {
+    return path.find("/mesh.") != std::string::npos || path.ends_with("/obstacle.bin");
+}
+
+HttpResponse too_much_waits(std::size_t bytes) {
+    return http_over_limit(503, bytes,
+                           "too much waits to be sent to others for this answer just now",
+                           "ask again in a few seconds, or for less at once");
 }
 
 HttpResponse nothing_there() {
@@ -143,13 +156,20 @@ void Routes::handle(const HttpRequest& request,
     let_in();
     // What took its time, a wait or a file, is not for those whose share link or login has ended meanwhile.
     serve(request, *visitor,
-          [&gate = gate_, visitor = *visitor, pause, places = std::move(*places),
+          [&gate = gate_, &outboxes = outboxes_, visitor = *visitor, pause,
+           places = std::move(*places), shared = is_shared_file(request.path),
            respond = std::move(respond)](HttpResponse response) {
               if (!gate.still(visitor))
                   response = http_error(Refusal{401, "the share link or login has ended",
                                                 "ask for a new link, or log in again"});
+              const std::size_t bytes = shared ? 0 : response.body->size();
+              auto held = outboxes.hold(bytes);
+              if (held == nullptr)
+                  response = too_much_waits(bytes);
               response.pause = pause;
-              response.held = places;
+              response.held =
+                  std::make_shared<std::pair<std::shared_ptr<void>, std::shared_ptr<void>>>(
+                      places, std::move(held));
               respond(std::move(response));
           });
 }
@@ -194,7 +214,7 @@ core::Result<std::shared_ptr<void>> Routes::places_for(const HttpRequest& reques
     if (!place)
         return tl::unexpected(place.error());
     (*both)[0] = std::move(*place);
-    if (!is_mesh(request))
+    if (!is_download(request))
         return both;
     place = budgets_.take(visitor, Use::Download);
     if (!place)

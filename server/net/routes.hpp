@@ -5,6 +5,7 @@
 #include "server/net/downloads.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/http_message.hpp"
+#include "server/net/outbox_memory.hpp"
 #include "server/net/session_files.hpp"
 #include "server/net/static_files.hpp"
 #include "server/rpc/dispatcher.hpp"
@@ -33,15 +34,16 @@ class Routes {
     /// @param logged_out  a person's login has ended: their sockets go
     Routes(Gate& gate,
            Budgets& budgets,
+           OutboxMemory& outboxes,
            const StaticFiles& files,
            Dispatcher& dispatcher,
            Downloads& downloads,
            SessionFiles& session_files,
            std::function<std::string()> metrics,
            std::function<void(const std::string&)> logged_out)
-        : gate_(gate), budgets_(budgets), files_(files), dispatcher_(dispatcher),
-          downloads_(downloads), session_files_(session_files), metrics_(std::move(metrics)),
-          logged_out_(std::move(logged_out)) {}
+        : gate_(gate), budgets_(budgets), outboxes_(outboxes), files_(files),
+          dispatcher_(dispatcher), downloads_(downloads), session_files_(session_files),
+          metrics_(std::move(metrics)), logged_out_(std::move(logged_out)) {}
 
     /// How long the body of a request may be, by its header: longer than messages only for what is known to be let in.
     std::size_t longest_body(const HttpRequest& header);
@@ -66,6 +68,7 @@ class Routes {
 
     Gate& gate_;
     Budgets& budgets_;
+    OutboxMemory& outboxes_;
     const StaticFiles& files_;
     Dispatcher& dispatcher_;
     Downloads& downloads_;

@@ -91,7 +91,7 @@ struct Server::Parts {
         downloads.emplace(loop, pool, *sessions, *catalogue, memory.account());
         session_files.emplace(loop, pool, *sessions, *datasets, journal.get());
         routes.emplace(
-            *gate, budgets, files, *dispatcher, *downloads, *session_files,
+            *gate, budgets, outboxes, files, *dispatcher, *downloads, *session_files,
             [this] { return metrics.text(standing()); },
             [this](const std::string& person) { connections.log_out(person); });
         if (kept)
@@ -213,6 +213,7 @@ struct Server::Parts {
     core::SteadyClock clock;
     const std::chrono::steady_clock::time_point started = clock.now();
     Metrics metrics{clock};
+    OutboxMemory outboxes{memory.account()};
     const Admission::Limits places = limits_for_descriptors();
     Admission admission{places, metrics};
     Budgets budgets{clock, &metrics, budget_for(places.connections)};
@@ -268,7 +269,7 @@ core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options)
         all->context, options.host, options.port, [all](asio::ip::tcp::socket socket) {
             serve_http(std::move(socket),
                        {*all->routes, all->connections, all->grants, all->admission, all->budgets,
-                        all->proxies, all->metrics, all->turns, all->tls.get()});
+                        all->proxies, all->metrics, all->outboxes, all->turns, all->tls.get()});
         });
     if (!listener)
         return tl::unexpected(listener.error());

@@ -44,7 +44,8 @@ class WebSocketConnection final : public Connection,
                         NetServices services,
                         std::unique_ptr<Admission::Place> place)
         : stream_(std::move(stream)), stall_(stream_.get_executor()), services_(services),
-          place_(std::move(place)), admitted_(admitted), pause_(stream_.get_executor()) {
+          place_(std::move(place)), admitted_(admitted), pause_(stream_.get_executor()),
+          outbox_(&services.outboxes) {
         services_.connections.add(*this);
     }
 
@@ -300,6 +301,7 @@ void WebSocketConnection::write_rest(std::shared_ptr<MessageBatch> batch, Time b
 }
 
 void WebSocketConnection::count(const MessageBatch& batch, Time begun) {
+    outbox_.sent();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     for (const Outbox::Item& each : batch.items()) {
         const std::size_t bytes = bytes_of(each).size();

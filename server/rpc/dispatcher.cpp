@@ -27,14 +27,27 @@ namespace {
 /// The answers of a batch, until all are there.
 struct Batch {
     std::vector<std::string> answers;
+    std::size_t bytes = 0;
     std::size_t missing = 0;
     Dispatcher::Answer done;
 
-    void add(std::string text) {
+    void add(const std::optional<protocol::RpcId>& id, std::string text) {
+        if (id && bytes + text.size() > limits::outbox_message_bytes)
+            text = protocol::rpc_error(*id, too_long());
+        bytes += text.size();
         if (!text.empty())
             answers.push_back(std::move(text));
         if (--missing == 0)
             done(protocol::rpc_batch(answers));
+    }
+
+    static RpcFault too_long() {
+        return {RpcCode::OverLimit,
+                "the call was made, but the answers of this batch are longer together than a "
+                "message may be",
+                "put fewer calls into one batch",
+                {},
+                std::make_shared<const json>(json{{"limit", limits::outbox_message_bytes}})};
     }
 };
 
@@ -108,7 +121,8 @@ void Dispatcher::dispatch(std::string_view text,
     batch->missing = message.calls.size();
     batch->done = std::move(answer);
     for (const RpcCall& call : message.calls)
-        run(call, caller, true, [batch](std::string each) { batch->add(std::move(each)); });
+        run(call, caller, true,
+            [batch, id = call.id](std::string each) { batch->add(id, std::move(each)); });
 }
 
 std::optional<RpcFault> Dispatcher::too_fast(bool edits, const Caller& caller) {

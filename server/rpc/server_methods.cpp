@@ -44,6 +44,7 @@ json info() {
               {"surfaces", limits::surfaces},
               {"bookmarks", limits::bookmarks},
               {"annotations", limits::annotations},
+              {"sessionBytes", limits::session_bytes},
               {"undo", limits::undo_steps},
               {"shareLinks", limits::grants},
               {"subscriptions", limits::subscriptions},
@@ -97,7 +98,7 @@ std::vector<Method> server_methods() {
          "{p50, p95, p99, count}}, firstFrame, cache: [{dataset, hits, loads, bytes, budget}], "
          "memory: {rss, peak, budget, used, refused, byUse: {timeSteps, meshes, builds, surfaces, "
          "rings, "
-         "histories, downloads, importers, other}}, messages, "
+         "histories, downloads, importers, records, messages, other}}, messages, "
          "frames, bytes, keyframes, dropped}; with a share link only participants, surfaces, "
          "stages and firstFrame",
          any_viewer,

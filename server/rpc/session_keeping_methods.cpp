@@ -81,7 +81,7 @@ void export_session(const Call& call, Reply reply) {
     const auto session = read_session(in, call);
     if (!session)
         return reply.fault(session.error());
-    if (bytes_of((*session)->records()) > limits::session_message_bytes)
+    if ((*session)->records().bytes() > limits::session_message_bytes)
         return reply.fault(
             core::Error{core::Error::Code::OverLimit,
                         "the session is too large for a message",

@@ -64,6 +64,9 @@ class History {
 
     Depth depth(const std::string& author) const;
 
+    /// What all that is kept takes, about.
+    std::size_t bytes() const { return bytes_; }
+
   private:
     struct Kept {
         Edit edit;

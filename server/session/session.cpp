@@ -2,6 +2,7 @@
 
 #include "core/surface/rake_check.hpp"
 #include "server/limits.hpp"
+#include "server/session/record_room.hpp"
 #include "server/session/surface_rules.hpp"
 
 #include <algorithm>
@@ -45,7 +46,10 @@ Session::Session(std::string id,
                   announce({clock_.record()});
               },
               [this](bool jumped) { time_moved(jumped); }}),
-      profile_(services.unix_time) {}
+      profile_(services.unix_time) {
+    if (services.memory != nullptr)
+        memory_ = services.memory->open(core::MemoryUse::Records);
+}
 
 std::optional<std::vector<Patch>> Session::changes_since(std::uint64_t seq) const {
     auto changes = changes_.since(seq);
@@ -98,6 +102,26 @@ core::Result<void> Session::may_put(const RecordKey& key, bool is_new) const {
                             "a session may have at most " + std::to_string(most) + " " +
                                 std::string(server::name(key.type)) + "s",
                             "delete some, or use another session");
+}
+
+/// It is sound, and there is room for it.
+core::Result<void> Session::may_keep(const Record& record) const {
+    if (auto sound = check_record(record); !sound)
+        return sound;
+    return has_room(records_.bytes(key_of(record)), bytes_of(record));
+}
+
+core::Result<void> Session::has_room(std::size_t before, std::size_t after) const {
+    if (after <= before)
+        return {};
+    const std::size_t bytes = records_.bytes() - before + after;
+    if (auto room = room_in_session(bytes); !room)
+        return room;
+    return room_beside_others(services_.memory, bytes, after - before);
+}
+
+void Session::count_memory() {
+    memory_.set(taken_by_records(records_.bytes()) + history_.bytes());
 }
 
 RecordChange Session::change_to(Record after) const {
@@ -180,7 +204,7 @@ core::Result<RakeChange> Session::set_rake(const protocol::RakeSetting& setting,
     record.clipped = clipped->clipped;
     if (!setting.name.empty() || record.name.empty())
         record.name = setting.name.empty() ? record.rake : setting.name;
-    if (auto sound = check_record(record); !sound)
+    if (auto sound = may_keep(record); !sound)
         return tl::unexpected(sound.error());
 
     const std::uint64_t drag = settle_lease(record, setting.dragging, author);
@@ -263,7 +287,7 @@ core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::Surfa
         return tl::unexpected(job.error());
 
     record.surface = setting.surface ? *setting.surface : records_.new_id(RecordType::Surface);
-    if (auto sound = check_record(record); !sound)
+    if (auto sound = may_keep(record); !sound)
         return tl::unexpected(sound.error());
     edit({change_to(record)}, author);
     return *records_.find<protocol::SurfaceRecord>(record.surface);
@@ -283,7 +307,7 @@ Session::set_bookmark(const protocol::BookmarkSetting& setting, const Author& au
         record.name = setting.name.empty() ? record.bookmark : setting.name;
     record.view = setting.view;
     record.time = setting.time;
-    if (auto sound = check_record(record); !sound)
+    if (auto sound = may_keep(record); !sound)
         return tl::unexpected(sound.error());
     edit({change_to(record)}, author);
     return *records_.find<protocol::BookmarkRecord>(record.bookmark);
@@ -308,7 +332,7 @@ Session::set_annotation(const protocol::AnnotationSetting& setting, const Author
     record.text = setting.text;
     record.position = setting.position;
     record.surface = setting.surface;
-    if (auto sound = check_record(record); !sound)
+    if (auto sound = may_keep(record); !sound)
         return tl::unexpected(sound.error());
     edit({change_to(record)}, author);
     return *records_.find<protocol::AnnotationRecord>(record.annotation);

@@ -189,6 +189,9 @@ class Session {
     RecordChange change_to(Record after) const;
     std::vector<RecordChange> deletion(const RecordKey& key) const;
     core::Result<void> may_put(const RecordKey& key, bool is_new) const;
+    core::Result<void> may_keep(const Record& record) const;
+    core::Result<void> has_room(std::size_t before, std::size_t after) const;
+    void count_memory();
     core::Result<void> remove(const RecordKey& key, const Author& author);
     core::Result<core::ClippedRake> clip(const protocol::RakeSetting& setting) const;
     core::Result<core::ClippedRake> clip_to(const core::Rake& shape,
@@ -232,6 +235,7 @@ class Session {
     std::chrono::steady_clock::time_point time_kept_{}; ///< of the clock, in the journal
     std::vector<KeptAside> aside_;
     std::size_t newly_aside_ = 0;
+    core::MemoryAccount::Share memory_; ///< of the records and the history
 };
 
 } // namespace wakesurf::server

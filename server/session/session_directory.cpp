@@ -71,11 +71,14 @@ SessionDirectory::SessionDirectory(SessionServices services)
     : histories_(part_of(services.memory, 4, limits::histories_bytes),
                  part_of(services.memory, 16, limits::history_bytes),
                  services.memory),
-      services_(std::move(services)),
-      trash_(services_.loop, services_.unix_time, [this](const TrashedSession& gone) {
-          log_event("session_purged", gone.id);
-          forget(gone.id);
-      }) {
+      services_(std::move(services)), trash_(
+                                          services_.loop,
+                                          services_.unix_time,
+                                          [this](const TrashedSession& gone) {
+                                              log_event("session_purged", gone.id);
+                                              forget(gone.id);
+                                          },
+                                          services_.memory) {
     services_.histories = &histories_;
     if (services_.memory != nullptr)
         giving_back_.emplace(services_.loop, *services_.memory, [this] { return surfaces(); });
@@ -104,6 +107,8 @@ core::Result<std::shared_ptr<Session>> SessionDirectory::fork(const std::string&
     const auto from = find(id); // held, lest it make room for its own fork
     if (!from)
         return from;
+    if (auto room = room_for((*from)->records()); !room)
+        return tl::unexpected(room.error());
     auto session = add_new(name.empty() ? (*from)->name() : std::move(name));
     if (session)
         (*session)->copy(**from);
@@ -112,6 +117,8 @@ core::Result<std::shared_ptr<Session>> SessionDirectory::fork(const std::string&
 
 core::Result<std::shared_ptr<Session>> SessionDirectory::import(KeptRecords records,
                                                                 std::string name) {
+    if (auto room = room_for(records.records); !room)
+        return tl::unexpected(room.error());
     auto session = add_new(name.empty() ? records.name : std::move(name));
     if (session)
         (*session)->take_over(std::move(records));
@@ -136,6 +143,10 @@ RestoreReport SessionDirectory::restore(const std::string& id,
     if (!session)
         session = std::make_shared<Session>(id, std::move(name), services_, next_surface_number_);
     return session->restore(entries);
+}
+
+core::Result<void> SessionDirectory::room_for(const SessionRecords& records) const {
+    return room_beside_others(services_.memory, records.bytes(), records.bytes());
 }
 
 core::Result<std::shared_ptr<Session>> SessionDirectory::add_new(std::string name) {

@@ -73,6 +73,7 @@ class SessionDirectory {
 
   private:
     std::shared_ptr<Session> add(std::string id, std::string name);
+    core::Result<void> room_for(const SessionRecords& records) const;
     core::Result<void> make_room();
     core::Result<std::shared_ptr<Session>> add_new(std::string name);
     void forget(const std::string& id);

@@ -78,6 +78,7 @@ Session::edit(std::vector<RecordChange> changes, const Author& author, std::uint
                               each.before ? rev_of(*each.before) : 0,
                               each.after ? rev_of(*each.after) : 0});
     history_.add(author.participant, std::move(done));
+    count_memory();
     return epochs;
 }
 
@@ -98,6 +99,7 @@ Session::Epochs Session::commit(const std::vector<RecordChange>& changes) {
     for (const auto& [id, epoch] : epochs)
         surfaces.insert(id);
     announce(patches_of(changes, records_, surfaces));
+    count_memory();
     return epochs;
 }
 

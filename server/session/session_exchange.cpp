@@ -52,13 +52,6 @@ SessionSnapshot snapshot_of(const Session& session, const Datasets& datasets, st
     return out;
 }
 
-std::size_t bytes_of(const SessionRecords& records) {
-    std::size_t bytes = 0;
-    for (const Record& each : records.list())
-        bytes += bytes_of(each);
-    return bytes;
-}
-
 protocol::SessionFile file_of(const SessionSnapshot& snapshot) {
     protocol::SessionFile file;
     file.name = snapshot.name;
@@ -84,6 +77,8 @@ core::Result<ReadSession> read_session_text(std::string_view text) {
     ReadSession out{read_entries(entries), std::move(file->datasets)};
     if (!out.records.report.refused.empty())
         return tl::unexpected(as_input(std::move(out.records.report.refused.front().error)));
+    if (auto room = room_in_session(out.records.records.bytes()); !room)
+        return tl::unexpected(room.error());
     out.records.name = display_name(file->name, limits::name_bytes);
     return out;
 }

@@ -26,9 +26,6 @@ struct SessionSnapshot {
 /// Loop thread only. @param now  seconds since 1970
 SessionSnapshot snapshot_of(const Session& session, const Datasets& datasets, std::int64_t now);
 
-/// About what the records take in memory; as text they take some three times as much.
-std::size_t bytes_of(const SessionRecords& records);
-
 /// Any thread.
 protocol::SessionFile file_of(const SessionSnapshot& snapshot);
 

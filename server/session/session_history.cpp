@@ -48,6 +48,7 @@ TurnResult Session::turn(Turn turn, const Author& author) {
             profile_.edited();
             commit(result.changes);
             history_.turned(author.participant, turn, std::move(*edit), revs);
+            count_memory();
         }
     }
     result.left = history_.depth(author.participant);
@@ -56,9 +57,16 @@ TurnResult Session::turn(Turn turn, const Author& author) {
 
 std::vector<TurnResult::Skip> Session::obstacles(const Edit& edit, Turn turn) const {
     std::vector<TurnResult::Skip> out;
-    for (const EditStep& step : edit.steps)
+    std::size_t before = 0;
+    std::size_t after = 0;
+    for (const EditStep& step : edit.steps) {
         if (std::string why = obstacle(edit, step, turn); !why.empty())
             out.push_back({step.key, std::move(why)});
+        before += records_.bytes(step.key);
+        after += step.to(turn) ? bytes_of(*step.to(turn)) : 0;
+    }
+    if (const auto room = has_room(before, after); !room && out.empty())
+        out.push_back({edit.steps.front().key, room.error().message});
     return out;
 }
 

@@ -101,6 +101,7 @@ void Session::begin(std::uint32_t epochs_before) {
     // Nobody may ever look at what is restored; a copy is made to be looked at.
     build(changes, epochs_before != 0);
     keep();
+    count_memory();
 }
 
 RestoreReport Session::restore(std::span<const JournalEntry> entries) {

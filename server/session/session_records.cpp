@@ -110,6 +110,12 @@ std::uint64_t SessionRecords::rev(const RecordKey& key) const {
     });
 }
 
+std::size_t SessionRecords::bytes(const RecordKey& key) const {
+    return look_up(*this, key, [](const auto* record) {
+        return record == nullptr ? std::size_t{0} : sizeof(Record) + extra_bytes(*record);
+    });
+}
+
 std::size_t SessionRecords::count(RecordType type) const {
     const std::array<std::size_t, 4> sizes = std::apply(
         [](const auto&... table) { return std::array<std::size_t, 4>{table.size()...}; }, tables_);
@@ -152,6 +158,7 @@ std::string SessionRecords::free_colour() const {
 }
 
 void SessionRecords::put(const Record& record) {
+    bytes_ = bytes_ - bytes(key_of(record)) + bytes_of(record);
     std::visit(
         [this](const auto& each) {
             using R = std::decay_t<decltype(each)>;
@@ -161,6 +168,7 @@ void SessionRecords::put(const Record& record) {
 }
 
 void SessionRecords::erase(const RecordKey& key) {
+    bytes_ -= bytes(key);
     std::size_t type = 0;
     const auto erase_from = [&](auto& table) {
         if (type++ == static_cast<std::size_t>(key.type))

@@ -47,7 +47,7 @@ RecordKey key_of(const Record& record);
 std::uint64_t rev_of(const Record& record);
 void set_rev(Record& record, std::uint64_t rev);
 
-/// About what it takes in memory.
+/// About what it takes in memory; as text about three times as much.
 std::size_t bytes_of(const Record& record);
 
 /// A record before and after an edit; null where there is none.
@@ -80,6 +80,11 @@ class SessionRecords {
     std::uint64_t rev(const RecordKey& key) const;
 
     std::size_t count(RecordType type) const;
+
+    /// As bytes_of, of all and of one, 0 where there is none.
+    std::size_t bytes() const { return bytes_; }
+
+    std::size_t bytes(const RecordKey& key) const;
     bool empty() const;
 
     /// Every record, rakes first.
@@ -117,6 +122,7 @@ class SessionRecords {
                Table<protocol::AnnotationRecord>>
         tables_;
     std::array<std::uint64_t, 4> next_{1, 1, 1, 1};
+    std::size_t bytes_ = 0;
 };
 
 } // namespace wakesurf::server

@@ -23,10 +23,19 @@ std::int64_t deleted_until(const protocol::SessionProfile& profile) {
 
 SessionTrash::SessionTrash(Loop& loop,
                            UnixTime unix_time,
-                           std::function<void(const TrashedSession&)> purged)
-    : loop_(loop), unix_time_(std::move(unix_time)), purged_(std::move(purged)) {}
+                           std::function<void(const TrashedSession&)> purged,
+                           const core::MemoryAccount* account)
+    : loop_(loop), unix_time_(std::move(unix_time)), purged_(std::move(purged)), account_(account) {
+}
 
 void SessionTrash::put(TrashedSession session) {
+    if (account_ != nullptr) {
+        std::size_t bytes = 0;
+        for (const JournalEntry& each : session.entries)
+            bytes += each.type.size() + each.id.size() + (each.record ? each.record->size() : 0);
+        session.memory = account_->open(core::MemoryUse::Records);
+        session.memory.set(bytes);
+    }
     std::string id = session.id;
     sessions_[std::move(id)] = std::move(session);
     schedule();

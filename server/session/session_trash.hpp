@@ -2,6 +2,7 @@
 // is what the journal has of it, as text; nothing of it runs.
 #pragma once
 
+#include "core/base/memory_account.hpp"
 #include "core/base/result.hpp"
 #include "protocol/messages_session.hpp"
 #include "server/session/journal.hpp"
@@ -26,7 +27,8 @@ struct TrashedSession {
     protocol::SessionProfile profile;
     std::array<std::size_t, record_types.size()> records{}; ///< how many of each type
     bool thumbnail = false;
-    std::vector<JournalEntry> entries; ///< all of it but its share links
+    std::vector<JournalEntry> entries;      ///< all of it but its share links
+    core::MemoryAccount::Share memory = {}; ///< of those
 };
 
 /// Seconds since 1970 at which it will be gone for good.
@@ -36,7 +38,11 @@ std::int64_t deleted_until(const protocol::SessionProfile& profile);
 class SessionTrash {
   public:
     /// `purged` is told of each session whose time is over, after it has left the trash.
-    SessionTrash(Loop& loop, UnixTime unix_time, std::function<void(const TrashedSession&)> purged);
+    /// @param account  may be null
+    SessionTrash(Loop& loop,
+                 UnixTime unix_time,
+                 std::function<void(const TrashedSession&)> purged,
+                 const core::MemoryAccount* account = nullptr);
     SessionTrash(const SessionTrash&) = delete;
     SessionTrash& operator=(const SessionTrash&) = delete;
 
@@ -58,6 +64,7 @@ class SessionTrash {
     Loop& loop_;
     UnixTime unix_time_;
     std::function<void(const TrashedSession&)> purged_;
+    const core::MemoryAccount* account_;
     std::map<std::string, TrashedSession> sessions_;
     std::shared_ptr<void> timer_;
 };

@@ -79,6 +79,12 @@ std::vector<Method> example_methods() {
          "",
          any_viewer,
          [](const Call&, Reply) { throw std::runtime_error("/secret/path"); }},
+        {"tells_much",
+         "",
+         {},
+         "",
+         any_viewer,
+         [](const Call&, Reply reply) { reply.result(std::string(1 << 20, 'x')); }},
         {"forgets", "", {}, "", any_viewer, [](const Call&, Reply) {}},
         {"on_socket",
          "",
@@ -261,6 +267,21 @@ TEST(MethodTable, NamesEveryMethodOfTheContractOnceAndDocumentsIt) {
           "surface.subscribe", "surface.unsubscribe", "surface.stats"})
         EXPECT_TRUE(methods.contains(name)) << name;
     EXPECT_EQ(methods["surface.subscribe"]["x-websocketOnly"], true);
+}
+
+TEST_F(DispatcherTest, AnswersNoBatchWithMoreThanAMessageMayHave) {
+    std::string batch = "[";
+    for (int id = 0; id < 64; ++id)
+        batch += (id == 0 ? "" : ",") +
+                 (R"({"jsonrpc":"2.0","method":"tells_much","id":)" + std::to_string(id) + "}");
+    const std::string text = answer(batch + "]");
+    EXPECT_LT(text.size(), limits::outbox_message_bytes + 64 * 512);
+    const json answers = json::parse(text);
+    ASSERT_EQ(answers.size(), 64u);
+    EXPECT_TRUE(answers[0].contains("result"));
+    EXPECT_EQ(answers[63]["id"], 63);
+    EXPECT_EQ(answers[63]["error"]["code"], -32014);
+    EXPECT_EQ(answers[63]["error"]["data"]["limit"], limits::outbox_message_bytes);
 }
 
 } // namespace wakesurf::server

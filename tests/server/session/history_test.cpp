@@ -406,7 +406,7 @@ TEST_F(HistoryTest, IsBoundedInBytesAndTheOldestGoFirst) {
     const std::string view = "{\"v\":\"" + std::string(4000, 'x') + "\"}";
     const std::size_t fit = server::limits::undo_bytes / (2 * view.size());
     std::vector<server::Author> authors;
-    for (std::size_t i = 0; i < 2 * fit / server::limits::undo_steps; ++i)
+    for (std::size_t i = 0; i < 2 + 2 * fit / server::limits::undo_steps; ++i)
         authors.push_back({"p" + std::to_string(i), ""});
     for (const auto& author : authors) {
         const auto id = session.set_bookmark(bookmark_of(view))->bookmark;
