@@ -91,9 +91,9 @@ int run(int argc, char** argv) {
                                   [&] { return run_generate(generate); }),
                          generate);
     StateCommandOptions state;
-    add_state_commands(
-        *app.add_subcommand("state", "Check, back up or restore the sessions a server keeps"),
-        state, chosen);
+    add_state_commands(*app.add_subcommand("state", "Check, back up or restore the sessions a "
+                                                    "server keeps, or print what it could not use"),
+                       state, chosen);
     BenchOptions bench;
     add_bench_options(*command("bench", "Measure this machine", [&] { return run_bench(bench); }),
                       bench);

@@ -1,15 +1,22 @@
 #include "server/cli/state_command.hpp"
 
+#include "protocol/json_text.hpp"
+#include "protocol/utc_text.hpp"
 #include "server/cli/failure.hpp"
 #include "server/state/state_copy.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/chrono.h>
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <ctime>
 
 namespace wakesurf::server {
+
+using nlohmann::json;
 
 namespace {
 
@@ -55,6 +62,31 @@ int check(const StateCommandOptions& options) {
     return damaged > 0 ? failed : sound;
 }
 
+/// As it is where it is JSON, so that it can be corrected and set again; else as text.
+json record_of(const std::string& text) {
+    return protocol::parse_json(text, {text.size()}).value_or(json(text));
+}
+
+/// Also where the state is damaged: what can be read of these records is what people look for then.
+int aside(const StateCommandOptions& options) {
+    const auto verdict = check_state(options.folder);
+    if (!verdict)
+        return report_failure(verdict.error());
+    json records = json::array();
+    for (const auto* rows : {&verdict->content.aside, &verdict->content.damaged})
+        for (const AsideRow& each : *rows)
+            records.push_back({{"session", each.session},
+                               {"type", each.label.type},
+                               {"id", each.label.id},
+                               {"why", each.label.why},
+                               {"since", protocol::utc_text(std::clamp<std::int64_t>(
+                                             each.label.since, 0, protocol::last_utc_second))},
+                               {"record", record_of(each.json)}});
+    const json all{{"wakesurfKeptAside", 1}, {"records", std::move(records)}};
+    fmt::print("{}\n", protocol::json_text(all, 2));
+    return sound;
+}
+
 int backup(const StateCommandOptions& options) {
     const auto made = back_up_state(options.folder, options.file);
     if (!made)
@@ -92,6 +124,8 @@ void add_state_commands(CLI::App& command,
         return added;
     };
     add("check", "Say whether all that was kept is there, and how much; changes nothing", check);
+    add("aside", "Print the records that a start could not use as JSON, also while the server runs",
+        aside);
     add("backup", "Copy the sessions into one file, also while the server runs", backup)
         ->add_option("FILE", options.file, "To be made; overwrites nothing")
         ->required();

@@ -1,4 +1,4 @@
-// `wakesurf state backup|check|restore`: the folder of `serve --state`, looked after from outside, also while the server runs.
+// `wakesurf state aside|backup|check|restore`: the folder of `serve --state`, looked after from outside, also while the server runs.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ struct StateCommandOptions {
     bool damaged = false;
 };
 
-/// Adds the three commands; the one that was given is put into `chosen`, to be run. Each returns the exit status: 0 done (check: sound),
+/// Adds the commands; the one that was given is put into `chosen`, to be run. Each returns the exit status: 0 done (check: sound),
 /// 1 failed (check: damaged).
 void add_state_commands(CLI::App& command,
                         StateCommandOptions& options,

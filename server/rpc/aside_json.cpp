@@ -40,11 +40,12 @@ std::optional<std::string> kept_aside_notice(const Session& session) {
     std::string whys;
     for (const KeptAside& each : newest(session, std::min(count, named)))
         whys += (whys.empty() ? "" : "; ") + each.why;
-    const std::string text =
-        fmt::format("{} of this session could not be used when the server started and {} kept "
-                    "aside: {}{}. Nothing was deleted: `wakesurf state check` lists them",
-                    count == 1 ? "a record" : fmt::format("{} records", count),
-                    count == 1 ? "is" : "are", whys, count > named ? "; ..." : "");
+    const std::string text = fmt::format(
+        "{} of this session could not be used when the server started and {} kept "
+        "aside: {}{}. Nothing was deleted: `wakesurf state aside STATE_DIR` prints {} as "
+        "JSON, to be corrected and set again",
+        count == 1 ? "a record" : fmt::format("{} records", count), count == 1 ? "is" : "are", whys,
+        count > named ? "; ..." : "", count == 1 ? "it" : "them");
     return protocol::rpc_notification(
         "server.notice", {{"kind", "recordsKeptAside"}, {"level", "warning"}, {"text", text}});
 }

@@ -171,7 +171,7 @@ class Session {
     /// All that the journal has of it but its share links: restore() makes the same session of it.
     std::vector<JournalEntry> entries() const;
 
-    /// Takes over records that have been checked, into a session without records.
+    /// Takes over records that have been checked, into a session without records; its surfaces rest until someone looks.
     void take_over(KeptRecords records);
 
     /// Notes since when it is in the trash; nothing: it is not any more.
@@ -203,7 +203,7 @@ class Session {
     Epochs edit(std::vector<RecordChange> changes, const Author& author, std::uint64_t drag = 0);
     Epochs commit(const std::vector<RecordChange>& changes);
     Epochs build(const std::vector<RecordChange>& changes, bool rest = false);
-    void begin(std::uint32_t epochs_before);
+    void begin(std::uint32_t epochs_before, bool rest);
     protocol::SessionHead head() const;
     std::vector<JournalEntry> own_entries() const;
     protocol::SessionProfile profile_of(KeptRecords& kept,

@@ -86,7 +86,7 @@ void Session::time_moved(bool jumped) {
     builds_.show(clock_.time(), clock_.playing(), jumped);
 }
 
-void Session::begin(std::uint32_t epochs_before) {
+void Session::begin(std::uint32_t epochs_before, bool rest) {
     std::vector<RecordChange> changes;
     for (Record record : records_.list()) {
         if (auto* surface = std::get_if<protocol::SurfaceRecord>(&record))
@@ -98,8 +98,7 @@ void Session::begin(std::uint32_t epochs_before) {
         records_.put(record);
         changes.push_back({key_of(record), nullptr, std::make_shared<const Record>(record)});
     }
-    // Nobody may ever look at what is restored; a copy is made to be looked at.
-    build(changes, epochs_before != 0);
+    build(changes, rest);
     keep();
     count_memory();
 }
@@ -122,7 +121,7 @@ RestoreReport Session::restore(std::span<const JournalEntry> entries) {
     thumbnail_ = std::move(kept.thumbnail);
     profile_.restore(profile_of(kept, entries));
     set_aside(kept.report.refused); // before what is put in their place
-    begin(restart_gap);
+    begin(restart_gap, true);       // no one may ever look at it
     return std::move(kept.report);
 }
 
@@ -147,7 +146,7 @@ void Session::copy(const Session& other) {
     records_ = other.records_;
     profile_.made_on_purpose();
     profile_.edited();
-    begin(0);
+    begin(0, false); // a copy is made to be looked at
 }
 
 void Session::take_over(KeptRecords kept) {
@@ -158,7 +157,7 @@ void Session::take_over(KeptRecords kept) {
     }
     profile_.made_on_purpose();
     profile_.edited();
-    begin(0);
+    begin(0, true); // a file may hold more than anyone will look at
 }
 
 void Session::delete_at(std::optional<std::int64_t> when) {

@@ -1,11 +1,14 @@
 // Surfaces that nobody looks at: those a restarted server brought back, and those whose memory others needed, rest as parameters.
 #include "core/field/analytic_flow.hpp"
+#include "protocol/json_text.hpp"
 #include "server/session/session_directory.hpp"
+#include "server/session/session_exchange.hpp"
 #include "tests/support/server/hand_clock.hpp"
 #include "tests/support/server/hand_loop.hpp"
 #include "tests/support/server/session_bench.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <memory>
 #include <string>
@@ -151,6 +154,25 @@ TEST_F(RestoredSurfaces, ThatWereLookedAtBeforeTheirDataCameAreBuiltThen) {
     later.settle();
     EXPECT_TRUE(later.outcome(ids[0]).complete);
     EXPECT_FALSE(later.outcome(ids[1]).complete);
+}
+
+TEST(ImportedSurfaces, AreNotBuiltUntilSomebodyLooks) {
+    Life life;
+    const auto ids = add_surfaces(life, many);
+    life.settle();
+    const auto text = protocol::json_text(
+        protocol::session_file_json(file_of(snapshot_of(life.session(), life.datasets, 0))));
+    auto read = read_session_text(text);
+    ASSERT_TRUE(read) << read.error().message;
+    const auto imported = life.sessions->import(std::move(read->records), "twin");
+    ASSERT_TRUE(imported);
+    EXPECT_EQ(life.settle(), 0U);
+    const auto live = *(*imported)->live(ids[7]);
+    const auto looking = look_at(*live);
+    life.settle();
+    EXPECT_TRUE(live->outcome().complete);
+    EXPECT_EQ(live->outcome().crc, life.outcome(ids[7]).crc) << "the same as where it comes from";
+    EXPECT_FALSE((*(*imported)->live(ids[8]))->outcome().complete);
 }
 
 TEST_F(WithheldSurfaces, AreNotBuiltThoughSomebodyLooksAndSayWhy) {

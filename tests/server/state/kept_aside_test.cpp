@@ -1,4 +1,5 @@
 // Records that a start cannot use: they are kept, nobody works with them unawares, and people are told.
+#include "server/catalogue/child_process.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -40,6 +41,16 @@ std::string column(const std::string& path, const std::string& query) {
     return out;
 }
 
+/// What `wakesurf state aside` prints while the server runs.
+json printed_aside(const std::string& folder) {
+    std::string output;
+    const auto outcome =
+        server::run_child(WAKESURF_BINARY, {"state", "aside", folder}, 0,
+                          [&](std::string_view line) { output.append(line).push_back('\n'); }, {});
+    EXPECT_TRUE(outcome && outcome->exit_status == 0);
+    return json::parse(output, nullptr, false);
+}
+
 } // namespace
 
 TEST(KeptAside, RecordsAreToldToPeopleAndOverwrittenByNothing) {
@@ -65,6 +76,9 @@ TEST(KeptAside, RecordsAreToldToPeopleAndOverwrittenByNothing) {
         EXPECT_EQ(notice["kind"], "recordsKeptAside");
         EXPECT_EQ(notice["level"], "warning");
         EXPECT_NE(notice["text"].get<std::string>().find("r2"), std::string::npos) << notice;
+        EXPECT_NE(notice["text"].get<std::string>().find("`wakesurf state aside"),
+                  std::string::npos)
+            << notice;
         EXPECT_EQ(joined["snapshot"]["rakes"].size(), 1u);
         const json other = client.result("session.state", {{"session", "session-7"}});
         EXPECT_EQ(other["keptAside"]["count"], 1) << "of a session without a name, too";
@@ -81,9 +95,27 @@ TEST(KeptAside, RecordsAreToldToPeopleAndOverwrittenByNothing) {
               std::string::npos);
     ServerProcess server(arguments);
     WebSocketClient client(server);
+    const json exported = printed_aside(folder.path());
+    ASSERT_EQ(exported["records"].size(), 3u) << exported;
+    for (const json& each : exported["records"]) {
+        if (each["id"] == "p1") {
+            EXPECT_EQ(each["record"], "not one") << "as text where it is no JSON";
+        }
+        if (each["id"] != "r2")
+            continue;
+        json rake = each["record"];
+        EXPECT_EQ(rake["name"], "no length");
+        EXPECT_EQ(each["session"], "main");
+        EXPECT_NE(each["why"].get<std::string>().find("coincide"), std::string::npos);
+        const json corrected{{"kind", rake["kind"]},
+                             {"points", {{0, 0, 0}, {0, 1, 0}}},
+                             {"seeds", rake["seeds"]},
+                             {"name", rake["name"]}};
+        EXPECT_EQ(client.result("rake.set", corrected)["rake"], "r4") << "its owner has it again";
+    }
     EXPECT_EQ(client.result("session.state")["keptAside"]["count"], 2)
         << "as long as they are there";
-    EXPECT_EQ(client.result("session.state")["rakes"].size(), 2u);
+    EXPECT_EQ(client.result("session.state")["rakes"].size(), 3u);
 }
 
 } // namespace wakesurf::tests
