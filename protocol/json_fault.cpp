@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <set>
 #include <vector>
 
 namespace wakesurf::protocol {
@@ -15,7 +16,7 @@ using nlohmann::json;
 namespace {
 
 /// Follows the text to where it ends to be JSON.
-class Follower final : public nlohmann::json_sax<json> {
+class Follower : public nlohmann::json_sax<json> {
   public:
     bool null() override { return value(); }
 
@@ -38,7 +39,7 @@ class Follower final : public nlohmann::json_sax<json> {
 
     bool key(std::string& name) override {
         at_.back().name = name;
-        return true;
+        return member(at_.back().names, name);
     }
 
     bool end_object() override { return end(); }
@@ -76,10 +77,16 @@ class Follower final : public nlohmann::json_sax<json> {
         return out;
     }
 
+  protected:
+    using Names = std::set<std::string>;
+
+    virtual bool member(Names&, const std::string&) { return true; }
+
   private:
     struct Level {
         std::string name;
         int index = -1; ///< of an array's next element
+        Names names{};  ///< of an object, where they are collected
     };
 
     bool value() {
@@ -96,6 +103,13 @@ class Follower final : public nlohmann::json_sax<json> {
     std::vector<Level> at_;
     std::size_t position_ = 0;
     bool too_large_ = false;
+};
+
+/// Follows it to a member whose object has had it already.
+class TwiceFinder final : public Follower {
+    bool member(Names& names, const std::string& name) override {
+        return names.insert(name).second;
+    }
 };
 
 /// What languages print for numbers that JSON has not: the one whose letters `position` is among.
@@ -138,6 +152,12 @@ JsonFault json_fault(std::string_view text) {
     return {fmt::format("the text is not valid JSON from byte {} on{}", position,
                         place.empty() ? "" : ", in " + where),
             "send JSON text in UTF-8"};
+}
+
+JsonFault member_twice(std::string_view text) {
+    TwiceFinder finder;
+    json::sax_parse(text, &finder);
+    return {fmt::format("`{}` is there twice", finder.place()), "send each member once"};
 }
 
 } // namespace wakesurf::protocol

@@ -130,9 +130,10 @@ RpcMessage parse_rpc(std::string_view text, const RpcLimits& limits) {
     const auto value = parse_json(text, {limits.message_bytes, limits.depth});
     if (!value) {
         const bool limit = value.error().code == core::Error::Code::OverLimit;
+        const bool sound = value.error().code != core::Error::Code::Corrupt;
         return {
             false,
-            {refuse(RpcId(null_id), limit ? RpcCode::InvalidRequest : RpcCode::ParseError,
+            {refuse(RpcId(null_id), sound ? RpcCode::InvalidRequest : RpcCode::ParseError,
                     value.error().message, limit ? "send smaller messages" : value.error().hint)}};
     }
     if (!value->is_array())

@@ -10,7 +10,8 @@ namespace {
 
 struct Shape {
     std::size_t deepest = 0;
-    std::size_t values = 1; ///< at most so many
+    std::size_t values = 1;  ///< at most so many
+    std::size_t members = 0; ///< of all objects
 };
 
 Shape shape_of(std::string_view text) {
@@ -29,11 +30,23 @@ Shape shape_of(std::string_view text) {
             ++shape.values;
         } else if (c == ',') {
             ++shape.values;
+        } else if (c == ':') {
+            ++shape.members;
         } else if ((c == ']' || c == '}') && depth > 0) {
             --depth;
         }
     }
     return shape;
+}
+
+/// Where a member comes twice there are fewer of them than in the text.
+std::size_t members_of(const nlohmann::json& value) {
+    if (!value.is_structured())
+        return 0;
+    std::size_t members = value.is_object() ? value.size() : 0;
+    for (const auto& each : value)
+        members += members_of(each);
+    return members;
 }
 
 } // namespace
@@ -54,6 +67,11 @@ core::Result<nlohmann::json> parse_json(std::string_view text, JsonLimits limits
     if (value.is_discarded()) {
         JsonFault fault = json_fault(text);
         return core::fail(Error::Code::Corrupt, std::move(fault.message), std::move(fault.hint));
+    }
+    if (members_of(value) != shape.members) {
+        JsonFault fault = member_twice(text);
+        return core::fail(Error::Code::InvalidArgument, std::move(fault.message),
+                          std::move(fault.hint));
     }
     return value;
 }

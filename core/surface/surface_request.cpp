@@ -92,6 +92,19 @@ Result<void> check_request(const SurfaceParameters& p) {
     return {};
 }
 
+Result<void> check_separation(const Flow& flow, double separation) {
+    const double diagonal = glm::length(flow.domain().extent());
+    const double least = 1e-6 * diagonal;
+    const double most = 1e3 * diagonal;
+    if (separation >= least && separation <= most)
+        return {};
+    std::ostringstream text;
+    text << "'separation' is " << separation << "; in this domain it must lie between " << least
+         << " and " << most;
+    return fail(Error::Code::InvalidArgument, text.str(),
+                "leave it out for the dataset's finest spacing");
+}
+
 Result<double>
 largest_speed(const Flow& flow, const Rake& rake, double time, std::stop_token stop) {
     std::vector<Vec3> points;

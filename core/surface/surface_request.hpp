@@ -12,6 +12,10 @@ namespace wakesurf::core {
 /// Error: InvalidArgument.
 Result<void> check_request(const SurfaceParameters& parameters);
 
+/// Whether cells of that edge can show anything of the flow: from a millionth of its domain's diagonal to a thousand of them.
+/// Error: InvalidArgument.
+Result<void> check_separation(const Flow& flow, double separation);
+
 /// Largest speed on 7^3 points of the domain and 17 of the rake: what "standing still" is measured by.
 Result<double> largest_speed(const Flow& flow, const Rake& rake, double time, std::stop_token stop);
 

@@ -1,6 +1,7 @@
 #include "server/cli/surface_command.hpp"
 
 #include "core/surface/surface_builder.hpp"
+#include "core/surface/surface_request.hpp"
 #include "core/surface/vertex_times.hpp"
 #include "protocol/json_text.hpp"
 #include "protocol/mesh_file.hpp"
@@ -132,6 +133,8 @@ make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop
         return chosen;
     if (request.parameters.separation == 0.0)
         request.parameters.separation = dataset->info.finest_spacing;
+    if (auto shows = core::check_separation(*dataset->flow, request.parameters.separation); !shows)
+        return shows;
     if (auto inside = clip_rakes(request, dataset->flow->domain()); !inside)
         return inside;
     if (auto known = check_fields(*dataset, options.fields); !known)

@@ -1,6 +1,7 @@
 #include "server/session/surface_rules.hpp"
 
 #include "core/field/velocity_gradient.hpp"
+#include "core/surface/surface_request.hpp"
 #include "core/surface/vertex_attributes.hpp"
 #include "server/session/surface_fields.hpp"
 
@@ -76,7 +77,7 @@ core::Result<void> complete_surface(protocol::SurfaceSetting& setting, const Ope
     setting.fields = std::move(fields);
     if (p.separation == 0.0)
         p.separation = dataset.flow->finest_spacing();
-    return {};
+    return core::check_separation(*dataset.flow, p.separation);
 }
 
 } // namespace wakesurf::server

@@ -55,4 +55,25 @@ TEST(JsonFault, CutsNamesThatAreLong) {
     EXPECT_LT(fault(R"({")" + std::string(5000, 'x') + R"(":NaN})").size(), 200u);
 }
 
+TEST(JsonFault, NamesAMemberThatIsThereTwice) {
+    const auto twice = [](const std::string& text) {
+        const RpcMessage message = parse_rpc(text, {65536, 32, 64});
+        EXPECT_TRUE(message.calls.at(0).refused) << text;
+        EXPECT_EQ(message.calls.at(0).refused->code, RpcCode::InvalidRequest) << text;
+        return message.calls.at(0).refused->message;
+    };
+    EXPECT_EQ(twice(R"({"jsonrpc":"2.0","id":1,"method":"server.ping","method":"session.create"})"),
+              "`method` is there twice");
+    EXPECT_EQ(twice(call(R"("seeds":8,"seeds":9)")), "`seeds` is there twice");
+    EXPECT_EQ(twice(call(R"("view":{"a":{":":1}},"list":[{"x":1},{"x":2,"y":[],"x":3}])")),
+              "`list[1].x` is there twice");
+    EXPECT_EQ(twice(call(R"("seeds":8,"\u0073eeds":9)")), "`seeds` is there twice")
+        << "the same name in other letters";
+    EXPECT_EQ(twice("[" + call("") + "," + call(R"("a":1,"a":1)") + "]"), "`a` is there twice");
+    EXPECT_FALSE(
+        parse_rpc(call(R"("a":{"a":":\":"},"b":{"a":1},"c":[{"a":1},{"a":1}])"), {65536, 32, 64})
+            .calls.at(0)
+            .refused);
+}
+
 } // namespace wakesurf::protocol

@@ -89,6 +89,13 @@ TEST_F(BadInput, IsRefusedWithTheFieldsName) {
     }
 }
 
+TEST_F(BadInput, WithAMemberTwiceIsRefusedByName) {
+    const json fault =
+        error(R"({"jsonrpc":"2.0","id":1,"method":"server.ping","method":"session.create"})");
+    EXPECT_EQ(fault["code"], -32600);
+    EXPECT_EQ(fault["message"], "`method` is there twice");
+}
+
 TEST_F(BadInput, OfRakesThatAreNoneIsRefused) {
     EXPECT_EQ(error(rake("[[0,0,0],[0,0,0]]"))["code"], -32602);
     EXPECT_EQ(error(rake("[[0,0,0]]"))["code"], -32602);
@@ -112,6 +119,13 @@ TEST_F(BadInput, OfSurfacesIsRefused) {
         surface(
             R"("kind":"stream","dataset":"lamb-oseen","from":0,"to":1,"separation":-1)")["code"],
         -32602);
+    for (const std::string separation : {"0", "1e-300", "1e-9", "1e300"}) {
+        const json fault = surface(
+            R"("kind":"stream","dataset":"lamb-oseen","from":0,"to":1,"separation":)" + separation);
+        EXPECT_EQ(fault["code"], -32602) << separation;
+        EXPECT_NE(fault["message"].get<std::string>().find("separation"), std::string::npos)
+            << fault;
+    }
     EXPECT_EQ(
         surface(R"("kind":"stream","dataset":"lamb-oseen","from":0,"to":1,"maxQuads":1000000000)")
             ["code"],
