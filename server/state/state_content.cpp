@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -9,8 +10,11 @@ using core::Error;
 
 namespace {
 
-constexpr const char* row_columns = "SELECT session, type, id, json, digest FROM records";
-constexpr const char* row_columns_1 = "SELECT session, type, id, json, 0 FROM records";
+/// Rows of layout 1 have no checksum.
+std::string select_rows(int layout, const char* which = "") {
+    return std::string("SELECT session, type, id, json, ") + (layout == 1 ? "0" : "digest") +
+           " FROM records" + which;
+}
 
 std::string count_text(std::int64_t count, const char* what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
@@ -44,6 +48,15 @@ void take_row(
     const std::string why = key.type + (key.id.empty() ? "" : " " + key.id.substr(0, 64)) +
                             ": damaged on the disk, its checksum is another";
     into.damaged.push_back({key.session, {key.type, key.id, why, now}, std::move(json)});
+}
+
+/// Of the file's layout, and nothing of it read yet.
+core::Result<StateContent> of_layout(Database& database) {
+    return layout_of(database).map([](int layout) {
+        StateContent out;
+        out.layout = layout;
+        return out;
+    });
 }
 
 core::Result<void> read_aside(Database& database, StateContent& into) {
@@ -119,19 +132,16 @@ std::map<std::string, RowSum> StateContent::sums() const {
 }
 
 core::Result<StateContent> read_content(Database& database, std::int64_t now) {
-    StateContent out;
-    const auto layout = layout_of(database);
-    if (!layout)
-        return tl::unexpected(layout.error());
-    out.layout = *layout;
-    if (out.layout == 0)
-        return out;
+    auto begun = of_layout(database);
+    if (!begun || begun->layout == 0)
+        return begun;
+    StateContent out = std::move(*begun);
     const auto verdict = database.text("PRAGMA integrity_check(1)");
     if (!verdict)
         return tl::unexpected(verdict.error());
     if (*verdict != "ok")
         out.faults.push_back("its structure is broken");
-    auto query = database.prepare(out.layout == 1 ? row_columns_1 : row_columns);
+    auto query = database.prepare(select_rows(out.layout).c_str());
     if (!query)
         return tl::unexpected(query.error());
     Found found;
@@ -162,13 +172,10 @@ Error damage_error(const StateContent& content) {
 
 // A row by its number needs only the pages on the way to it, so that those behind a broken page are reached all the same.
 core::Result<StateContent> salvage_content(Database& database, std::int64_t now) {
-    StateContent out;
-    const auto layout = layout_of(database);
-    if (!layout)
-        return tl::unexpected(layout.error());
-    out.layout = *layout;
-    if (out.layout == 0)
-        return out;
+    auto begun = of_layout(database);
+    if (!begun || begun->layout == 0)
+        return begun;
+    StateContent out = std::move(*begun);
     std::int64_t last = 0;
     for (const char* query : {"SELECT max(rowid) FROM records", "SELECT sum(records) FROM sums"})
         if (const auto number = database.number(query))
@@ -178,8 +185,7 @@ core::Result<StateContent> salvage_content(Database& database, std::int64_t now)
     constexpr std::int64_t most = 100'000'000;
     last = std::min(last + beyond, most);
     Found found;
-    auto query = database.prepare(
-        (std::string(out.layout == 1 ? row_columns_1 : row_columns) + " WHERE rowid=?1").c_str());
+    auto query = database.prepare(select_rows(out.layout, " WHERE rowid=?1").c_str());
     if (!query)
         return tl::unexpected(query.error());
     for (std::int64_t number = 1; number <= last; ++number) {

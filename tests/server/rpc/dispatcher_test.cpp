@@ -3,6 +3,7 @@
 #include "server/rpc/dispatcher.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/session/log_text.hpp"
+#include "tests/support/server/no_datasets.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -15,17 +16,9 @@
 namespace wakesurf::server {
 
 using nlohmann::json;
+using tests::NoDatasets;
 
 namespace {
-
-class NoDatasets final : public Datasets {
-  public:
-    std::vector<std::string> ids() const override { return {}; }
-
-    core::Result<OpenDataset> open(const std::string&) const override {
-        return core::fail(core::Error::Code::NotFound, "there are none");
-    }
-};
 
 class IdleLoop final : public Loop {
   public:

@@ -2,6 +2,8 @@
 #include "server/rpc/dispatcher.hpp"
 #include "server/rpc/method_table.hpp"
 #include "tests/support/server/hand_clock.hpp"
+#include "tests/support/server/no_datasets.hpp"
+#include "tests/support/server/noted_wire.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -16,37 +18,10 @@
 namespace wakesurf::server {
 
 using nlohmann::json;
+using tests::NoDatasets;
+using tests::NotedWire;
 
 namespace {
-
-class NoDatasets final : public Datasets {
-  public:
-    std::vector<std::string> ids() const override { return {}; }
-
-    core::Result<OpenDataset> open(const std::string&) const override {
-        return core::fail(core::Error::Code::NotFound, "there are none");
-    }
-};
-
-class Line final : public Wire {
-  public:
-    void send(std::string message) override { sent.push_back(json::parse(message)); }
-
-    bool may_follow(std::uint32_t) override { return true; }
-
-    void follow(FrameCursor) override {}
-
-    bool unfollow(std::uint32_t) override { return false; }
-
-    bool acknowledge(std::uint32_t, std::optional<std::uint32_t>, std::uint32_t) override {
-        return false;
-    }
-
-    void close(Goodbye goodbye, const std::string&) override { closed = goodbye; }
-
-    std::vector<json> sent;
-    std::optional<Goodbye> closed;
-};
 
 /// What a call is about, and so what a share link is good for.
 enum class About { Nothing, Session, Server };
@@ -127,7 +102,7 @@ struct PermissionTest : testing::Test {
 
     /// The code of the answer to a call over a WebSocket of its own, 0 for none.
     int code(const std::string& method, const Identity& identity, const json& parameters) {
-        Line line;
+        NotedWire line;
         Client client(line, identity, grants);
         return code_of(answer(call(method, parameters), identity, &client));
     }
@@ -162,6 +137,8 @@ struct PermissionTest : testing::Test {
     Grants grants{{loop, clock, entropy, [] { return std::int64_t{0}; }}};
     SessionDirectory sessions{{loop, pool, datasets, entropy}};
     Budgets budgets{clock};
+    Metrics metrics{clock};
+    Standing standing;
     Dispatcher dispatcher{method_table(),
                           {sessions,
                            datasets,
@@ -171,8 +148,8 @@ struct PermissionTest : testing::Test {
                            clock,
                            loop,
                            nullptr,
-                           {},
-                           nullptr,
+                           [this] { return standing; },
+                           &metrics,
                            nullptr,
                            {},
                            &budgets},
@@ -211,9 +188,38 @@ TEST_F(PermissionTest, IsAskedForEveryMethodEveryRoleAndEverySession) {
     }
 }
 
+TEST_F(PermissionTest, TellsALinkTheStatisticsOfItsOwnSessionOnly) {
+    standing.clients = 5;
+    standing.caches.push_back({"secret wing", 1, 2, 3, 4});
+    NotedWire there;
+    Client stranger(there, {}, grants);
+    for (const auto& id : {other, std::string("main")}) {
+        const json joined =
+            answer(call("session.join", {{"session", id}, {"name", "A"}}), {}, &stranger);
+        ASSERT_TRUE(joined.contains("result")) << joined;
+    }
+    const json all = answer(call("server.stats"), {}, nullptr)["result"];
+    EXPECT_EQ(all["clients"], 5);
+    EXPECT_EQ(all["cache"][0]["dataset"], "secret wing");
+    for (const Role role : {Role::Viewer, Role::Host}) {
+        const Identity identity = link(role);
+        const json own = answer(call("server.stats"), identity, nullptr)["result"];
+        std::vector<std::string> told;
+        for (const auto& [name, value] : own.items())
+            told.push_back(name);
+        EXPECT_EQ(told,
+                  (std::vector<std::string>{"firstFrame", "participants", "stages", "surfaces"}));
+        EXPECT_EQ(own["participants"], 1) << "who has left the other session for this one";
+    }
+    ASSERT_TRUE(answer(call("session.join", {{"session", other}, {"name", "A"}}), {}, &stranger)
+                    .contains("result"));
+    EXPECT_EQ(answer(call("server.stats"), link(Role::Viewer), nullptr)["result"]["participants"],
+              0);
+}
+
 TEST_F(PermissionTest, SaysWhichRoleIsNeeded) {
     const Identity viewer = link(Role::Viewer);
-    Line line;
+    NotedWire line;
     Client client(line, viewer, grants);
     const json error = answer(call("rake.set", {{"session", "main"}}), viewer, &client)["error"];
     EXPECT_EQ(error["data"]["kind"], "notPermitted");
@@ -223,7 +229,7 @@ TEST_F(PermissionTest, SaysWhichRoleIsNeeded) {
 TEST_F(PermissionTest, NeverTellsALinkWhetherThereIsAnotherSession) {
     const Identity host = link(Role::Host);
     const auto refusal = [&](const std::string& session) {
-        Line line;
+        NotedWire line;
         Client client(line, host, grants);
         return answer(call("session.state", {{"session", session}}), host, &client);
     };
@@ -249,8 +255,8 @@ TEST_F(PermissionTest, IsAskedAgainForEachCallOfABatch) {
 TEST_F(PermissionTest, EndsWithTheLinkAndClosesItsConnections) {
     const Identity taken_back = link(Role::Editor);
     const Identity expiring = link(Role::Editor, std::chrono::seconds(5));
-    Line first_line;
-    Line second_line;
+    NotedWire first_line;
+    NotedWire second_line;
     Client first(first_line, taken_back, grants);
     Client second(second_line, expiring, grants);
     const json join = call("session.join", {{"session", "main"}});
@@ -267,14 +273,14 @@ TEST_F(PermissionTest, EndsWithTheLinkAndClosesItsConnections) {
     loop.advance(std::chrono::seconds(5));
     EXPECT_EQ(second_line.closed, Goodbye::LinkEnded);
     EXPECT_TRUE((*sessions.find("main"))->participants().present().empty());
-    Line late_line;
+    NotedWire late_line;
     const Client late(late_line, expiring, grants); // let in before, upgraded after the end
     EXPECT_EQ(late_line.closed, Goodbye::LinkEnded);
 }
 
 TEST_F(PermissionTest, FollowsTheRoleAHostSetsForAParticipant) {
     const Identity viewer = link(Role::Viewer);
-    Line line;
+    NotedWire line;
     Client client(line, viewer, grants);
     const json joined =
         answer(call("session.join", {{"session", "main"}}), viewer, &client)["result"];
@@ -300,7 +306,7 @@ TEST_F(PermissionTest, HoldsALesserRoleForEveryWayThatPersonsLinkOffers) {
     const Visitor elsewhere(by_link, "login 2");
     const json join = call("session.join", {{"session", "main"}});
     const json undo = call("history.undo", {{"session", "main"}});
-    Line lines[5];
+    NotedWire lines[5];
     Client demoted(lines[0], by_link, grants);
     Client second_window(lines[1], by_link, grants);
     Client colleague(lines[2], elsewhere, grants);
@@ -341,7 +347,7 @@ TEST_F(PermissionTest, HoldsALesserRoleForEveryWayThatPersonsLinkOffers) {
 
 TEST_F(PermissionTest, RaisesOnePlaceOnly) {
     const Identity viewer = link(Role::Viewer);
-    Line lines[2];
+    NotedWire lines[2];
     Client raised(lines[0], viewer, grants);
     Client other_socket(lines[1], viewer, grants);
     const json you =
@@ -390,8 +396,8 @@ TEST_F(PermissionTest, TellsWhoMadeALinkAndOffersToEndWhatItMade) {
 
 TEST_F(PermissionTest, KeepsLinksFromLordingItOverTheServersOwnToken) {
     const Identity host = link(Role::Host);
-    Line owners_line;
-    Line guests_line;
+    NotedWire owners_line;
+    NotedWire guests_line;
     Client owner(owners_line, {}, grants);
     Client guest(guests_line, host, grants);
     const json join = call("session.join", {{"session", "main"}});
@@ -415,7 +421,7 @@ TEST_F(PermissionTest, TakesCallsNoFasterThanAPersonMayOverAllTheirConnections) 
     const json edit = call("rake.delete", {{"session", "main"}, {"rake", "r9"}});
     const Visitor editor(link(Role::Editor), "login 1");
     const Visitor another(editor, "login 2");
-    Line lines[2];
+    NotedWire lines[2];
     Client first(lines[0], editor, grants);
     Client second(lines[1], editor, grants);
     const auto limited = [&](const Visitor& identity, Client* client) {

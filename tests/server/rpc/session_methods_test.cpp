@@ -14,6 +14,7 @@
 namespace wakesurf::server {
 
 using nlohmann::json;
+using tests::NotedWire;
 using tests::SessionBench;
 
 namespace {
@@ -22,26 +23,6 @@ namespace {
 const std::string pixel =
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg"
     "==";
-
-class Line final : public Wire {
-  public:
-    void send(std::string message) override { sent.push_back(json::parse(message)); }
-
-    bool may_follow(std::uint32_t) override { return true; }
-
-    void follow(FrameCursor) override {}
-
-    bool unfollow(std::uint32_t) override { return false; }
-
-    bool acknowledge(std::uint32_t, std::optional<std::uint32_t>, std::uint32_t) override {
-        return false;
-    }
-
-    void close(Goodbye goodbye, const std::string&) override { closed = goodbye; }
-
-    std::vector<json> sent;
-    std::optional<Goodbye> closed;
-};
 
 struct SessionMethods : testing::Test {
     json answer(const std::string& method,
@@ -91,7 +72,7 @@ struct SessionMethods : testing::Test {
 
 TEST_F(SessionMethods, AListTellsWhoWasHereWhenAndWhatIsInASession) {
     const std::string id = result("session.create", {{"name", "wake"}})["session"];
-    Line wire;
+    NotedWire wire;
     Client ada(wire, {}, grants);
     const json joined =
         answer("session.join", {{"session", id}, {"name", "Ada"}, {"colour", "#102030"}}, {}, &ada);
@@ -116,7 +97,7 @@ TEST_F(SessionMethods, AListTellsWhoWasHereWhenAndWhatIsInASession) {
 }
 
 TEST_F(SessionMethods, JoiningWithoutASessionIsJoiningMainOrTheLinksOwn) {
-    Line wire;
+    NotedWire wire;
     Client host(wire, {}, grants);
     answer("session.join", json::object(), {}, &host);
     EXPECT_EQ(host.session()->id(), "main");
@@ -141,7 +122,7 @@ TEST_F(SessionMethods, OverTheLimitTheErrorSaysHowManyAndWhatToDo) {
 }
 
 TEST_F(SessionMethods, EverybodyIsToldOfANewNameAlsoWhoComesBack) {
-    Line wire;
+    NotedWire wire;
     Client ada(wire, {}, grants);
     const json joined = answer("session.join", {{"session", "main"}}, {}, &ada)["result"];
     ada.leave();
@@ -161,7 +142,7 @@ TEST_F(SessionMethods, EverybodyIsToldOfANewNameAlsoWhoComesBack) {
 
 TEST_F(SessionMethods, DeletingTellsThePeopleAndTakesThemOut) {
     const std::string id = result("session.create", {{"name", "short"}})["session"];
-    Line wire;
+    NotedWire wire;
     Client ada(wire, {}, grants);
     answer("session.join", {{"session", id}}, {}, &ada);
     const json gone = result("session.delete", {{"session", id}});
@@ -183,7 +164,7 @@ TEST_F(SessionMethods, AHostByALinkGetsTheAnswerAndThenLosesTheLinkUntilTheSessi
     const std::string id = result("session.create", {{"name", "linked"}})["session"];
     const std::string key = grants.make(id, Role::Host, {})->key;
     const Identity link = *grants.find(key);
-    Line wire;
+    NotedWire wire;
     Client host(wire, link, grants);
     const json gone = answer("session.delete", {{"session", id}}, link, &host);
     EXPECT_TRUE(gone.contains("result")) << gone;
