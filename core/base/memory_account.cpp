@@ -275,7 +275,7 @@ Error MemoryAccount::refusal(std::string_view what, std::size_t bytes) const {
     return {Error::Code::OverLimit,
             std::string(what) + " needs " + mebibytes(bytes) + " of memory, and of the " +
                 mebibytes(budget()) + " of --memory " + mebibytes(free()) + " are free",
-            "ask for fewer quads or a larger separation, close what nobody looks at, or start the "
+            "ask for fewer quads or a larger separation, close what no one looks at, or start the "
             "server with more --memory",
             {},
             budget()};

@@ -94,7 +94,7 @@ class Stale(WakesurfError):
 
 
 class Leased(WakesurfError):
-    """Somebody else is dragging the rake: `by` whom, `until` when."""
+    """Someone else is dragging the rake: `by` whom, `until` when."""
 
     @property
     def by(self) -> str:
@@ -130,7 +130,7 @@ class ServerFault(WakesurfError):
 
 
 class Unreachable(WakesurfError, ConnectionError):
-    """Nobody answers at the address, or the connection broke."""
+    """No one answers at the address, or the connection broke."""
 
 
 class WaitTimeout(WakesurfError, TimeoutError):
@@ -229,7 +229,7 @@ class Client:
             time.sleep(min(problem.data["retryAfterMs"], 5000) / 1000)
 
     def batch(self, calls: Iterable[Tuple[str, Json]]) -> List[Any]:
-        """Several calls in one message. Results in order; a call that failed gives its error as a value."""
+        """Several calls in one message. Results in order; a call that failed has its error as a value."""
         requests = [{"jsonrpc": "2.0", "id": next(self._ids), "method": method,
                      "params": {name: _plain(value, name) for name, value in parameters.items()}}
                     for method, parameters in calls]
@@ -298,7 +298,7 @@ class Client:
 
     def create_session(self, name: str = "") -> "Session":
         """A new, empty one; `Session.about["remaining"]` says how many more there may be. Give it a name: the server may
-        give up one without a name that nobody ever edits. Error: OverLimit."""
+        give up one without a name that no one ever edits. Error: OverLimit."""
         made = self.call("session.create", name=name)
         return Session(self, made["session"], made)
 
@@ -336,7 +336,7 @@ class Session:
         return self.call("session.state")
 
     def rename(self, name: str) -> None:
-        """Another name, for everybody."""
+        """Another name, for everyone."""
         self.about.update(self.call("session.rename", name=name))
 
     def delete(self, forever: bool = False) -> None:
@@ -374,7 +374,7 @@ class Session:
 
     def share(self, role: str = "viewer", expires_in: Any = _USUAL) -> str:
         """The address that lets others into this session, as viewer, editor or host, for `expires_in` seconds; None: until
-        it is taken back; left out: a week, or as long as the link you came by. Whoever has it is in: treat it as a password."""
+        it is taken back; left out: a week, or as long as the link you came by. Anyone who has it is in: treat it as a password."""
         lasts = None if expires_in is _USUAL else _NULL if expires_in is None else expires_in
         return self.client.url + "/" + self.call("session.share", role=role, expiresIn=lasts)["link"]
 
@@ -421,7 +421,7 @@ class Session:
         return self.call("history.redo")
 
     def set_time(self, time: Optional[float]) -> Json:
-        """Sets the clock that everybody in the session shares; None: no time, surfaces are shown at their end."""
+        """Sets the clock that everyone in the session shares; None: no time, surfaces are shown at their end."""
         return self.call("time.set", time=_NULL if time is None else time)
 
     def play(self, **how: Any) -> Json:
@@ -782,7 +782,7 @@ class _Socket:
         self._socket.send(json.dumps({"jsonrpc": "2.0", "method": method, "params": parameters}))
 
     def frame(self) -> bytes:
-        """The next one; text messages on the way are notifications nobody here listens to."""
+        """The next one; text messages on the way are notifications no one here listens to."""
         if self._frames:
             return self._frames.pop(0)
         while True:

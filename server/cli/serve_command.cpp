@@ -53,7 +53,7 @@ core::Result<Address> parse_address(const std::string& text) {
 core::Result<std::string> choose_token(const ServeOptions& options, const Address& address) {
     if (options.no_auth && !is_loopback(address.host))
         return fail(Error::Code::InvalidArgument,
-                    "--no-auth would let anybody in at " + address.host,
+                    "--no-auth would let anyone in at " + address.host,
                     "listen on 127.0.0.1, or leave --no-auth out");
     if (options.no_auth)
         return std::string{};
@@ -163,9 +163,8 @@ core::Result<void> serve(const ServerOptions& options) {
         spdlog::info("event=no_tls message=\"this port speaks plain HTTP\" hint=\"publish it on "
                      "127.0.0.1 only, or put TLS in front of it\"");
     else if (!tls && !is_loopback(options.host))
-        spdlog::warn(
-            "event=no_tls message=\"everybody on the way can read the token and the data\" "
-            "hint=\"give --tls-cert and --tls-key\"");
+        spdlog::warn("event=no_tls message=\"everyone on the way can read the token and the data\" "
+                     "hint=\"give --tls-cert and --tls-key\"");
     (*running)->run();
     return {};
 }

@@ -201,7 +201,7 @@ std::vector<Method> dataset_methods() {
          describe},
         {"dataset.open",
          "Answers once a dataset is imported, with an import that was stopped going on where it "
-         "ended. $/cancelRequest ends the waiting, and the import with it when nobody else waits; "
+         "ended. $/cancelRequest ends the waiting, and the import with it when no one else waits; "
          "a connection that is lost ends no import.",
          {dataset, patience, work_token},
          "an entry of dataset.list; its state is importing when timeoutMs ran out, and incomplete, "

@@ -49,7 +49,7 @@ std::vector<Method> history_methods() {
         {"history.undo",
          "Takes back the caller's newest edit, a whole gesture (or drag) at once. Never undoes "
          "others' work: an "
-         "edit whose records somebody else has changed since is skipped, once and for all.",
+         "edit whose records someone else has changed since is skipped, once and for all.",
          {session_parameter()},
          "{undone: [{op, type, id, rev?}] or null, skipped: [{type, id, why}], undo, redo, seq}: "
          "undo and redo are how many more there are",

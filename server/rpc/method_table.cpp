@@ -27,7 +27,7 @@ Parameter session_parameter() {
 
 Parameter default_parameter() {
     return {"default", R"({"type":"boolean","default":false})", false,
-            "true: only if nobody has edited the session and there is none yet; it counts as no "
+            "true: only if no one has edited the session and there is none yet; it counts as no "
             "edit, so "
             "undo does not turn it"};
 }

@@ -32,7 +32,7 @@ constexpr std::array known_errors{
     KnownError{RpcCode::Unauthenticated, "no valid token"},
     KnownError{RpcCode::NotPermitted, "the role does not allow it"},
     KnownError{RpcCode::NotFound, "there is no such session, record or dataset"},
-    KnownError{RpcCode::Leased, "somebody else is dragging the rake"},
+    KnownError{RpcCode::Leased, "someone else is dragging the rake"},
     KnownError{RpcCode::OutsideDomain,
                "outside the dataset's domain; the message says by how much"},
     KnownError{RpcCode::OutsideTimeRange, "outside the dataset's times"},

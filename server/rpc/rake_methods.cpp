@@ -116,11 +116,11 @@ std::vector<Method> rake_methods() {
           {"colour", R"({"type":"string","pattern":"^#[0-9a-fA-F]{6}$"})", false,
            "#rrggbb; left out: as it was, of a new rake one that few others have"},
           {"dragging", flag, false,
-           fmt::format("true: nobody else may edit the rake for {} s from now; false: they may "
+           fmt::format("true: no one else may edit the rake for {} s from now; false: they may "
                        "again; left out: as it was",
                        limits::lease.count() / 1000)},
           {"force", R"({"type":"boolean","default":false})", false,
-           "a host's edit goes before somebody else's lease"},
+           "a host's edit goes before someone else's lease"},
           default_parameter(),
           gesture_parameter(),
           if_rev},
@@ -134,7 +134,7 @@ std::vector<Method> rake_methods() {
          {session_parameter(),
           rake,
           {"force", R"({"type":"boolean","default":false})", false,
-           "although somebody else drags it"},
+           "although someone else drags it"},
           gesture_parameter(),
           if_rev},
          "{seq}",

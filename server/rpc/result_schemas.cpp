@@ -132,7 +132,7 @@ constexpr std::string_view shapes = R"json({
   "properties": {
     "grant": "#Id", "role": "#Role", "expires?": {"type": "number", "description": "seconds since 1970; left out: never"},
     "newcomers?": {"enum": ["viewer", "editor"], "description":
-      "where a host gave somebody who came by it a lesser role: what those are who come by it from then on"},
+      "where a host gave someone who came by it a lesser role: what those are who come by it from then on"},
     "madeBy": {"type": "object", "properties": {
       "grant?": {"type": "string", "description": "the link its maker came by; left out: the server's own token"},
       "name": {"type": "string", "description": "of the participant; empty: a script"}}},
@@ -205,7 +205,7 @@ constexpr std::string_view shapes = R"json({
       "items": {"type": "object", "properties": {"name": {"type": "string"}, "colour": {"type": "string"}}}},
     "created?": {"type": "string", "description": "UTC; missing where the session is older than this was noted"},
     "lastUsed": {"type": "string", "description": "UTC"},
-    "edited": {"type": "boolean", "description": "by anybody, beyond the page's default scene"},
+    "edited": {"type": "boolean", "description": "by anyone, beyond the page's default scene"},
     "rakes": "#Count", "surfaces": "#Count", "bookmarks": "#Count", "annotations": "#Count",
     "thumbnail": {"type": "boolean", "description": "there is a picture of it"},
     "deletedAt?": {"type": "string", "description": "UTC"},

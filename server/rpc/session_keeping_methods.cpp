@@ -130,14 +130,14 @@ std::vector<Method> session_keeping_methods() {
     const std::string days = std::to_string(limits::trash_kept.count() / (24 * 3600));
     return {
         {"session.rename",
-         "Gives a session another name; everybody in it is told.",
+         "Gives a session another name; everyone in it is told.",
          {session_parameter(), {"name", text, true, "for people"}},
          "{session, name}",
          any_host,
          rename},
         {"session.delete",
          "Moves a session to the trash, from where session.restore brings it back for " + days +
-             " days; its people are told, its share links let nobody in meanwhile. `main` cannot "
+             " days; its people are told, its share links let no one in meanwhile. `main` cannot "
              "be deleted.",
          {session,
           {"forever", R"({"type":"boolean"})", false,

@@ -145,7 +145,7 @@ std::vector<Method> session_methods() {
     const Parameter name{"name", text, false, "for people"};
     return {
         {"session.create",
-         "Makes a new, empty session. One without a name that nobody edits, shares or is in goes "
+         "Makes a new, empty session. One without a name that no one edits, shares or is in goes "
          "again when there are "
          "too many; no other does.",
          {name},

@@ -108,7 +108,7 @@ std::optional<protocol::RpcFault> out_of_hand(const Participant& place, const Id
         return std::nullopt;
     return protocol::RpcFault{protocol::RpcCode::NotPermitted,
                               "the participant came with the server's own token, and you by a link",
-                              "ask somebody with the server's token",
+                              "ask someone with the server's token",
                               {},
                               {}};
 }
@@ -193,7 +193,7 @@ std::vector<Method> share_methods() {
          host,
          shares},
         {"session.unshare",
-         "Takes a link back; whoever came by it is disconnected. Links that were made by it stay, "
+         "Takes a link back; all who came by it are disconnected. Links that were made by it stay, "
          "unless `children` says otherwise.",
          {session_parameter(),
           {"grant", text, true, "an id from session.shares"},
@@ -205,7 +205,7 @@ std::vector<Method> share_methods() {
         {"session.setRole",
          "Sets what a participant may do here, from its next message on. A lesser role than that "
          "of the link they came by also holds for their other places, for calls without a place, "
-         "and for whoever else comes by that link from now on.",
+         "and for all others who come by that link from now on.",
          {session_parameter(), participant, role},
          "{participant, role, also, newcomers?}: also are the other places of that person, "
          "newcomers is the role of who comes by that link from now on",

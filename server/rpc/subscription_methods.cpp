@@ -37,7 +37,7 @@ void stats(const Call& call, Reply reply) {
 protocol::RpcFault no_subscription() {
     return {protocol::RpcCode::NotFound,
             "there is no such subscription",
-            "surface.subscribe gives the number",
+            "surface.subscribe returns the number",
             {},
             {}};
 }
@@ -157,7 +157,7 @@ std::vector<Method> subscription_methods() {
          websocket_viewer,
          unsubscribe},
         {"frame.ack",
-         "Says up to which update a subscription's frames have been folded. Whoever does so is "
+         "Says up to which update a subscription's frames have been folded. Who does so is "
          "sent at "
          "most eight updates more than that; meant as a notification.",
          {{"subscription", whole, true, "the number"},

@@ -141,7 +141,7 @@ std::vector<Method> surface_methods() {
          any_editor,
          remove},
         {"surface.stop",
-         "Stops computing a surface, for everybody. What is there of it stays, and its statistics "
+         "Stops computing a surface, for everyone. What is there of it stays, and its statistics "
          "and "
          "surface.done say who stopped it; the next edit computes it again. `stopped` is false "
          "when "

@@ -56,7 +56,7 @@ core::Result<Grants::Made> Grants::make(const std::string& session,
         return core::over_limit(limits::grant_depth,
                                 "links made by links made by links end after " +
                                     std::to_string(limits::grant_depth),
-                                "ask somebody with the server's token for one");
+                                "ask someone with the server's token for one");
     const auto longest = longest_of(maker.grant);
     if (longest && (!expires_in || *expires_in > *longest))
         return fail(Error::Code::InvalidArgument,

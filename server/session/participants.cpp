@@ -75,7 +75,7 @@ core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observ
         limits::participants - (arrival.identity.grant.empty() ? 0 : limits::for_hosts.sockets);
     if (!here && present_.size() >= most)
         return core::over_limit(most, "the session has as many participants as it may have",
-                                "wait until somebody leaves, or create another session");
+                                "wait until someone leaves, or create another session");
     Joined joined{take_place(token), arrival.resume_token, false};
     Participant& place = joined.you;
     joined.returned = !place.id.empty();

@@ -176,7 +176,7 @@ core::Result<void> Session::may_be_default(RecordType type, bool is_new) const {
         return {};
     return fail(Error::Code::InvalidArgument,
                 "`default` is for the first " + std::string(server::name(type)) +
-                    " of a session that nobody has edited",
+                    " of a session that no one has edited",
                 "look at what is there, or leave `default` out");
 }
 

@@ -189,7 +189,7 @@ core::Result<void> SessionDirectory::make_room() {
             limits::kept_sessions,
             "the server keeps at most " + std::to_string(limits::kept_sessions) +
                 " sessions, and has as many",
-            "delete one that nobody needs with session.delete; session.export saves it first");
+            "delete one that no one needs with session.delete; session.export saves it first");
     const std::string id = going->id();
     log_event("session_never_used_given_up", id);
     sessions_.erase(id);
@@ -203,7 +203,7 @@ core::Result<std::int64_t> SessionDirectory::remove(const std::string& id) {
         return tl::unexpected(found.error());
     if (id == main_id)
         return fail(
-            Error::Code::InvalidArgument, "`main` is where everybody meets and cannot be deleted",
+            Error::Code::InvalidArgument, "`main` is where everyone meets and cannot be deleted",
             "delete its rakes, which takes their surfaces along, its bookmarks and its notes");
     if (trash_.all().size() >= limits::trash)
         return core::over_limit(limits::trash,

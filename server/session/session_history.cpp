@@ -73,7 +73,7 @@ std::vector<TurnResult::Skip> Session::obstacles(const Edit& edit, Turn turn) co
 std::string Session::obstacle(const Edit& edit, const EditStep& step, Turn turn) const {
     const std::string label = std::string(server::name(step.key.type)) + " " + step.key.id;
     if (records_.rev(step.key) != step.from_rev(turn))
-        return label + " has been changed by somebody else since";
+        return label + " has been changed by someone else since";
     const auto& to = step.to(turn);
     if (!to && step.key.type == RecordType::Rake)
         for (const std::string& id : records_.hanging_on(step.key.id))

@@ -1,4 +1,4 @@
-// The page for everybody: no finding of axe, in both colour schemes, and every control reachable.
+// The page for everyone: no finding of axe, in both colour schemes, and every control reachable.
 import { source as axeSource } from 'axe-core';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';

@@ -21,7 +21,7 @@ async function shares(): Promise<ShareLink[]> {
     return (await stand.server.call('session.shares', { session }))['shares'] as ShareLink[];
 }
 
-/** A link that hosts, and one that somebody who came by it has made. */
+/** A link that hosts, and one that someone who came by it has made. */
 async function linkWithChild(): Promise<ShareLink> {
     const made = await stand.server.call('session.share', { session, role: 'host' });
     const reply = await fetch(new URL('/rpc', stand.server.link), {
@@ -72,7 +72,7 @@ describe('a link', () => {
 });
 
 describe('logging out', () => {
-    it('ends all windows of this browser, and nobody else’s', async () => {
+    it('ends all windows of this browser, and no one else’s', async () => {
         const page = await stand.visit({ ...size, link: `${stand.server.link}&session=${session}` });
         const beside = await stand.open(page, `${new URL('/', stand.server.link).href}#session=${session}`);
         await page.getByRole('tab', { name: 'Share' }).click();

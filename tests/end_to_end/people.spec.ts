@@ -51,7 +51,7 @@ describe('a link made on the page', () => {
         expect(await guest.getByRole('list', { name: 'People in this session' }).getByRole('listitem').count()).toBe(2);
     });
 
-    it('shows everybody under the name they give themselves', async () => {
+    it('shows everyone under the name they give themselves', async () => {
         await host.getByLabel('Your name').fill('Ada');
         await host.keyboard.press('Enter');
         await guest.getByRole('button', { name: 'Follow Ada' }).waitFor();
@@ -140,7 +140,7 @@ describe('the others in the picture', () => {
     });
 });
 
-describe('somebody of whom nothing is in the picture', () => {
+describe('someone of whom nothing is in the picture', () => {
     it('has their name at the edge, on the way to where they look from', async () => {
         await host.evaluate(() => window.wakesurf!.setCamera([5, -26, 8], [5, 0, 3]));
         await guest.evaluate(() => window.wakesurf!.setCamera([70, 10, 12], [5, 0, 3]));
@@ -174,7 +174,7 @@ describe('somebody of whom nothing is in the picture', () => {
 });
 
 describe('notes', () => {
-    it('stand where they were put, for everybody, until they are deleted', async () => {
+    it('stand where they were put, for everyone, until they are deleted', async () => {
         await host.evaluate(() => window.wakesurf!.setCamera([5, -26, 8], [5, 0, 3]));
         const at = await host.evaluate(() => {
             const hook = window.wakesurf!;
@@ -183,7 +183,7 @@ describe('notes', () => {
         });
         await host.getByRole('button', { name: 'Note', exact: true }).click();
         await host.mouse.click(at.x, at.y);
-        await host.getByLabel('A note for everybody here').fill('Tears here');
+        await host.getByLabel('A note for everyone here').fill('Tears here');
         await host.getByRole('button', { name: 'Save' }).click();
         await guest.getByRole('listitem').filter({ hasText: 'Tears here' }).waitFor();
         const session = await ask(host, (hook) => hook.session);

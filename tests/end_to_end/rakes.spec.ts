@@ -354,7 +354,7 @@ describe('several rakes', () => {
         await page.waitForFunction(() => window.wakesurf!.rakes[0]!.shape !== undefined);
         await eventually(() => page.getByRole('list', { name: 'Rakes' }).textContent(), (text) => text!.includes('Theirs'));
         await page.keyboard.press('Control+Z');
-        await page.getByText(/Not taken back: Theirs has been changed by somebody else/).first().waitFor();
+        await page.getByText(/Not taken back: Theirs has been changed by someone else/).first().waitFor();
         expect((await rakes())[0]).toMatchObject({ name: 'Theirs', points });
     });
 });
@@ -411,7 +411,7 @@ describe('a polyline and a circle', () => {
     });
 });
 
-describe('a rake that somebody else moves', () => {
+describe('a rake that someone else moves', () => {
     it('says who does, moves before the eyes, and cannot be taken meanwhile', async () => {
         const ann = await Guest.join(stand.server, session, { name: 'Ann', colour: '#cc79a7' });
         const { rake, kind, points, seeds } = (await rakes())[0]!;
@@ -425,7 +425,7 @@ describe('a rake that somebody else moves', () => {
         await page.waitForFunction(() => window.wakesurf!.rakes[0]!.holder?.points !== undefined);
         expect(await ask(page, (hook) => hook.rakes[0]!.holder)).toEqual({ name: 'Ann', color: '#cc79a7', points: moved(-0.9) });
         const ends = await onScreen(moved(-0.9));
-        await screenshot(page, 'rake-of-somebody');
+        await screenshot(page, 'rake-of-someone');
         // Dashed, so somewhere along it.
         const along = [0.2, 0.21, 0.22, 0.23, 0.24, 0.25, 0.26, 0.27].map((part) => ({
             x: ends[0]!.x + part * (ends[1]!.x - ends[0]!.x),

@@ -43,7 +43,7 @@ async function makeSession(page: Page, name: string): Promise<void> {
 }
 
 describe('the printed link', () => {
-    it('makes no session however often it is opened: everybody meets in one, with a first surface that nobody has edited', async () => {
+    it('makes no session however often it is opened: everyone meets in one, with a first surface that no one has edited', async () => {
         const pages: Page[] = [];
         for (let visit = 0; visit < 3; ++visit) pages.push(await stand.visit({ ...size, link: stand.server.link }));
         expect(await Promise.all(pages.map(sessionOf))).toEqual(['main', 'main', 'main']);
@@ -112,7 +112,7 @@ describe('the list of sessions', () => {
         await page.context().close();
     });
 
-    it('renames by keyboard, for everybody who is in it', async () => {
+    it('renames by keyboard, for everyone who is in it', async () => {
         const page = await stand.visit({ ...size, link: await stand.server.newSession('Draft') });
         const other = await stand.visit({ ...size, link: `${stand.server.link}&session=${(await sessionOf(page))!}` });
         await openList(page);
@@ -152,7 +152,7 @@ describe('a session that is deleted', () => {
         const before = await ask(other, (hook) => hook.displayed!);
         await openList(page);
         await card(page, 'Shared work').getByRole('button', { name: 'Delete' }).click();
-        await card(page, 'Shared work').getByText('Somebody else is in it now.').waitFor();
+        await card(page, 'Shared work').getByText('Someone else is in it now.').waitFor();
         await page.getByRole('button', { name: 'Delete all the same' }).click();
         await page.getByText('“Shared work” is in the trash.').waitFor();
         const banner = other.locator('#gone');
@@ -196,7 +196,7 @@ describe('a session that is deleted', () => {
         await card(page, 'Old').getByRole('button', { name: 'Delete for good', exact: true }).click();
         await page.getByText('“Old” is gone for good.').waitFor();
         expect([await named('Old'), (await listed(true)).filter(({ name }) => name === 'Old')]).toEqual([undefined, []]);
-        // Where everybody meets cannot be deleted.
+        // Where everyone meets cannot be deleted.
         await page.getByRole('button', { name: /^On this server/ }).click();
         expect(await page.locator('[data-session=main]').getByRole('button', { name: 'Delete' }).count()).toBe(0);
         await page.context().close();
@@ -238,10 +238,10 @@ describe('how many sessions there can be', () => {
         const { page } = await openPage(context, stand.server.link);
         await finalSurface(page);
         await openList(page);
-        await page.getByText('there is room for only 2 more. Delete what nobody needs').waitFor();
+        await page.getByText('there is room for only 2 more. Delete what no one needs').waitFor();
         await page.getByLabel('Name of the new session').fill('One too many');
         await page.getByRole('button', { name: 'New session' }).click();
-        await page.getByText('The server keeps at most 3 sessions, and has as many. Export sessions that nobody needs any more').waitFor();
+        await page.getByText('The server keeps at most 3 sessions, and has as many. Export sessions that no one needs any more').waitFor();
         await screenshot(page, 'sessions-limit');
         expect(await sessionOf(page)).toBe('main');
         await context.close();

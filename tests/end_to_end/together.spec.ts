@@ -138,7 +138,7 @@ describe('a page whose place is gone', () => {
         expect(closed).toBe(false);
         await screenshot(page, 'displaced');
 
-        // By the button it is somebody new; the other stays.
+        // By the button it is someone new; the other stays.
         await page.getByRole('button', { name: 'Reload' }).click();
         await page.waitForFunction(() => window.wakesurf?.connection === 'open');
         await finalSurface(page);

@@ -114,7 +114,7 @@ function cameraInAddress(of: Page) {
 describe('views that are kept', () => {
     const place = { position: [14, -30, 9] as Vec3, target: [4, 0.5, 2] as Vec3 };
 
-    it('come back with a click, for everybody in the session, and go when they are deleted', async () => {
+    it('come back with a click, for everyone in the session, and go when they are deleted', async () => {
         await page.getByRole('tab', { name: 'View' }).click();
         await page.evaluate((to) => window.wakesurf!.setCamera(to.position, to.target), place);
         await page.getByLabel('Name of the view').fill('From the wake');
@@ -173,7 +173,7 @@ describe('what a brush has revealed', () => {
     const apart = (a: Set<string>, b: Set<string>): number => [...a].filter((at) => !b.has(at)).length + [...b].filter((at) => !a.has(at)).length;
     const masksOf = (page: Page) => readFragment(new URL(page.url()).hash).state?.view.masks ?? {};
 
-    it('is in the link that somebody else opens, and in views that are kept', async () => {
+    it('is in the link that someone else opens, and in views that are kept', async () => {
         const page = await stand.visit({ width: 900, height: 560 });
         await page.evaluate(() => window.wakesurf!.setCamera([4, -16, 7], [3.5, 0, 2.8]));
         await page.getByRole('tab', { name: 'Look' }).click();

@@ -143,7 +143,7 @@ class ClientTest(unittest.TestCase):
         self.assertIs(surface.mesh(), then)
         np.testing.assert_array_equal(surface.mesh(time="end").points, end.points)
         self.assertLess(len(surface.mesh(time=0.25).points), len(then.points))
-        self.assertEqual(self.session.state()["clock"]["time"], 0.5, "nobody else's time has changed")
+        self.assertEqual(self.session.state()["clock"]["time"], 0.5, "no one else's time has changed")
         with self.assertRaises(wakesurf.OutsideTimeRange):
             surface.mesh(time=3)
         with self.assertRaises(wakesurf.InvalidParameters):

@@ -33,7 +33,7 @@ export interface PageOptions {
     width?: number;
     height?: number;
     colorScheme?: 'dark' | 'light';
-    /** Somebody who has never been here is shown the tour. */
+    /** Someone who has never been here is shown the tour. */
     firstVisit?: boolean;
 }
 

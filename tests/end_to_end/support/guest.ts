@@ -1,4 +1,4 @@
-// Somebody else in a session, over a WebSocket of its own: a test in the place of a page.
+// Someone else in a session, over a WebSocket of its own: a test in the place of a page.
 import { expect } from 'vitest';
 import WebSocket from 'ws';
 import type { Participant, Vec3 } from '../../../web-client/src/protocol/messages.ts';

@@ -14,7 +14,7 @@ export class Stand {
     readonly complaints: string[] = [];
     private readonly contexts: BrowserContext[] = [];
 
-    /** Somebody with a browser of their own, neither cookies nor choices are shared; without a link, in a session of their own. */
+    /** Someone with a browser of their own, neither cookies nor choices are shared; without a link, in a session of their own. */
     async visit(options: PageOptions & { link?: string } = {}): Promise<Page> {
         const context = await newContext(this.browser, options);
         this.contexts.push(context);

@@ -63,7 +63,7 @@ TEST(ServeCommand, SaysInOneLineWhyItCannotServe) {
         {"flow:abc --listen nonsense", 2, "HOST:PORT"},
         {"flow:abc --listen :8080", 2, "HOST:PORT"},
         {"flow:abc --listen 127.0.0.1:99999", 2, "HOST:PORT"},
-        {"flow:abc --no-auth --listen 0.0.0.0:0", 2, "anybody"},
+        {"flow:abc --no-auth --listen 0.0.0.0:0", 2, "anyone"},
         {"flow:abc --no-auth --token-file x", 2, "--token-file"},
         {"flow:abc --origin evil", 2, "https://"},
         {"flow:abc --threads 0", 2, "--threads"},

@@ -100,7 +100,7 @@ TEST_F(AdmissionTest, WhereAllPlacesAreTakenTheAddressWithTheMostGivesOneUp) {
     for (const auto& each : seats_)
         if (!each->closed)
             each->place->let_in();
-    EXPECT_EQ(admit("192.0.2.5"), nullptr) << "nobody is idle";
+    EXPECT_EQ(admit("192.0.2.5"), nullptr) << "no one is idle";
     EXPECT_EQ(counted("too_many_clients"), "1");
 }
 

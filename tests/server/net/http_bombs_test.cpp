@@ -117,7 +117,7 @@ TEST_F(HttpBombs, EndInAShortAnswerAtOnce) {
         {"a coding twice",
          post("Transfer-Encoding: chunked\r\nTransfer-Encoding: chunked\r\n", "0\r\n\r\n"),
          {400}},
-        {"a coding nobody knows", post("Transfer-Encoding: xchunked\r\n", "0\r\n\r\n"), {400}},
+        {"a coding no one knows", post("Transfer-Encoding: xchunked\r\n", "0\r\n\r\n"), {400}},
         {"a coding in disguise",
          post("Transfer-Encoding:\x0b"
               "chunked\r\n",
@@ -185,7 +185,7 @@ TEST_F(HttpBombs, EndInAShortAnswerAtOnce) {
          "POST /openrpc.json HTTP/1.1\r\n" + with + last + "Content-Length: 0\r\n\r\n",
          {405}},
         {"everything", "OPTIONS * HTTP/1.1\r\n" + with + last + "\r\n", {405}},
-        {"a method nobody knows", "BREW /healthz HTTP/1.1\r\n" + host + last + "\r\n", {405}},
+        {"a method no one knows", "BREW /healthz HTTP/1.1\r\n" + host + last + "\r\n", {405}},
         {"a path with an encoded NUL", "GET /%00 HTTP/1.1\r\n" + with + last + "\r\n", {404}},
         {"a path out of the folder",
          "GET /../../../../etc/passwd HTTP/1.1\r\n" + with + last + "\r\n",

@@ -34,7 +34,7 @@ TEST(LogTest, KeepsEveryValueOnOneLineAndShort) {
 
 TEST(LogTest, OfAWholeExchangeAtItsMostTalkativeHasNoSecretAndNoPath) {
     const TemporaryFolder folder;
-    std::vector<std::string> secrets{folder.path().string(), "nobody-logs"};
+    std::vector<std::string> secrets{folder.path().string(), "no one-logs"};
     ServerProcess server({"flow:abc", "--log-level", "trace", "--store",
                           (folder.path() / "store").string(), "--token-file",
                           (folder.path() / "token").string()});
@@ -46,14 +46,14 @@ TEST(LogTest, OfAWholeExchangeAtItsMostTalkativeHasNoSecretAndNoPath) {
     secrets.push_back(cookie.substr(cookie.find('=') + 1, 64));
     ASSERT_EQ(secrets.back().find(';'), std::string::npos);
     http(server.port(), "POST", "/api/v1/login", here, R"({"token":"wrong-nobody-logs"})");
-    http(server.port(), "GET", "/nobody-logs?token=nobody-logs",
-         {{"Authorization", "Bearer nobody-logs"}});
-    http(server.port(), "POST", "/rpc", server.bearer(), "nobody-logs");
+    http(server.port(), "GET", "/no one-logs?token=no one-logs",
+         {{"Authorization", "Bearer no one-logs"}});
+    http(server.port(), "POST", "/rpc", server.bearer(), "no one-logs");
     {
         WebSocketClient client(server, "");
-        client.call("session.join", {{"session", "main"}, {"name", "nobody-logs\nevent=forged"}});
+        client.call("session.join", {{"session", "main"}, {"name", "no one-logs\nevent=forged"}});
         const json joined =
-            client.result("session.join", {{"session", "main"}, {"name", "nobody-logs"}});
+            client.result("session.join", {{"session", "main"}, {"name", "no one-logs"}});
         secrets.push_back(joined["resumeToken"]);
         const json shared = client.call("session.share", {{"session", "main"}, {"role", "viewer"}});
         if (shared.contains("result"))
@@ -61,7 +61,7 @@ TEST(LogTest, OfAWholeExchangeAtItsMostTalkativeHasNoSecretAndNoPath) {
         const json rake = client.result("rake.set", {{"kind", "line"},
                                                      {"points", {{0, 0, 0}, {1, 0, 0}}},
                                                      {"seeds", 8},
-                                                     {"name", "nobody-logs"}});
+                                                     {"name", "no one-logs"}});
         const json surface = client.result("surface.set", {{"rake", rake["rake"]},
                                                            {"kind", "stream"},
                                                            {"dataset", "abc"},
@@ -69,15 +69,15 @@ TEST(LogTest, OfAWholeExchangeAtItsMostTalkativeHasNoSecretAndNoPath) {
                                                            {"to", 1}});
         client.result("surface.subscribe", {{"surface", surface["surface"]}});
         client.result("surface.wait", {{"surface", surface["surface"]}, {"timeoutMs", 60000}});
-        const json made = client.result("session.create", {{"name", "nobody-logs"}});
+        const json made = client.result("session.create", {{"name", "no one-logs"}});
         client.result("session.delete", {{"session", made["session"]}});
         client.result("session.restore", {{"session", made["session"]}});
         client.result("session.delete", {{"session", made["session"]}});
         client.result("session.delete", {{"session", made["session"]}, {"forever", true}});
-        client.call("nobody-logs\nevent=forged");
-        client.call("dataset.describe", {{"dataset", "/etc/nobody-logs"}});
+        client.call("no one-logs\nevent=forged");
+        client.call("dataset.describe", {{"dataset", "/etc/no one-logs"}});
         client.call("rake.list", {{"session", server.token()}});
-        client.send_frame(2, "nobody-logs");
+        client.send_frame(2, "no one-logs");
     }
     const std::string log = server.stop().log;
     for (const std::string& secret : secrets)

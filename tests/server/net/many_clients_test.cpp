@@ -169,7 +169,7 @@ TEST(ManyClientsTest, BehindATrustedProxyAreCountedByTheAddressItForwards) {
         << "the connection is another's, which is no proxy";
     EXPECT_EQ(upgrade("198.51.100.1", "PROXY TCP4 198.51.100.3 10.0.0.1 4711 443\r\n"), 101);
     RawSocket nonsense(server.port());
-    nonsense.send("PROXY TCP4 nobody\r\n");
+    nonsense.send("PROXY TCP4 no one\r\n");
     EXPECT_TRUE(nonsense.closed_within(std::chrono::seconds(5)));
     EXPECT_EQ(http(server.port(), "GET", "/healthz").body, "ok") << "without a word of a proxy";
 }

@@ -130,7 +130,7 @@ TEST_F(SharedFilesTest, GiveTheirMemoryBackWhereOthersNeedItButNotWhatSomebodyRe
     EXPECT_TRUE(other.grow_to(800));
     EXPECT_EQ(account_.used(MemoryUse::Downloads), 200u);
     EXPECT_EQ(*read, std::string(200, 'y'));
-    EXPECT_FALSE(other.grow_to(900)) << "somebody reads the rest";
+    EXPECT_FALSE(other.grow_to(900)) << "someone reads the rest";
     read.reset();
     EXPECT_TRUE(other.grow_to(900));
     EXPECT_EQ(account_.used(MemoryUse::Downloads), 0u);

@@ -40,7 +40,7 @@ TEST(TrustedProxiesTest, AreAddressesOrNetworks) {
     for (const char* no :
          {"192.0.2.2", "11.0.0.1", "172.32.0.0", "2001:db8:8000::1", "127.0.0.1", "::2"})
         EXPECT_FALSE(proxies.trusts(make_address(no))) << no;
-    EXPECT_FALSE(TrustedProxies().trusts(make_address("127.0.0.1"))) << "nobody by itself";
+    EXPECT_FALSE(TrustedProxies().trusts(make_address("127.0.0.1"))) << "no one by itself";
     for (const char* wrong : {"", "proxy", "10.0.0.0/33", "10.0.0.0/", "10.0.0.0/-1", "10.0.0.0/8x",
                               "::/129", "10.0.0/8"})
         EXPECT_FALSE(TrustedProxies::parse({wrong})) << wrong;

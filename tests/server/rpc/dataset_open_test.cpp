@@ -158,7 +158,7 @@ TEST_F(DatasetOpen, ANotificationGoesOnWithAnImportButNeitherWaitsNorIsToldOfIt)
     EXPECT_EQ(bob.notification("$/progress")["token"], "heard");
     cancel(bob, heard);
     bob.answer(heard);
-    EXPECT_EQ(entry(bob)["state"], "stopped") << "nobody else waits";
+    EXPECT_EQ(entry(bob)["state"], "stopped") << "no one else waits";
 }
 
 } // namespace wakesurf::tests

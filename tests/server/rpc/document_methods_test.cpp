@@ -98,7 +98,7 @@ TEST_F(DocumentMethods, AnAnnotationIsDataHoweverHostileItsText) {
           json{{"text", 5}, {"position", {0, 0, 0}}},
           json{{"text", "t"}, {"position", {0, 0, 1e39}}},
           json{{"text", std::string(5000, 'x')}, {"position", {0, 0, 0}}},
-          json{{"text", "t"}, {"position", {0, 0, 0}}, {"author", "somebody else"}}})
+          json{{"text", "t"}, {"position", {0, 0, 0}}, {"author", "someone else"}}})
         EXPECT_EQ(client.call("annotation.set", wrong)["error"]["code"], -32602) << wrong;
     EXPECT_EQ(
         client.call("annotation.set",
@@ -129,7 +129,7 @@ TEST_F(DocumentMethods, ARakeSomebodyDragsIsTheirsUntilTheyLetGo) {
     EXPECT_EQ(error["data"]["until"].get<std::string>().size(), 24u) << error;
     EXPECT_EQ(bob.call("rake.delete", {{"rake", rake}})["error"]["code"], -32011);
     EXPECT_EQ(http("rake.set", rake_at(0.2, rake))["error"]["code"], -32011)
-        << "a script waits like everybody";
+        << "a script waits like everyone";
     bob.result("rake.set", with(rake_at(0.3, rake), "force", true));
     EXPECT_EQ(ada.result("rake.list")["rakes"][0]["dragging"], false);
     ada.result("rake.set", with(rake_at(0.4, rake), "dragging", true));

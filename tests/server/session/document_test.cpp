@@ -242,7 +242,7 @@ TEST(Document, ASurfaceWhoseDatasetIsNotThereSaysSoAndIsBuiltOnceItIs) {
     after.datasets.there = true;
     after.sessions.dataset_changed("abc");
     EXPECT_GT(after.session->surface(surface->surface)->epoch, told);
-    EXPECT_TRUE(live->resting()) << "until somebody looks at it";
+    EXPECT_TRUE(live->resting()) << "until someone looks at it";
     live->begin_now();
     after.loop.turn_until([&] { return onlooker.outcomes.size() > 1; });
     EXPECT_FALSE(onlooker.outcomes[1].error);
@@ -284,7 +284,7 @@ TEST(Document, AForkHasTheRecordsAndGoesItsOwnWay) {
     ASSERT_TRUE(fork);
     EXPECT_EQ((*fork)->name(), "mine");
     EXPECT_EQ(content((*fork)->records()), content(bench.session->records()));
-    EXPECT_FALSE((*fork)->rakes().front().dragging) << "a lease is nobody's in the fork";
+    EXPECT_FALSE((*fork)->rakes().front().dragging) << "a lease is no one's in the fork";
     EXPECT_EQ((*fork)->surfaces().front().epoch, 1u);
     EXPECT_NE((*(*fork)->live("s1"))->number(), (*bench.session->live("s1"))->number());
     const auto before = bench.session->records().list();

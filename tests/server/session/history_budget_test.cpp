@@ -66,7 +66,7 @@ TEST(HistoryBudget, LetsWhatHasRestedLongestGiveWayFirst) {
     now += limits::history_rest - seconds(1);
     fresh.use(now, 400);
     third.use(now += seconds(1), 400);
-    EXPECT_EQ(old.bytes, 0u) << "nobody has looked at it for long";
+    EXPECT_EQ(old.bytes, 0u) << "no one has looked at it for long";
     EXPECT_EQ(fresh.bytes, 400u);
     fourth.use(now += seconds(1), 400);
     EXPECT_EQ(fresh.bytes, third.bytes) << "all that are looked at get smaller, none goes";

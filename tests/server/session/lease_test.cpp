@@ -56,7 +56,7 @@ TEST_F(LeaseTest, RunsOutAndEverybodyIsTold) {
     bench.loop.pass(milliseconds(1));
     EXPECT_EQ(holder(), "");
     EXPECT_EQ(session.seq(), seq + 1);
-    EXPECT_EQ(session.rake(rake)->rev, rev) << "nobody edited it";
+    EXPECT_EQ(session.rake(rake)->rev, rev) << "no one edited it";
     EXPECT_EQ(onlooker.records.list(), session.records().list());
     session.participants().leave(onlooker);
 }
@@ -91,7 +91,7 @@ TEST_F(LeaseTest, GoesWithItsRake) {
     bench.loop.pass(2 * server::limits::lease);
     EXPECT_EQ(session.seq(), seq) << "no timer is left behind";
     EXPECT_EQ(session.turn(server::Turn::Undo, bench.ada).changes.size(), 1u);
-    EXPECT_EQ(holder(), "") << "what comes back is nobody's";
+    EXPECT_EQ(holder(), "") << "what comes back is no one's";
 }
 
 } // namespace wakesurf::tests

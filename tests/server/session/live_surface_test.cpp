@@ -146,7 +146,7 @@ TEST_F(LiveSurfaceTest, StopsWhatIsUnderWayKeepsWhatIsThereAndBuildsAgainWhenItI
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error().message, "stopped by Ada");
     settle();
-    EXPECT_EQ(seen.size(), 1U) << "what the stopped job still gave is nobody's";
+    EXPECT_EQ(seen.size(), 1U) << "what the stopped job still gave is no one's";
     ASSERT_EQ(done.size(), 1U);
     EXPECT_FALSE(done[0].complete);
     EXPECT_EQ(done[0].error->code, core::Error::Code::Cancelled);

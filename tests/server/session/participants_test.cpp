@@ -253,7 +253,7 @@ TEST_F(ParticipantsTest, LetsTheNewerOfTwoConnectionsWinAndTellsTheOlder) {
     loop.advance(seconds(20));
     EXPECT_EQ(ada.others.at(before.you.id)["connected"], true);
     join(eve, {}, again.resume_token);
-    EXPECT_TRUE(eve.farewells.empty()) << "nobody displaces themselves";
+    EXPECT_TRUE(eve.farewells.empty()) << "no one displaces themselves";
 }
 
 TEST_F(ParticipantsTest, SetsARoleThatStaysWithThePlaceButNotWithAnotherLink) {
@@ -303,7 +303,7 @@ TEST_F(ParticipantsTest, BringsEverybodysPlaceThroughARestartWithoutKeepingAToke
             EXPECT_EQ(record->find(each->resume_token), std::string::npos);
         EXPECT_TRUE(after.restore(id, *record));
     }
-    EXPECT_TRUE(after.shown().empty()) << "nobody is here yet";
+    EXPECT_TRUE(after.shown().empty()) << "no one is here yet";
     Watcher ada_again(clock), bob_again(clock), stranger(clock);
     const Joined back = *after.join({{}, {}, second.resume_token, link}, bob_again);
     EXPECT_TRUE(back.returned);

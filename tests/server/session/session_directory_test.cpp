@@ -139,7 +139,7 @@ TEST(SessionDirectory, BringsADeletedSessionBackAsItWas) {
     const auto until = bench.sessions.remove(id);
     ASSERT_TRUE(until) << until.error().message;
     EXPECT_EQ(*until, bench.wall + 30 * 24 * 3600);
-    EXPECT_TRUE(session->participants().present().empty()) << "everybody was sent away";
+    EXPECT_TRUE(session->participants().present().empty()) << "everyone was sent away";
     EXPECT_EQ(bench.sessions.find(id).error().code, Error::Code::NotFound);
     EXPECT_NE(bench.sessions.find(id).error().hint.find("session.restore"), std::string::npos);
     const auto back = bench.sessions.bring_back(id);
@@ -262,7 +262,7 @@ TEST(SessionDirectory, WhatAnOlderWakesurfKeptCountsAsSomebodysWork) {
     const auto back = after.bench.sessions.find(session->id());
     ASSERT_TRUE(back);
     EXPECT_TRUE((*back)->profile().edited);
-    EXPECT_FALSE((*back)->profile().created) << "nobody noted it";
+    EXPECT_FALSE((*back)->profile().created) << "no one noted it";
 }
 
 TEST(SessionDirectory, TheDefaultSceneIsNobodysEditAndOnlyForASessionThatHasNone) {
@@ -277,7 +277,7 @@ TEST(SessionDirectory, TheDefaultSceneIsNobodysEditAndOnlyForASessionThatHasNone
     EXPECT_FALSE(bench.session->profile().edited);
     EXPECT_TRUE(bench.session->turn(server::Turn::Undo, bench.ada).changes.empty());
     ASSERT_TRUE(bench.session->delete_rake("r1", bench.ada));
-    EXPECT_FALSE(bench.session->set_rake(rake_at(0), page)) << "somebody emptied it on purpose";
+    EXPECT_FALSE(bench.session->set_rake(rake_at(0), page)) << "someone emptied it on purpose";
     Restarted after(bench);
     EXPECT_TRUE(after.bench.session->profile().edited);
 }

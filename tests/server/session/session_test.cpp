@@ -190,7 +190,7 @@ TEST_F(SessionTest, GivesRakesTheColoursOfThePaletteInTurnUntilTheyHaveTheirOwn)
     const auto moved = session->set_rake(rake_at(0.6, ids[2]), {"p2", "Bob"})->record;
     EXPECT_EQ(moved.colour, "#123456") << "left out, it stays";
     EXPECT_EQ(moved.author, "Ada") << "who made it";
-    EXPECT_EQ(session->set_rake(rake_at(0.7))->record.colour, palette[2]) << "nobody has it now";
+    EXPECT_EQ(session->set_rake(rake_at(0.7))->record.colour, palette[2]) << "no one has it now";
     setting = rake_at(0.8);
     setting.colour = "#E69F00";
     EXPECT_EQ(session->set_rake(setting)->record.colour, "#E69F00");

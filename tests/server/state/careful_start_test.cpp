@@ -69,8 +69,7 @@ TEST_F(CarefulStart, ComputesNothingOfBeforeAndTellsPeopleWhyAndWhatToDo) {
     EXPECT_NE(error["data"]["hint"].get<std::string>().find("set a surface or move its rake"),
               std::string::npos);
     client.result("rake.set", rake_at(1));
-    EXPECT_EQ(wait(client)["result"]["crc"], before["crc"])
-        << "the same, once somebody asks for it";
+    EXPECT_EQ(wait(client)["result"]["crc"], before["crc"]) << "the same, once someone asks for it";
     const auto end = server.stop();
     EXPECT_NE(end.log.find("event=careful_start died=3"), std::string::npos);
 }

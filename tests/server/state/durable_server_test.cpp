@@ -169,7 +169,7 @@ TEST_F(DurableServer, GivesEverybodyTheirPlaceAgain) {
     ASSERT_EQ(back["participants"].size(), 1u);
     EXPECT_EQ(back["participants"][0]["name"], "Ada");
     EXPECT_EQ(back["participants"][0]["colour"], "#102030");
-    EXPECT_EQ(back["resumed"], false) << "of what was missed nobody knows: a snapshot";
+    EXPECT_EQ(back["resumed"], false) << "of what was missed no one knows: a snapshot";
     EXPECT_NE(back["resumeToken"], ada["resumeToken"]) << "so that the page forgets what it saw";
     WebSocketClient guest(server, "", bearer(link));
     const json again = rejoin(guest, bob);
@@ -283,11 +283,11 @@ TEST_F(DurableServer, LeavesAnotherFileInThePlaceOfItsOwnAlone) {
     WebSocketClient client(server);
     EXPECT_EQ(client.result("rake.set", rake_at(1))["durable"], true);
     std::filesystem::rename(folder / "state" / "sessions.sqlite", folder / "mine");
-    write_file(folder / "state" / "sessions.sqlite", "somebody's");
+    write_file(folder / "state" / "sessions.sqlite", "someone's");
     EXPECT_EQ(client.result("rake.set", rake_at(2))["durable"], false);
     EXPECT_EQ(client.notification("server.notice")["kind"], "notDurable");
     EXPECT_EQ(client.result("rake.set", rake_at(3))["durable"], false);
-    EXPECT_EQ(read_file(folder / "state" / "sessions.sqlite"), "somebody's");
+    EXPECT_EQ(read_file(folder / "state" / "sessions.sqlite"), "someone's");
     std::filesystem::remove(folder / "state" / "sessions.sqlite");
     EXPECT_EQ(client.notification("server.notice")["kind"], "durableAgain");
     EXPECT_EQ(client.result("rake.set", rake_at(4))["durable"], true);

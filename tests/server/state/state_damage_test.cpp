@@ -102,7 +102,7 @@ class StateDamage : public testing::Test {
             return;
         }
         ++aside;
-        EXPECT_FALSE(found.damaged.empty()) << what << ": fewer records, and nobody is told";
+        EXPECT_FALSE(found.damaged.empty()) << what << ": fewer records, and no one is told";
         for (const auto& each : found.damaged)
             there.insert(key_text(each.session, each.label.type, each.label.id));
         EXPECT_EQ(there, all) << what;
@@ -129,7 +129,7 @@ TEST_F(StateDamage, OfBitsIsToldOrHarmless) {
     }
     EXPECT_GT(refused, 0);
     EXPECT_GT(aside, 0) << "a record's own bits";
-    EXPECT_GT(whole, 0) << "what is nobody's";
+    EXPECT_GT(whole, 0) << "what is no one's";
 }
 
 TEST_F(StateDamage, OfPagesIsToldOrHarmless) {

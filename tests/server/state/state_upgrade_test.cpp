@@ -102,7 +102,7 @@ TEST(StateUpgrade, DoesNotStartWhereTheCopyCannotBeMade) {
     const TemporaryFolder folder;
     const std::string path = folder / "sessions.sqlite";
     execute(path, layout_1);
-    write_file(folder / "sessions-layout1-20261122T110000Z.sqlite", "somebody's");
+    write_file(folder / "sessions-layout1-20261122T110000Z.sqlite", "someone's");
     const std::string before = read_file(path);
     const auto store = StateStore::open(options(path, "2.0"));
     ASSERT_FALSE(store);

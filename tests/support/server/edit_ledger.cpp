@@ -109,7 +109,7 @@ void EditLedger::compare(const std::string& type,
     }
     for (const auto& [id, mark] : found)
         if (!records.contains(id) && !created.contains(mark))
-            wrong.push_back(type + " " + id + " is " + mark + ", which nobody made");
+            wrong.push_back(type + " " + id + " is " + mark + ", which no one made");
     records.clear();
     for (const auto& [id, mark] : found)
         records[id] = Record{{{0, mark}}, 0, false};

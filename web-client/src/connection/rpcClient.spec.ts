@@ -48,7 +48,7 @@ describe('RpcClient', () => {
         expect(sent).toHaveLength(3);
     });
 
-    it('ignores answers that nobody waits for', () => {
+    it('ignores answers that no one waits for', () => {
         const client = new RpcClient(() => true);
         expect(() => answer(client, '{"jsonrpc":"2.0","id":9,"result":1}')).not.toThrow();
     });

@@ -42,7 +42,7 @@ export class RpcClient {
         if (this.pending.has(id)) this.send(encodeNotification('$/cancelRequest', { id }));
     }
 
-    /** Takes a reply; one that nobody waits for is ignored. */
+    /** Takes a reply; one that no one waits for is ignored. */
     receive(incoming: Incoming): void {
         if (incoming.type === 'notification' || incoming.id === null) return;
         const waiting = this.pending.get(incoming.id);

@@ -65,7 +65,7 @@ interface InGesture {
     gesture?: string;
 }
 
-/** For the first records of a session that nobody has edited: no edit, and refused elsewhere. */
+/** For the first records of a session that no one has edited: no edit, and refused elsewhere. */
 interface AsDefault {
     default?: boolean;
 }
@@ -106,7 +106,7 @@ export interface ShareLink {
     role: Role;
     /** Seconds since 1970; missing: it holds until it is taken back. */
     expires?: number;
-    /** Where a host has lessened the role of somebody who came by it: the role of those who come from then on. */
+    /** Where a host has lessened the role of someone who came by it: the role of those who come from then on. */
     newcomers?: Role;
     /** `grant` is the link its maker came by, if any; the name is empty for a script. */
     madeBy?: { grant?: string; name: string };

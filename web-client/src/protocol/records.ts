@@ -76,7 +76,7 @@ export interface RakeRecord {
     colour?: string;
     /** The name of whoever made it. */
     author?: string;
-    /** Somebody holds it just now. */
+    /** Someone holds it just now. */
     dragging: boolean;
     /** The participant who does. */
     leasedBy?: string;
@@ -152,7 +152,7 @@ export interface CameraPlace {
     fov?: number;
 }
 
-/** Where somebody is, what they point at and hold. */
+/** Where someone is, what they point at and hold. */
 export interface Presence {
     pointer?: Vec3 | null;
     camera?: CameraPlace | null;

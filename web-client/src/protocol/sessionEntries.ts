@@ -10,7 +10,7 @@ export interface SessionEntry {
     /** Missing where the session is older than this was noted. */
     created?: string;
     lastUsed: string;
-    /** By anybody, beyond the first rake and surface that a page puts there. */
+    /** By anyone, beyond the first rake and surface that a page puts there. */
     edited: boolean;
     rakes: number;
     surfaces: number;

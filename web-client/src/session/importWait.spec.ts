@@ -48,7 +48,7 @@ describe('waiting for an import', () => {
         expect(calls).toHaveLength(2);
     });
 
-    it('begins when somebody else has a stopped import go on, unless this user has left it', async () => {
+    it('begins when someone else has a stopped import go on, unless this user has left it', async () => {
         const { state, calls, imports } = bench('stopped');
         expect(calls).toHaveLength(0);
         state.datasetEntry.value = importing;
@@ -62,7 +62,7 @@ describe('waiting for an import', () => {
         expect(imports.left.value).toBe(true);
     });
 
-    it('that somebody else has ended is left while the import is stopped, and not before or after', async () => {
+    it('that someone else has ended is left while the import is stopped, and not before or after', async () => {
         const { state, calls, imports } = bench();
         calls[0]!.reject(stopped);
         await settled();
@@ -76,7 +76,7 @@ describe('waiting for an import', () => {
         expect(calls).toHaveLength(2);
     });
 
-    it('ends with the connection as if it had not begun, and when somebody else has stopped the import', async () => {
+    it('ends with the connection as if it had not begun, and when someone else has stopped the import', async () => {
         const { calls, imports } = bench();
         void imports.begin('d');
         calls[0]!.reject(lost);
@@ -88,7 +88,7 @@ describe('waiting for an import', () => {
         expect(imports.left.value).toBe(true);
     });
 
-    it('is over for everybody once the dataset is ready', async () => {
+    it('is over for everyone once the dataset is ready', async () => {
         const { state, imports } = bench();
         void imports.begin('d');
         imports.stop();

@@ -13,7 +13,7 @@ export interface ImportWaitOptions {
 }
 
 export class ImportWait {
-    /** This user does not wait any more, or somebody has stopped the import. */
+    /** This user does not wait any more, or someone has stopped the import. */
     readonly left = signal(false);
     private readonly options: ImportWaitOptions;
     private waiting: AbortController | null = null;
@@ -74,7 +74,7 @@ export class ImportWait {
             this.own = false;
         }
         if (state !== 'importing' || this.own || this.waiting !== null) return;
-        // The entry may be older than the news that somebody has stopped: to wait at once would have it go on.
+        // The entry may be older than the news that someone has stopped: to wait at once would have it go on.
         if (this.left.value && !this.seenStopped) return;
         void this.begin(dataset);
     }

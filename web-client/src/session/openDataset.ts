@@ -35,7 +35,7 @@ export class OpenDataset {
             state.datasetEntry.value = entry;
             if (entry.state === 'failed') throw new Error(importFailed(entry));
             const usable = entry.state === 'ready' || (entry.steps?.ready ?? 0) > 0;
-            // What somebody has stopped stays so where there is something to see.
+            // What someone has stopped stays so where there is something to see.
             const wanted = entry.state === 'importing' || (entry.state === 'stopped' && !usable);
             if (wanted && !imports.left.value) void imports.begin(entry.dataset);
             const leaving = imports.left.value && entry.state === 'importing' && state.stage.value === 'importing';

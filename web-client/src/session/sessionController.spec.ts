@@ -73,7 +73,7 @@ class Bench {
         for (let i = 0; i < 20; ++i) await settled();
     }
 
-    /** Somebody else makes or deletes a surface. */
+    /** Someone else makes or deletes a surface. */
     patch(op: 'put' | 'delete', id: string): void {
         const surfaces = this.records.surfaces.filter((record) => record.surface !== id);
         this.records.surfaces = op === 'put' ? [...surfaces, surfaceOf(id)] : surfaces;
@@ -139,7 +139,7 @@ describe('the session on a page', () => {
 
     afterEach(() => vi.unstubAllGlobals());
 
-    it('shows a surface that somebody makes while it subscribes to the others', async () => {
+    it('shows a surface that someone makes while it subscribes to the others', async () => {
         const bench = new Bench();
         bench.records.surfaces = [surfaceOf('s1'), surfaceOf('s2')];
         bench.beforeSubscribed = (surface) => {
@@ -182,11 +182,11 @@ describe('the session on a page', () => {
         expect(bench.records.rakes.map(({ name }) => name)).toEqual(['r1', 'r2']);
         expect(bench.records.surfaces).toHaveLength(1);
         expect(bench.calls).not.toContain('session.create');
-        // The records that were made anew are nobody's to undo.
+        // The records that were made anew are no one's to undo.
         expect(bench.clearedAfter).toBeGreaterThan(bench.calls.lastIndexOf('surface.set'));
     });
 
-    it('leaves empty what somebody has emptied while the page was away', async () => {
+    it('leaves empty what someone has emptied while the page was away', async () => {
         const bench = new Bench(null);
         bench.records.rakes = [rakeOf('r1')];
         await bench.connect();
@@ -285,7 +285,7 @@ describe('a visit', () => {
         expect(asked.state.notices.all.value.get('dataset')).toMatch(/does not have the dataset of this link/);
     });
 
-    it('puts a first rake and surface into a session that nobody has edited, and only there', async () => {
+    it('puts a first rake and surface into a session that no one has edited, and only there', async () => {
         const fresh = new Bench(null);
         fresh.edited = false;
         await fresh.connect();
@@ -340,7 +340,7 @@ describe('a session that is deleted while the page is in it', () => {
         return bench;
     }
 
-    it('is said to be in the trash, with what was on the screen, until somebody restores it', async () => {
+    it('is said to be in the trash, with what was on the screen, until someone restores it', async () => {
         const bench = await bereft();
         expect(bench.state.stage.value).toBe('gone');
         expect(bench.state.gone.value).toMatchObject({ name: "session-1's name", restorableUntil: '2026-12-22T12:00:00Z' });
@@ -405,7 +405,7 @@ describe('a dataset that is imported first', () => {
         expect(bench.state.stage.value).toBe('running');
     });
 
-    it('goes on where somebody has stopped it before there was anything to see, and stays stopped after', async () => {
+    it('goes on where someone has stopped it before there was anything to see, and stays stopped after', async () => {
         expect((await connected({ state: 'stopped', steps: steps(0) })).begun).toEqual(['flow']);
         const shown = await connected({ state: 'stopped', steps: steps(4) });
         expect([shown.state.stage.value, shown.begun]).toEqual(['running', []]);

@@ -25,7 +25,7 @@ import type { Views } from './view/views.ts';
 
 /** Pages that have lost the same session make it again in turn, lest each does. */
 const turnMs = 1500;
-/** Somebody else may bring a session back from the trash. */
+/** Someone else may bring a session back from the trash. */
 const lookAgainMs = 5000;
 
 export interface SessionControllerOptions {
@@ -250,7 +250,7 @@ export class SessionController {
         );
     }
 
-    /** The session is not there; where it is in the trash, somebody may restore it. */
+    /** The session is not there; where it is in the trash, someone may restore it. */
     private async missing(): Promise<void> {
         const { state, worker, url } = this.options;
         const beginning = ++this.beginning;
@@ -302,7 +302,7 @@ export class SessionController {
         }
     }
 
-    /** One that somebody has added since. A lost connection is told of elsewhere, and all are subscribed again after it. */
+    /** One that someone has added since. A lost connection is told of elsewhere, and all are subscribed again after it. */
     private async subscribeLate(surface: string): Promise<void> {
         try {
             await this.subscribe(surface);

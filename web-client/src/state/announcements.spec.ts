@@ -4,11 +4,11 @@ import { Announcements } from './announcements.ts';
 describe('what is said over the picture', () => {
     it('keeps what is said of one thing while another works again', () => {
         const problems = new Announcements();
-        problems.say('rake r1', 'somebody else drags it');
+        problems.say('rake r1', 'someone else drags it');
         problems.tell('probe', new Error('the time is outside'));
         problems.solved('rake r2');
         problems.solved('probe');
-        expect([...problems.all.value]).toEqual([['rake r1', 'somebody else drags it']]);
+        expect([...problems.all.value]).toEqual([['rake r1', 'someone else drags it']]);
         problems.solved('rake r1');
         expect(problems.all.value.size).toBe(0);
     });

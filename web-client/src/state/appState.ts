@@ -80,7 +80,7 @@ export class AppState {
     readonly surfaces = signal<ReadonlyMap<string, SurfaceRecord>>(new Map());
     readonly bookmarks = signal<ReadonlyMap<string, BookmarkRecord>>(new Map());
     readonly annotations = signal<ReadonlyMap<string, AnnotationRecord>>(new Map());
-    /** Everybody in the session, this page too. */
+    /** Everyone in the session, this page too. */
     readonly participants = signal<ReadonlyMap<string, Participant>>(new Map());
     readonly you = signal<string | null>(null);
     readonly session = signal<string | null>(null);
@@ -151,7 +151,7 @@ export class AppState {
 export interface SurfaceFailure {
     epoch: number;
     text: string;
-    /** Somebody did not want to wait for it. */
+    /** Someone did not want to wait for it. */
     stopped: boolean;
 }
 

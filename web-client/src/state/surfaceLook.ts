@@ -1,4 +1,4 @@
-// How somebody wants a surface to look: plain values, kept by this page alone, and by links and bookmarks. What comes back from
+// How someone wants a surface to look: plain values, kept by this page alone, and by links and bookmarks. What comes back from
 // those may be of strangers or of older versions; whatever is wrong in it becomes the usual.
 
 export const colourMaps = ['viridis', 'cividis', 'inferno', 'plasma', 'coolToWarm', 'grey', 'turbo'] as const;

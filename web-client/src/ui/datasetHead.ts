@@ -1,5 +1,5 @@
 // What is shown: the dataset and how large it is; where the server has several, a choice. Another dataset is another session, the
-// one in which this browser saw it last or a new one, so that nobody is taken away from what they look at.
+// one in which this browser saw it last or a new one, so that no one is taken away from what they look at.
 import { signal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { DatasetEntry } from '../protocol/messages.ts';

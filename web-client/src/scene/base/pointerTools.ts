@@ -16,7 +16,7 @@ export interface PointerTool {
     /** Only while held. */
     move?(pointer: Pointer): void;
     release?(pointer: Pointer, cancelled: boolean): void;
-    /** A press that nobody took and that was let go where it was; true: done. */
+    /** A press that no one took and that was let go where it was; true: done. */
     click?(pointer: Pointer): boolean;
     /** The pointer passes over the canvas (null: it left): how the cursor should look here, if this tool cares. */
     hover?(pointer: Pointer | null): string | null;

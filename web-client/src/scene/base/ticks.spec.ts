@@ -37,7 +37,7 @@ describe('niceStep', () => {
 });
 
 describe('shortNumber', () => {
-    it('drops what nobody reads', () => {
+    it('drops what no one reads', () => {
         expect([0, 0.165263, -1.5, 14, 1e9, Number.NaN].map(shortNumber)).toEqual([
             '0',
             '0.1653',

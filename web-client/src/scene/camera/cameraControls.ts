@@ -36,7 +36,7 @@ export class CameraControls {
     private readonly moved: (() => void)[] = [];
     private bounds: Bounds = [-1, 1, -1, 1, -1, 1];
     private orthographic = false;
-    /** The camera follows somebody else's just now. */
+    /** The camera follows someone else's just now. */
     private led = false;
 
     /** @param onHold the view has been taken or let go */
@@ -131,7 +131,7 @@ export class CameraControls {
         camera.updateMatrixWorld();
     }
 
-    /** As somebody else looks: nobody is told that this camera has moved. */
+    /** As someone else looks: no one is told that this camera has moved. */
     follow(pose: CameraPose): void {
         this.led = true;
         this.place(pose);

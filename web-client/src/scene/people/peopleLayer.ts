@@ -104,7 +104,7 @@ export class PeopleLayer implements Layer {
         this.labels.end();
     }
 
-    /** Somebody of whom nothing is in the picture, at the edge of it: towards what they point at, else where they look from. */
+    /** Someone of whom nothing is in the picture, at the edge of it: towards what they point at, else where they look from. */
     private hint(view: View, places: readonly Vec3[], { name, colour }: Participant): void {
         const hints = places.map((place) => edgeHint(view, place, hintInsets));
         const [hint] = hints;

@@ -9,7 +9,7 @@ import { RakeLabels } from './rakeLabels.ts';
 import { type HeldHandle, RakeWidget } from './rakeWidget.ts';
 import type { Axis } from './snapping.ts';
 
-/** Somebody else who moves a rake just now. */
+/** Someone else who moves a rake just now. */
 export interface RakeHolder {
     name: string;
     color: string;
@@ -83,7 +83,7 @@ export class RakeLayer implements Layer {
         return [...this.widgets.values()].flatMap(({ rake }) => rake ?? []);
     }
 
-    /** Somebody else moves the chosen rake. */
+    /** Someone else moves the chosen rake. */
     get held(): boolean {
         return this.chosen?.rake?.holder != null;
     }

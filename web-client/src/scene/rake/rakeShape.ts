@@ -26,7 +26,7 @@ export function circleOf({ points }: RakeShape): Circle {
     const u = unit(minus(a, centre));
     const toB = minus(b, centre);
     const v = unit(minus(toB, times(u, dot(u, toB))));
-    // Where the points lie on a line, as they may while somebody types them, any plane is as good.
+    // Where the points lie on a line, as they may while someone types them, any plane is as good.
     return { centre, radius: distance(a, centre), u, v: dot(v, v) > 0.5 ? v : across(u) };
 }
 

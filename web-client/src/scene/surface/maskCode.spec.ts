@@ -61,7 +61,7 @@ describe('the code of a mask', () => {
         expect(sizeOf(dots(20))).toBeNull();
     });
 
-    it('is nothing where somebody has damaged it, and never more than a mask', () => {
+    it('is nothing where someone has damaged it, and never more than a mask', () => {
         const good = encodeMask(painted(shapes['a disc']!))!;
         const head = (size: number, tStart: number, tLength: number, ...runs: number[]): string => {
             const view = new DataView(new ArrayBuffer(17));

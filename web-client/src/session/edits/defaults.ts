@@ -27,7 +27,7 @@ export function defaultRake(bounds: Bounds): [Vec3, Vec3] {
 }
 
 /**
- * What a time surface's rake is swept along where nobody has chosen: the axis that is most
+ * What a time surface's rake is swept along where no one has chosen: the axis that is most
  * perpendicular to the rake, across the flow rather than along it (along the longest side), to
  * where there is more room, a quarter of the longest side but not out of the domain.
  */

@@ -113,7 +113,7 @@ describe('a drag on its way to the server', () => {
         expect(bench.state.rakePoints.value[0]![0]).toBe(4);
     });
 
-    it('goes back to where everybody sees it when somebody else holds the rake', async () => {
+    it('goes back to where everyone sees it when someone else holds the rake', async () => {
         const bench = new Bench();
         bench.drag(5);
         bench.edits.flush();
@@ -442,8 +442,8 @@ describe('undo', () => {
         await bench.answer();
         void bench.edits.undo();
         await settled();
-        await bench.answer(0, { undone: null, skipped: [{ type: 'rake', id: 'r1', why: 'rake r1 has been changed by somebody else since' }] });
-        expect(bench.edits.history.words.value).toBe('Not taken back: Low has been changed by somebody else since.');
+        await bench.answer(0, { undone: null, skipped: [{ type: 'rake', id: 'r1', why: 'rake r1 has been changed by someone else since' }] });
+        expect(bench.edits.history.words.value).toBe('Not taken back: Low has been changed by someone else since.');
         expect(bench.edits.history.redoable.value).toBe(0);
     });
 

@@ -124,7 +124,7 @@ export class RakeEdits {
         for (const one of this.edited.values()) one.answeredRev = 0;
     }
 
-    /** What was still to be said of a rake that somebody has deleted is not sent any more. */
+    /** What was still to be said of a rake that someone has deleted is not sent any more. */
     private forgetAllBut(rakes: ReadonlyMap<string, RakeRecord>): void {
         const gone = [...this.edited.keys()].filter((rake) => !rakes.has(rake));
         for (const rake of gone) {
@@ -165,7 +165,7 @@ export class RakeEdits {
         this.options.onChange();
         const one = this.edited.get(rake);
         if (one === undefined || one.window.busy || this.options.dragging()) return;
-        // What may not be changed goes back to where everybody else sees it. Other mistakes stay, to be corrected.
+        // What may not be changed goes back to where everyone else sees it. Other mistakes stay, to be corrected.
         if (one.answeredRev > 0 || one.refused) this.recordsChanged();
         one.refused = false;
     }
@@ -187,7 +187,7 @@ export class RakeEdits {
                 requested({ surface, epoch });
             }
         } catch (error) {
-            // It was deleted meanwhile, which everybody sees.
+            // It was deleted meanwhile, which everyone sees.
             if (one === undefined || !this.edited.has(edit.rake)) return;
             const refused = tellFailure(state, `rake ${edit.rake}`, error);
             one.answeredRev = 0;

@@ -100,7 +100,7 @@ export class SurfaceEdits {
         for (const one of this.edited.values()) one.last = null;
     }
 
-    /** What was still to be said of a surface that somebody has deleted is not sent any more. */
+    /** What was still to be said of a surface that someone has deleted is not sent any more. */
     private forgetAllBut(surfaces: ReadonlyMap<string, SurfaceRecord>): void {
         const gone = [...this.edited.keys()].filter((id) => !surfaces.has(id));
         for (const id of gone) {
@@ -150,7 +150,7 @@ export class SurfaceEdits {
             requested({ surface, epoch });
         } catch (error) {
             const one = this.edited.get(id);
-            // It was deleted meanwhile, which everybody sees.
+            // It was deleted meanwhile, which everyone sees.
             if (one === undefined) return;
             const refused = tellFailure(state, `surface ${id}`, error);
             one.refused ||= refused;

@@ -131,7 +131,7 @@ export class FilmMaker {
         const moving = playback.mode.value === 'clock';
         if (moving) await worker.call('time.set', { time });
         else playback.release(time, this.options.edits.gestures.current);
-        // Somebody else may have moved the clock since.
+        // Someone else may have moved the clock since.
         const again = moving
             ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), askAgainMs)
             : undefined;

@@ -28,7 +28,7 @@ export interface ThumbnailsOptions {
     edits: { history: Pick<UndoHistory, 'taken'> };
     /** As small as asked; null where it would take long. */
     picture: (size: { width: number; height: number }) => HTMLCanvasElement | null;
-    /** A handle or the camera is held, or nobody sees the page. */
+    /** A handle or the camera is held, or no one sees the page. */
     busy: () => boolean;
     encode?: Encode;
     now?: () => number;
@@ -39,7 +39,7 @@ export class Thumbnails {
     private readonly encode: Encode;
     private readonly now: () => number;
     private timer: ReturnType<typeof setTimeout> | null = null;
-    /** When this page's user, and when anybody, edited last. */
+    /** When this page's user, and when anyone, edited last. */
     private own = Number.NEGATIVE_INFINITY;
     private any = Number.NEGATIVE_INFINITY;
     private sent = Number.NEGATIVE_INFINITY;
@@ -75,7 +75,7 @@ export class Thumbnails {
     private due(): void {
         this.timer = null;
         const { state, busy } = this.options;
-        // Somebody else's page has the newer picture.
+        // Someone else's page has the newer picture.
         if (this.any > this.own + echoMs || state.locked.value) return;
         const resting = this.now() - this.own >= restMs;
         if (resting && state.phase.value === 'final' && !state.editsPending.value && !busy()) void this.send();
@@ -92,7 +92,7 @@ export class Thumbnails {
             const image = await this.encoded(drawn);
             if (image !== null) await worker.call('session.thumbnail', { session, image });
         } catch (error) {
-            // A list without a new picture is no reason to disturb anybody.
+            // A list without a new picture is no reason to disturb anyone.
             if (error instanceof CallError && hopeless.has(error.failure.code)) this.unwanted = true;
         }
     }

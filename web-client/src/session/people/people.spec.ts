@@ -32,7 +32,7 @@ function bench(participants: Participant[]) {
 const pointer = (x: number): { pointer: Vec3 } => ({ pointer: [x, 0, 0] });
 
 describe('People', () => {
-    it('tells nothing while nobody else is there, and the camera as soon as somebody comes', () => {
+    it('tells nothing while no one else is there, and the camera as soon as someone comes', () => {
         const { people, told } = bench([ada]);
         people.tell(pointer(1));
         expect(told).toEqual([]);

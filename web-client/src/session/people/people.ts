@@ -1,5 +1,5 @@
 // The people of the session: who is there, what they look at and point at; and what of ours they are told. Presence is no part
-// of the record: nothing of it is kept, and while nobody else is there nothing is sent.
+// of the record: nothing of it is kept, and while no one else is there nothing is sent.
 import { batch } from '@preact/signals-core';
 import type { CameraPlace, JoinedSession, ParticipantChange, Presence, Vec3 } from '../../protocol/messages.ts';
 import type { CameraPose } from '../../scene/camera/cameraControls.ts';
@@ -58,7 +58,7 @@ export class People {
         for (const id of left) people.delete(id);
         state.participants.value = people;
         if (left.includes(view.following.value ?? '')) view.following.value = null;
-        // Whoever comes to somebody who was alone has been told nothing of them.
+        // Whoever comes to someone who was alone has been told nothing of them.
         if (alone && people.size > 1) {
             this.told = {};
             this.cameraMoved();
@@ -67,7 +67,7 @@ export class People {
         requestFrame();
     }
 
-    /** Looks as somebody else does from now on; null: as this page's user likes. */
+    /** Looks as someone else does from now on; null: as this page's user likes. */
     startFollowing(participant: string | null): void {
         this.options.view.following.value = participant;
         this.follow();

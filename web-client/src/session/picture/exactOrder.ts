@@ -18,7 +18,7 @@ export function showExactOrder(
     effect(() => {
         const on = view.exactWhenStill.value;
         scene.setExactWhenStill(on);
-        // What nobody has chosen may be otherwise with other graphics.
+        // What no one has chosen may be otherwise with other graphics.
         if (on !== first || before !== null) keep(kept, on ? 'on' : 'off');
     });
 }

@@ -21,13 +21,13 @@ describe('who holds a rake', () => {
         expect(holderOf(stateWith({ dragging: { rake: 'r2', points } }), record)).not.toHaveProperty('points');
     });
 
-    it('is nobody else where it is this page’s user, or nobody', () => {
+    it('is no one else where it is this page’s user, or no one', () => {
         expect(holderOf(stateWith(), { ...record, leasedBy: 'p1' })).toBeNull();
         expect(holderOf(stateWith(), { ...record, dragging: false })).toBeNull();
     });
 
-    it('may be a script, or somebody who has just left', () => {
+    it('may be a script, or someone who has just left', () => {
         expect(holderOf(stateWith(), { ...record, leasedBy: 'script' })?.name).toBe('A script');
-        expect(holderOf(stateWith(), { ...record, leasedBy: 'p9' })?.name).toBe('Somebody');
+        expect(holderOf(stateWith(), { ...record, leasedBy: 'p9' })?.name).toBe('Someone');
     });
 });

@@ -31,12 +31,12 @@ export function showRakes(state: AppState, view: ViewState, scene: FlowScene): v
     });
 }
 
-/** Null where nobody else holds it. */
+/** Null where no one else holds it. */
 export function holderOf(state: AppState, record: RakeRecord): RakeHolder | null {
     const by = record.dragging ? record.leasedBy : undefined;
     if (by === undefined || by === state.you.value) return null;
     const participant = state.participants.value.get(by);
-    if (participant === undefined) return { name: by.startsWith('script') ? 'A script' : 'Somebody', color: ofNobody };
+    if (participant === undefined) return { name: by.startsWith('script') ? 'A script' : 'Someone', color: ofNobody };
     const { name, colour, dragging } = participant;
     const points = dragging?.rake === record.rake ? { points: dragging.points } : {};
     return { name, color: colour, ...points };

@@ -1,4 +1,4 @@
-// From the look that somebody wants to what the picture needs: names become attributes, ranges those of the dataset.
+// From the look that someone wants to what the picture needs: names become attributes, ranges those of the dataset.
 import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
 import type { ColorSource, SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import type { SurfaceLook } from '../../state/surfaceLook.ts';

@@ -1,5 +1,5 @@
 // Into a session: that of the address; else the one that this browser was in last, if it is still there; else the server's choice,
-// `main` or the share link's, where everybody meets. None is made by coming.
+// `main` or the share link's, where everyone meets. None is made by coming.
 import type { JoinedSession } from '../../protocol/messages.ts';
 import { recall } from '../../state/browserMemory.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';

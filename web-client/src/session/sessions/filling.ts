@@ -1,4 +1,4 @@
-// What a page puts into a session in which nobody has edited anything: what it had there before the server lost it, or what its link
+// What a page puts into a session in which no one has edited anything: what it had there before the server lost it, or what its link
 // carries; else a first rake and surface, so that there is something to see.
 import type { SessionSnapshot } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -11,13 +11,13 @@ export function isEmpty({ rakes, surfaces, bookmarks = [], annotations = [] }: S
     return rakes.length + surfaces.length + bookmarks.length + annotations.length === 0;
 }
 
-/** Whether anybody has: who has taken everything away wants it so. */
+/** Whether anyone has: who has taken everything away wants it so. */
 export async function wasEdited(worker: Pick<WorkerClient, 'call'>, session: string): Promise<boolean> {
     const { sessions } = await worker.call('session.list', {});
     return sessions.find((each) => each.session === session)?.edited ?? true;
 }
 
-/** No edit of anybody's for the server, which takes it only where it is the first. False: it was not. */
+/** No edit of anyone's for the server, which takes it only where it is the first. False: it was not. */
 export async function addDefaultScene(
     { worker, state }: { worker: Pick<WorkerClient, 'call'>; state: AppState },
     dataset: string,

@@ -77,7 +77,7 @@ describe('the list of sessions', () => {
         bench.refusals.set('session.create', full);
         await bench.shelf.create('Wake', null);
         const words = bench.shelf.problems.all.value.get('action');
-        expect(words).toBe('The server keeps at most 4 sessions. Export sessions that nobody needs any more, and delete them.');
+        expect(words).toBe('The server keeps at most 4 sessions. Export sessions that no one needs any more, and delete them.');
         expect(bench.opened).toEqual([]);
         bench.refusals.clear();
         await bench.shelf.create('Wake', 'sqcyl');

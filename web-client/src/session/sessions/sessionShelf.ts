@@ -12,7 +12,7 @@ import { latestSession } from './knownSessions.ts';
 import { fetchSessionFile, sendSessionFile } from './sessionFiles.ts';
 
 const overLimit = -32014;
-const noPlace = 'Export sessions that nobody needs any more, and delete them.';
+const noPlace = 'Export sessions that no one needs any more, and delete them.';
 const fullTrash = 'Delete some that are in the trash for good.';
 /** Others make and delete sessions while the list is open. */
 const refreshMs = 5000;

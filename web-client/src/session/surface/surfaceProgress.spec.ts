@@ -43,7 +43,7 @@ describe('SurfaceProgress', () => {
         state.requestedEpochs.value = new Map([['s1', 4], ['s2', 9]]);
         vi.advanceTimersByTime(300);
         expect(asked).toMatchObject([{ method: 'surface.wait', params: { surface: 's1', epoch: 4 } }]);
-        progress.progressed('somebody else’s', 0.9, '');
+        progress.progressed('someone else’s', 0.9, '');
         progress.progressed(asked[0]!.params.workDoneToken!, 0.25, 'refining');
         expect(state.progress.value).toEqual({ surface: 's1', fraction: 0.25, message: 'refining' });
         void progress.stop();

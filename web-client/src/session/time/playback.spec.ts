@@ -56,7 +56,7 @@ function bench(kind: 'stream' | 'streak', rest: Partial<SurfaceRecord> = {}) {
 }
 
 describe('Playback of a surface that moves', () => {
-    it('shows the end until somebody sets the clock, and stays within the surface', () => {
+    it('shows the end until someone sets the clock, and stays within the surface', () => {
         const { playback, state } = bench('streak');
         expect(playback.time.value).toBe(5);
         playback.goTo(9);
@@ -96,7 +96,7 @@ describe('Playback of a surface that moves', () => {
         expect(playback.span.value).toEqual([2, 5]);
     });
 
-    it('plays a backward one from its earlier end, and shows where it ends until somebody sets the clock', async () => {
+    it('plays a backward one from its earlier end, and shows where it ends until someone sets the clock', async () => {
         const { playback, calls, state, intent } = bench('streak', { from: 5, to: 1, direction: 'backward' });
         expect([playback.span.value, playback.time.value]).toEqual([[1, 5], 1]);
         playback.goTo(2.3);

@@ -1,5 +1,5 @@
 // What play, pause, step and scrub mean for the surface that is being worked on. One that moves is shown at the session's
-// clock, which runs on the server for everybody; of a stream surface the field is frozen at a time-step, and this page
+// clock, which runs on the server for everyone; of a stream surface the field is frozen at a time-step, and this page
 // moves that on, one time-step after the other, when the picture of the last one is there.
 import { computed, effect, signal } from '@preact/signals-core';
 import { type Clock, systemClock, type Timer } from '../../connection/clock.ts';

@@ -35,7 +35,7 @@ describe('a state in a link', () => {
         expect(decodeLinkState(text).view.masks).toEqual({ s1: 'CD_-0' });
     });
 
-    it('is nothing where somebody has damaged it', () => {
+    it('is nothing where someone has damaged it', () => {
         const nothing = { view: {}, rakes: [], surfaces: [] };
         for (const text of ['', '!', 'bm9uc2Vuc2U', btoa('7'), btoa('{"v":{"camera":{"position":[1,2]}},"r":[{}],"s":7}')]) {
             expect(decodeLinkState(text)).toEqual(nothing);

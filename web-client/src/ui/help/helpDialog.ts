@@ -15,7 +15,7 @@ const hints: readonly [keys: string, words: string][] = [
     ['Space', 'play and pause'],
     [', and .', 'a time-step back and on'],
     ['F', 'fit the whole domain'],
-    ['Esc', 'put the tool away, follow nobody'],
+    ['Esc', 'put the tool away, follow no one'],
     ['?', 'this help'],
 ];
 

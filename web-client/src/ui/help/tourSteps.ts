@@ -1,4 +1,4 @@
-// What a first visit is led through: from dragging the rake to showing the result to somebody else.
+// What a first visit is led through: from dragging the rake to showing the result to someone else.
 import type { AppModel } from '../base/appModel.ts';
 
 export interface TourStep {
@@ -51,7 +51,7 @@ export const tourSteps: readonly TourStep[] = [
         words: ({ state }) =>
             'Press play at the bottom' +
             (state.dataset.value?.obstacle === true ? ' and watch the sheet tear round the body' : '') +
-            '. Everybody in the session sees the same time.',
+            '. Everyone in the session sees the same time.',
         done: ({ state }) => state.clock.value?.playing === true,
     },
     {
@@ -62,9 +62,9 @@ export const tourSteps: readonly TourStep[] = [
     },
     {
         id: 'share',
-        title: 'Show it to somebody',
+        title: 'Show it to someone',
         words: () =>
-            'Under Share, make a link: whoever opens it sees this view and may drag rakes too. ' +
+            'Under Share, make a link: anyone who opens it sees this view and may drag rakes too. ' +
             'Under Export there are pictures, films and meshes.',
         done: ({ state }) => state.participants.value.size > 1,
     },

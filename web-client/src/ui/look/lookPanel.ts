@@ -75,7 +75,7 @@ export class LookPanel extends SignalElement {
         if (view.tool.value === 'paint') view.tool.value = 'none';
     }
 
-    /** Parts are looked for only while somebody sees the list. */
+    /** Parts are looked for only while someone sees the list. */
     private listParts(event: Event): void {
         this.model.view.partsListed.value = (event.target as HTMLDetailsElement).open;
     }

@@ -113,7 +113,7 @@ function renaming(entry: SessionEntry, acts: CardActs): TemplateResult {
 }
 
 function deleting(entry: SessionEntry, others: number, acts: CardActs): TemplateResult {
-    return html`<p class="asked">${others === 1 ? 'Somebody else is' : `${others} others are`} in it now.</p>
+    return html`<p class="asked">${others === 1 ? 'Someone else is' : `${others} others are`} in it now.</p>
         <div class="actions">
             <button type="button" @click=${() => acts.delete(entry)}>Delete all the same</button>
             <button type="button" @click=${() => acts.ask(entry.session, null)}>Keep</button>
@@ -122,7 +122,7 @@ function deleting(entry: SessionEntry, others: number, acts: CardActs): Template
 
 function useWords({ lastUsed }: SessionEntry, others: number, here: boolean): string {
     if (others > 0) return `${others === 1 ? '1 person' : `${others} people`} here${here ? ' besides you' : ' now'}`;
-    return here ? 'nobody else is here' : `last used ${agoWords(lastUsed)}`;
+    return here ? 'no one else is here' : `last used ${agoWords(lastUsed)}`;
 }
 
 function contentWords({ rakes, surfaces, annotations, bookmarks, edited }: SessionEntry): string {

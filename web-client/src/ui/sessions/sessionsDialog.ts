@@ -141,7 +141,7 @@ export class SessionsDialog extends SignalElement {
                       @input=${(event: Event) => (this.sought.value = (event.target as HTMLInputElement).value)}
                   />`}
             ${makes ? nothing : html`<p class="quiet">The link that you came by is for one session only.</p>`}
-            ${found.length === 0 ? html`<p class="quiet">No session has that in its name, and nobody in it is called so.</p>` : nothing}
+            ${found.length === 0 ? html`<p class="quiet">No session has that in its name, and no one in it is called so.</p>` : nothing}
             <ul aria-label="Sessions on this server">
                 ${repeat(
                     found,
@@ -234,7 +234,7 @@ function textOf({ name, people }: SessionEntry): string {
 function leftWords(left: number, whole: string): string {
     if (left > fewLeft) return `${whole}: there is room for ${left} more.`;
     const more = left <= 0 ? 'there is room for none more' : `there is room for only ${left} more`;
-    return `${whole}: ${more}. Delete what nobody needs; what is exported can be imported again.`;
+    return `${whole}: ${more}. Delete what no one needs; what is exported can be imported again.`;
 }
 
 customElements.define('wakesurf-sessions', SessionsDialog);

@@ -124,7 +124,7 @@ export class LinksPanel extends SignalElement {
                               ${this.copied.value ? 'Copied' : 'Copy'}
                           </button>
                       </div>
-                      <p class="quiet">Whoever opens this link ${roleWords[made.role]}. It ends ${untilWords(made.expires)}, and is not shown again.</p>`}
+                      <p class="quiet">Anyone who opens this link ${roleWords[made.role]}. It ends ${untilWords(made.expires)}, and is not shown again.</p>`}
             ${this.shares.value.length === 0
                 ? nothing
                 : html`<ul aria-label="Links that hold">
@@ -136,7 +136,7 @@ export class LinksPanel extends SignalElement {
                     ? nothing
                     : html`<p>
                           <a id="forked" href=${this.forked.value} target="_blank" rel="noopener">Open the copy</a>:
-                          the same rakes and surfaces, and nobody else in it.
+                          the same rakes and surfaces, and no one else in it.
                       </p>`}
             </div>
         `;

@@ -44,7 +44,7 @@ export class NoteDialog extends SignalElement {
         return html`<dialog @close=${() => (note.value = null)}>
             <form @submit=${this.save}>
                 <label
-                    >${note.value?.annotation == null ? 'A note for everybody here' : 'Change the note'}
+                    >${note.value?.annotation == null ? 'A note for everyone here' : 'Change the note'}
                     <textarea required maxlength=${longest} .value=${live(note.value?.text ?? '')}></textarea>
                 </label>
                 <div class="answers">

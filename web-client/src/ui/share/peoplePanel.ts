@@ -114,7 +114,7 @@ export class PeoplePanel extends SignalElement {
             return;
         }
         const places = also.length === 0 ? '' : `That holds for ${also.length === 1 ? 'their other place' : `their ${also.length} other places`} here as well. `;
-        const others = newcomers === undefined ? '' : `Whoever comes by the same link from now on ${roleWords[newcomers]}; make another link for others.`;
+        const others = newcomers === undefined ? '' : `Anyone who comes by the same link from now on ${roleWords[newcomers]}; make another link for others.`;
         notices.say('role', `${places}${others}`.trim());
     }
 

@@ -109,7 +109,7 @@ export class Banner extends SignalElement {
                 ? `The import of ${name} was stopped before its first time-step.`
                 : `The import of ${name} was stopped: ${ready} of ${steps!.total} time-steps are here.`;
         const viewer = state.role.value === 'viewer';
-        const next = viewer ? 'Whoever may edit can go on with it.' : 'It can go on from where it stopped.';
+        const next = viewer ? 'Anyone who may edit can go on with it.' : 'It can go on from where it stopped.';
         return html`<div class="banner down" id="import-stopped">
             <span class="words">${there} ${next}</span>
             ${viewer ? '' : html`<button type="button" @click=${() => imports.again()}>Go on importing</button>`}

@@ -1,4 +1,4 @@
-// Views of the picture under names, for everybody in the session.
+// Views of the picture under names, for everyone in the session.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { BookmarkRecord } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/ticks.ts';
@@ -86,7 +86,7 @@ export class BookmarksPanel extends SignalElement {
         if (made !== null) input.value = '';
     }
 
-    /** The time as well, which everybody shares, where there is one and this page may set it. */
+    /** The time as well, which everyone shares, where there is one and this page may set it. */
     private show({ view, time }: BookmarkRecord): void {
         const { state, views, clock } = this.model;
         views.show(readPageView(view));
