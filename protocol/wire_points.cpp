@@ -47,8 +47,7 @@ struct Division {
 
 void sort_unique(std::vector<std::uint32_t>& values) {
     std::ranges::sort(values);
-    const auto rest = std::ranges::unique(values);
-    values.erase(rest.begin(), rest.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 /// Whether no vertex escapes, by sums that need no vertex looked at: nearly always so.

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #if defined(__x86_64__)
+#include <cpuid.h>
 #include <immintrin.h>
 #endif
 
@@ -63,8 +64,12 @@ from_half_in_eights(std::span<const std::uint16_t> halves, float* values) {
 }
 
 bool has_instructions() {
-    static const bool has =
-        __builtin_cpu_supports("avx") != 0 && __builtin_cpu_supports("f16c") != 0;
+    // clang 14's __builtin_cpu_supports does not know f16c; that of avx asks the operating system too.
+    static const bool has = [] {
+        unsigned a = 0, b = 0, c = 0, d = 0;
+        return __builtin_cpu_supports("avx") != 0 && __get_cpuid(1, &a, &b, &c, &d) != 0 &&
+               (c & bit_F16C) != 0;
+    }();
     return has;
 }
 

@@ -12,6 +12,8 @@ template <class... F>
 struct Overloaded : F... {
     using F::operator()...;
 };
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>; // clang 14 finds no guide of an aggregate by itself
 
 Box box_of(const CellMesh& mesh) {
     if (mesh.points.empty())

@@ -6,7 +6,6 @@
 #include "server/session/surface_rules.hpp"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 namespace wakesurf::server {
@@ -27,6 +26,15 @@ core::Result<R> found_or(const R* record, const RecordKey& key) {
     if (record == nullptr)
         return no_record(key);
     return *record;
+}
+
+template <class R>
+std::vector<R> values_of(const std::map<std::string, R>& records) {
+    std::vector<R> out;
+    out.reserve(records.size());
+    for (const auto& [id, record] : records)
+        out.push_back(record);
+    return out;
 }
 
 } // namespace
@@ -61,13 +69,11 @@ std::optional<std::vector<Patch>> Session::changes_since(std::uint64_t seq) cons
 }
 
 std::vector<protocol::RakeRecord> Session::rakes() const {
-    const auto values = std::views::values(records_.all<protocol::RakeRecord>());
-    return {values.begin(), values.end()};
+    return values_of(records_.all<protocol::RakeRecord>());
 }
 
 std::vector<protocol::SurfaceRecord> Session::surfaces() const {
-    const auto values = std::views::values(records_.all<protocol::SurfaceRecord>());
-    return {values.begin(), values.end()};
+    return values_of(records_.all<protocol::SurfaceRecord>());
 }
 
 core::Result<protocol::RakeRecord> Session::rake(const std::string& id) const {

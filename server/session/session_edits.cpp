@@ -3,8 +3,8 @@
 #include "server/session/session.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <utility>
 
@@ -17,10 +17,10 @@ std::vector<Patch> patches_of(const std::vector<RecordChange>& changes,
                               const std::set<std::string>& surfaces) {
     std::vector<Patch> patches;
     // Of what hangs together the dependent goes first and comes last.
-    for (const RecordType type : std::views::reverse(record_types))
+    for (auto type = std::rbegin(record_types); type != std::rend(record_types); ++type)
         for (const RecordChange& each : changes)
-            if (each.key.type == type && !each.after)
-                patches.emplace_back(DeletedRecord{name(type), each.key.id});
+            if (each.key.type == *type && !each.after)
+                patches.emplace_back(DeletedRecord{name(*type), each.key.id});
     for (const RecordChange& each : changes)
         if (each.after && each.key.type != RecordType::Surface)
             std::visit([&](const auto& record) { patches.emplace_back(record); }, *each.after);
