@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -21,7 +22,8 @@ namespace {
 template <class T>
 bool number(const std::string& word, T& out) {
     const char* const end = word.data() + word.size();
-    return std::from_chars(word.data(), end, out).ptr == end && !word.empty();
+    const auto [at, error] = std::from_chars(word.data(), end, out);
+    return at == end && error == std::errc();
 }
 
 std::vector<std::string> words_of(const std::string& text) {
@@ -60,11 +62,28 @@ std::map<std::string, std::vector<Line>> sections_of(std::istream& in) {
     return out;
 }
 
+// How the files of a time set are numbered that does not list their numbers.
+struct Numbering {
+    int start = 0;
+    std::optional<int> increment;
+
+    // As many numbers as there are times; nothing where they are beyond those of files.
+    bool apply(EnsightTimeSet& set) const {
+        for (std::size_t i = 0; increment && i < set.times.size(); ++i) {
+            const auto number = start + static_cast<std::int64_t>(i) * *increment;
+            if (number != static_cast<int>(number))
+                return false;
+            set.numbers.push_back(static_cast<int>(number));
+        }
+        return true;
+    }
+};
+
 core::Result<std::vector<EnsightTimeSet>> time_sets_of(const std::vector<Line>& lines,
                                                        const std::string& name) {
     std::vector<EnsightTimeSet> out;
+    std::vector<Numbering> numberings; // of each
     std::size_t steps = 0;
-    int start = 0;
     std::string reading;
     const auto damaged =
         core::fail(Error::Code::Corrupt, name + " has a time set that cannot be read");
@@ -73,6 +92,7 @@ core::Result<std::vector<EnsightTimeSet>> time_sets_of(const std::vector<Line>& 
             reading = line.key;
         if (line.key == "time set") {
             out.emplace_back();
+            numberings.emplace_back();
             if (line.words.empty() || !number(line.words[0], out.back().id))
                 return damaged;
             continue;
@@ -88,12 +108,11 @@ core::Result<std::vector<EnsightTimeSet>> time_sets_of(const std::vector<Line>& 
             if ((reading.starts_with("filename")) && !number(word, whole))
                 return damaged;
             if (reading == "filename start number")
-                start = whole;
+                numberings.back().start = whole;
             if (reading == "filename numbers")
                 set.numbers.push_back(whole);
             if (reading == "filename increment")
-                for (std::size_t i = 0; i < steps && steps <= 10'000'000; ++i)
-                    set.numbers.push_back(start + static_cast<int>(i) * whole);
+                numberings.back().increment = whole;
             if (reading == "time values") {
                 if (!number(word, time) || !std::isfinite(time))
                     return damaged;
@@ -107,6 +126,9 @@ core::Result<std::vector<EnsightTimeSet>> time_sets_of(const std::vector<Line>& 
                               name + " keeps its times in a file of their own",
                               "write the time values into the case file");
     }
+    for (std::size_t i = 0; i < out.size(); ++i)
+        if (out[i].numbers.empty() && !numberings[i].apply(out[i]))
+            return damaged;
     for (const auto& set : out)
         if (set.times.empty() || (!set.numbers.empty() && set.numbers.size() < set.times.size()) ||
             std::adjacent_find(set.times.begin(), set.times.end(), std::greater_equal<>()) !=

@@ -198,7 +198,7 @@ core::Result<std::vector<double>> NetcdfFile::read(const NetcdfVariable& variabl
                                                    const std::vector<std::size_t>& count) const {
     std::size_t size = 1;
     for (const std::size_t n : count) {
-        if (n != 0 && size > std::numeric_limits<std::size_t>::max() / sizeof(double) / n)
+        if (n != 0 && size > std::vector<double>().max_size() / n)
             return core::fail(Error::Code::OverLimit,
                               variable.name + " of " + name_ + " is larger than memory");
         size *= n;

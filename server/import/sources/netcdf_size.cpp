@@ -2,6 +2,8 @@
 
 #include "core/base/disk.hpp"
 
+#include <netcdf.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -27,7 +29,7 @@ class Header {
 
     /// The end of the last value of the last variable; nothing where the header makes no sense.
     std::optional<std::uint64_t> end_of_data() {
-        const auto records = number(count_);
+        records_ = number(count_);
         if (!read_dimensions() || !skip_attributes())
             return std::nullopt;
         const auto tag = number(4);
@@ -37,14 +39,17 @@ class Header {
         for (std::uint64_t i = 0; i < variables; ++i)
             if (!read_variable())
                 return std::nullopt;
-        // Streamed files do not say how many records they have.
-        const auto streaming = count_ == 4 ? std::numeric_limits<std::uint32_t>::max()
-                                           : std::numeric_limits<std::uint64_t>::max();
-        if (records == streaming || records == 0 || record_ends_ == 0)
+        if (records_ == 0 || record_ends_ == 0)
             return fixed_ends_;
-        if (record_bytes_ > 0 && records - 1 > most / record_bytes_)
+        if (record_bytes_ > most || (record_bytes_ > 0 && records_ - 1 > most / record_bytes_))
             return std::nullopt;
-        return std::max(fixed_ends_, record_ends_ + (records - 1) * record_size());
+        return std::max(fixed_ends_, record_ends_ + (records_ - 1) * record_size());
+    }
+
+    /// Streamed files do not say how many records they have. The netCDF library takes that for a count.
+    bool streamed() const {
+        return records_ == (count_ == 4 ? std::numeric_limits<std::uint32_t>::max()
+                                        : std::numeric_limits<std::uint64_t>::max());
     }
 
   private:
@@ -65,6 +70,12 @@ class Header {
         return sound_ && in_.good();
     }
 
+    // The netCDF library copies a name of any length to where its callers have room for the longest allowed one.
+    bool skip_name() {
+        const auto bytes = number(count_);
+        return bytes <= NC_MAX_NAME && skip(bytes);
+    }
+
     static std::uint64_t bytes_of(std::uint64_t type) {
         constexpr std::array<std::uint64_t, 12> sizes{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
         return type < sizes.size() ? sizes[type] : 0;
@@ -76,7 +87,7 @@ class Header {
         if (!sound_ || (tag != 0 && tag != 10))
             return false;
         for (std::uint64_t i = 0; i < count; ++i) {
-            if (!skip(number(count_)))
+            if (!skip_name())
                 return false;
             lengths_.push_back(number(count_));
         }
@@ -89,7 +100,7 @@ class Header {
         if (!sound_ || (tag != 0 && tag != 12))
             return false;
         for (std::uint64_t i = 0; i < count; ++i) {
-            if (!skip(number(count_)))
+            if (!skip_name())
                 return false;
             const auto bytes = bytes_of(number(4));
             const auto values = number(count_);
@@ -100,9 +111,11 @@ class Header {
     }
 
     bool read_variable() {
-        if (!skip(number(count_)))
+        if (!skip_name())
             return false;
         const auto rank = number(count_);
+        if (rank > NC_MAX_VAR_DIMS)
+            return false;
         std::uint64_t values = 1;
         bool record = false;
         for (std::uint64_t d = 0; d < rank && sound_; ++d) {
@@ -143,6 +156,7 @@ class Header {
     std::size_t count_;
     std::size_t offset_;
     bool sound_ = true;
+    std::uint64_t records_ = 0;
     std::vector<std::uint64_t> lengths_;
     std::uint64_t fixed_ends_ = 0;
     std::uint64_t record_ends_ = 0;
@@ -184,7 +198,13 @@ core::Result<void> check_netcdf_size(const NamedFile& file) {
     if (!classic && start != "\x89HDF\r\n\x1a\n")
         return core::fail(Error::Code::Corrupt, file.name + " is no NetCDF file");
     in.seekg(classic ? 4 : 8);
-    const auto wanted = classic ? Header(in, start[3]).end_of_data() : size_by_superblock(in);
+    Header header(in, start[3]);
+    const auto wanted = classic ? header.end_of_data() : size_by_superblock(in);
+    if (classic && header.streamed())
+        return core::fail(Error::Code::Unsupported,
+                          file.name + " does not say how many time-steps it has: it was streamed, "
+                                      "or is still being written",
+                          "write it to a disk, to its end");
     if (!wanted)
         return core::fail(Error::Code::Corrupt,
                           file.name + " ends within its header, or its header is damaged");

@@ -26,6 +26,8 @@ namespace {
 
 bool is_even(const std::vector<double>& nodes, bool single_precision) {
     const double spacing = (nodes.back() - nodes.front()) / static_cast<double>(nodes.size() - 1);
+    if (!std::isfinite(spacing))
+        return false;
     const double furthest = std::max(std::abs(nodes.front()), std::abs(nodes.back()));
     const double slack = std::max(1e-6 * spacing, single_precision ? furthest * 0x1p-23 : 0.0);
     for (std::size_t i = 0; i < nodes.size(); ++i)

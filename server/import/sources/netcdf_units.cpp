@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <map>
 #include <string_view>
 
@@ -82,6 +84,15 @@ core::Result<void> convert_axes(const NetcdfFile& file, NetcdfGrid& grid) {
         axis.factor = factor.value_or(1.0);
         for (double& node : axis.nodes)
             node *= axis.factor;
+        if (!std::isfinite(axis.nodes.front()) || !std::isfinite(axis.nodes.back()) ||
+            std::adjacent_find(axis.nodes.begin(), axis.nodes.end(), std::greater_equal<>()) !=
+                axis.nodes.end())
+            return core::fail(Error::Code::Corrupt,
+                              file.name() + " has coordinates along " +
+                                  file.dimensions()[static_cast<std::size_t>(axis.dimension)].name +
+                                  " that are too large or too close together when they are "
+                                  "converted from " +
+                                  axis.units + " to metres");
         axis.known = factor.has_value();
     }
     return {};

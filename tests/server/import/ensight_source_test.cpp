@@ -1,4 +1,5 @@
 // EnSight Gold cases made here: what the source gives of them, and what it refuses.
+#include "server/import/sources/ensight_case.hpp"
 #include "server/import/sources/ensight_source.hpp"
 #include "tests/support/ensight_text.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -12,6 +13,7 @@
 #include <vtkPointData.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace wakesurf::server {
 namespace {
@@ -415,6 +417,27 @@ TEST_F(EnsightSource, RefusesWhatItCannotRead) {
     expect_refusal(
         "FORMAT\ntype: ensight gold\nTIME\ntime set: 1\nnumber of steps: 2\ntime values: 1 1\n",
         "increasing");
+}
+
+TEST_F(EnsightSource, RefusesNumbersThatAreNoneAndCountsNoMoreFilesThanTimes) {
+    const auto opened = [&](const std::string& times) {
+        std::istringstream in("FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: g\nVARIABLE\n"
+                              "vector per node: 1 U u.*\nTIME\ntime set: 1\n" +
+                              times);
+        return parse_ensight_case(in, folder_.path(), "flow.case");
+    };
+    const std::string many = "number of steps: 2000000000\n";
+    const auto small = opened(many + "filename start number: 7\nfilename increment: 5 5 5 5\n"
+                                     "time values: 1 2\n");
+    ASSERT_TRUE(small.has_value()) << small.error().message;
+    EXPECT_EQ(small->time_sets.front().numbers, (std::vector<int>{7, 12}));
+    for (const char* const times :
+         {"filename start number: 2000000000\nfilename increment: 2000000000\ntime values: 1 2\n",
+          "filename increment: 1\ntime values: 1 1e999\n", "filename increment: 9999999999\n"}) {
+        const auto refused = opened(many + times);
+        ASSERT_FALSE(refused.has_value()) << times;
+        EXPECT_EQ(refused.error().message, "flow.case has a time set that cannot be read");
+    }
 }
 
 TEST_F(EnsightSource, RefusesFilesOutsideOfTheCasesFolder) {

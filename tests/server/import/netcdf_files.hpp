@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -156,6 +157,21 @@ write_flow(const std::filesystem::path& file, const Flow& flow, const Spoil& spo
             out.put(variables[c], start, count, values);
         }
     }
+}
+
+/// A file of the classic format with one dimension, whose name has this many bytes: the library writes no more than 256.
+inline std::string file_with_name(std::size_t bytes) {
+    const auto number = [](std::uint32_t value) {
+        std::string out;
+        for (int shift = 24; shift >= 0; shift -= 8)
+            out.push_back(static_cast<char>(value >> shift & 0xff));
+        return out;
+    };
+    constexpr std::uint32_t dimensions = 10; // the tag of their list
+    const std::string none = number(0) + number(0);
+    return "CDF\1" + number(0) + number(dimensions) + number(1) +
+           number(static_cast<std::uint32_t>(bytes)) + std::string((bytes + 3) / 4 * 4, 'a') +
+           number(4) + none + none;
 }
 
 } // namespace wakesurf::server
