@@ -1,4 +1,5 @@
 // The short version of fuzzing that is part of every ./check: each target takes its seeds and mutations of them.
+#include "tests/fuzz/json_mutation.hpp"
 #include "tests/fuzz/mutation.hpp"
 #include "tests/fuzz/target.hpp"
 
@@ -24,12 +25,17 @@ TEST_P(FuzzTarget, TakesAnyInput) {
     for (const std::string& seed : seeds)
         GetParam().run(input_of(seed));
     std::mt19937 random(1);
-    for (int i = 0; i < runs; ++i)
-        GetParam().run(input_of(mutate(seeds, random)));
+    const JsonMutation json(seeds);
+    for (int i = 0; i < runs; ++i) {
+        const auto changed = GetParam().json && i % 2 == 0
+                                 ? json(seeds[random() % seeds.size()], random)
+                                 : std::nullopt;
+        GetParam().run(input_of(changed ? *changed : mutate(seeds, random)));
+    }
 }
 
-INSTANTIATE_TEST_SUITE_P(Targets, FuzzTarget, testing::ValuesIn(targets()), [](const auto& info) {
-    return std::string(info.param.name);
+INSTANTIATE_TEST_SUITE_P(Targets, FuzzTarget, testing::ValuesIn(targets()), [](const auto& each) {
+    return std::string(each.param.name);
 });
 
 } // namespace wakesurf::fuzz

@@ -1,10 +1,12 @@
 // The entry points of libFuzzer. One program for all targets: the first argument names one, `seeds DIR` behind it writes its seeds;
 // `targets` lists them.
+#include "tests/fuzz/json_mutation.hpp"
 #include "tests/fuzz/target.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -13,6 +15,7 @@ namespace {
 using namespace wakesurf::fuzz;
 
 const Target* chosen = nullptr;
+constexpr const char* memory_folder = "/dev/shm";
 
 void write_seeds(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
@@ -37,6 +40,8 @@ void list_targets() {
 
 } // namespace
 
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
     char** const given = *arguments;
     const std::string_view name = *count > 1 ? given[1] : "";
@@ -47,6 +52,8 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
     if (found == targets().end())
         usage();
     chosen = &*found;
+    if (std::filesystem::exists(memory_folder))
+        setenv("TMPDIR", memory_folder, 0); // millions of scratch files
     if (*count == 4 && std::string_view(given[2]) == "seeds") {
         write_seeds(given[3]);
         std::exit(0);
@@ -59,4 +66,18 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     chosen->run({data, size});
     return 0;
+}
+
+extern "C" std::size_t
+LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
+    std::mt19937 random(seed);
+    if (chosen->json && random() % 2 == 0) {
+        static const JsonMutation json(chosen->seeds());
+        const auto changed = json(text_of({data, size}), random);
+        if (changed && changed->size() <= most) {
+            std::memcpy(data, changed->data(), changed->size());
+            return changed->size();
+        }
+    }
+    return LLVMFuzzerMutate(data, size, most);
 }

@@ -1,5 +1,6 @@
 // The page's mesh decoder under mutations of the golden sequences, their checksums made right again: what it cannot decode it refuses with a
-// FrameError, keeps nothing of it, and takes little memory. Runs for --seconds S or --runs N (updates folded) and prints one line.
+// FrameError, keeps nothing of it, and takes little memory. Runs for --seconds S or --runs N (frames folded) and prints one line, and one every
+// million runs.
 import { FrameError } from '../../web-client/src/protocol/frameError.ts';
 import { MeshDecoder } from '../../web-client/src/protocol/meshDecoder.ts';
 import { frameHeaderBytes } from '../../web-client/src/protocol/meshFrame.ts';
@@ -62,6 +63,12 @@ function check(decoder: MeshDecoder): void {
 const points = await dracoPoints();
 const start = performance.now();
 let [runs, refused, slowest] = [0, 0, 0];
+
+function report(): void {
+    const [heap, took] = [points.heapBytes >> 20, (performance.now() - start) / 1000];
+    console.log(`mesh_decoder.ts: ${runs} runs, ${refused} refused, slowest ${slowest.toFixed(0)} ms, Draco's heap ${heap} MiB, ${took.toFixed(0)} s`);
+}
+
 while (runs < most && performance.now() - start < 1000 * seconds) {
     const { name, frames } = sequences[random() % sequences.length]!;
     const decoder = new MeshDecoder(points, golden[name]!.lattice, golden[name]!.attributes);
@@ -79,8 +86,10 @@ while (runs < most && performance.now() - start < 1000 * seconds) {
             refused += 1;
         }
         slowest = Math.max(slowest, performance.now() - before);
+        if (runs % 1_000_000 === 0)
+            report();
     }
     if (points.heapBytes > mostHeap)
         throw new Error(`Draco's heap has grown to ${points.heapBytes} bytes`);
 }
-console.log(`mesh_decoder.ts: ${runs} runs, ${refused} refused, slowest ${slowest.toFixed(0)} ms, Draco's heap ${points.heapBytes >> 20} MiB, ${((performance.now() - start) / 1000).toFixed(0)} s`);
+report();

@@ -10,11 +10,11 @@ namespace wakesurf::fuzz {
 const std::vector<Target>& targets() {
     static const std::vector<Target> all{
         {"mesh_decoder", mesh_decoder, mesh_decoder_seeds},
-        {"json_rpc", json_rpc, json_rpc_seeds},
-        {"settings", settings, settings_seeds},
-        {"records", records, records_seeds},
-        {"journal_rows", journal_rows, journal_rows_seeds},
-        {"store_manifest", store_manifest, store_manifest_seeds},
+        {"json_rpc", json_rpc, json_rpc_seeds, true},
+        {"settings", settings, settings_seeds, true},
+        {"records", records, records_seeds, true},
+        {"journal_rows", journal_rows, journal_rows_seeds, true},
+        {"store_manifest", store_manifest, store_manifest_seeds, true},
         {"command_line_text", command_line_text, command_line_text_seeds},
         {"gate", gate, gate_seeds},
         {"ensight", ensight, ensight_seeds},

@@ -17,6 +17,8 @@ struct Target {
     std::string_view name;
     void (*run)(Input input);            ///< throws or aborts only for a fault of the product
     std::vector<std::string> (*seeds)(); ///< inputs that are right, or nearly
+    bool json =
+        false; ///< its inputs are JSON, or lines that end with it: they are changed as such, too
 };
 
 /// In the order of the table in README.md.

@@ -1,87 +1,152 @@
-// An EnSight case and its geometry: the input is the case file, a line of equals signs, and the file it names.
+// An EnSight case, its geometry and a variable: the input is the three files, a line of equals signs between them.
 #include "server/import/sources/ensight_case.hpp"
-#include "server/import/sources/ensight_geometry.hpp"
+#include "server/import/sources/ensight_source.hpp"
 #include "server/import/sources/ensight_variable.hpp"
 #include "tests/fuzz/targets/all.hpp"
 #include "tests/fuzz/targets/scratch_file.hpp"
+#include "tests/support/ensight_text.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace wakesurf::fuzz {
 
 namespace {
 
+using tests::EnsightEncoding;
+using tests::EnsightText;
+using FieldSource = core::FieldInfo::Source;
+
 constexpr std::string_view border = "\n====\n";
 
-constexpr std::string_view case_text = R"(FORMAT
-type: ensight gold
-GEOMETRY
-model: geo
-VARIABLE
-vector per node: 1 velocity vel.**
-TIME
-time set: 1
-number of steps: 2
-filename start number: 0
-filename increment: 1
-time values: 0.5 1.5)";
+std::string_view part_of(std::string_view& rest) {
+    const auto end = std::min(rest.find(border), rest.size());
+    const auto part = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + border.size(), rest.size()));
+    return part;
+}
 
-constexpr std::string_view geometry_text = R"(EnSight Gold
-made by hand
-node id off
-element id off
-part
-         1
-block
-coordinates
-         4
- 0.0
- 1.0
- 0.0
- 0.0
- 0.0
- 0.0
- 1.0
- 0.0
- 0.0
- 0.0
- 0.0
- 1.0
-tetra4
-         1
-         1         2         3         4
-)";
+std::string case_text(const std::string& place) {
+    return "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: geo\nVARIABLE\nvector per " + place +
+           ": 1 velocity vel\nscalar per " + place +
+           ": 2 p \"p.**\"\nTIME\ntime set: 1\nnumber of steps: 2\nfilename start number: 0\n"
+           "filename increment: 5\ntime values: 0.5 1.5\ntime set: 2\nnumber of steps: 1\n"
+           "filename numbers: 3\ntime values:\n0.5\n";
+}
+
+void put_points(EnsightText& out, int count) {
+    out.line("coordinates");
+    out.integers({count});
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<float> along;
+        for (int i = 0; i < count; ++i)
+            along.push_back(static_cast<float>(i >> axis & 1));
+        out.numbers(along);
+    }
+}
+
+// Elements of every kind that is read in its own way, and a block of each shape.
+std::string geometry(EnsightEncoding encoding) {
+    EnsightText out(encoding);
+    if (encoding == EnsightEncoding::Fortran)
+        out.line("Fortran Binary");
+    else if (encoding != EnsightEncoding::Text)
+        out.line("C Binary");
+    for (const char* const line : {"made", "by hand", "node id off", "element id off", "part"})
+        out.line(line);
+    out.integers({1});
+    out.line("fluid");
+    put_points(out, 8);
+    const std::vector<std::pair<const char*, std::vector<std::vector<int>>>> sections{
+        {"hexa8", {{1, 2, 4, 3, 5, 6, 8, 7}}},
+        {"tria3", {{1, 2, 3}}},
+        {"nsided", {{4}, {1, 2, 4, 3}}},
+        {"g_tetra4", {{1, 2, 3, 5}}},
+        {"nfaced", {{4}, {3, 3, 3, 3}, {1, 2, 3, 1, 2, 5, 2, 3, 5, 1, 3, 5}}}};
+    for (const auto& [type, rows] : sections) {
+        out.line(type);
+        out.integers({1});
+        for (const auto& row : rows)
+            out.integers(row);
+    }
+    int number = 2;
+    for (const char* const shape :
+         {"block iblanked", "block rectilinear", "block uniform iblanked"}) {
+        out.line("part");
+        out.integers({number++});
+        out.line("wall");
+        out.line(shape);
+        out.integers({2, 2, 2});
+        const std::string_view name = shape;
+        const bool curved = name == "block iblanked";
+        for (int axis = 0; axis < (name == "block uniform iblanked" ? 2 : 3); ++axis)
+            out.numbers(std::vector<float>(curved ? 8 : name == "block rectilinear" ? 2 : 3, 1.0f));
+        if (name.ends_with("iblanked"))
+            out.integers({1, 1, 1, 1, 1, 1, 1, 0});
+    }
+    return out.text();
+}
+
+std::string variable(EnsightEncoding encoding, FieldSource source) {
+    EnsightText out(encoding);
+    out.line("a variable");
+    const auto section = [&](const char* type, std::size_t count) {
+        out.line(type);
+        for (int c = 0; c < 3; ++c)
+            out.numbers(std::vector<float>(count, 0.5f));
+    };
+    for (int number = 1; number < 5; ++number) {
+        out.line("part");
+        out.integers({number});
+        if (number > 1) {
+            section("block", source == FieldSource::Point ? 8 : 1);
+        } else if (source == FieldSource::Point) {
+            section("coordinates", 8);
+        } else {
+            for (const char* const type : {"hexa8", "tria3", "nsided", "g_tetra4", "nfaced"})
+                section(type, 1);
+        }
+    }
+    return out.text();
+}
 
 } // namespace
 
 void ensight(Input input) {
-    const std::string_view text = text_of(input);
-    const auto cut = std::min(text.find(border), text.size());
-    const auto path = scratch_file("a.case", text.substr(0, cut));
-    const auto geometry =
-        scratch_file("geo", text.substr(std::min(cut + border.size(), text.size())));
-    if (const auto read = server::read_ensight_case(path))
-        demand(std::is_sorted(read->times.begin(), read->times.end()), "times rise");
+    std::string_view rest = text_of(input);
+    const auto path = scratch_file("a.case", part_of(rest));
+    const auto geometry = scratch_file("geo", part_of(rest));
+    const auto values = scratch_file("vel", rest);
+    if (const auto read = server::read_ensight_case(path)) {
+        demand(!read->times.empty() &&
+                   std::adjacent_find(read->times.begin(), read->times.end(),
+                                      std::greater_equal<>()) == read->times.end(),
+               "times rise");
+        if (const auto source = server::open_ensight(path))
+            (*source)->read(0, (*source)->description().fields);
+    }
     const auto parts = server::read_ensight_geometry({geometry, "geo"});
-    if (!parts)
-        return;
-    const core::FieldInfo velocity{"velocity", 3, core::FieldInfo::Source::Point, {0, 0}, ""};
-    server::read_ensight_variable({geometry, "vel"}, *parts, velocity);
+    for (const auto from : {FieldSource::Point, FieldSource::Cell})
+        if (parts)
+            server::read_ensight_variable({values, "vel"}, *parts,
+                                          {"velocity", 3, from, {0, 0}, ""});
 }
 
 std::vector<std::string> ensight_seeds() {
-    const std::string text(case_text), geometry(geometry_text);
-    std::string binary(80, '\0');
-    binary.replace(0, 8, "C Binary");
-    for (const std::string_view line :
-         {"made by hand", "", "node id off", "element id off", "part"}) {
-        std::string padded(80, '\0');
-        padded.replace(0, line.size(), line);
-        binary += padded;
-    }
-    binary += std::string("\1\0\0\0", 4);
-    return {text + std::string(border) + geometry, text + std::string(border) + binary,
-            "FORMAT\ntype: ensight\n" + std::string(border)};
+    const std::string between(border);
+    std::vector<std::string> seeds{
+        "FORMAT\ntype: ensight\n" + between,
+        // Numbers of files that no int holds, and more of them than any memory.
+        "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: geo\nVARIABLE\nvector per node: 1 u u.*\n"
+        "TIME\ntime set: 1\nnumber of steps: 9999999\nfilename start number: 2000000000\n"
+        "filename increment: 2000000000 1 1 1\ntime values: 0.5 1.5 1e999" +
+            between};
+    for (const auto encoding : {EnsightEncoding::Text, EnsightEncoding::Binary,
+                                EnsightEncoding::SwappedBinary, EnsightEncoding::Fortran})
+        for (const auto from : {FieldSource::Point, FieldSource::Cell})
+            seeds.push_back(case_text(from == FieldSource::Point ? "node" : "element") + between +
+                            geometry(encoding) + between + variable(encoding, from));
+    return seeds;
 }
 
 } // namespace wakesurf::fuzz

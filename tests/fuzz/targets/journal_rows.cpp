@@ -57,7 +57,7 @@ std::vector<std::string> journal_rows_seeds() {
         line_of(server::entry_of(protocol::SessionHead{"main", 5, 2, 2, 1, 1}));
     const std::string both = line_of(server::entry_of(server::Record(rake))) +
                              line_of(server::entry_of(server::Record(surface)));
-    return {head + both, both, head + line_of(server::entry_of(protocol::ClockRecord{0.5})),
+    return {head + both, both, head + line_of(server::entry_of(protocol::ClockRecord{})),
             "rake\trake-9\t{}\nunknown\tx\ty\n"};
 }
 

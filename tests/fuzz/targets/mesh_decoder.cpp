@@ -41,8 +41,8 @@ void check_ids(const protocol::WireMesh& mesh) {
 } // namespace
 
 void mesh_decoder(Input input) {
-    std::vector<std::byte> bytes(input.size());
-    std::memcpy(bytes.data(), input.data(), input.size());
+    const auto given = std::as_bytes(input);
+    std::vector<std::byte> bytes(given.begin(), given.end());
     protocol::MeshDecoder decoder;
     for (std::size_t at = 0; at + 4 <= bytes.size();) {
         std::uint32_t announced = 0;

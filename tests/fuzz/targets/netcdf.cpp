@@ -2,54 +2,66 @@
 #include "server/import/sources/netcdf_source.hpp"
 #include "tests/fuzz/targets/all.hpp"
 #include "tests/fuzz/targets/scratch_file.hpp"
+#include "tests/server/import/netcdf_files.hpp"
 
-#include <vtk_netcdf.h>
+#include <algorithm>
+#include <functional>
 
 namespace wakesurf::fuzz {
 
 namespace {
 
-/// u, v and w on 2 x 2 x 2 nodes at one time, with units.
-std::string small_file() {
+std::string file_of(const server::Flow& flow) {
     const auto path = scratch_file("seed.nc", "");
-    int file = 0;
-    nc_create(path.c_str(), NC_CLOBBER, &file);
-    int dimensions[4] = {};
-    static const char* const names[] = {"time", "z", "y", "x"};
-    static const std::size_t sizes[] = {1, 2, 2, 2};
-    int axes[4] = {};
-    for (int i = 0; i < 4; ++i) {
-        nc_def_dim(file, names[i], sizes[i], &dimensions[i]);
-        nc_def_var(file, names[i], NC_DOUBLE, 1, &dimensions[i], &axes[i]);
-        const std::string unit = i == 0 ? "hours since 2000-01-01" : "km";
-        nc_put_att_text(file, axes[i], "units", unit.size(), unit.data());
-    }
-    int fields[3] = {};
-    for (int i = 0; i < 3; ++i) {
-        const std::string name(1, static_cast<char>('u' + i)), unit = "m s-1";
-        nc_def_var(file, name.c_str(), NC_FLOAT, 4, dimensions, &fields[i]);
-        nc_put_att_text(file, fields[i], "units", unit.size(), unit.data());
-    }
-    nc_enddef(file);
-    const double values[] = {0.0, 1.0};
-    const float ones[] = {1, 1, 1, 1, 1, 1, 1, 1};
-    for (const int axis : axes)
-        nc_put_var_double(file, axis, values);
-    for (const int field : fields)
-        nc_put_var_float(file, field, ones);
-    nc_close(file);
+    server::write_flow(path, flow);
     return tests::read_file(path);
+}
+
+server::Flow small_flow(int format) {
+    server::Flow flow;
+    flow.format = format;
+    flow.type = NC_FLOAT;
+    flow.axes = {{"x", {0, 0.5, 1}}, {"y", {-1, 0, 1}}, {"z", {2, 3, 5}}};
+    flow.times = {0.5, 1.5};
+    flow.units = {{"x", "km"}, {"y", "m"}, {"u", "cm s-1"}};
+    return flow;
 }
 
 } // namespace
 
 void netcdf(Input input) {
-    server::open_netcdf(scratch_file("a.nc", text_of(input)));
+    const auto source = server::open_netcdf(scratch_file("a.nc", text_of(input)));
+    if (!source)
+        return;
+    const auto& found = (*source)->description();
+    demand(std::adjacent_find(found.times.begin(), found.times.end(), std::greater_equal<>()) ==
+               found.times.end(),
+           "times rise");
+    const auto last = (*source)->read(found.times.size() - 1, found.fields);
+    if (last)
+        for (const auto& field : found.fields)
+            demand(last->blocks.front()->GetPointData()->HasArray(field.name.c_str()) != 0,
+                   "a step that was read has the fields that were asked for");
 }
 
 std::vector<std::string> netcdf_seeds() {
-    const std::string whole = small_file();
-    return {whole, whole.substr(0, whole.size() / 2), "CDF\1"};
+    std::vector<std::string> seeds;
+    for (const int format : {0, NC_64BIT_OFFSET, NC_64BIT_DATA, NC_NETCDF4})
+        seeds.push_back(file_of(small_flow(format)));
+    auto packed = small_flow(0);
+    packed.type = NC_SHORT;
+    packed.scale = 0.01;
+    packed.time_units = "hours since 2000-01-01 00:00:00";
+    packed.axes["z"] = {5, 3, 2};
+    seeds.push_back(file_of(packed));
+    auto bare = small_flow(0);
+    bare.with_axis_attributes = false;
+    bare.order = {"time", "x", "y", "z"};
+    bare.time_units = "";
+    seeds.push_back(file_of(bare));
+    seeds.push_back(seeds.front().substr(0, seeds.front().size() / 2));
+    seeds.push_back(server::file_with_name(400));
+    return seeds;
 }
 
 } // namespace wakesurf::fuzz

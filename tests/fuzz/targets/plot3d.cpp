@@ -1,47 +1,115 @@
-// A Plot3D grid file, whose layout follows from its length, and the same bytes as a solution on it.
+// A Plot3D grid file, whose layout follows from its length, and behind a border the solution on it.
 #include "server/import/sources/plot3d_layout.hpp"
 #include "tests/fuzz/targets/all.hpp"
 #include "tests/fuzz/targets/scratch_file.hpp"
 
-#include <cstring>
+#include <algorithm>
+#include <cstdint>
 
 namespace wakesurf::fuzz {
 
 namespace {
 
-template <class Number>
-void append(std::string& bytes, Number number) {
-    bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
-}
+constexpr std::string_view border = "\n====\n";
 
-std::string grid(bool several, int i, int j, int k) {
-    std::string bytes;
-    if (several)
-        append(bytes, 1);
-    for (const int each : {i, j, k})
-        append(bytes, each);
-    for (int node = 0; node < 3 * i * j * k; ++node)
-        append(bytes, static_cast<float>(node));
-    return bytes;
+// Writes numbers as one layout has them.
+class Writer {
+  public:
+    explicit Writer(const server::Plot3dLayout& layout) : layout_(layout) {}
+
+    void integers(const std::vector<int>& values) {
+        std::string bytes;
+        for (const int value : values)
+            bytes += layout_.ascii ? std::to_string(value) + ' ' : bytes_of(value);
+        record(bytes);
+    }
+
+    void reals(std::size_t count) {
+        std::string bytes;
+        for (std::size_t i = 0; i < count; ++i)
+            bytes += layout_.ascii     ? "0.5 "
+                     : layout_.doubles ? bytes_of(0.5 * static_cast<double>(i))
+                                       : bytes_of(0.5f * static_cast<float>(i));
+        record(bytes);
+    }
+
+    const std::string& text() const { return text_; }
+
+  private:
+    template <class Number>
+    std::string bytes_of(Number number) const {
+        std::string out(reinterpret_cast<const char*>(&number), sizeof number);
+        if (layout_.big_endian)
+            std::reverse(out.begin(), out.end());
+        return out;
+    }
+
+    void record(const std::string& bytes) {
+        const std::string mark =
+            layout_.records ? bytes_of(static_cast<std::int32_t>(bytes.size())) : std::string();
+        text_ += mark + bytes + mark;
+    }
+
+    const server::Plot3dLayout& layout_;
+    std::string text_;
+};
+
+std::string files(const server::Plot3dLayout& layout) {
+    const std::size_t blocks = layout.several ? 2 : 1;
+    constexpr std::size_t nodes = 2 * 3 * 2;
+    const auto header = [&](Writer& out) {
+        if (layout.several)
+            out.integers({2});
+        std::vector<int> sizes;
+        for (std::size_t i = 0; i < blocks; ++i)
+            sizes.insert(sizes.end(), {2, 3, 2});
+        out.integers(sizes);
+    };
+    Writer grid(layout), solution(layout);
+    header(grid);
+    header(solution);
+    for (std::size_t i = 0; i < blocks; ++i) {
+        grid.reals(3 * nodes);
+        if (layout.blanking)
+            grid.integers(std::vector<int>(nodes, 1));
+        solution.reals(4);
+        solution.reals(5 * nodes);
+    }
+    return grid.text() + std::string(border) + solution.text();
 }
 
 } // namespace
 
 void plot3d(Input input) {
-    const auto path = scratch_file("a.xyz", text_of(input));
-    const server::ListedFile file{path, "a.xyz", ""};
-    const auto layout = server::grid_layout(file);
+    const auto text = text_of(input);
+    const auto cut = std::min(text.find(border), text.size());
+    const server::ListedFile grid{scratch_file("a.xyz", text.substr(0, cut)), "a.xyz", ""};
+    const auto layout = server::grid_layout(grid);
     if (!layout)
         return;
     for (const auto& block : layout->blocks)
         demand(block[0] > 0 && block[1] > 0 && block[2] > 0, "a block has nodes along each axis");
-    server::check_solution(file, *layout);
+    const auto rest = text.substr(std::min(cut + border.size(), text.size()));
+    server::check_solution({scratch_file("a.q", rest), "a.q", ""}, *layout);
 }
 
 std::vector<std::string> plot3d_seeds() {
-    return {grid(false, 2, 2, 2), grid(true, 3, 2, 2),
-            "2 2 2\n0 1 0 1 0 1 0 1\n0 0 1 1 0 0 1 1\n0 0 0 0 1 1 1 1\n",
-            std::string("\xff\xff\xff\x7f\xff\xff\xff\x7f\xff\xff\xff\x7f", 12)};
+    std::vector<std::string> seeds{
+        std::string("\xff\xff\xff\x7f\xff\xff\xff\x7f\xff\xff\xff\x7f", 12)};
+    for (const bool several : {false, true}) {
+        server::Plot3dLayout layout;
+        layout.several = several;
+        seeds.push_back(files(layout));
+        layout.big_endian = layout.records = true;
+        seeds.push_back(files(layout));
+        layout.doubles = true;
+        seeds.push_back(files(layout));
+        layout = {};
+        layout.ascii = layout.blanking = true;
+        layout.several = several;
+        seeds.push_back(files(layout));
+    }
+    return seeds;
 }
 
 } // namespace wakesurf::fuzz
