@@ -1,5 +1,6 @@
 // Records that a start cannot use: they are kept, nobody works with them unawares, and people are told.
 #include "server/catalogue/child_process.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -45,7 +46,7 @@ std::string column(const std::string& path, const std::string& query) {
 json printed_aside(const std::string& folder) {
     std::string output;
     const auto outcome =
-        server::run_child(WAKESURF_BINARY, {"state", "aside", folder}, 0,
+        server::run_child(server_program(), {"state", "aside", folder}, 0,
                           [&](std::string_view line) { output.append(line).push_back('\n'); }, {});
     EXPECT_TRUE(outcome && outcome->exit_status == 0);
     return json::parse(output, nullptr, false);
