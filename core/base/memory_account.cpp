@@ -17,6 +17,10 @@ constexpr std::array<std::string_view, memory_uses> names{
     "timeSteps", "meshes",    "builds",  "surfaces", "rings", "histories",
     "downloads", "importers", "records", "messages", "other"};
 
+constexpr const char* refusal_hint =
+    "ask for fewer quads or a larger separation, close what no one looks at, or start the server "
+    "with more --memory";
+
 std::size_t index(MemoryUse use) {
     return static_cast<std::size_t>(use);
 }
@@ -86,8 +90,8 @@ struct MemoryAccount::State {
         return true;
     }
 
-    /// Until `more` fits.
-    bool ask(std::size_t more) {
+    /// Until `more` fits. @param little  small work wants it
+    bool ask(std::size_t more, bool little = false) {
         std::vector<std::shared_ptr<Giver>> all;
         {
             const std::lock_guard lock(mutex);
@@ -102,9 +106,14 @@ struct MemoryAccount::State {
                     return true;
                 wanted = more > SIZE_MAX - used ? SIZE_MAX : more + used - budget;
             }
+            const bool build = giver->order == GiveBack::Builds;
+            if (build && !little)
+                break;
             const std::lock_guard one_at_a_time(giver->at_work);
             if (!giver->ended)
                 giver->give_back(wanted);
+            if (build) // it takes a moment to end
+                break;
         }
         const std::lock_guard lock(mutex);
         look();
@@ -166,7 +175,7 @@ bool MemoryAccount::Share::grow_to(std::size_t bytes,
         return false;
     }
     for (;;) {
-        state_->ask(more);
+        state_->ask(more, leave == 0 && bytes <= small_of(state_->budget));
         if (grow_within_free(bytes, leave))
             return true;
         std::unique_lock lock(state_->mutex);
@@ -275,8 +284,17 @@ Error MemoryAccount::refusal(std::string_view what, std::size_t bytes) const {
     return {Error::Code::OverLimit,
             std::string(what) + " needs " + mebibytes(bytes) + " of memory, and of the " +
                 mebibytes(budget()) + " of --memory " + mebibytes(free()) + " are free",
-            "ask for fewer quads or a larger separation, close what no one looks at, or start the "
-            "server with more --memory",
+            refusal_hint,
+            {},
+            budget()};
+}
+
+Error MemoryAccount::gave_way(std::string_view what, std::size_t bytes) const {
+    return {Error::Code::OverLimit,
+            std::string(what) + " ended when it held " + mebibytes(bytes) +
+                " of memory: all of the " + mebibytes(budget()) +
+                " of --memory were in use, and smaller surfaces go first",
+            refusal_hint,
             {},
             budget()};
 }

@@ -40,6 +40,7 @@ enum class GiveBack {
     Histories, ///< checkpoints that nobody plays just now
     TimeSteps, ///< those beyond the smallest window that nobody holds
     Surfaces, ///< updates only those who have fallen behind would read, then whole surfaces nobody looks at
+    Builds, ///< the surface being computed that has been large for the longest: for small work only, and one at a time
 };
 
 /// Thread safety: everything may be called from any thread, a Share by one thread at a time. Copies are the same account.
@@ -60,7 +61,7 @@ class MemoryAccount {
 
     /// The last part of the budget is for small work: a share that grows beyond small() leaves that much free, so that those who need
     /// little go on beside those who need all there is.
-    std::size_t small() const { return budget() / 16; }
+    std::size_t small() const { return small_of(budget()); }
 
     std::size_t kept_for_small() const { return budget() / 8; }
 
@@ -76,7 +77,8 @@ class MemoryAccount {
         /// fits: 50 ns.
         bool grow_to(std::size_t bytes);
 
-        /// The same, and waits for what others need some time to give back. Not on a thread on which they do that.
+        /// The same, and waits for what others need some time to give back; for a share that stays small(), large work ends. Not on a
+        /// thread on which they do that.
         /// @param leave  so many bytes stay free
         bool grow_to(std::size_t bytes,
                      const std::stop_token& stop,
@@ -129,7 +131,12 @@ class MemoryAccount {
     /// OverLimit, for people. @param what   begins the sentence: "a surface of 4000000 quads"
     Error refusal(std::string_view what, std::size_t bytes) const;
 
+    /// The same, of work that ended so that small work can go on. @param bytes  that it held
+    Error gave_way(std::string_view what, std::size_t bytes) const;
+
   private:
+    static constexpr std::size_t small_of(std::size_t budget) { return budget / 32; }
+
     std::shared_ptr<State> state_;
 };
 

@@ -15,7 +15,7 @@ constexpr std::size_t most = std::size_t{1} << 50; ///< that sums of them do not
 
 bool WorkMemory::grow(std::size_t bytes) {
     const std::size_t now = taken_ += std::min(bytes, most);
-    return now <= reserved_ || reserve(now);
+    return (now <= reserved_ && !gives_way_) || reserve(now);
 }
 
 bool WorkMemory::grow_to(std::size_t bytes) {
@@ -27,12 +27,14 @@ bool WorkMemory::reserve(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
     if (exhausted_)
         return false;
-    if (bytes <= reserved_)
+    if (bytes <= reserved_ && !gives_way_)
         return true;
+    if (bytes > account_.small() && !ticket_)
+        give_way_from_now_on();
     const std::size_t ahead = std::clamp(bytes / 16, least_part, largest_part);
     const std::size_t leave = bytes > account_.small() ? account_.kept_for_small() : 0;
-    if (!share_.grow_within_free(bytes + ahead, leave) &&
-        !share_.grow_to(bytes, stop_, patience_, leave)) {
+    if (gives_way_ || (!share_.grow_within_free(bytes + ahead, leave) &&
+                       !share_.grow_to(bytes, end_.get_token(), patience_, leave))) {
         wanted_ = bytes;
         exhausted_ = !stop_.stop_requested();
         return false;
@@ -41,7 +43,16 @@ bool WorkMemory::reserve(std::size_t bytes) {
     return true;
 }
 
+void WorkMemory::give_way_from_now_on() {
+    ticket_ = account_.on_need(GiveBack::Builds, [this](std::size_t) {
+        gives_way_ = true;
+        end_.request_stop();
+    });
+}
+
 Error WorkMemory::refusal(std::string_view what) const {
+    if (gives_way_)
+        return account_.gave_way(what, reserved_);
     return account_.refusal(what, wanted_);
 }
 

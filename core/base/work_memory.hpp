@@ -7,12 +7,15 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <stop_token>
 #include <string>
 
 namespace wakesurf::core {
 
+/// Once it is larger than the account's small(), it may be asked to end so that small work can go on.
 /// Thread safety: everything may be called from any thread.
 class WorkMemory {
   public:
@@ -22,6 +25,7 @@ class WorkMemory {
                         std::stop_token stop = {},
                         std::chrono::milliseconds patience = std::chrono::seconds(1))
         : account_(account), stop_(std::move(stop)), patience_(patience),
+          forward_(stop_, [this] { end_.request_stop(); }),
           share_(account.open(MemoryUse::Builds)) {}
 
     WorkMemory(const WorkMemory&) = delete;
@@ -49,16 +53,21 @@ class WorkMemory {
 
   private:
     bool reserve(std::size_t bytes);
+    void give_way_from_now_on();
 
     MemoryAccount account_;
     std::stop_token stop_;
+    std::stop_source end_; ///< fires with stop_, and when it has to give way
+    std::stop_callback<std::function<void()>> forward_;
     std::chrono::milliseconds patience_;
     std::atomic<std::size_t> taken_{0};
     std::atomic<std::size_t> reserved_{0};
     std::atomic<bool> exhausted_{false};
     std::atomic<std::size_t> wanted_{0}; ///< when it was refused
+    std::atomic<bool> gives_way_{false}; ///< it has been asked to
     std::mutex mutex_;                   ///< guards share_
     MemoryAccount::Share share_;
+    std::shared_ptr<void> ticket_; ///< asked through it, once it is large
 };
 
 } // namespace wakesurf::core

@@ -19,12 +19,12 @@ namespace {
 
 // Of a vertex and field, while a mesh is encoded.
 constexpr std::size_t encoding_field_bytes = 40;
-constexpr std::size_t sampling_bytes =
-    40; ///< a vertex, and of each field 8 more, while fields are sampled
+// Of a vertex while fields are sampled: its place and time, the gradients there, and each field.
+constexpr std::size_t sampling_bytes = 40, gradient_bytes = 160, sample_bytes = 8;
 
 // For memory that others give back. Early passes run on threads that others wait for, and a whole one follows.
 constexpr std::chrono::milliseconds patience{1000};
-constexpr std::chrono::milliseconds little_patience{100};
+constexpr std::chrono::milliseconds little_patience{20};
 
 double span(const core::SurfaceParameters& p) {
     return std::abs(p.to - p.from);
@@ -188,12 +188,21 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::build_whole(const std::stop_toke
                  std::move(*fields), surface->statistics.seconds.load};
 }
 
+std::size_t SurfaceBuild::sampling_memory(std::size_t vertices) const {
+    if (job_.fields.empty())
+        return 0;
+    const bool gradients = std::ranges::any_of(job_.fields, [](const SurfaceField& field) {
+        return field.source == SurfaceField::Source::Gradient;
+    });
+    return vertices *
+           (sampling_bytes + (gradients ? gradient_bytes : 0) + sample_bytes * job_.fields.size());
+}
+
 core::Result<protocol::MeshFields> SurfaceBuild::fields_of(const core::Surface& surface,
                                                            const core::SurfaceParameters& p,
                                                            const std::stop_token& stop,
                                                            const Work& work) const {
-    if (!job_.fields.empty() &&
-        !work.takes(surface.mesh.vertices() * (sampling_bytes + 8 * job_.fields.size())))
+    if (!work.takes(sampling_memory(surface.mesh.vertices())))
         return cancelled();
     return sample_fields(
         job_.fields, *job_.flow, job_.store.get(), surface.mesh,
@@ -260,6 +269,8 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
     auto shown = played_->at(age, stop, work);
     if (!shown)
         return tl::unexpected(shown.error());
+    if (!work.takes(sampling_memory(shown->mesh.mesh.vertices())))
+        return cancelled();
     auto fields = sample_fields(
         job_.fields, *job_.flow, job_.store.get(), shown->mesh.mesh, [&] { return shown->times(); },
         stop);

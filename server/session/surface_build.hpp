@@ -81,6 +81,7 @@ class SurfaceBuild {
     core::Result<Shown>
     build_early(const SurfacePass& pass, const std::stop_token& stop, const Work& work) const;
     core::Result<Shown> build_whole(const std::stop_token& stop, const Work& work) const;
+    std::size_t sampling_memory(std::size_t vertices) const;
     core::Result<protocol::MeshFields> fields_of(const core::Surface& surface,
                                                  const core::SurfaceParameters& parameters,
                                                  const std::stop_token& stop,

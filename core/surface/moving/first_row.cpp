@@ -151,30 +151,39 @@ Result<void> lay_patch(MovingMesh& mesh,
         return over_limit(max_quads,
                           "the patch would have more than " + std::to_string(max_quads) + " quads",
                           "raise maxQuads or the separation");
-    std::vector<double> s, t;
-    for (double row = 0; row <= rows; ++row)
-        for (const double here : columns.s) {
-            s.push_back(here);
-            t.push_back(row / rows);
-        }
-    auto points = origin.points(flow, s, t, stop);
-    if (!points)
-        return tl::unexpected(points.error());
     const std::size_t across = columns.s.size();
-    for (std::size_t i = 0; i < points->size(); ++i) {
-        (*points)[i].place = {static_cast<double>(i % across), static_cast<double>(i / across)};
-        set_ends(mesh, flow, mesh.vertices.add((*points)[i], VertexRole::Free, mesh.time));
+    {
+        std::vector<double> s, t;
+        s.reserve(across * static_cast<std::size_t>(rows + 1));
+        t.reserve(s.capacity());
+        for (double row = 0; row <= rows; ++row)
+            for (const double here : columns.s) {
+                s.push_back(here);
+                t.push_back(row / rows);
+            }
+        auto points = origin.points(flow, s, t, stop);
+        if (!points)
+            return tl::unexpected(points.error());
+        for (std::size_t i = 0; i < points->size(); ++i) {
+            (*points)[i].place = {static_cast<double>(i % across), static_cast<double>(i / across)};
+            set_ends(mesh, flow, mesh.vertices.add((*points)[i], VertexRole::Free, mesh.time));
+        }
     }
     const auto at = [&](std::size_t row, std::size_t column) {
         return static_cast<VertexId>(row * across + column % across);
     };
+    // Row by row: finding neighbours takes twice the memory of the cells among which they are looked for.
     std::vector<Cell> cells;
-    for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row)
+    std::vector<CellIndex> before;
+    for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row) {
+        cells.clear();
         for (std::size_t column = 0; column < static_cast<std::size_t>(columns.count); ++column)
             cells.push_back({{at(row, column), at(row, column + 1), at(row + 1, column + 1),
                               at(row + 1, column)},
                              {no_vertex, no_vertex, no_vertex, no_vertex}});
-    mesh.quads.append(cells, {});
+        mesh.quads.append(cells, before);
+        before.assign(mesh.quads.made().begin(), mesh.quads.made().end());
+    }
     return {};
 }
 

@@ -32,6 +32,12 @@ struct MaterialPoint {
     bool approximated = false;
 };
 
+/// Of one vertex in all arrays.
+inline constexpr std::size_t vertex_bytes = 3 * sizeof(Vec3) + 3 * sizeof(double) +
+                                            sizeof(CurveEnd) + sizeof(LatticePlace) +
+                                            sizeof(Vec3f) + sizeof(float) + sizeof(std::uint32_t) +
+                                            sizeof(VertexRole) + sizeof(std::uint8_t);
+
 class MaterialVertices {
   public:
     /// Puts a vertex into an empty slot. @param time simulation time it holds at

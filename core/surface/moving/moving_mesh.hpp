@@ -57,8 +57,10 @@ inline std::size_t memory_of(const MovingMesh& mesh) {
 }
 
 /// With what a step takes besides: normals, decisions, samples, an array that grows.
-inline std::size_t memory_while_moving(const MovingMesh& mesh) {
-    return memory_of(mesh) + memory_of(mesh) / 2;
+/// @param cuts  as many cells are about to be cut: each becomes two, and a wave of them shares the vertices between
+inline std::size_t memory_while_moving(const MovingMesh& mesh, std::size_t cuts = 0) {
+    const std::size_t kept = memory_of(mesh) + cuts * (sizeof(LinkedCell) + vertex_bytes);
+    return kept + kept / 2;
 }
 
 } // namespace wakesurf::core

@@ -133,7 +133,8 @@ VertexId Refinement::insert(MovingMesh& mesh, const Cell& cell, std::size_t side
 Result<bool> Refinement::cut_pass(MovingMesh& mesh,
                                   LocalOperations& operations,
                                   std::vector<CellIndex>& dirty,
-                                  const std::stop_token& stop) {
+                                  const std::stop_token& stop,
+                                  const WorkPart& work) {
     const auto decide = [&](CellIndex cell) -> std::uint8_t {
         return needed_cut(mesh, cell, rules_, flow_, normals_) != Cut::None;
     };
@@ -148,6 +149,8 @@ Result<bool> Refinement::cut_pass(MovingMesh& mesh,
             normals_[cell] = normal(mesh, mesh.quads[cell].cell);
         std::copy_if(dirty.begin(), dirty.end(), std::back_inserter(wanted), decide);
     }
+    if (!work.holds(memory_while_moving(mesh, wanted.size())))
+        return fail(Error::Code::Cancelled, "there is no memory for the surface");
     operations.touched().clear();
     to_retrace_.clear();
     moved_ = false;
@@ -263,9 +266,7 @@ Result<void> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkP
     for (int pass = 0; pass < most_cut_passes; ++pass) {
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "the surface was cancelled");
-        if (!work.holds(memory_while_moving(mesh)))
-            return fail(Error::Code::Cancelled, "there is no memory for the surface");
-        const auto more = cut_pass(mesh, operations, dirty, stop);
+        const auto more = cut_pass(mesh, operations, dirty, stop, work);
         if (!more)
             return tl::unexpected(more.error());
         if (mesh.quads.live() > rules_.max_quads) {

@@ -44,7 +44,8 @@ class Refinement {
     Result<bool> cut_pass(MovingMesh& mesh,
                           LocalOperations& operations,
                           std::vector<CellIndex>& dirty,
-                          const std::stop_token& stop);
+                          const std::stop_token& stop,
+                          const WorkPart& work);
     bool merge_pass(MovingMesh& mesh, LocalOperations& operations);
     void reconnect_pass(MovingMesh& mesh, LocalOperations& operations);
     void keep_budget(MovingMesh& mesh, LocalOperations& operations);

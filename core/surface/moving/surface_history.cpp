@@ -26,6 +26,9 @@ std::vector<double> SurfaceHistory::checkpoints() const {
 void SurfaceHistory::keep() {
     if (surface_.state().steps % every_ != 0)
         return;
+    // Beside the first, which is needed in any case, it could not stay: copying it would take the memory of another surface.
+    if (!checkpoints_.empty() && surface_.state().bytes() > budget_)
+        return;
     const auto [place, fresh] =
         checkpoints_.try_emplace(since_start(surface_.time()), surface_.state());
     if (!fresh)
@@ -80,15 +83,17 @@ Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop, const Wo
              << surface_.end_time();
         return fail(Error::Code::OutOfTime, text.str(), "choose a time between them");
     }
-    if (auto there = go_to(time, stop, work); !there)
+    // The first checkpoint stays whatever the budget for them.
+    const WorkPart here = work.above(bytes_ - std::min(bytes_, budget_));
+    if (auto there = go_to(time, stop, here); !there)
         return tl::unexpected(there.error());
     const MovingMesh& mesh = surface_.state().mesh;
-    if (!work.holds(2 * memory_while_moving(mesh) + shown_bytes * mesh.vertices.slots()))
+    if (!here.holds(2 * memory_while_moving(mesh) + shown_bytes * mesh.vertices.slots()))
         return fail(Error::Code::Cancelled, "there is no memory for the surface");
     if (surface_.time() == time)
         return surface_.mesh();
     MovingSurface shown = surface_; // the last part of the way is nobody's checkpoint
-    return shown.advance_to(time, stop, work.quietly().above(memory_of(mesh))).map([&] {
+    return shown.advance_to(time, stop, here.quietly().above(memory_of(mesh))).map([&] {
         return shown.mesh();
     });
 }

@@ -179,6 +179,29 @@ TEST(MemoryAccount, WorkThatNeedsMuchLeavesTheLastPartToWhatNeedsLittle) {
     EXPECT_TRUE(little.grow(account.small() - mebi / 4));
 }
 
+TEST(MemoryAccount, LargeWorkGivesWayToSmallWorkAndSaysSo) {
+    const MemoryAccount account(64 * mebi);
+    auto held = account.open(MemoryUse::Meshes);
+    const std::chrono::milliseconds soon(50);
+    WorkMemory first(account), second(account, {}, soon), little(account);
+    ASSERT_TRUE(first.grow(16 * mebi));
+    ASSERT_TRUE(second.grow(16 * mebi));
+    held.set(32 * mebi); // nothing is free
+    EXPECT_FALSE(second.grow(mebi)) << "for large work no other ends";
+    EXPECT_TRUE(first.grow(1));
+    std::jthread works([&first](const std::stop_token& stop) {
+        while (!stop.stop_requested() && first.grow(0)) {
+        }
+        first.clear();
+    });
+    EXPECT_TRUE(little.grow(mebi));
+    works.request_stop();
+    works.join();
+    EXPECT_FALSE(first.grow(1));
+    EXPECT_NE(first.refusal("a surface").message.find("smaller surfaces go first"),
+              std::string::npos);
+}
+
 TEST(MemoryAccount, WorkThatIsRefusedOnceSaysSoAndEndsForAllThreads) {
     const MemoryAccount account(mebi);
     auto held = account.open(MemoryUse::Meshes);
