@@ -156,7 +156,7 @@ inline constexpr std::chrono::milliseconds clock_kept{
 inline constexpr std::size_t kept_downloads = 64; ///< finished files, for the next who asks
 inline constexpr std::size_t kept_download_bytes = std::size_t{256} << 20; ///< of all of them
 inline constexpr std::chrono::seconds download_memory{
-    20}; ///< a file being made waits for memory that others give back
+    5}; ///< a file being made waits for memory that others give back
 inline constexpr std::chrono::milliseconds gone_check{
     250}; ///< between two looks whether who waits for an answer is still there
 

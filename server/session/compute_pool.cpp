@@ -1,6 +1,6 @@
 #include "server/session/compute_pool.hpp"
 
-#include "server/session/fair_queue.hpp"
+#include "server/session/long_lanes.hpp"
 #include "server/session/quick_lanes.hpp"
 
 #include <oneapi/tbb/global_control.h>
@@ -29,6 +29,10 @@ namespace {
 // nice: next to a thread that answers somebody, a third and a tenth of its time.
 constexpr int crowd_priority = 5;
 constexpr int long_priority = 10;
+
+// Beside those that take any long job in its turn; most sleep, as few light jobs begin at a time.
+constexpr unsigned light_threads = 4;
+constexpr std::chrono::milliseconds settling_look{50};
 
 unsigned thread_count(unsigned asked) {
     return asked > 0 ? asked : std::max(1u, std::thread::hardware_concurrency());
@@ -77,7 +81,9 @@ struct ComputePool::State {
                     serve_quick(lane);
                 });
         for (unsigned i = 0; i < std::max(4u, 2 * threads); ++i)
-            workers.emplace_back([this] { serve_long(); });
+            workers.emplace_back([this] { serve_long(LongLanes::Lane::Any); });
+        for (unsigned i = 0; i < light_threads; ++i)
+            workers.emplace_back([this] { serve_long(LongLanes::Lane::Light); });
     }
 
     State() : threads(1), quick(std::numeric_limits<std::size_t>::max()) {} // by hand: one lane
@@ -90,7 +96,7 @@ struct ComputePool::State {
         std::unique_lock lock(mutex);
         for (;;) {
             ready.wait(lock, [&] { return quick.ready(lane) || ending; });
-            auto turn = quick.pop(lane);
+            auto turn = quick.pop(lane, Clock::now());
             if (!turn)
                 return;
             const double before = processor_time();
@@ -99,22 +105,26 @@ struct ComputePool::State {
         }
     }
 
-    void serve_long() {
+    void serve_long(LongLanes::Lane lane) {
         // An arena a thread: while it waits for its loop's other threads it cannot take on another job.
         oneapi::tbb::task_arena arena(static_cast<int>(threads), 1);
         arena.initialize();
         const StepBack observer(arena);
         std::unique_lock lock(mutex);
         for (;;) {
-            long_ready.wait(lock,
-                            [&] { return longer.ready() || (ending && longer.waiting() == 0); });
-            auto turn = longer.pop();
+            while (!longer.ready(lane, Clock::now()) && !(ending && longer.waiting() == 0))
+                if (lane == LongLanes::Lane::Light && longer.waiting() > 0)
+                    long_ready.wait_for(lock, settling_look); // time makes it ready
+                else
+                    long_ready.wait(lock);
+            auto turn = longer.pop(lane, Clock::now());
             if (!turn)
                 return;
+            const auto start = Clock::now();
             run(*turn, arena, lock);
-            longer.done(turn->session);
-            if (longer.ready() || ending)
-                long_ready.notify_all();
+            const auto end = Clock::now();
+            longer.done(turn->session, std::chrono::duration<double>(end - start).count(), end);
+            long_ready.notify_all();
         }
     }
 
@@ -130,7 +140,7 @@ struct ComputePool::State {
     std::mutex mutex;
     bool ending = false;
     QuickLanes quick;
-    FairQueue longer{true};
+    LongLanes longer;
     std::array<std::condition_variable, 2> quick_ready;
     std::condition_variable long_ready;
     std::uint64_t next_lone = 0;
@@ -158,7 +168,7 @@ void ComputePool::run(const std::string& session, Pace pace, std::function<void(
     if (pace == Pace::Long) {
         state_->longer.push(session, std::move(job));
         lock.unlock();
-        return state_->long_ready.notify_one();
+        return state_->long_ready.notify_all(); // not each of them takes it
     }
     const auto lane = state_->quick.push(session, std::move(job), State::Clock::now());
     lock.unlock();
@@ -166,12 +176,12 @@ void ComputePool::run(const std::string& session, Pace pace, std::function<void(
 }
 
 void ComputePool::run(std::function<void()> job) {
-    std::string lone;
     {
         const std::lock_guard lock(state_->mutex);
-        lone = "\n" + std::to_string(state_->next_lone++); // no session is called like that
+        // No session is called like that.
+        state_->longer.push_lone("\n" + std::to_string(state_->next_lone++), std::move(job));
     }
-    run(lone, Pace::Long, std::move(job));
+    state_->long_ready.notify_all();
 }
 
 bool ComputePool::turn() {
@@ -189,12 +199,12 @@ bool ComputePool::turn() {
         return queue.pop(lane...);
     };
     constexpr auto upper = QuickLanes::Lane::Upper;
-    return run(next(state_->quick, upper),
+    return run(next(state_->quick, upper, State::Clock::time_point{}),
                [this](const std::string& session) {
                    state_->quick.done(upper, session, 0.0, {});
                }) ||
-           run(next(state_->longer),
-               [this](const std::string& session) { state_->longer.done(session); });
+           run(next(state_->longer, LongLanes::Lane::Any, State::Clock::time_point{}),
+               [this](const std::string& session) { state_->longer.done(session, 0.0, {}); });
 }
 
 unsigned ComputePool::threads() const {

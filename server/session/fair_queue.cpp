@@ -16,8 +16,24 @@ void FairQueue::push(const std::string& session, Job job) {
 std::optional<FairQueue::Turn> FairQueue::pop() {
     if (turns_.empty())
         return std::nullopt;
-    Turn turn{std::move(turns_.front()), {}};
-    turns_.pop_front();
+    return take(turns_.begin());
+}
+
+std::optional<FairQueue::Turn> FairQueue::pop_least(const Used& used, double most) {
+    auto least = turns_.end();
+    for (auto each = turns_.begin(); each != turns_.end(); ++each)
+        if (const double here = used(*each); here < most) {
+            most = here;
+            least = each;
+        }
+    if (least == turns_.end())
+        return std::nullopt;
+    return take(least);
+}
+
+std::optional<FairQueue::Turn> FairQueue::take(std::deque<std::string>::iterator session) {
+    Turn turn{std::move(*session), {}};
+    turns_.erase(session);
     Line& line = lines_.at(turn.session);
     turn.job = std::move(line.jobs.front());
     line.jobs.pop_front();

@@ -444,7 +444,7 @@ void LiveSurface::encode_key() {
     if (newest->statistics.vertices < quick_key)
         services_.pool.run(session_, Pace::Quick, job);
     else
-        services_.pool.run(job); // not behind the session's own long one
+        services_.pool.run(session_ + "\nkeys", Pace::Long, job); // not behind the session's own
 }
 
 } // namespace wakesurf::server

@@ -1,45 +1,38 @@
 #include "server/session/quick_lanes.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace wakesurf::server {
 
-namespace {
-
-constexpr double memory_seconds = std::chrono::duration<double>(QuickLanes::memory).count();
-constexpr double nothing = 1e-4; ///< s
-
-} // namespace
-
-double QuickLanes::Use::at(Time now) const {
-    return seconds * std::exp(-std::chrono::duration<double>(now - since).count() / memory_seconds);
-}
-
 QuickLanes::Lane QuickLanes::push(const std::string& session, FairQueue::Job job, Time now) {
-    Use& use = uses_[session];
-    const bool much = use.at(now) > fair_share * memory_seconds;
-    const Lane lane = much || use.upper >= most_ ? Lane::Lower : Lane::Upper;
-    use.upper += lane == Lane::Upper ? 1 : 0;
+    const std::size_t others = std::max<std::size_t>(2, use_.busier_than(busy, now));
+    const bool much = use_.share(session, now) > 2 * fair_share / static_cast<double>(others);
+    const auto found = upper_.find(session);
+    const std::size_t there = found == upper_.end() ? 0 : found->second;
+    const Lane lane = much || there >= most_ ? Lane::Lower : Lane::Upper;
+    if (lane == Lane::Upper)
+        upper_[session] = there + 1;
     of(lane).push(session, std::move(job));
     return lane;
 }
 
-void QuickLanes::done(Lane lane, const std::string& session, double seconds, Time now) {
-    of(lane).done(session);
-    Use& use = uses_[session];
-    use.upper -= lane == Lane::Upper ? 1 : 0;
-    use.seconds = use.at(now) + seconds;
-    use.since = now;
-    if (now - swept_ > 40 * memory)
-        forget_idle(now);
+std::optional<FairQueue::Turn> QuickLanes::pop(Lane lane, Time now) {
+    if (lane == Lane::Lower)
+        return of(lane).pop();
+    return of(lane).pop_least([&](const std::string& session) { return use_.share(session, now); },
+                              std::numeric_limits<double>::infinity());
 }
 
-void QuickLanes::forget_idle(Time now) {
-    swept_ = now;
-    std::erase_if(uses_, [&](const auto& each) {
-        return each.second.upper == 0 && each.second.at(now) < nothing;
-    });
+void QuickLanes::done(Lane lane, const std::string& session, double seconds, Time now) {
+    of(lane).done(session);
+    use_.add(session, seconds, now);
+    if (lane == Lane::Lower)
+        return;
+    const auto found = upper_.find(session);
+    if (--found->second == 0)
+        upper_.erase(found);
 }
 
 } // namespace wakesurf::server

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "server/session/fair_queue.hpp"
+#include "server/session/recent_use.hpp"
 
 #include <array>
 #include <chrono>
@@ -21,8 +22,10 @@ class QuickLanes {
 
     using Time = std::chrono::steady_clock::time_point;
 
-    /// What a session may use of the upper threads, in processors, over about `memory`.
+    /// What a session may use and still have the upper threads, in processors, over about `memory`; shared by the busy ones
+    /// where they are more than two, as then all of them together would keep the upper threads from others.
     static constexpr double fair_share = 0.5;
+    static constexpr double busy = 0.05;
     static constexpr std::chrono::milliseconds memory{250};
 
     /// @param upper  threads of that lane, at least 2
@@ -31,8 +34,9 @@ class QuickLanes {
     /// Returns the lane whose thread will get it.
     Lane push(const std::string& session, FairQueue::Job job, Time now);
 
-    /// Nothing when none waits in that lane. In each lane sessions take turns.
-    std::optional<FairQueue::Turn> pop(Lane lane) { return of(lane).pop(); }
+    /// Nothing when none waits in that lane. On the upper threads the session goes first that has used least, on the lower ones sessions
+    /// take turns.
+    std::optional<FairQueue::Turn> pop(Lane lane, Time now);
 
     /// What pop() gave has run and took so many seconds of a processor.
     void done(Lane lane, const std::string& session, double seconds, Time now);
@@ -45,23 +49,12 @@ class QuickLanes {
     }
 
   private:
-    /// Processor time, forgotten by and by.
-    struct Use {
-        double seconds = 0.0;
-        Time since{};
-        std::size_t upper = 0; ///< jobs waiting or running there
-
-        double at(Time now) const;
-    };
-
     FairQueue& of(Lane lane) { return queues_[static_cast<std::size_t>(lane)]; }
-
-    void forget_idle(Time now);
 
     std::size_t most_;
     std::array<FairQueue, 2> queues_{FairQueue{false}, FairQueue{false}};
-    std::map<std::string, Use> uses_;
-    Time swept_{};
+    RecentUse use_{memory};                    ///< of processors
+    std::map<std::string, std::size_t> upper_; ///< jobs waiting or running there
 };
 
 } // namespace wakesurf::server

@@ -18,7 +18,7 @@ using std::chrono::milliseconds;
 Lane one_job(QuickLanes& lanes, const std::string& session, double seconds, QuickLanes::Time now) {
     const Lane lane = lanes.push(
         session, [] {}, now);
-    EXPECT_EQ(lanes.pop(lane)->session, session);
+    EXPECT_EQ(lanes.pop(lane, now)->session, session);
     lanes.done(lane, session, seconds, now);
     return lane;
 }
@@ -35,7 +35,7 @@ TEST(QuickLanes, NeverGivesOneSessionAllThreadsOfFullPriority) {
     EXPECT_EQ(lanes.push(
                   "light", [] {}, now),
               Lane::Upper);
-    lanes.pop(Lane::Upper);
+    lanes.pop(Lane::Upper, now);
     EXPECT_EQ(lanes.push(
                   "heavy", [] {}, now),
               Lane::Lower)
@@ -59,6 +59,30 @@ TEST(QuickLanes, LowersASessionThatUsesMoreThanItsShareUntilItHasRested) {
     EXPECT_EQ(one_job(lanes, "busy", 0.0035, now), Lane::Upper);
 }
 
+TEST(QuickLanes, SharesTheUpperThreadsAmongManyBusySessionsSoThatTheyLeaveRoom) {
+    QuickLanes lanes(2);
+    QuickLanes::Time now{};
+    const auto busy = [](int i) { return "busy " + std::to_string(i); };
+    for (int round = 0; round < 50; ++round, now += milliseconds(20))
+        for (int i = 0; i < 6; ++i) // each a quarter of a processor: less than it may have alone
+            one_job(lanes, busy(i), 0.005, now);
+    for (int i = 0; i < 6; ++i)
+        EXPECT_EQ(one_job(lanes, busy(i), 0.0, now), Lane::Lower);
+    EXPECT_EQ(one_job(lanes, "light", 0.005, now), Lane::Upper);
+}
+
+TEST(QuickLanes, LetsTheSessionThatHasUsedLeastGoFirst) {
+    QuickLanes lanes(2);
+    const QuickLanes::Time now{};
+    one_job(lanes, "drags", 0.02, now);
+    lanes.push(
+        "drags", [] {}, now);
+    lanes.push(
+        "light", [] {}, now);
+    EXPECT_EQ(lanes.pop(Lane::Upper, now)->session, "light");
+    EXPECT_EQ(lanes.pop(Lane::Upper, now)->session, "drags");
+}
+
 TEST(QuickLanes, LosesNoJobAndHoldsItsBoundsUnderRandomUse) {
     std::mt19937 random(11);
     constexpr std::size_t upper = 3;
@@ -75,7 +99,7 @@ TEST(QuickLanes, LosesNoJobAndHoldsItsBoundsUnderRandomUse) {
             if (lanes.push(
                     session, [&ran] { ++ran; }, now) == Lane::Upper)
                 ++held[session];
-        } else if (auto turn = lanes.pop(lane)) {
+        } else if (auto turn = lanes.pop(lane, now)) {
             ++popped;
             turn->job();
             running.emplace_back(lane, turn->session);
