@@ -377,10 +377,10 @@ void cut_up(Cases& cases) {
 } // namespace
 
 std::string call(const std::string& id, std::size_t size) {
-    std::string text = R"({"jsonrpc":"2.0","method":"server.ping","id":")" + id + "\"}";
-    if (text.size() < size)
-        text += std::string(size - text.size(), ' ');
-    return text;
+    std::string words = R"({"jsonrpc":"2.0","method":"server.ping","id":")" + id + "\"}";
+    if (words.size() < size)
+        words += std::string(size - words.size(), ' ');
+    return words;
 }
 
 Cases all_cases() {
