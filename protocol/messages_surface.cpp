@@ -52,8 +52,6 @@ SurfaceSetting read_surface_setting(CheckedJson& in, const SurfaceLimits& limits
         setting.rake2 = in.text("rake2");
     setting.dataset = in.text("dataset");
     setting.parameters = read_parameters(in, limits);
-    if (in.has("separation") && setting.parameters.separation == 0.0) // as a default it is left out
-        in.fault("separation", "must be a number greater than 0");
     setting.fields = in.texts_or_none("fields", limits.fields);
     setting.if_rev = in.count_if("ifRev", 0, most_rev);
     return setting;

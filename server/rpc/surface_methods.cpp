@@ -35,6 +35,8 @@ void set(const Call& call, Reply reply) {
     protocol::CheckedJson in(parameters);
     const auto setting = protocol::read_surface_setting(
         in, {limits::quads_default, limits::quads_most, limits::fields});
+    if (in.has("separation") && setting.parameters.separation == 0.0) // of a record: the default
+        in.fault("separation", "must be a number greater than 0");
     const std::string gesture = read_gesture(in);
     const bool default_scene = in.flag_or("default", false);
     const auto session = read_session(in, call);
