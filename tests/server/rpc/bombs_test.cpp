@@ -134,9 +134,7 @@ TEST_F(Bombs, InCallsAreRefusedWithATypedErrorAtOnce) {
     const std::vector<std::tuple<std::string, std::string, std::set<int>>> table{
         {"-10^18 seeds", line(R"("seeds":-1000000000000000000)"), {-32602}},
         {"1e300 seeds", line(R"("seeds":1e300)"), {-32602}},
-        {"two numbers of seeds, the second huge",
-         line(R"("seeds":8,"seeds":1e9)"),
-         {-32602, -32700}},
+        {"two numbers of seeds, the second huge", line(R"("seeds":8,"seeds":1e9)"), {-32600}},
         {"NaN as text", line(R"("seeds":"NaN")"), {-32602}},
         {"Infinity", line(R"("seeds":Infinity)"), {-32700}},
         {"1e999", line(R"("seeds":1e999)"), {-32700}},
