@@ -62,8 +62,9 @@ TEST(RectilinearAxes, ClampWhatLiesBeyondTheBorderAndWhatIsNoNumber) {
     for (const double above : {grid.coordinates[0].back(), 1e300, infinite}) {
         const AxisPoint at = along(axes, 0, above);
         EXPECT_EQ(at.cell, 7u) << above;
-        if (above < infinite)
+        if (above < infinite) {
             EXPECT_EQ(at.fraction, 1.0) << above;
+        }
     }
     EXPECT_EQ(cell_size(axes, {0, 0, 1}).z, 9.0);
     EXPECT_EQ(cell_origin(axes, {0, 0, 1}).z, 1.0);

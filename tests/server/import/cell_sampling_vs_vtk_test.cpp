@@ -48,6 +48,14 @@ Vec3 blend(const MeshedField& field, const MeshCell& cell, const double* weight)
     return v;
 }
 
+/// Where these weights are.
+Vec3 place(const MeshedField& field, const MeshCell& cell, const double* weight) {
+    Vec3 p(0.0);
+    for (std::size_t i = 0; i < node_count(cell.shape); ++i)
+        p += weight[i] * field.mesh->points[cell.node[i]];
+    return p;
+}
+
 /// VTK's parametric coordinates of our local ones.
 Vec3 parametric(CellShape shape, const Vec3& u) {
     return shape == CellShape::Pyramid ? Vec3(u.x / (1.0 - u.z), u.y / (1.0 - u.z), u.z) : u;
@@ -105,7 +113,7 @@ TEST(CellSamplingVsVtk, MeshesOfAllShapesGiveWhatTheStaticCellLocatorGives) {
         locator->BuildLocator();
         const auto cell = vtkSmartPointer<vtkGenericCell>::New();
         std::mt19937 random(43);
-        int inside = 0;
+        int inside = 0, elsewhere = 0;
         for (int i = 0; i < 4000; ++i) {
             const Vec3 p = field.random_point(random);
             double x[3] = {p.x, p.y, p.z};
@@ -115,13 +123,23 @@ TEST(CellSamplingVsVtk, MeshesOfAllShapesGiveWhatTheStaticCellLocatorGives) {
             if (found < 0)
                 continue;
             ++inside;
-            const Vec3 expected =
-                blend(field, field.mesh->cells[static_cast<std::size_t>(found)], weight);
-            // VTK's own iteration stops at 1e-3 of a cell, short of its last, quadratic, correction.
-            EXPECT_LT(glm::length(sampler.velocity(p, 0.0) - expected),
-                      1e-5 * glm::length(expected));
+            // VTK's own iteration stops at 1e-3 of a cell, short of its last, quadratic, correction:
+            // its weights are those of a point beside this one.
+            const MeshCell& its = field.mesh->cells[static_cast<std::size_t>(found)];
+            const Vec3 beside = place(field, its, weight);
+            EXPECT_LT(glm::length(beside - p), 1e-5);
+            // VTK 9.3 takes a cell that ends up to 1e-3 of itself before the point, and extrapolates.
+            if (*std::min_element(weight, weight + node_count(its.shape)) < 0 ||
+                sampler.status(beside) != PointStatus::Inside) {
+                ++elsewhere;
+                continue;
+            }
+            const Vec3 expected = blend(field, its, weight);
+            EXPECT_LT(glm::length(sampler.velocity(beside, 0.0) - expected),
+                      1e-9 * glm::length(expected));
         }
         EXPECT_GT(inside, 2000);
+        EXPECT_LT(elsewhere, inside / 100);
     }
 }
 
