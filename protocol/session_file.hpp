@@ -25,8 +25,6 @@ struct DatasetMark {
     double first = 0.0; ///< times
     double last = 0.0;
     std::optional<core::Box> bounds;
-
-    bool operator==(const DatasetMark&) const = default;
 };
 
 /// A record as the journal keeps it.
