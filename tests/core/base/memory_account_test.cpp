@@ -187,7 +187,7 @@ TEST(MemoryAccount, LargeWorkGivesWayToSmallWorkAndSaysSo) {
     ASSERT_TRUE(first.grow(16 * mebi));
     ASSERT_TRUE(second.grow(16 * mebi));
     held.set(32 * mebi); // nothing is free
-    EXPECT_FALSE(second.grow(mebi)) << "for large work no other ends";
+    EXPECT_FALSE(second.grow(4 * mebi)) << "for large work no other ends";
     EXPECT_TRUE(first.grow(1));
     std::jthread works([&first](const std::stop_token& stop) {
         while (!stop.stop_requested() && first.grow(0)) {
