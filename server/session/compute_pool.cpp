@@ -73,13 +73,18 @@ struct ComputePool::State {
     explicit State(unsigned asked)
         : threads(thread_count(asked)), quick(quick_threads()),
           allowed(std::in_place, oneapi::tbb::global_control::max_allowed_parallelism, threads) {
+        workers.emplace_back([this] {
+            serve_quick(
+                Lane::Upper, [this] { return quick.ready_light(Clock::now()); },
+                [this] { return quick.pop_light(Clock::now()); });
+        });
+        for (unsigned i = 1; i < quick_threads(); ++i)
+            workers.emplace_back([this] { serve_quick(Lane::Upper); });
         for (unsigned i = 0; i < quick_threads(); ++i)
-            for (const Lane lane : {Lane::Upper, Lane::Lower})
-                workers.emplace_back([this, lane] {
-                    if (lane == Lane::Lower)
-                        step_back(crowd_priority);
-                    serve_quick(lane);
-                });
+            workers.emplace_back([this] {
+                step_back(crowd_priority);
+                serve_quick(Lane::Lower);
+            });
         for (unsigned i = 0; i < std::max(4u, 2 * threads); ++i)
             workers.emplace_back([this] { serve_long(LongLanes::Lane::Any); });
         for (unsigned i = 0; i < light_threads; ++i)
@@ -91,12 +96,20 @@ struct ComputePool::State {
     unsigned quick_threads() const { return std::max(2u, threads); }
 
     void serve_quick(Lane lane) {
+        serve_quick(
+            lane, [this, lane] { return quick.ready(lane); },
+            [this, lane] { return quick.pop(lane, Clock::now()); });
+    }
+
+    void serve_quick(Lane lane,
+                     const std::function<bool()>& there,
+                     const std::function<std::optional<FairQueue::Turn>()>& pop) {
         oneapi::tbb::task_arena alone(1, 1);
         std::condition_variable& ready = quick_ready[static_cast<std::size_t>(lane)];
         std::unique_lock lock(mutex);
         for (;;) {
-            ready.wait(lock, [&] { return quick.ready(lane) || ending; });
-            auto turn = quick.pop(lane, Clock::now());
+            ready.wait(lock, [&] { return there() || ending; });
+            auto turn = pop();
             if (!turn)
                 return;
             const double before = processor_time();
@@ -172,7 +185,7 @@ void ComputePool::run(const std::string& session, Pace pace, std::function<void(
     }
     const auto lane = state_->quick.push(session, std::move(job), State::Clock::now());
     lock.unlock();
-    state_->quick_ready[static_cast<std::size_t>(lane)].notify_one();
+    state_->quick_ready[static_cast<std::size_t>(lane)].notify_all(); // not each of them takes it
 }
 
 void ComputePool::run(std::function<void()> job) {

@@ -38,7 +38,13 @@ class QuickLanes {
     /// take turns.
     std::optional<FairQueue::Turn> pop(Lane lane, Time now);
 
-    /// What pop() gave has run and took so many seconds of a processor.
+    /// Of the upper lane, for the thread that only takes sessions that use less than half of what they may: it is never kept by those
+    /// that are about to be lowered.
+    std::optional<FairQueue::Turn> pop_light(Time now);
+
+    bool ready_light(Time now) const;
+
+    /// What pop() or pop_light() returned has run and took so many seconds of a processor.
     void done(Lane lane, const std::string& session, double seconds, Time now);
 
     bool ready(Lane lane) const { return queues_[static_cast<std::size_t>(lane)].ready(); }
@@ -49,6 +55,9 @@ class QuickLanes {
     }
 
   private:
+    double most_share(Time now) const;
+    FairQueue::Used used(Time now) const;
+
     FairQueue& of(Lane lane) { return queues_[static_cast<std::size_t>(lane)]; }
 
     std::size_t most_;

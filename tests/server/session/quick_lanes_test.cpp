@@ -83,6 +83,23 @@ TEST(QuickLanes, LetsTheSessionThatHasUsedLeastGoFirst) {
     EXPECT_EQ(lanes.pop(Lane::Upper, now)->session, "drags");
 }
 
+TEST(QuickLanes, KeepsAThreadFromSessionsThatAreAboutToBeLowered) {
+    QuickLanes lanes(2);
+    QuickLanes::Time now{};
+    for (int i = 0; i < 100; ++i, now += milliseconds(20)) // two fifths of a processor
+        one_job(lanes, "drags", 0.008, now);
+    EXPECT_EQ(lanes.push(
+                  "drags", [] {}, now),
+              Lane::Upper);
+    EXPECT_FALSE(lanes.ready_light(now));
+    EXPECT_FALSE(lanes.pop_light(now));
+    lanes.push(
+        "light", [] {}, now);
+    EXPECT_TRUE(lanes.ready_light(now));
+    EXPECT_EQ(lanes.pop_light(now)->session, "light");
+    EXPECT_EQ(lanes.pop(Lane::Upper, now)->session, "drags");
+}
+
 TEST(QuickLanes, LosesNoJobAndHoldsItsBoundsUnderRandomUse) {
     std::mt19937 random(11);
     constexpr std::size_t upper = 3;
