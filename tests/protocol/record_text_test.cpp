@@ -129,13 +129,15 @@ TEST(RecordText, DamageIsAnErrorOrAnotherSoundRecord) {
         if (i % 2 == 0) {
             const auto rake = parse_rake(text, {});
             refused += rake ? 0 : 1;
-            if (rake)
+            if (rake) {
                 EXPECT_TRUE(parse_rake(record_text(*rake), {})) << text;
+            }
         } else {
             const auto surface = parse_surface(text, {});
             refused += surface ? 0 : 1;
-            if (surface)
+            if (surface) {
                 EXPECT_TRUE(parse_surface(record_text(*surface), {})) << text;
+            }
         }
     }
     EXPECT_GT(refused, 1000u);

@@ -84,6 +84,6 @@ TEST_P(WebSocketConformance, IsAnsweredAsTheStandardSays) {
 INSTANTIATE_TEST_SUITE_P(Rfc6455,
                          WebSocketConformance,
                          testing::ValuesIn(all_cases()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& each) { return each.param.name; });
 
 } // namespace wakesurf::tests

@@ -50,8 +50,9 @@ class AcceptedIsKept : public testing::Test {
                 continue;
             ++accepted;
             if (each.method != "time.set" && each.method != "time.play" &&
-                each.method != "time.pause")
+                each.method != "time.pause") {
                 EXPECT_EQ(answer["result"]["durable"], true) << each.what;
+            }
         }
     }
 

@@ -89,7 +89,7 @@ TEST_F(TimeMethods, PlaysAStreakToAStateWhoseChecksumIsTheServers) {
     EXPECT_EQ(paused["playing"], false);
     const json stats = wait(client);
     EXPECT_EQ(stats["complete"], true);
-    const auto& state = fold_until(client, decoder, is_final);
+    const auto state = fold_until(client, decoder, is_final);
     EXPECT_DOUBLE_EQ(state.header.time, paused["time"].get<double>());
     EXPECT_EQ(state.header.state_sum, stats["crc"].get<std::uint32_t>());
     EXPECT_EQ(protocol::state_sum(*state.mesh), stats["crc"].get<std::uint32_t>());
@@ -133,7 +133,7 @@ TEST_F(TimeMethods, GoesOnFromTheUpdateAnEarlierConnectionHad) {
     const json from{{"epoch", epoch}, {"seq", decoder.newest()->header.seq}};
     EXPECT_EQ(back.result("surface.subscribe", {{"surface", surface}, {"from", from}})["resumed"],
               true);
-    const auto& state = fold_until(back, decoder, is_final);
+    const auto state = fold_until(back, decoder, is_final);
     EXPECT_EQ(state.header.state_sum, stats["crc"].get<std::uint32_t>());
     const json stranger{{"epoch", epoch + 7}, {"seq", 0}};
     EXPECT_EQ(

@@ -15,8 +15,8 @@ using std::chrono::milliseconds;
 
 class ClockTest : public testing::Test {
   protected:
-    void play(double speed, bool loop = false) {
-        ASSERT_TRUE(clock.play({speed, loop, {}, {}}, std::array{10.0, 20.0}));
+    void play(double speed, bool again = false) {
+        ASSERT_TRUE(clock.play({speed, again, {}, {}}, std::array{10.0, 20.0}));
     }
 
     HandClock wall;

@@ -25,8 +25,8 @@ inline std::vector<RecordShape> rake_shapes() {
     const auto line = [](const std::string& more) {
         return R"("kind":"line","points":[[0,0,0],[1,0,0]],)" + more;
     };
-    const auto points = [](const std::string& kind, const std::string& points) {
-        return R"("kind":")" + kind + R"(","seeds":8,"points":)" + points;
+    const auto points = [](const std::string& kind, const std::string& places) {
+        return R"("kind":")" + kind + R"(","seeds":8,"points":)" + places;
     };
     std::vector<RecordShape> out;
     const auto good = [&](std::string what, std::string parameters) {
