@@ -50,7 +50,7 @@ struct SurfaceRecord {
 
 nlohmann::json surface_json(const SurfaceRecord& record);
 
-/// What surface_json gave, also with more fields than may be asked for now; faults stay in `in`.
+/// Reads what surface_json returned, even with more fields than a client may ask for; faults stay in `in`.
 SurfaceRecord read_surface_record(CheckedJson& in, const SurfaceLimits& limits);
 
 } // namespace wakesurf::protocol

@@ -37,9 +37,9 @@ std::string_view name_of(MemoryUse use);
 enum class GiveBack {
     SpareHeap, ///< what the allocator keeps of memory that was freed
     Downloads, ///< finished files that are kept for the next who asks
-    Histories, ///< checkpoints that nobody plays just now
-    TimeSteps, ///< those beyond the smallest window that nobody holds
-    Surfaces, ///< updates only those who have fallen behind would read, then whole surfaces nobody looks at
+    Histories, ///< checkpoints that no one plays just now
+    TimeSteps, ///< those beyond the smallest window that no one holds
+    Surfaces, ///< updates only those who have fallen behind would read, then whole surfaces no one looks at
     Builds, ///< the surface being computed that has been large for the longest: for small work only, and one at a time
 };
 
@@ -85,7 +85,7 @@ class MemoryAccount {
                      std::chrono::milliseconds patience,
                      std::size_t leave = 0);
 
-        /// The same within what is free: nobody is asked.
+        /// The same within what is free: no one is asked.
         bool grow_within_free(std::size_t bytes, std::size_t leave = 0);
 
         /// Nothing where it is smaller already.
@@ -111,7 +111,7 @@ class MemoryAccount {
 
     Share open(MemoryUse use) const;
 
-    /// `give_back` is called with how many bytes are wanted, on the thread of whoever wants them, without the account's lock, and not
+    /// `give_back` is called with how many bytes are wanted, on the thread that wants them, without the account's lock, and not
     /// from two threads at once. It shrinks its shares at once, or sees to it on another thread, and must not grow any. Until the
     /// ticket is dropped, which waits for a call under way.
     [[nodiscard]] std::shared_ptr<void>

@@ -58,8 +58,8 @@ class WorkMemory {
     MemoryAccount account_;
     std::stop_token stop_;
     std::stop_source end_; ///< fires with stop_, and when it has to give way
-    std::stop_callback<std::function<void()>> forward_;
     std::chrono::milliseconds patience_;
+    std::stop_callback<std::function<void()>> forward_;
     std::atomic<std::size_t> taken_{0};
     std::atomic<std::size_t> reserved_{0};
     std::atomic<bool> exhausted_{false};

@@ -108,7 +108,7 @@ class Grants {
     /// What a key is good for; takes the same time whichever key it is, and whether it is one.
     std::optional<Identity> find(std::string_view key) const;
 
-    /// What a link is good for now, for somebody without a place; nothing once it has ended.
+    /// What a link is good for now, for a client without a place; nothing once it has ended.
     std::optional<Identity> identity(const std::string& id) const;
 
     /// Nothing once it has ended.

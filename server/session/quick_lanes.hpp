@@ -1,4 +1,4 @@
-// Quick passes on threads of two priorities, so that whoever edits a little is answered at once beside sessions that keep every
+// Quick passes on threads of two priorities, so that a person who edits a little is answered at once beside sessions that keep every
 // processor busy. The upper threads are for sessions that have used little lately, and never all of them for one; the rest runs on
 // the lower threads, which take what the upper ones and the network leave.
 #pragma once

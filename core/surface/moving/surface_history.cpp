@@ -26,7 +26,7 @@ std::vector<double> SurfaceHistory::checkpoints() const {
 void SurfaceHistory::keep() {
     if (surface_.state().steps % every_ != 0)
         return;
-    // Beside the first, which is needed in any case, it could not stay: copying it would take the memory of another surface.
+    // The first checkpoint is always kept. This one would not fit beside it, so it is not even copied.
     if (!checkpoints_.empty() && surface_.state().bytes() > budget_)
         return;
     const auto [place, fresh] =
