@@ -66,7 +66,7 @@ describe('an import', () => {
         expect((await entry()).state).toBe('importing');
 
         await stop!.click();
-        await one.page.getByText(/You no longer wait for u_000\. Its import goes on .*because others wait for it\./).waitFor();
+        await one.page.getByText(/You stopped waiting for u_000\. Its import continues for others( \(\d+ of \d+\))?\./).waitFor();
         expect((await entry()).state).toBe('importing');
         await screenshot(one.page, 'import-left');
         await stopToo!.click();
@@ -81,7 +81,7 @@ describe('an import', () => {
         // The step that was being written when it was stopped may be one of them.
         expect((await entry()).steps.ready - stopped.steps.ready).toBeLessThanOrEqual(1);
 
-        await two.page.getByRole('button', { name: 'Go on importing' }).click();
+        await two.page.getByRole('button', { name: 'Resume the import' }).click();
         await expect.poll(async () => (await entry()).steps.ready, { timeout: 30_000 }).toBeGreaterThan(stopped.steps.ready);
         await two.page.locator('#importing').getByRole('button', { name: 'Stop' }).waitFor();
         await two.page.locator('#import-stopped').waitFor({ state: 'detached' });

@@ -61,6 +61,6 @@ describe('the kinds of surface', () => {
         expect(slanted.sweep).toEqual([0, patch.sweep![1], 0.5]);
         const path = await edited(() => page.getByRole('radio', { name: 'Path' }).check());
         expect(path.sweep).toBeUndefined();
-        await page.getByText(/there the data end/).waitFor();
+        await page.getByText(/end of data/).waitFor();
     });
 });

@@ -38,17 +38,17 @@ describe('a link', () => {
         await host.getByLabel('Your name').fill('Ada');
         await host.keyboard.press('Enter');
         await expect.poll(async () => JSON.stringify(await stand.server.call('session.state', { session }))).toContain('"Ada"');
-        await host.getByText('A link holds for 7 days unless another time is chosen').waitFor();
+        await host.getByText('A link is valid for 7 days unless you choose another time').waitFor();
         await host.getByRole('button', { name: 'Make a link' }).click();
-        const listed = host.getByRole('list', { name: 'Links that hold' }).getByRole('listitem');
+        const listed = host.getByRole('list', { name: 'Valid links' }).getByRole('listitem');
         await listed.filter({ hasText: 'made by Ada' }).waitFor();
         const [link] = await shares();
         expect(Math.abs(link!.expires! - Date.now() / 1000 - week)).toBeLessThan(120);
         expect(link!.madeBy!.name).toBe('Ada');
 
-        await host.getByLabel('How long the link holds').selectOption('until taken back');
+        await host.getByLabel('How long the link is valid').selectOption('until revoked');
         await host.getByRole('button', { name: 'Make a link' }).click();
-        await listed.filter({ hasText: 'ends when it is taken back' }).waitFor();
+        await listed.filter({ hasText: 'until it is revoked' }).waitFor();
         for (const { grant } of await shares()) await stand.server.call('session.unshare', { session, grant });
     });
 
@@ -59,9 +59,9 @@ describe('a link', () => {
             await host.getByRole('tab', { name: 'View' }).click();
             await host.getByRole('tab', { name: 'Share' }).click();
             const item = host.locator(`[data-grant="${grant}"]`);
-            await item.getByText('1 link was made by who came by it').waitFor();
-            await item.getByRole('button', { name: 'Take back' }).click();
-            await item.getByText('Take back those made by it as well?').waitFor();
+            await item.getByText('1 link was made by people who used it').waitFor();
+            await item.getByRole('button', { name: 'Revoke' }).click();
+            await item.getByText('Revoke the links made by those people as well?').waitFor();
             await screenshot(host, 'link-with-children');
             await item.getByRole('button', { name: answer }).click();
             await item.waitFor({ state: 'detached' });
@@ -78,7 +78,7 @@ describe('logging out', () => {
         await page.getByRole('tab', { name: 'Share' }).click();
         await page.getByRole('button', { name: 'Log out' }).click();
         await page.getByText('You are logged out.').waitFor();
-        await beside.locator('#ended').getByText('This browser has logged out').waitFor();
+        await beside.locator('#ended').getByText('This browser is logged out').waitFor();
         await page.reload();
         await page.getByText('needs the access token').waitFor();
         expect(await ask(host, (hook) => hook.connection)).toBe('open');

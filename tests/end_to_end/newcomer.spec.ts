@@ -28,7 +28,7 @@ describe('a server with several datasets', () => {
         await page.keyboard.press('Tab');
         await page.keyboard.press('Enter');
         await page.waitForFunction(() => window.wakesurf?.bounds?.[1] === 10);
-        await page.getByText('a flow by formula, 1 time-step').waitFor();
+        await page.getByText('an analytic flow, 1 time-step').waitFor();
         await finalSurface(page);
         expect(await ask(page, (hook) => hook.session)).not.toBe(first);
 

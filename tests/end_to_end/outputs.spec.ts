@@ -130,7 +130,7 @@ describe('a picture', () => {
         await chooseSize('picture', 100_000, 500);
         await page.locator('#save-picture').click();
         expect(await page.getByRole('alert').filter({ hasText: 'at most' }).textContent()).toMatch(
-            /at most \d+ pixels a side/,
+            /at most \d+ pixels per side/,
         );
     });
 

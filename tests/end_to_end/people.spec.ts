@@ -67,11 +67,11 @@ describe('a link made on the page', () => {
 
     it('allows less once the host says so, at once', async () => {
         const may = host.getByRole('combobox', { name: /What guest 2 may do/ });
-        await may.selectOption('looks on');
+        await may.selectOption('can view');
         await expect.poll(async () => (await participantsOf(host)).find(({ name }) => name === 'guest 2')!.role).toBe('viewer');
-        await guest.getByText('for looking on').waitFor();
-        await may.selectOption('edits');
-        await guest.getByText('for looking on').waitFor({ state: 'detached' });
+        await guest.getByText('View-only link').waitFor();
+        await may.selectOption('can edit');
+        await guest.getByText('View-only link').waitFor({ state: 'detached' });
     });
 });
 
@@ -203,7 +203,7 @@ describe('notes', () => {
 
 describe('a copy of the session', () => {
     it('has the same rake, and goes on without the others', async () => {
-        await host.getByRole('button', { name: 'Go on with a copy' }).click();
+        await host.getByRole('button', { name: 'Continue in a copy' }).click();
         const link = (await host.getByRole('link', { name: 'Open the copy' }).getAttribute('href'))!;
         const copy = await stand.open(host, link);
         expect(await ask(copy, (hook) => hook.rakePoints)).toEqual(await ask(host, (hook) => hook.rakePoints));

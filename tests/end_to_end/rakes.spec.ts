@@ -354,7 +354,7 @@ describe('several rakes', () => {
         await page.waitForFunction(() => window.wakesurf!.rakes[0]!.shape !== undefined);
         await eventually(() => page.getByRole('list', { name: 'Rakes' }).textContent(), (text) => text!.includes('Theirs'));
         await page.keyboard.press('Control+Z');
-        await page.getByText(/Not taken back: Theirs has been changed by someone else/).first().waitFor();
+        await page.getByText(/Not undone: Theirs has been changed by someone else/).first().waitFor();
         expect((await rakes())[0]).toMatchObject({ name: 'Theirs', points });
     });
 });
@@ -420,8 +420,8 @@ describe('a rake that someone else moves', () => {
         await ann.call('rake.set', { rake, kind, points: moved(0.2), seeds, dragging: true });
         // Where her page has it at the moment, which may be ahead of the record.
         await ann.call('presence.update', { dragging: { rake, points: moved(-0.9) } });
-        await page.getByText('Ann moves this', { exact: true }).waitFor();
-        await page.getByRole('button', { name: /Ann moves it/ }).waitFor();
+        await page.getByText('Ann is moving this', { exact: true }).waitFor();
+        await page.getByRole('button', { name: /Ann is moving it/ }).waitFor();
         await page.waitForFunction(() => window.wakesurf!.rakes[0]!.holder?.points !== undefined);
         expect(await ask(page, (hook) => hook.rakes[0]!.holder)).toEqual({ name: 'Ann', color: '#cc79a7', points: moved(-0.9) });
         const ends = await onScreen(moved(-0.9));
@@ -441,7 +441,7 @@ describe('a rake that someone else moves', () => {
         expect(await shown()).toEqual(moved(0.2));
         await ann.call('rake.set', { rake, kind, points: moved(0.2), seeds, dragging: false });
         await ann.call('presence.update', { dragging: null });
-        await page.getByText('Ann moves this', { exact: true }).waitFor({ state: 'hidden' });
+        await page.getByText('Ann is moving this', { exact: true }).waitFor({ state: 'hidden' });
 
         await dragHandle(page, 0, 20, 10, 6);
         expect((await recorded()).points).not.toEqual(moved(0.2));

@@ -146,6 +146,6 @@ describe('a page that cannot work says why', () => {
             HTMLCanvasElement.prototype.getContext = () => null;
         });
         const { page } = await openPage(context, server.link);
-        await page.getByText(/no WebGL2/).waitFor();
+        await page.getByText(/not offer WebGL2/).waitFor();
     });
 });

@@ -153,7 +153,7 @@ describe('a session that is deleted', () => {
         await openList(page);
         await card(page, 'Shared work').getByRole('button', { name: 'Delete' }).click();
         await card(page, 'Shared work').getByText('Someone else is in it now.').waitFor();
-        await page.getByRole('button', { name: 'Delete all the same' }).click();
+        await page.getByRole('button', { name: 'Delete anyway' }).click();
         await page.getByText('“Shared work” is in the trash.').waitFor();
         const banner = other.locator('#gone');
         await banner.getByText(/“Shared work” was moved to the trash\. It can be restored until/).waitFor();
@@ -176,7 +176,7 @@ describe('a session that is deleted', () => {
         await openList(page);
         await card(page, 'Old').getByRole('button', { name: 'Delete' }).click();
         await page.getByRole('dialog').getByRole('button', { name: 'Undo' }).click();
-        await page.getByText('“Old” is back.').waitFor();
+        await page.getByText('“Old” was restored.').waitFor();
         expect((await named('Old')) !== undefined).toBe(true);
 
         await card(page, 'Old').getByRole('button', { name: 'Delete' }).click();
@@ -191,10 +191,10 @@ describe('a session that is deleted', () => {
         await page.getByRole('button', { name: /^On this server/ }).click();
         await card(page, 'Old').getByRole('button', { name: 'Delete' }).click();
         await page.getByRole('button', { name: /^Trash/ }).click();
-        await card(page, 'Old').getByRole('button', { name: 'Delete for good …' }).click();
+        await card(page, 'Old').getByRole('button', { name: 'Delete permanently …' }).click();
         await card(page, 'Old').getByText('This cannot be undone.').waitFor();
-        await card(page, 'Old').getByRole('button', { name: 'Delete for good', exact: true }).click();
-        await page.getByText('“Old” is gone for good.').waitFor();
+        await card(page, 'Old').getByRole('button', { name: 'Delete permanently', exact: true }).click();
+        await page.getByText('“Old” was deleted permanently.').waitFor();
         expect([await named('Old'), (await listed(true)).filter(({ name }) => name === 'Old')]).toEqual([undefined, []]);
         // Where everyone meets cannot be deleted.
         await page.getByRole('button', { name: /^On this server/ }).click();
@@ -217,7 +217,7 @@ describe('a session as a file', () => {
         expect(JSON.parse(readFileSync(path, 'utf8'))).toMatchObject({ wakesurfSession: 1, name: 'To keep' });
 
         await page.getByLabel('File of a session').setInputFiles(path);
-        await page.getByText('was made from the file.').waitFor();
+        await page.getByText('was imported.').waitFor();
         await page.getByRole('button', { name: 'Open', exact: true }).first().click();
         await page.waitForFunction((old) => ![null, undefined, old].includes(window.wakesurf?.session), await sessionOf(page));
         await finalSurface(page);
@@ -238,10 +238,10 @@ describe('how many sessions there can be', () => {
         const { page } = await openPage(context, stand.server.link);
         await finalSurface(page);
         await openList(page);
-        await page.getByText('there is room for only 2 more. Delete what no one needs').waitFor();
+        await page.getByText('there is room for only 2 more. Delete sessions that are no longer needed').waitFor();
         await page.getByLabel('Name of the new session').fill('One too many');
         await page.getByRole('button', { name: 'New session' }).click();
-        await page.getByText('The server keeps at most 3 sessions, and has as many. Export sessions that no one needs any more').waitFor();
+        await page.getByText('The server keeps at most 3 sessions, and has as many. Export the sessions that are no longer needed').waitFor();
         await screenshot(page, 'sessions-limit');
         expect(await sessionOf(page)).toBe('main');
         await context.close();

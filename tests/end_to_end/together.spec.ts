@@ -89,7 +89,7 @@ function sameRakes(mine: readonly Vec3[], theirs: readonly Vec3[]): void {
 describe('a link for looking on', () => {
     it('sees what an editor drags, and has handles and numbers that do not move, and words that say why', async () => {
         const viewer = await visit((await share('viewer')).link);
-        await viewer.getByText(/for looking on/).waitFor();
+        await viewer.getByText(/View-only link/).waitFor();
         expect(viewer.url()).not.toContain('token');
         const before = await recordedRake();
 
@@ -134,7 +134,7 @@ describe('a page whose place is gone', () => {
         await new Promise((resolve, reject) => newer.once('open', resolve).once('error', reject));
         const params = { session, resumeToken };
         newer.send(JSON.stringify({ jsonrpc: '2.0', id: 1, method: 'session.join', params }));
-        await expectEnded(page, /taken by a newer window/);
+        await expectEnded(page, /opened in a newer window/);
         expect(closed).toBe(false);
         await screenshot(page, 'displaced');
 
@@ -153,7 +153,7 @@ describe('a page whose place is gone', () => {
         const all = await participants();
         expect(all).toHaveLength(2);
         await stand.server.call('session.kick', { session, participant: all.at(-1) });
-        await expectEnded(editor, /host has ended your stay/);
+        await expectEnded(editor, /host removed you/);
         expect(await participants()).toHaveLength(1);
     });
 });

@@ -70,7 +70,7 @@ describe('the probe', () => {
         await page.getByRole('spinbutton', { name: 'Probe x' }).fill('0.1');
         await page.keyboard.press('Enter');
         expect((await sampled([0.1, 0.1, (await typed('Probe'))[2]])).inside).toEqual([false]);
-        await page.getByText('Nothing flows there').waitFor();
+        await page.getByText('There is no flow at this point').waitFor();
     });
 });
 

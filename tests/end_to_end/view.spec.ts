@@ -153,9 +153,9 @@ describe('views that are kept', () => {
         values.set('session', 'forgotten');
         address.hash = values.toString();
         const { page: again } = await openPage(page.context(), address.href);
-        await again.getByText(/is not on this server\. What was in it is known here/).waitFor();
+        await again.getByText(/is not on this server\. This page remembers its contents/).waitFor();
         await screenshot(again, 'session-forgotten');
-        await again.getByRole('button', { name: 'Make it again' }).click();
+        await again.getByRole('button', { name: 'Recreate it' }).click();
         await finalSurface(again);
         const rebuilt = await ask(again, (hook) => hook.rakePoints);
         rebuilt.flat().forEach((value, i) => expect(value).toBeCloseTo(points.flat()[i]!, 3));
@@ -240,7 +240,7 @@ describe('dark and light', () => {
         const again = await stand.open(page, page.url());
         expect(Math.min(...(await corner(again)))).toBeGreaterThan(220);
         await again.close();
-        await page.getByLabel('Colours of the page').selectOption('as the system');
+        await page.getByLabel('Colours of the page').selectOption('follow the system');
         expect(await corner(page)).toEqual(dark);
     });
 });

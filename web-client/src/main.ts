@@ -44,7 +44,7 @@ import { listenForUndoKeys } from './ui/rake/undoKeys.ts';
 import { WorkerClient } from './worker/workerClient.ts';
 
 const noWebGl2 =
-    'This browser offers no WebGL2, which the picture needs. Use a current browser, and allow ' +
+    'This browser does not offer WebGL2, which the picture needs. Use a current browser, and allow ' +
     'hardware or software rendering in its settings.';
 
 const loggedOut = 'You are logged out. Open the link that wakesurf printed, or the one that you were given, to come back.';

@@ -18,10 +18,10 @@ export async function authorise(baseUrl: string, token: string | null): Promise<
 
 const missingToken =
     'This page needs the access token: open the whole link that wakesurf printed when it started, or that you were given, ' +
-    'including the part after token=. If you came by a link that let you in before, it has ended or its session was deleted.';
+    'including the part after token=. If your link worked before, it has expired or its session was deleted.';
 const wrongToken =
     'The server does not accept the access token of this link: open the link that wakesurf printed when it was last started. ' +
-    'A link that you were given has ended, or its session was deleted; ask for another.';
+    'If someone gave you the link, it has expired or its session was deleted: ask for another.';
 
 async function request(baseUrl: string, token: string | null): Promise<Response> {
     const signal = AbortSignal.timeout(requestTimeoutMs);

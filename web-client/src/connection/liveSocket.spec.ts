@@ -135,8 +135,8 @@ describe('LiveSocket', () => {
 
     it.each([
         [4001, /newer window/],
-        [4002, /host has ended/],
-        [4003, /expired or was taken back/],
+        [4002, /host removed you/],
+        [4003, /expired or was revoked/],
         [4004, /logged out/],
     ])('does not come back by itself after code %i, and says why', async (code, why) => {
         const bench = new Bench();

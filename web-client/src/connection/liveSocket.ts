@@ -13,10 +13,10 @@ const linkEnded = 4003;
  * would do so for ever.
  */
 const endings: ReadonlyMap<number, string> = new Map([
-    [4001, 'This place in the session has been taken by a newer window.'],
-    [4002, 'A host has ended your stay in this session.'],
-    [linkEnded, 'The link that opened this page has expired or was taken back.'],
-    [4004, 'This browser has logged out of the server.'],
+    [4001, 'This session was opened in a newer window, so this window was disconnected.'],
+    [4002, 'A host removed you from this session.'],
+    [linkEnded, 'The link that opened this page has expired or was revoked.'],
+    [4004, 'This browser is logged out of the server.'],
 ]);
 
 /** The part of WebSocket used here, already open. */
@@ -120,7 +120,7 @@ export class LiveSocket {
         this.timer = this.options.clock.after(1000, () => {
             const now = this.options.clock.now();
             if (now - this.heardAt >= downAfterMs) {
-                this.lose('Nothing has been heard from the server for 10 seconds.');
+                this.lose('No response from the server for 10 seconds.');
                 return;
             }
             if (now - this.pingedAt >= pingEveryMs) {

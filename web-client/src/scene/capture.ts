@@ -35,13 +35,13 @@ const tileMargin = 24;
 /** Why a figure of this size cannot be drawn; null if it can be tried. */
 export function sizeFault({ width, height }: ScreenSize): string | null {
     if (!(Number.isInteger(width) && Number.isInteger(height) && width >= 16 && height >= 16)) {
-        return 'Width and height are whole numbers of pixels, at least 16.';
+        return 'Width and height must be whole numbers of pixels, at least 16.';
     }
     if (Math.max(width, height) > longestSide) {
-        return `Pictures have at most ${longestSide} pixels a side. Choose a smaller picture.`;
+        return `A picture can have at most ${longestSide} pixels per side. Choose a smaller picture.`;
     }
     if (width * height <= pixelsAtMost) return null;
-    return `Pictures have at most ${pixelsAtMost / 1e6} million pixels. Choose a smaller picture.`;
+    return `A picture can have at most ${pixelsAtMost / 1e6} million pixels. Choose a smaller picture.`;
 }
 
 /** What the graphics draw at once. */
@@ -73,14 +73,14 @@ export function capture(scene: FlowScene, setting: FigureSetting, side?: number)
         const figure = document.createElement('canvas');
         [figure.width, figure.height] = [width, height];
         const context = figure.getContext('2d', { willReadFrequently: background === 'clear' });
-        if (context === null) throw new Error('This browser has no memory for a picture of this size.');
+        if (context === null) throw new Error('This browser does not have enough memory for a picture of this size.');
         for (const { drawn: part, kept } of tiles) {
             const { x, y } = kept;
             const shoot = (colour: Color | null): void => {
                 draw(colour, part);
                 if (drawn.width !== part.width || drawn.height !== part.height || scene.renderer.getContext().isContextLost()) {
                     throw new Error(
-                        'The graphics here have no memory for a picture of this size. Choose a smaller one.',
+                        'The graphics hardware does not have enough memory for a picture of this size. Choose a smaller one.',
                     );
                 }
                 const [left, top] = [x - part.x, y - part.y];

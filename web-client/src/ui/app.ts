@@ -176,7 +176,7 @@ export class App extends SignalElement {
         this.canvas.setAttribute('role', 'img');
         this.canvas.setAttribute(
             'aria-label',
-            'The surface in the flow. Rakes can be moved in the panel, under Geometry.',
+            'The surface in the flow. Rakes can be moved by keyboard in the panel, under Geometry.',
         );
     }
 

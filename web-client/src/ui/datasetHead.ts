@@ -41,7 +41,7 @@ export class DatasetHead extends SignalElement {
         ${dataset === null
             ? nothing
             : html`<p class="quiet">
-                  ${dataset.points > 0 ? `${countWords(dataset.points)} points` : 'a flow by formula'},
+                  ${dataset.points > 0 ? `${countWords(dataset.points)} points` : 'an analytic flow'},
                   ${dataset.times.length} ${dataset.times.length === 1 ? 'time-step' : 'time-steps'}
               </p>`}`;
     }

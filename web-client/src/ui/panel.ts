@@ -62,7 +62,7 @@ const tabs: readonly Tab[] = [
         label: 'View',
         body: (model) => html`
             <section aria-labelledby="bookmarks-head">
-                <h2 id="bookmarks-head">Views to come back to</h2>
+                <h2 id="bookmarks-head">Saved views</h2>
                 <wakesurf-bookmarks .model=${model}></wakesurf-bookmarks>
                 <wakesurf-copy-as .model=${model} .calls=${() => bookmarkSteps(model.state)}></wakesurf-copy-as>
             </section>
@@ -222,7 +222,7 @@ export class Panel extends SignalElement {
                 <wakesurf-session-head .model=${this.model}></wakesurf-session-head>
                 <wakesurf-dataset-head .model=${this.model}></wakesurf-dataset-head>
                 ${state.role.value === 'viewer'
-                    ? html`<p class="quiet" id="role">This link is for looking on: it cannot change anything.</p>`
+                    ? html`<p class="quiet" id="role">View-only link: you cannot edit.</p>`
                     : nothing}
             </div>
             <div role="tablist" aria-label="Settings" @keydown=${this.turn}>

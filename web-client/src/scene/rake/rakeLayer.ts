@@ -139,7 +139,7 @@ export class RakeLayer implements Layer {
         return this.drawn.flatMap(({ holder, shape }) => {
             const points = holder?.points ?? shape.points;
             const at = labelPlace({ kind: shape.kind, points }, view);
-            return holder === null || at === null ? [] : [{ at, words: `${holder.name} moves this`, color: holder.color }];
+            return holder === null || at === null ? [] : [{ at, words: `${holder.name} is moving this`, color: holder.color }];
         });
     }
 

@@ -12,6 +12,6 @@ export function tellFailure({ problems }: AppState, about: string, error: unknow
     if (!(error instanceof CallError)) return false;
     const { code, message } = error.failure;
     // The hint is for scripts, which can take the rake away from others.
-    if (code === leased) problems.say(about, `${message}: wait until it is let go`);
+    if (code === leased) problems.say(about, `${message}: wait until it is released`);
     return code === notPermitted || code === leased;
 }

@@ -118,7 +118,7 @@ describe('a drag on its way to the server', () => {
         bench.drag(5);
         bench.edits.flush();
         await bench.refuse(leased);
-        expect(bench.state.problems.all.value.get('rake r1')).toContain('wait until it is let go');
+        expect(bench.state.problems.all.value.get('rake r1')).toContain('wait until it is released');
         bench.drag(6, false);
         bench.edits.flush();
         await bench.refuse(leased);
@@ -393,7 +393,7 @@ describe('undo', () => {
             expect([history.undoable.value, history.redoable.value]).toEqual([left, 3 - left]);
         }
         await bench.edits.undo();
-        expect(history.words.value).toBe('Nothing of yours is left to undo.');
+        expect(history.words.value).toBe('Nothing left to undo.');
         void bench.edits.redo();
         await settled();
         await bench.answer(0, redone);
@@ -431,7 +431,7 @@ describe('undo', () => {
         await settled();
         await bench.answer(0, { ...undone, undone: null });
         expect(bench.edits.history.undoable.value).toBe(0);
-        expect(bench.edits.history.words.value).toBe('Nothing of yours is left to undo.');
+        expect(bench.edits.history.words.value).toBe('Nothing left to undo.');
     });
 
     it('says whose rake was not taken back and why', async () => {
@@ -443,7 +443,7 @@ describe('undo', () => {
         void bench.edits.undo();
         await settled();
         await bench.answer(0, { undone: null, skipped: [{ type: 'rake', id: 'r1', why: 'rake r1 has been changed by someone else since' }] });
-        expect(bench.edits.history.words.value).toBe('Not taken back: Low has been changed by someone else since.');
+        expect(bench.edits.history.words.value).toBe('Not undone: Low has been changed by someone else since.');
         expect(bench.edits.history.redoable.value).toBe(0);
     });
 

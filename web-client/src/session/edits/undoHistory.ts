@@ -85,15 +85,15 @@ export class UndoHistory {
     }
 
     private nothing(way: Way): void {
-        this.words.value = `Nothing of yours is left to ${way}.`;
+        this.words.value = `Nothing left to ${way}.`;
     }
 
     private tell(way: Way, skipped: HistoryDepth['skipped']): void {
-        this.words.value = way === 'undo' ? 'Undone.' : 'Done again.';
+        this.words.value = way === 'undo' ? 'Undone.' : 'Redone.';
         this.state.problems.solved('undo');
         if (skipped.length === 0) return;
         const why = skipped.map(({ type, id, why: reason }) => reason.replace(`${type} ${id}`, this.nameOf(type, id)));
-        const done = way === 'undo' ? 'taken back' : 'done again';
+        const done = way === 'undo' ? 'undone' : 'redone';
         this.words.value = `Not ${done}: ${why.join('; ')}.`;
         this.state.notices.say('undo', this.words.value);
     }

@@ -13,7 +13,7 @@ import {
 
 export function curlScript(place: ScriptPlace, steps: readonly ScriptStep[]): string {
     const lines = [
-        '# The token is not in this text: put it into the environment first, as WAKESURF_TOKEN.',
+        '# This script does not contain your token: put it in the environment variable WAKESURF_TOKEN first.',
         `server=${quoted(place.server)}`,
         'get() { curl -sS --fail-with-body -H "Authorization: Bearer ${WAKESURF_TOKEN-}" "$@"; }',
     ];

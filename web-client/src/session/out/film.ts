@@ -76,7 +76,7 @@ export class FilmMaker {
         if (this.progress.value.state === 'recording') return null;
         if (!canEncode())
             return this.fail(
-                'This browser encodes no films here: it needs a current browser, and https or localhost.',
+                'Recording needs a current browser over HTTPS (or on localhost).',
             );
         const size = { width: 2 * Math.floor(setting.width / 2), height: 2 * Math.floor(setting.height / 2) };
         const times = frameTimes(playback.span.value, setting);
@@ -89,7 +89,7 @@ export class FilmMaker {
         try {
             encoding = await VideoEncoding.begin({ ...size, fps: setting.fps });
             if (encoding === null)
-                return this.fail('No encoder of this browser takes films of this size. Choose a smaller one.');
+                return this.fail('This browser cannot record at this size. Choose a smaller size.');
             begun = true;
             await playback.pause();
             this.options.edits.gestures.begin();
@@ -172,7 +172,7 @@ export class FilmMaker {
                     settle(() =>
                         reject(
                             new Error(
-                                'The surface of the next frame has not come for a minute. Is the server busy, or this page hidden?',
+                                'The surface of the next frame has not arrived for a minute. The server may be busy, or this page may be hidden.',
                             ),
                         ),
                     ),

@@ -23,7 +23,7 @@ export class MeshDownload {
         this.current?.abort();
         const current = new AbortController();
         this.current = current;
-        this.progress.value = { state: 'waiting', words: 'Waits until the surface is final, then loads it …' };
+        this.progress.value = { state: 'waiting', words: 'Waiting for the final surface …' };
         const [of, id] = [encodeURIComponent(session), encodeURIComponent(surface)];
         try {
             const url = new URL(`api/v1/sessions/${of}/surfaces/${id}/${meshPath(file)}`, this.base);

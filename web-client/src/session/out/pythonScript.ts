@@ -12,7 +12,7 @@ import {
 const head = (server: string): string[] => [
     '# Needs numpy, and the client beside it:',
     `#     curl -fO ${server}/wakesurf.py`,
-    '# The token is not in this text: put it into the environment first, as WAKESURF_TOKEN.',
+    '# This script does not contain your token: put it in the environment variable WAKESURF_TOKEN first.',
     'from wakesurf import Client',
     '',
 ];

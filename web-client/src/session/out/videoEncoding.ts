@@ -100,7 +100,7 @@ export class VideoEncoding {
     }
 
     private demandRunning(): void {
-        if (!this.running) throw this.failure ?? new Error('The encoder of this browser has stopped. Record again.');
+        if (!this.running) throw this.failure ?? new Error('The video encoder of this browser has stopped. Record again.');
     }
 
     private encoded(chunk: EncodedVideoChunk): void {

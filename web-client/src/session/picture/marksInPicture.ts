@@ -35,7 +35,7 @@ export function showMarks(state: AppState, view: ViewState, scene: FlowScene): v
 }
 
 function probeWords({ inside, values }: ProbeReading, velocity: string | undefined): string {
-    if (!inside) return 'nothing flows here';
+    if (!inside) return 'no flow here';
     return values.map(({ name, value }) => `${name === velocity ? 'speed' : name} ${valueWords(value)}`).join(', ');
 }
 

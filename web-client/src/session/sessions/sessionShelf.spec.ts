@@ -69,7 +69,7 @@ describe('the list of sessions', () => {
         expect([bench.names, bench.shelf.trash.value!.length]).toEqual([['main'], 1]);
         bench.shelf.notices.remedyOf('done')!.act();
         await vi.waitFor(() => expect(bench.names).toContain('session-2'));
-        expect(bench.shelf.notices.all.value.get('done')).toMatch(/is back/);
+        expect(bench.shelf.notices.all.value.get('done')).toMatch(/was restored/);
     });
 
     it('says a limit with what can be done on the page', async () => {
@@ -77,7 +77,7 @@ describe('the list of sessions', () => {
         bench.refusals.set('session.create', full);
         await bench.shelf.create('Wake', null);
         const words = bench.shelf.problems.all.value.get('action');
-        expect(words).toBe('The server keeps at most 4 sessions. Export sessions that no one needs any more, and delete them.');
+        expect(words).toBe('The server keeps at most 4 sessions. Export the sessions that are no longer needed, and delete them.');
         expect(bench.opened).toEqual([]);
         bench.refusals.clear();
         await bench.shelf.create('Wake', 'sqcyl');
@@ -125,7 +125,7 @@ describe('a file of a session', () => {
         vi.stubGlobal('fetch', async (url: URL) => Response.json({ ...made, url: url.href }));
         const { shelf, opened } = new Bench();
         await shelf.import(new Blob(['{}']));
-        expect(shelf.notices.all.value.get('done')).toBe('“Wake” was made from the file. The dataset tornado is not on this server.');
+        expect(shelf.notices.all.value.get('done')).toBe('“Wake” was imported. The dataset tornado is not on this server.');
         shelf.notices.remedyOf('done')!.act();
         expect(opened).toEqual(['#session=session-9']);
     });
@@ -146,7 +146,7 @@ describe('a file of a session', () => {
         vi.stubGlobal('fetch', asked);
         const { shelf } = new Bench();
         await shelf.import({ size: 30 << 20 } as Blob);
-        expect(shelf.problems.all.value.get('action')).toMatch(/30 MiB, and a session has at most 24/);
+        expect(shelf.problems.all.value.get('action')).toMatch(/30 MiB; a session file is at most 24 MiB/);
         expect(asked).not.toHaveBeenCalled();
     });
 });

@@ -12,8 +12,8 @@ import { latestSession } from './knownSessions.ts';
 import { fetchSessionFile, sendSessionFile } from './sessionFiles.ts';
 
 const overLimit = -32014;
-const noPlace = 'Export sessions that no one needs any more, and delete them.';
-const fullTrash = 'Delete some that are in the trash for good.';
+const noPlace = 'Export the sessions that are no longer needed, and delete them.';
+const fullTrash = 'Permanently delete some sessions in the trash.';
 /** Others make and delete sessions while the list is open. */
 const refreshMs = 5000;
 
@@ -126,14 +126,14 @@ export class SessionShelf {
         await this.attempt(async () => {
             await this.options.worker.call('session.restore', { session }).catch(inWords(noPlace));
             this.options.restored?.(session);
-            this.notices.say('done', `“${name}” is back.`, { label: 'Open', act: () => this.enter(session) });
+            this.notices.say('done', `“${name}” was restored.`, { label: 'Open', act: () => this.enter(session) });
         });
     }
 
     async deleteForever({ session, name }: SessionEntry): Promise<void> {
         await this.attempt(async () => {
             await this.options.worker.call('session.delete', { session, forever: true });
-            this.notices.say('done', `“${name}” is gone for good.`);
+            this.notices.say('done', `“${name}” was deleted permanently.`);
         });
     }
 
@@ -147,7 +147,7 @@ export class SessionShelf {
     async import(file: Blob): Promise<void> {
         await this.attempt(async () => {
             const { session, name, notes } = await sendSessionFile(this.options.base, file);
-            const words = [`“${name}” was made from the file.`, ...notes].join(' ');
+            const words = [`“${name}” was imported.`, ...notes].join(' ');
             this.notices.say('done', words, { label: 'Open', act: () => this.enter(session) });
         });
     }

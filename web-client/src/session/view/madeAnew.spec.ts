@@ -34,7 +34,7 @@ describe('a session made anew', () => {
         const made = await makeAnew(worker, former);
         expect([...made.rakes]).toEqual([['r2', 'n1']]);
         expect([...made.surfaces]).toEqual([['s2', 'n2']]);
-        expect(made.missing).toBe('Not made again: 1 rake and 1 surface. seeds: too few');
+        expect(made.missing).toBe('Not recreated: 1 rake and 1 surface. seeds: too few');
         expect(asked[1]).toMatchObject({ rake: 'n1', kind: 'stream', from: 0, to: 1 });
         expect(asked[1]).not.toHaveProperty('session');
         expect(asked[1]).not.toHaveProperty('hostile');

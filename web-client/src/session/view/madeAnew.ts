@@ -99,7 +99,7 @@ class Refusals {
     get words(): string | null {
         if (this.counts.size === 0) return null;
         const missing = [...this.counts].map(([kind, count]) => `${count} ${kind}${count === 1 ? '' : 's'}`).join(' and ');
-        return `Not made again: ${missing}${this.why === '' ? '' : `. ${this.why}`}`;
+        return `Not recreated: ${missing}${this.why === '' ? '' : `. ${this.why}`}`;
     }
 }
 

@@ -4,13 +4,13 @@ import type { SurfacePhase } from '../../state/appState.ts';
 export const phaseWords: Record<SurfacePhase, string> = {
     waiting: 'Waiting for the server …',
     ended: 'No longer connected',
-    gone: 'In no session',
+    gone: 'Not in a session',
     none: 'Computing the first surface …',
     updating: 'Updating …',
     coarse: 'Coarse, refining …',
     live: 'Playing',
     final: 'Final',
-    empty: 'Final: no surface grows from this rake',
+    empty: 'Final: this rake produces no surface',
     stopped: 'Stopped before it was final',
     error: 'Not computed',
 };

@@ -7,16 +7,16 @@ import { SignalElement } from '../base/signalElement.ts';
 import { isTyping } from '../base/typing.ts';
 
 const hints: readonly [keys: string, words: string][] = [
-    ['Drag a handle', 'move the rake; Shift keeps to an axis'],
-    ['Drag elsewhere', 'turn the view; right button shifts it'],
-    ['Wheel, pinch', 'come nearer'],
-    ['Arrows, Page Up/Down', 'move the handle whose button has the focus'],
+    ['Drag a handle', 'move the rake; hold Shift to stay on one axis'],
+    ['Drag elsewhere', 'rotate the view; the right button pans'],
+    ['Wheel, pinch', 'zoom'],
+    ['Arrows, Page Up/Down', 'move the handle whose button has focus'],
     ['Ctrl Z, Ctrl Shift Z', 'undo and redo your own edits'],
     ['Space', 'play and pause'],
-    [', and .', 'a time-step back and on'],
+    [', and .', 'previous and next time-step'],
     ['F', 'fit the whole domain'],
-    ['Esc', 'put the tool away, follow no one'],
-    ['?', 'this help'],
+    ['Esc', 'close the tool, stop following'],
+    ['?', 'show this help'],
 ];
 
 export class HelpDialog extends SignalElement {

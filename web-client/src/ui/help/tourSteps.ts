@@ -26,14 +26,14 @@ export const tourSteps: readonly TourStep[] = [
         id: 'drag',
         title: 'Drag the rake',
         words: () =>
-            'The line with the round handles releases particles; the sheet is where they go. ' +
+            'The line with the round handles releases particles; the sheet shows where they go. ' +
             'Drag a handle: the surface follows, coarse at first, then final.',
         done: (model, before) => tourStart(model).rakeRevisions !== before.rakeRevisions,
     },
     {
         id: 'turn',
-        title: 'Look round',
-        words: () => 'Drag beside the rake to turn the view, with the right button to shift it, and scroll to come nearer.',
+        title: 'Look around',
+        words: () => 'Drag beside the rake to rotate the view, drag with the right button to pan, and scroll to zoom.',
         done: (model, before) => tourStart(model).pose !== before.pose,
     },
     {
@@ -41,23 +41,23 @@ export const tourSteps: readonly TourStep[] = [
         title: 'Choose a streak surface',
         words: ({ state }) =>
             state.dataset.value?.steady === true || state.times.value.length < 2
-                ? 'This flow does not change with time. Where one does, a streak surface shows what is released one after another, like smoke.'
+                ? 'This flow does not change with time. In a flow that does, a streak surface shows particles released one after another, like smoke.'
                 : 'On the right, under Flow, choose Streak: particles released one after another, like smoke. It moves with the flow.',
         done: ({ edits }) => edits.intent.value?.kind === 'streak',
     },
     {
         id: 'play',
-        title: 'Let it move',
+        title: 'Watch it move',
         words: ({ state }) =>
             'Press play at the bottom' +
-            (state.dataset.value?.obstacle === true ? ' and watch the sheet tear round the body' : '') +
+            (state.dataset.value?.obstacle === true ? ' and watch the sheet tear around the body' : '') +
             '. Everyone in the session sees the same time.',
         done: ({ state }) => state.clock.value?.playing === true,
     },
     {
         id: 'look',
         title: 'Make it readable',
-        words: () => 'Under Look, colour the surface by another field (by Q, vortices are red), make it see-through, or draw lines on it.',
+        words: () => 'Under Look, colour the surface by another field (by Q, vortices are red), make it transparent, or draw lines on it.',
         done: ({ view }, before) => view.looks.value !== before.looks,
     },
     {
@@ -65,7 +65,7 @@ export const tourSteps: readonly TourStep[] = [
         title: 'Show it to someone',
         words: () =>
             'Under Share, make a link: anyone who opens it sees this view and may drag rakes too. ' +
-            'Under Export there are pictures, films and meshes.',
+            'Under Export, save pictures, films and meshes.',
         done: ({ state }) => state.participants.value.size > 1,
     },
 ];

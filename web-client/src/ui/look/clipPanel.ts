@@ -38,8 +38,8 @@ export class ClipPanel extends SignalElement {
         const { planes, body } = view.clip.value;
         return html`
             ${axes.map((axis, i) => this.plane(axis, i, planes[i]!))}
-            ${checkRow('clip-body', 'The body too', body, (on) => this.change({ body: on }))}
-            <p class="quiet">Planes cut all surfaces of the picture.</p>
+            ${checkRow('clip-body', 'Cut the body too', body, (on) => this.change({ body: on }))}
+            <p class="quiet">Planes cut all surfaces in the picture.</p>
         `;
     }
 

@@ -16,7 +16,7 @@ export const mapNames: Record<ColourMap, string> = {
 };
 
 export function ageName(kind: SurfaceKind | undefined): string {
-    return kind === 'time' ? 'Place across the patch' : 'Age';
+    return kind === 'time' ? 'Position across the patch' : 'Age';
 }
 
 /** Those that others have to compute are not for people who may only look on, unless they are there already. */
@@ -39,18 +39,18 @@ export function colourChoices(
     return [
         { value: 'speed', words: 'Speed' },
         { value: 'age', words: ageName(kind) },
-        { value: 's', words: 'Place on the rake' },
+        { value: 's', words: 'Position on the rake' },
         ...derived
             .filter(({ value }) => canCome(dataset, value))
             .map((each) => ({ ...each, disabled: !isThere(each.value) })),
         ...fields,
-        { value: 'constant', words: 'One colour' },
+        { value: 'constant', words: 'Single colour' },
     ];
 }
 
 /** The name and unit of what colours a surface now. */
 export function colourTitle({ source, scalar }: SurfaceStyle, dataset: DatasetDescription | null, kind: SurfaceKind | undefined): string {
-    if (source === 's') return 'Place on the rake';
+    if (source === 's') return 'Position on the rake';
     if (source === 'age') return ageName(kind);
     if (scalar === deformation) return 'Stretching (log₂ of area)';
     if (scalar === vorticity) return 'Vorticity';

@@ -114,15 +114,15 @@ export class ColourPanel extends SignalElement {
         const { state } = this.model;
         const asked = wanted === 'speed' || state.editsPending.value || state.surface.value?.fields.includes(wanted);
         const words = asked
-            ? 'The colours change when the values have come from the server.'
-            : 'The server does not send this with the surface. Choose it again, or another.';
+            ? 'The colours will change when the values arrive from the server.'
+            : 'The server does not send this field with the surface. Choose it again, or choose another.';
         return html`<p class="quiet" role="status">${words}</p>`;
     }
 
     private constant(look: SurfaceLook): TemplateResult {
         const colour = look.colour ?? this.model.state.rake.value?.colour ?? '#8fb8de';
         const own = look.colour !== null;
-        return html`${checkRow('own-colour', 'Another colour than the rake’s', own, (on) => this.change({ colour: on ? colour : null }))}
+        return html`${checkRow('own-colour', 'A different colour from the rake', own, (on) => this.change({ colour: on ? colour : null }))}
             <label class="row" for="surface-colour"
                 ><span>Colour</span>
                 <input
@@ -164,20 +164,20 @@ export class ColourPanel extends SignalElement {
             <div class="checks">
                 ${checkRow('invert', 'Inverted', look.invert, (invert) => this.change({ invert }))}
                 ${checkRow('log', 'Logarithmic', look.log, (log) => this.change({ log, centre: log ? null : look.centre }))}
-                ${checkRow('centred', 'Symmetric round', look.centre !== null, (on) =>
+                ${checkRow('centred', 'Symmetric around', look.centre !== null, (on) =>
                     this.change({ centre: on ? 0 : null, log: on ? false : look.log }),
                 )}
                 <input
                     class="centre"
                     type="number"
                     step="any"
-                    aria-label="Value in the middle"
+                    aria-label="Value at the centre"
                     .value=${String(look.centre ?? 0)}
                     ?disabled=${look.centre === null}
                     @change=${this.centreChanged}
                 />
             </div>
-            <p class="quiet">Values outside have the colours of the ends${look.log ? '; those without a logarithm are grey' : ''}.</p>
+            <p class="quiet">Values outside the range have the colours of its ends${look.log ? '; values of zero and below are grey' : ''}.</p>
         `;
     }
 

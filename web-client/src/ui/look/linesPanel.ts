@@ -27,7 +27,7 @@ export class LinesPanel extends SignalElement {
             ${checkRow('texture', 'Flow texture', texture, (on) => this.change({ texture: on, animated: on && animated }))}
             ${checkRow('animated', 'Moving with the flow', animated, (on) => this.change({ animated: on }), !texture)}
             ${matchMedia('(prefers-reduced-motion: reduce)').matches && animated
-                ? html`<p class="quiet">Still, because this system is set to reduce motion.</p>`
+                ? html`<p class="quiet">Animation is off: your system asks for reduced motion.</p>`
                 : nothing}
             ${sliderRow({
                 ...{ id: 'density', words: 'Density', value: Math.log2(density), low: -2, high: 2, step: 0.5 },

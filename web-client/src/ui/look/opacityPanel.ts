@@ -28,7 +28,7 @@ export class OpacityPanel extends SignalElement {
                 shown: percent(look.opacity),
                 change: (opacity) => this.change({ opacity }),
             })}
-            ${checkRow('angle-opacity', 'Denser where seen edge-on', look.angleOpacity, (angleOpacity) =>
+            ${checkRow('angle-opacity', 'More opaque when seen edge-on', look.angleOpacity, (angleOpacity) =>
                 this.change({ angleOpacity, ...dimmed(look, angleOpacity) }),
             )}
             ${sliderRow({
@@ -36,13 +36,13 @@ export class OpacityPanel extends SignalElement {
                 shown: look.smoke === 0 ? 'off' : percent(look.smoke),
                 change: (smoke) => this.change({ smoke, ...dimmed(look, smoke > 0, 0.9) }),
             })}
-            <p class="quiet">Smoke thins out where the surface has been stretched, and with age.</p>
+            <p class="quiet">Smoke thins where the surface has been stretched, and with age.</p>
             ${checkRow('silhouettes', 'Outlines', look.silhouettes, (silhouettes) => this.change({ silhouettes }))}
             ${selectRow('back-side', 'Other side', sides, look.backSide, (backSide) => this.change({ backSide }))}
             ${checkRow('exact-order', 'Exact order when still', view.exactWhenStill.value, (on) => {
                 view.exactWhenStill.value = on;
             })}
-            <p class="quiet">Of all surfaces that let something through. Until then they are mixed by how near they are; pictures and films are always exact.</p>
+            <p class="quiet">Applies to all transparent surfaces. While the view moves, transparency is approximate; pictures and films are always exact.</p>
         `;
     }
 

@@ -34,7 +34,7 @@ export class PaintPanel extends SignalElement {
         const id = state.activeSurface.value;
         const look = view.lookOf(id);
         return html`
-            ${checkRow('painting', 'Show only what a brush has revealed', look.painting, (on) => this.startPainting(on))}
+            ${checkRow('painting', 'Show only what the brush has revealed', look.painting, (on) => this.startPainting(on))}
             ${look.painting ? this.brush(look) : nothing}
             <h2>Connected parts</h2>
             ${this.parts(look, state.parts.value.get(id ?? '') ?? [])}
@@ -49,13 +49,13 @@ export class PaintPanel extends SignalElement {
                 ${this.tool('reveal', 'Reveal')} ${this.tool('erase', 'Erase')}
             </div>
             ${sliderRow({
-                ...{ id: 'brush-size', words: 'Size of the brush', value: radiusPx, low: 4, high: 64, step: 2 },
+                ...{ id: 'brush-size', words: 'Brush size', value: radiusPx, low: 4, high: 64, step: 2 },
                 shown: `${2 * radiusPx} px`,
                 change: (radius) => (view.brush.value = { ...view.brush.value, radiusPx: radius }),
             })}
             ${sliderRow({
-                ...{ id: 'faded', words: 'The rest is seen', value: look.faded, low: 0, high: 0.5, step: 0.05 },
-                shown: look.faded === 0 ? 'not at all' : `${Math.round(100 * look.faded)} %`,
+                ...{ id: 'faded', words: 'Opacity of the rest', value: look.faded, low: 0, high: 0.5, step: 0.05 },
+                shown: look.faded === 0 ? 'hidden' : `${Math.round(100 * look.faded)} %`,
                 change: (faded) => this.change({ faded }),
             })}
             <div class="buttons">
@@ -64,10 +64,10 @@ export class PaintPanel extends SignalElement {
             </div>
             ${view.paintLeftOut.value.has(this.model.state.activeSurface.value ?? '')
                 ? html`<p role="status">
-                      What is painted is too intricate for a link or a kept view: there all of the surface is shown. Fewer and larger strokes fit.
+                      The painting is too detailed for a link or a saved view: both will show the whole surface. Use fewer, larger strokes.
                   </p>`
                 : nothing}
-            <p class="quiet">Drag on the picture. Without a pointer: reveal all, and set a window under “Part shown”.</p>
+            <p class="quiet">Drag in the picture. Without a pointer, press “Reveal all” and set a range under “Part shown”.</p>
         `;
     }
 
@@ -95,9 +95,9 @@ export class PaintPanel extends SignalElement {
                     this.showPart(look, parts, part, on),
                 ),
             )}
-            ${more > 0 ? html`<p class="quiet">and ${more} more, to be hidden by a click on them</p>` : nothing}
+            ${more > 0 ? html`<p class="quiet">and ${more} more; to hide one, click it in the picture</p>` : nothing}
             ${look.hiddenParts.length > partsAtMost
-                ? html`<p role="status">A link or a kept view hides only the first ${partsAtMost} of these parts.</p>`
+                ? html`<p role="status">A link or a saved view hides only the first ${partsAtMost} of these parts.</p>`
                 : nothing}
             <div class="buttons">
                 ${this.tool('hidePart', 'Hide by clicking')}

@@ -24,7 +24,7 @@ export class WindowsPanel extends SignalElement {
         if (span === null) return html`<p class="quiet">There is no surface yet.</p>`;
         const shown = look.sWindow !== null || look.ageWindow !== null;
         return html`
-            ${this.window('sWindow', 's-window', 'Place on the rake', look.sWindow, [0, 1])}
+            ${this.window('sWindow', 's-window', 'Position on the rake', look.sWindow, [0, 1])}
             ${this.window('ageWindow', 'age-window', ageName(state.surface.value?.kind), look.ageWindow, span.age)}
             ${shown
                 ? html`<div class="buttons"><button id="show-whole" type="button" @click=${this.reset}>Show all of it</button></div>`

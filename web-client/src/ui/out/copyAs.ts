@@ -76,7 +76,7 @@ export class CopyAs extends SignalElement {
                 (language) =>
                     html`<button
                         type="button"
-                        title=${`A script that does the same over the network, for ${language}. It holds no token.`}
+                        title=${`Copy a script that does the same in ${language} (without your token)`}
                         @click=${() => this.copy(language)}
                     >
                         Copy as ${language}
@@ -85,7 +85,7 @@ export class CopyAs extends SignalElement {
             <span role="status">${this.said.value}</span>
             <dialog aria-labelledby="copy-head" @close=${() => (this.shown.value = '')}>
                 <p id="copy-head">
-                    This page may not write to the clipboard. The text is selected: copy it by hand.
+                    The browser does not let this page write to the clipboard. The text is selected: copy it yourself.
                 </p>
                 <textarea readonly aria-label="Script" spellcheck="false" .value=${this.shown.value}></textarea>
                 <form method="dialog"><button>Close</button></form>

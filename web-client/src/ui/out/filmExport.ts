@@ -76,7 +76,7 @@ export class FilmExport extends SignalElement {
             <p>
                 From t = ${shortNumber(from)} to ${shortNumber(to)} in ${frames} frames, each drawn when its
                 surface is there. Background, bar, axes and rake as above.
-                ${others ? 'The others in this session see the time move while it is recorded.' : ''}
+                ${others ? 'The others in this session see the time change while you record.' : ''}
             </p>
         `;
     }
@@ -85,17 +85,17 @@ export class FilmExport extends SignalElement {
         return html`<label for="film-progress">Frame ${done} of ${frames}</label>
             <progress id="film-progress" max=${frames} .value=${done}></progress>
             <div class="row"><button type="button" @click=${() => this.model.film.cancel()}>Cancel</button></div>
-            <p>Keep this page in sight: browsers stop drawing hidden ones.</p>`;
+            <p>Keep this page visible: browsers do not draw hidden pages.</p>`;
     }
 
     private whyNot(): string | null {
         const { playback, state } = this.model;
         if (!canEncode()) {
-            return 'This browser encodes no films here. It takes a current browser, and a page that comes over https or from localhost.';
+            return 'Recording needs a current browser over HTTPS (or on localhost).';
         }
         if (state.role.value === 'viewer')
-            return 'This link is for looking on: a film would have to move the time.';
-        return playback.mode.value === 'none' ? 'There is nothing to play: the data have one time-step.' : null;
+            return 'View-only link: recording changes the shared time, which you cannot do.';
+        return playback.mode.value === 'none' ? 'The data have only one time-step: there is nothing to play.' : null;
     }
 
     private lengthTyped(event: Event): void {

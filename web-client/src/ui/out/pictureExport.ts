@@ -75,7 +75,7 @@ export class PictureExport extends SignalElement {
         try {
             const picture = figure.draw(size, null);
             const file = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, 'image/png'));
-            if (file === null) throw new Error('This browser has no memory for a picture of this size.');
+            if (file === null) throw new Error('This browser does not have enough memory for a picture of this size.');
             saveFile(file, fileName(state.dataset.value?.name, `${size.width}x${size.height}.png`));
         } catch (error) {
             this.fault.value = error instanceof Error ? error.message : String(error);

@@ -111,7 +111,7 @@ export class RakeList extends SignalElement {
                 <button
                     type="button"
                     aria-label="New rake"
-                    title="New rake, clear of the others"
+                    title="New rake, away from the others"
                     ?disabled=${locked}
                     @click=${() => actions.newRake()}
                 >
@@ -146,7 +146,7 @@ export class RakeList extends SignalElement {
         const you = state.participants.value.get(state.you.value ?? '')?.name;
         const { author = '' } = record;
         const made = author === '' ? '' : `, ${author === you ? 'yours' : `by ${author}`}`;
-        const about = holder === null ? `${kindWords[record.kind]}${made}` : `${holder.name} moves it`;
+        const about = holder === null ? `${kindWords[record.kind]}${made}` : `${holder.name} is moving it`;
         return html`<li>
             <button
                 type="button"
@@ -174,7 +174,7 @@ export class RakeList extends SignalElement {
                 type="color"
                 id="rake-colour"
                 aria-label="Colour of the rake"
-                title=${colours ? 'Colour of the rake' : 'This server keeps no colours'}
+                title=${colours ? 'Colour of the rake' : 'This server does not store colours'}
                 ?disabled=${locked || !colours}
                 .value=${rakeColor(record, state.rakes.value)}
                 @change=${(event: Event) => edits.changeRake(record.rake, { colour: change(event) })}

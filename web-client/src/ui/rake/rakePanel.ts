@@ -69,8 +69,8 @@ export class RakePanel extends SignalElement {
             ${shape.points.length > 12 ? this.pointChoice(shape.points.length) : nothing}
             ${shape.kind === 'circle' ? this.radius() : nothing} ${this.turnRow()}
             <p class="hint" id="nudge-hint">
-                Drag a handle, or focus a button and press ← → for x, ↑ ↓ for z, Page Up/Down for y; Shift for
-                longer steps.
+                Drag a handle, or focus its button and press ← → for x, ↑ ↓ for z, Page Up/Down for y. Hold Shift
+                for longer steps.
             </p>
             ${this.buttons()} ${this.snapChoice()}
         </fieldset>`;
@@ -166,7 +166,7 @@ export class RakePanel extends SignalElement {
     private turnRow(): TemplateResult {
         const { interaction } = this.model.scene;
         const turn = (sign: 1 | -1) => () => interaction.turn((sign * turnDegrees * Math.PI) / 180);
-        return html`<div class="point turn" role="group" aria-label="Turn about the middle">
+        return html`<div class="point turn" role="group" aria-label="Rotate about the middle">
             ${this.handleButton('rotate', 'Turn')}
             <button type="button" aria-label="Turn left" @click=${turn(1)}>↺ ${turnDegrees}°</button>
             <button type="button" aria-label="Turn right" @click=${turn(-1)}>↻ ${turnDegrees}°</button>
@@ -229,7 +229,7 @@ export class RakePanel extends SignalElement {
             </div>
             <button type="button" class="wide" id="place" aria-pressed=${placing ? 'true' : 'false'}
                 @click=${() => this.place(target, placing)}>
-                ${placing ? 'Click on the picture (Esc: leave it)' : `Place ${name} with a click`}
+                ${placing ? 'Click in the picture (Esc to cancel)' : `Place ${name} with a click`}
             </button>
             ${(kind === 'polyline' || kind === 'line') && target !== 'middle'
                 ? this.pointButtons(target as number, points.length)
@@ -276,7 +276,7 @@ export class RakePanel extends SignalElement {
                 <input type="checkbox" id="snap" .checked=${this.snapping.value} @change=${change} />
                 Snap to a grid of ${this.inUnits(step)}
             </label>
-            <p class="hint">Shift while dragging keeps to an axis.</p>`;
+            <p class="hint">Hold Shift while dragging to stay on one axis.</p>`;
     }
 
     private key(event: KeyboardEvent, handle: Handle): void {
@@ -317,7 +317,7 @@ export class RakePanel extends SignalElement {
         const { problems } = this.model.state;
         if (typed < low || typed > high) {
             const [from, to] = [shortNumber(low), shortNumber(high)];
-            problems.say(numberProblems.shape, `The domain goes from ${axes[axis]} = ${from} to ${to}: the rake ends there.`);
+            problems.say(numberProblems.shape, `The domain extends from ${axes[axis]} = ${from} to ${to}: the rake stops at its edge.`);
         } else problems.solved(numberProblems.shape);
         field.value = numberText(this.placeOf(handle)[axis]);
     }
@@ -343,7 +343,7 @@ export class RakePanel extends SignalElement {
         if (seeds >= 2 && seeds <= mostSeeds) {
             edits.changeRake(state.activeRake.value ?? '', { seeds });
         } else {
-            const words = `A rake has 2 to ${mostSeeds} seeds. It keeps its ${edits.seeds.value}.`;
+            const words = `A rake has 2 to ${mostSeeds} seeds. This one still has ${edits.seeds.value}.`;
             state.problems.say(numberProblems.seeds, words);
         }
         field.value = String(edits.seeds.value);

@@ -34,7 +34,7 @@ export function sessionCard(entry: SessionEntry, card: CardState, acts: CardActs
     const { session, name, participants } = entry;
     const others = participants - (card.here ? 1 : 0);
     return html`<li class="card ${card.here ? 'here' : ''}" data-session=${session}>
-        ${picture(entry, card.look, card.here ? `Go on in ${name}` : `Open ${name}`, () => acts.open(entry))}
+        ${picture(entry, card.look, card.here ? `Continue in ${name}` : `Open ${name}`, () => acts.open(entry))}
         <div class="about">
             <p class="name"><span title=${name}>${name}</span>${card.here ? html`<span class="badge">you are here</span>` : nothing}</p>
             <p class="quiet">${useWords(entry, others, card.here)}</p>
@@ -71,12 +71,12 @@ export function trashCard(entry: SessionEntry, { question, look }: Pick<CardStat
             ${question === 'forever'
                 ? html`<p class="asked">This cannot be undone.</p>
                       <div class="actions">
-                          <button type="button" @click=${() => acts.deleteForever(entry)}>Delete for good</button>
+                          <button type="button" @click=${() => acts.deleteForever(entry)}>Delete permanently</button>
                           <button type="button" @click=${() => acts.ask(session, null)}>Keep</button>
                       </div>`
                 : html`<div class="actions">
                       <button type="button" @click=${() => acts.restore(entry)}>Restore</button>
-                      <button type="button" @click=${() => acts.ask(session, 'forever')}>Delete for good …</button>
+                      <button type="button" @click=${() => acts.ask(session, 'forever')}>Delete permanently …</button>
                   </div>`}
         </div>
     </li>`;
@@ -115,7 +115,7 @@ function renaming(entry: SessionEntry, acts: CardActs): TemplateResult {
 function deleting(entry: SessionEntry, others: number, acts: CardActs): TemplateResult {
     return html`<p class="asked">${others === 1 ? 'Someone else is' : `${others} others are`} in it now.</p>
         <div class="actions">
-            <button type="button" @click=${() => acts.delete(entry)}>Delete all the same</button>
+            <button type="button" @click=${() => acts.delete(entry)}>Delete anyway</button>
             <button type="button" @click=${() => acts.ask(entry.session, null)}>Keep</button>
         </div>`;
 }

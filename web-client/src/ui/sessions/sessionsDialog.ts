@@ -140,8 +140,8 @@ export class SessionsDialog extends SignalElement {
                       .value=${this.sought.value}
                       @input=${(event: Event) => (this.sought.value = (event.target as HTMLInputElement).value)}
                   />`}
-            ${makes ? nothing : html`<p class="quiet">The link that you came by is for one session only.</p>`}
-            ${found.length === 0 ? html`<p class="quiet">No session has that in its name, and no one in it is called so.</p>` : nothing}
+            ${makes ? nothing : html`<p class="quiet">Your link is for one session only.</p>`}
+            ${found.length === 0 ? html`<p class="quiet">No session and no person matches this search.</p>` : nothing}
             <ul aria-label="Sessions on this server">
                 ${repeat(
                     found,
@@ -157,7 +157,7 @@ export class SessionsDialog extends SignalElement {
     private deleted(): TemplateResult {
         const { trash, limits } = this.model.shelf;
         const all = trash.value ?? [];
-        if (all.length === 0) return html`<p class="quiet">Nothing is in the trash. Deleted sessions stay here for 30 days.</p>`;
+        if (all.length === 0) return html`<p class="quiet">The trash is empty. Deleted sessions stay here for 30 days.</p>`;
         return html`<p class="quiet">
                 Deleted sessions stay here for 30 days; their links work again once they are restored.
                 ${limits.value === null ? nothing : leftWords(limits.value.trash - all.length, `The trash holds up to ${limits.value.trash} sessions`)}
@@ -233,8 +233,8 @@ function textOf({ name, people }: SessionEntry): string {
 /** Said always, and with what to do where it is few. */
 function leftWords(left: number, whole: string): string {
     if (left > fewLeft) return `${whole}: there is room for ${left} more.`;
-    const more = left <= 0 ? 'there is room for none more' : `there is room for only ${left} more`;
-    return `${whole}: ${more}. Delete what no one needs; what is exported can be imported again.`;
+    const more = left <= 0 ? 'there is no room for more' : `there is room for only ${left} more`;
+    return `${whole}: ${more}. Delete sessions that are no longer needed; an exported session can be imported again.`;
 }
 
 customElements.define('wakesurf-sessions', SessionsDialog);

@@ -17,10 +17,10 @@ const lifetimes = [
     { seconds: 3600, words: 'for an hour' },
     { seconds: 86_400, words: 'for a day' },
     { seconds: 2_592_000, words: 'for 30 days' },
-    { seconds: null, words: 'until taken back' },
+    { seconds: null, words: 'until revoked' },
 ];
 
-const purposes: Record<Role, string> = { viewer: 'To look on', editor: 'To edit', host: 'To host' };
+const purposes: Record<Role, string> = { viewer: 'To view', editor: 'To edit', host: 'To host' };
 
 export class LinksPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
@@ -108,14 +108,14 @@ export class LinksPanel extends SignalElement {
             <div class="new">
                 <select id="share-role" aria-label="What the link allows">
                     <option value="editor">to edit</option>
-                    <option value="viewer">to look on</option>
+                    <option value="viewer">to view</option>
                 </select>
-                <select id="share-lifetime" aria-label="How long the link holds">
+                <select id="share-lifetime" aria-label="How long the link is valid">
                     ${lifetimes.map(({ words }, i) => html`<option value=${i}>${words}</option>`)}
                 </select>
                 <button type="button" id="share" @click=${this.make}>Make a link</button>
             </div>
-            <p class="quiet">A link holds for 7 days unless another time is chosen here, and can be taken back before.</p>
+            <p class="quiet">A link is valid for 7 days unless you choose another time here. You can revoke it at any time.</p>
             ${made === null
                 ? nothing
                 : html`<div class="made">
@@ -124,14 +124,14 @@ export class LinksPanel extends SignalElement {
                               ${this.copied.value ? 'Copied' : 'Copy'}
                           </button>
                       </div>
-                      <p class="quiet">Anyone who opens this link ${roleWords[made.role]}. It ends ${untilWords(made.expires)}, and is not shown again.</p>`}
+                      <p class="quiet">Anyone who opens this link ${roleWords[made.role]}. It is valid until ${untilWords(made.expires)}, and it is not shown again.</p>`}
             ${this.shares.value.length === 0
                 ? nothing
-                : html`<ul aria-label="Links that hold">
+                : html`<ul aria-label="Valid links">
                       ${this.shares.value.map((share) => this.share(share))}
                   </ul>`}
             <div class="fork">
-                <button type="button" id="fork" @click=${this.fork}>Go on with a copy</button>
+                <button type="button" id="fork" @click=${this.fork}>Continue in a copy</button>
                 ${this.forked.value === null
                     ? nothing
                     : html`<p>
@@ -151,16 +151,16 @@ export class LinksPanel extends SignalElement {
         };
         return html`<li data-grant=${grant}>
             <span
-                >${purposes[role]}, ends ${untilWords(expires)}<small>${makerWords(share)}</small>${children === 0
+                >${purposes[role]}, until ${untilWords(expires)}<small>${makerWords(share)}</small>${children === 0
                     ? nothing
-                    : html`<small>${children === 1 ? '1 link was' : `${children} links were`} made by who came by it</small>`}</span
+                    : html`<small>${children === 1 ? '1 link was' : `${children} links were`} made by people who used it</small>`}</span
             >
             ${asked
-                ? html`<p>Take back those made by it as well?</p>
+                ? html`<p>Revoke the links made by those people as well?</p>
                       <button type="button" @click=${() => this.takeBack(grant, true)}>${children === 1 ? 'Both' : `All ${children + 1}`}</button>
                       <button type="button" @click=${() => this.takeBack(grant, false)}>Only this one</button>
                       <button type="button" @click=${() => (this.asked.value = null)}>Cancel</button>`
-                : html`<button type="button" @click=${back}>Take back</button>`}
+                : html`<button type="button" @click=${back}>Revoke</button>`}
         </li>`;
     }
 
@@ -208,12 +208,12 @@ export class LinksPanel extends SignalElement {
 }
 
 function untilWords(expires: number | undefined): string {
-    return expires === undefined ? 'when it is taken back' : momentWords(new Date(expires * 1000));
+    return expires === undefined ? 'it is revoked' : momentWords(new Date(expires * 1000));
 }
 
 function makerWords({ madeBy, newcomers, role }: ShareLink): string {
     const maker = madeBy === undefined ? '' : madeBy.name === '' ? 'made by a script' : `made by ${madeBy.name}`;
-    const lessened = newcomers === undefined || newcomers === role ? '' : `who comes by it now ${roleWords[newcomers]}`;
+    const lessened = newcomers === undefined || newcomers === role ? '' : `anyone who uses it now ${roleWords[newcomers]}`;
     return [maker, lessened].filter((words) => words !== '').join('; ');
 }
 

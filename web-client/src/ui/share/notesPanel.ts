@@ -28,7 +28,7 @@ export class NotesPanel extends SignalElement {
     override render(): TemplateResult {
         const notes = [...this.model.state.annotations.value.values()];
         if (notes.length === 0) {
-            const how = this.model.state.role.value === 'viewer' ? '' : ' Choose Note over the picture and click where it should stand.';
+            const how = this.model.state.role.value === 'viewer' ? '' : ' Choose Note above the picture, then click to place it.';
             return html`<p class="quiet">None yet.${how}</p>`;
         }
         return html`<ul aria-label="Notes">

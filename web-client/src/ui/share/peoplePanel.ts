@@ -88,7 +88,7 @@ export class PeoplePanel extends SignalElement {
             @change=${(event: Event) => this.setRole(participant, event.target as HTMLSelectElement)}
         >
             ${roles.map((each) => html`<option value=${each} .selected=${each === role}>${roleWords[each]}</option>`)}
-            <option value="remove">send away</option>
+            <option value="remove">remove</option>
         </select>`;
     }
 
@@ -113,8 +113,8 @@ export class PeoplePanel extends SignalElement {
             notices.solved('role');
             return;
         }
-        const places = also.length === 0 ? '' : `That holds for ${also.length === 1 ? 'their other place' : `their ${also.length} other places`} here as well. `;
-        const others = newcomers === undefined ? '' : `Anyone who comes by the same link from now on ${roleWords[newcomers]}; make another link for others.`;
+        const places = also.length === 0 ? '' : `This also applies to ${also.length === 1 ? 'their other window' : `their ${also.length} other windows`} in this session. `;
+        const others = newcomers === undefined ? '' : `Anyone who uses the same link from now on ${roleWords[newcomers]}; make another link for others.`;
         notices.say('role', `${places}${others}`.trim());
     }
 

@@ -2,7 +2,7 @@
 import type { Role } from '../../protocol/messages.ts';
 
 export const roleWords: Record<Role, string> = {
-    viewer: 'looks on',
-    editor: 'edits',
-    host: 'hosts',
+    viewer: 'can view',
+    editor: 'can edit',
+    host: 'can host',
 };

@@ -87,10 +87,10 @@ export class Banner extends SignalElement {
         const { imports } = this.model;
         const steps = entry.steps === undefined ? '' : ` (${entry.steps.ready} of ${entry.steps.total})`;
         const left = entry.remaining === undefined ? '' : ` About ${duration(entry.remaining)} left.`;
-        const waiting = state.stage.value === 'importing' ? ' It opens when the first is ready.' : '';
+        const waiting = state.stage.value === 'importing' ? ' It opens when the first one is ready.' : '';
         const gone = imports.left.value;
         const words = gone
-            ? `You no longer wait for ${entry.name}. Its import goes on${steps}, because others wait for it.`
+            ? `You stopped waiting for ${entry.name}. Its import continues for others${steps}.`
             : `Importing the time-steps of ${entry.name}${steps}.${left}${waiting}`;
         return html`<div class="banner" id="importing">
             <span class="words">${words}</span>
@@ -109,17 +109,17 @@ export class Banner extends SignalElement {
                 ? `The import of ${name} was stopped before its first time-step.`
                 : `The import of ${name} was stopped: ${ready} of ${steps!.total} time-steps are here.`;
         const viewer = state.role.value === 'viewer';
-        const next = viewer ? 'Anyone who may edit can go on with it.' : 'It can go on from where it stopped.';
+        const next = viewer ? 'Anyone who can edit can resume it.' : 'It can resume where it stopped.';
         return html`<div class="banner down" id="import-stopped">
             <span class="words">${there} ${next}</span>
-            ${viewer ? '' : html`<button type="button" @click=${() => imports.again()}>Go on importing</button>`}
+            ${viewer ? '' : html`<button type="button" @click=${() => imports.again()}>Resume the import</button>`}
         </div>`;
     }
 
     private catchingUp(): TemplateResult | typeof nothing {
         if (this.model.state.catchingUp.value.size === 0) return nothing;
         return html`<div class="banner" id="catching-up">
-            <span class="words">Catching up: the surface changes faster than it arrives here …</span>
+            <span class="words">Catching up: the surface changes faster than this page receives it …</span>
         </div>`;
     }
 
@@ -134,7 +134,7 @@ export class Banner extends SignalElement {
                 ? nothing
                 : html`<button type="button" @click=${() => this.model.restoreSession()}>Restore</button>`}
             ${restorableUntil === null && remembered
-                ? html`<button type="button" @click=${() => this.model.makeSessionAgain()}>Make it again</button>`
+                ? html`<button type="button" @click=${() => this.model.makeSessionAgain()}>Recreate it</button>`
                 : nothing}
             <button type="button" @click=${() => (this.model.view.sessionsShown.value = true)}>Sessions</button>
         </div>`;

@@ -9,7 +9,7 @@ export function goneWords({ restorableUntil, remembered }: GoneSession): { words
     return {
         words: 'is not on this server.',
         next: remembered
-            ? 'What was in it is known here, and a new session can be made of that.'
+            ? 'This page remembers its contents and can recreate it as a new session.'
             : 'It was deleted, or the server was started without it. Choose another session.',
     };
 }

@@ -7,8 +7,8 @@ import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
 const partWords: Record<LatencyPart, string> = {
-    network: 'There and back',
-    queue: 'Waiting for its turn',
+    network: 'Network round trip',
+    queue: 'Waiting in the queue',
     load: 'Reading the data',
     compute: 'Computing',
     encode: 'Encoding',

@@ -9,11 +9,11 @@ import { SignalElement } from '../base/signalElement.ts';
 import { countWords } from '../base/statusWords.ts';
 
 const reasons: readonly { reason: keyof Terminations; words: string }[] = [
-    { reason: 'time', words: 'Reached the end in time' },
+    { reason: 'time', words: 'Reached the end time' },
     { reason: 'domain', words: 'Left the domain' },
     { reason: 'obstacle', words: 'Reached the body' },
     { reason: 'stagnation', words: 'Came to rest' },
-    { reason: 'budget', words: 'Stopped by the limit of quads' },
+    { reason: 'budget', words: 'Stopped by the quad limit' },
 ];
 
 export class QualityPanel extends SignalElement {
@@ -76,7 +76,7 @@ export class QualityPanel extends SignalElement {
             ${reasons
                 .filter(({ reason }) => stats.terminated[reason] > 0)
                 .map(({ reason, words }) => row(words, countWords(stats.terminated[reason]), reason))}
-            ${row('Steps of particles', countWords(stats.vertexSteps), 'vertexSteps')}
+            ${row('Particle steps', countWords(stats.vertexSteps), 'vertexSteps')}
             ${row('Computed in', `${shortNumber(1000 * (stats.seconds['total'] ?? 0))} ms`, 'seconds')}
             ${row('Memory', `${shortNumber(stats.peakBytes / 2 ** 20)} MiB`, 'peakBytes')}
         </dl>`;

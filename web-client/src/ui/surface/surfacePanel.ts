@@ -13,7 +13,7 @@ import { SignalElement } from '../base/signalElement.ts';
 /** Separation as a multiple of the finest spacing of the dataset's grid. */
 const separations = [
     { factor: 0.5, words: 'fine' },
-    { factor: 1, words: 'as the grid' },
+    { factor: 1, words: 'grid spacing' },
     { factor: 2, words: 'medium' },
     { factor: 4, words: 'coarse' },
 ];
@@ -21,11 +21,11 @@ const separations = [
 const directions: [Direction, string][] = [
     ['forward', 'Forward, downstream'],
     ['backward', 'Backward, upstream'],
-    ['both', 'Both ways'],
+    ['both', 'Both directions'],
 ];
 
 const accuracies: [Accuracy, string][] = [
-    ['fast', 'Fast, for looking round'],
+    ['fast', 'Fast, for exploring'],
     ['balanced', 'Balanced'],
     ['exact', 'Exact, for figures'],
 ];
@@ -171,7 +171,7 @@ export class SurfacePanel extends SignalElement {
                     @input=${this.lengthChanged}
                 />
                 <p class="quiet" ?hidden=${!cut}>
-                    Followed for ${this.time(followed)}: there the data end.
+                    Integration time ${this.time(followed)} (end of data).
                 </p>
                 ${intent.kind === 'streak' ? this.release(intent, cut ? followed : intent.length) : ''}
                 ${intent.kind === 'time' ? this.secondCurve(intent) : ''}
@@ -287,7 +287,7 @@ export class SurfacePanel extends SignalElement {
                     .checked=${current > shown * 0.999}
                     @change=${allTheTime}
                 />
-                Keep releasing while it is shown
+                Keep releasing while shown
             </label>
             <label class="row" for="release-until">
                 <span>Release until</span>
@@ -332,7 +332,7 @@ export class SurfacePanel extends SignalElement {
         const choices = separations.map(({ factor, words }) => ({
             value: factor * finestSpacing,
             // A formula has no grid.
-            words: `${this.length(factor * finestSpacing)}, ${factor === 1 && points === 0 ? 'usual' : words}`,
+            words: `${this.length(factor * finestSpacing)}, ${factor === 1 && points === 0 ? 'default' : words}`,
         }));
         const close = (value: number): boolean => Math.abs(value - current) <= 1e-6 * current;
         if (!choices.some(({ value }) => close(value))) {

@@ -98,13 +98,13 @@ export class TimeBar extends SignalElement {
             </button>`;
         return html`<div class="buttons" role="group" aria-label="Time controls">
             ${button('To the start', 'To the start', icon('start'), () => playback.toEnd(-1))}
-            ${button('Previous time-step', 'One time-step back: ,', icon('back'), () => playback.step(-1))}
+            ${button('Previous time-step', 'Previous time-step: ,', icon('back'), () => playback.step(-1))}
             ${
                 playing
                     ? button('Pause', 'Pause: space', icon('pause'), () => playback.toggle())
                     : button('Play', 'Play: space', icon('play'), () => playback.toggle())
             }
-            ${button('Next time-step', 'One time-step on: .', icon('forward'), () => playback.step(1))}
+            ${button('Next time-step', 'Next time-step: .', icon('forward'), () => playback.step(1))}
             ${button('To the end', 'To the end', icon('end'), () => playback.toEnd(1))}
         </div>`;
     }
@@ -119,7 +119,7 @@ export class TimeBar extends SignalElement {
         return html`<select
                 id="speed"
                 aria-label="Speed"
-                title="How much time of the data passes in a second"
+                title="Simulation time that passes in a second"
                 ?disabled=${disabled}
                 @change=${this.speedChosen}
             >
@@ -133,7 +133,7 @@ export class TimeBar extends SignalElement {
             <button
                 type="button"
                 aria-pressed=${loop ? 'true' : 'false'}
-                title="At the end, begin again"
+                title="Start again at the end"
                 ?disabled=${disabled}
                 @click=${() => playback.setLoop(!loop)}
             >
@@ -148,7 +148,7 @@ export class TimeBar extends SignalElement {
         if (intent === null) return nothing;
         if (intent.kind === 'stream') {
             return playback.mode.value === 'none'
-                ? html`<span class="quiet">The data have one time-step: nothing to play.</span>`
+                ? html`<span class="quiet">The data have only one time-step: there is nothing to play.</span>`
                 : nothing;
         }
         const until = intent.kind === 'streak' ? state.surface.value?.releaseUntil : undefined;

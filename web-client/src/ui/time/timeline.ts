@@ -140,7 +140,7 @@ export class Timeline extends SignalElement {
         return this.slider(line, {
             ...{ id: 'time', handle: 'release-handle', at: from },
             disabled: this.mayNot || state.times.value.length < 2,
-            ...{ label: 'Release', words: `released at ${this.words(from)}`, title: 'When the surface is released: drag' },
+            ...{ label: 'Release', words: `released at ${this.words(from)}`, title: 'Drag to change when the surface is released' },
             ...{ moved: (event) => playback.release(valueOf(event)), keyed: this.releaseKeyed },
         });
     }

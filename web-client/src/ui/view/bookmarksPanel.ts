@@ -50,7 +50,7 @@ export class BookmarksPanel extends SignalElement {
                       <input id="bookmark-name" required maxlength="60" aria-label="Name of the view" placeholder="Name of this view" />
                       <button type="submit">Keep</button>
                   </form>`}
-            <ul aria-label="Views that were kept">
+            <ul aria-label="Saved views">
                 ${bookmarks.map((bookmark) => this.row(bookmark, viewer))}
             </ul>
         `;

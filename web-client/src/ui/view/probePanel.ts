@@ -73,7 +73,7 @@ export class ProbePanel extends SignalElement {
     }
 
     private reading({ inside, time, values }: ProbeReading): TemplateResult {
-        if (!inside) return html`<p class="quiet">Nothing flows there: outside the domain, or in the body.</p>`;
+        if (!inside) return html`<p class="quiet">There is no flow at this point: it is outside the domain or inside the body.</p>`;
         const fields = this.model.state.dataset.value?.fields ?? [];
         return html`<dl id="probe-values">
             ${values.map(({ name, value }) => {
@@ -97,7 +97,7 @@ export class ProbePanel extends SignalElement {
                 <dt>along x, y, z</dt>
                 <dd>${along.join(', ')}</dd>
             </dl>
-            <button type="button" @click=${() => (measured.value = [])}>Clear the measure</button>`;
+            <button type="button" @click=${() => (measured.value = [])}>Clear the measurement</button>`;
     }
 }
 

@@ -6,7 +6,7 @@ import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
 const themes: readonly { theme: Theme; words: string }[] = [
-    { theme: 'system', words: 'as the system' },
+    { theme: 'system', words: 'follow the system' },
     { theme: 'dark', words: 'dark' },
     { theme: 'light', words: 'light' },
 ];

@@ -6,9 +6,9 @@ import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
 const tools: readonly { tool: Tool; label: string; words: string; edits: boolean }[] = [
-    { tool: 'probe', label: 'Probe', words: 'What flows under the pointer; click to keep the place', edits: false },
-    { tool: 'measure', label: 'Measure', words: 'The distance between two clicks', edits: false },
-    { tool: 'annotate', label: 'Note', words: 'Click where words should stand', edits: true },
+    { tool: 'probe', label: 'Probe', words: 'Show the flow under the pointer; click to keep the point', edits: false },
+    { tool: 'measure', label: 'Measure', words: 'Measure the distance between two clicks', edits: false },
+    { tool: 'annotate', label: 'Note', words: 'Click to place a note', edits: true },
 ];
 
 export class ToolButtons extends SignalElement {

@@ -93,7 +93,7 @@ export class ViewButtons extends SignalElement {
                 <button
                     type="button"
                     aria-pressed=${parallel ? 'true' : 'false'}
-                    title="Without perspective: lengths compare"
+                    title="No perspective: lengths can be compared"
                     @click=${() => {
                         view.orthographic.value = !parallel;
                         scene.controls.setOrthographic(!parallel);
