@@ -55,7 +55,7 @@ setup_packages() {
     # Asked for first, in sight: sudo may want a password.
     "$root/docker/install_packages" "$@" >&2
     vtk=$("$root/docker/unpack_vtk" "$root/build/vtk") || {
-        say "VTK's headers could not be had: install libvtk9-dev by hand, then start again"
+        say "VTK's headers could not be downloaded: install libvtk9-dev by hand, then start again"
         return 1
     }
 }

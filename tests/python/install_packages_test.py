@@ -96,7 +96,7 @@ class InstallPackagesTest(PaperApt):
         status, said, _ = self.run_script("run")
         self.assertEqual(status, 0, said)
         self.assertIn("2 packages, 43 MB to download, some 1 min", said)
-        self.assertNotIn("Go on?", said)
+        self.assertNotIn("Continue?", said)
 
     def test_what_no_release_calls_so_is_named_and_nothing_is_installed(self):
         self.write("known", "libssl3\nzlib1g\n")
