@@ -1,10 +1,11 @@
-// Changes within JSON that leave it JSON: bytes changed at random seldom do, and would try little but the parser.
+// Changes within JSON that leave it JSON: bytes changed at random seldom do, and would try little but the parser. It is done on the text,
+// because libFuzzer wants a mutation for every run.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include "tests/fuzz/json_spans.hpp"
+#include "tests/fuzz/random.hpp"
 
 #include <optional>
-#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,18 +19,20 @@ class JsonMutation {
 
     /// `text`, or the JSON at the end of one of its lines, with some values changed, left out, added or put elsewhere. Nothing where that
     /// is no JSON.
-    std::optional<std::string> operator()(std::string_view text, std::mt19937& random) const;
+    std::optional<std::string> operator()(std::string_view text, Random& random) const;
 
   private:
     struct Donor {
-        std::string key; ///< empty within an array
-        nlohmann::json value;
+        std::string key; ///< with its quotes; empty within an array
+        std::string value;
     };
 
-    void collect(const nlohmann::json& value);
-    void change(nlohmann::json& value, std::mt19937& random) const;
-    nlohmann::json any_value(std::mt19937& random) const;
-    void change_here(nlohmann::json& value, std::mt19937& random) const;
+    void change(std::string& json, Random& random) const;
+    void put_member(std::string& json,
+                    const std::vector<JsonSpan>& spans,
+                    std::size_t object,
+                    Random& random) const;
+    const std::string& any_value(Random& random) const;
 
     std::vector<Donor> donors_;
 };

@@ -2,22 +2,22 @@
 // what fails in ./check fails again.
 #pragma once
 
+#include "tests/fuzz/random.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <random>
 #include <string>
 #include <vector>
 
 namespace wakesurf::fuzz {
 
 /// REQUIRES: seeds.
-inline std::string mutate(const std::vector<std::string>& seeds, std::mt19937& random) {
-    const auto below = [&](std::size_t most) { return most == 0 ? 0 : random() % most; };
-    std::string out = seeds[below(seeds.size())];
-    for (std::size_t round = 1 + below(4); round > 0; --round) {
-        const std::size_t at = below(out.size() + 1),
-                          size = below(std::min<std::size_t>(64, out.size() - at) + 1);
+inline std::string mutate(const std::vector<std::string>& seeds, Random& random) {
+    std::string out = seeds[below(seeds.size(), random)];
+    for (std::size_t round = 1 + below(4, random); round > 0; --round) {
+        const std::size_t at = below(out.size() + 1, random),
+                          size = below(std::min<std::size_t>(64, out.size() - at) + 1, random);
         switch (random() % 6) {
         case 0: // a byte
             if (at < out.size())
@@ -34,14 +34,14 @@ inline std::string mutate(const std::vector<std::string>& seeds, std::mt19937& r
             out.insert(at, out.substr(at, size));
             break;
         case 4: { // out of another
-            const std::string& other = seeds[below(seeds.size())];
-            out.insert(at, other.substr(below(other.size() + 1), size));
+            const std::string& other = seeds[below(seeds.size(), random)];
+            out.insert(at, other.substr(below(other.size() + 1, random), size));
             break;
         }
         default: // a number in text made extreme
             static const char* const numbers[] = {"-1",   "0",          "1e308",
                                                   "-0.0", "4294967296", "9223372036854775808"};
-            out.insert(at, numbers[below(std::size(numbers))]);
+            out.insert(at, numbers[below(std::size(numbers), random)]);
         }
     }
     return out;

@@ -1,32 +1,20 @@
-// Every target and its seeds; each has a file of its name here.
+// Every target; each has a file of its name here.
 #pragma once
 
 #include "tests/fuzz/target.hpp"
 
 namespace wakesurf::fuzz {
 
-void mesh_decoder(Input input);
-void json_rpc(Input input);
-void settings(Input input);
-void records(Input input);
-void journal_rows(Input input);
-void store_manifest(Input input);
-void command_line_text(Input input);
-void gate(Input input);
-void ensight(Input input);
-void plot3d(Input input);
-void netcdf(Input input);
-
-std::vector<std::string> mesh_decoder_seeds();
-std::vector<std::string> json_rpc_seeds();
-std::vector<std::string> settings_seeds();
-std::vector<std::string> records_seeds();
-std::vector<std::string> journal_rows_seeds();
-std::vector<std::string> store_manifest_seeds();
-std::vector<std::string> command_line_text_seeds();
-std::vector<std::string> gate_seeds();
-std::vector<std::string> ensight_seeds();
-std::vector<std::string> plot3d_seeds();
-std::vector<std::string> netcdf_seeds();
+extern const Target mesh_decoder_target;
+extern const Target json_rpc_target;
+extern const Target settings_target;
+extern const Target records_target;
+extern const Target journal_rows_target;
+extern const Target store_manifest_target;
+extern const Target command_line_text_target;
+extern const Target gate_target;
+extern const Target ensight_target;
+extern const Target plot3d_target;
+extern const Target netcdf_target;
 
 } // namespace wakesurf::fuzz

@@ -8,7 +8,9 @@
 
 namespace wakesurf::fuzz {
 
-void command_line_text(Input input) {
+namespace {
+
+void run(Input input) {
     const std::string_view text = text_of(input);
     if (const auto rake = server::parse_rake(text, 16))
         demand(rake->points.size() >= 2 && std::all_of(rake->points.begin(), rake->points.end(),
@@ -24,7 +26,7 @@ void command_line_text(Input input) {
         demand(*size > 0, "a size of memory is at least a byte");
 }
 
-std::vector<std::string> command_line_text_seeds() {
+std::vector<std::string> seeds() {
     return {"0,0,0 1,1,1",
             "-1.5,-1.2,1 -1.5,1.2,5",
             "1e300,1e-300,-0 .5,5.,+1",
@@ -35,5 +37,9 @@ std::vector<std::string> command_line_text_seeds() {
             "nan,inf,0 0,0,0",
             "0x10,1,1 1_0,2,2"};
 }
+
+} // namespace
+
+const Target command_line_text_target{"command_line_text", run, seeds};
 
 } // namespace wakesurf::fuzz

@@ -110,9 +110,7 @@ std::string variable(EnsightEncoding encoding, FieldSource source) {
     return out.text();
 }
 
-} // namespace
-
-void ensight(Input input) {
+void run(Input input) {
     std::string_view rest = text_of(input);
     const auto path = scratch_file("a.case", part_of(rest));
     const auto geometry = scratch_file("geo", part_of(rest));
@@ -132,7 +130,7 @@ void ensight(Input input) {
                                           {"velocity", 3, from, {0, 0}, ""});
 }
 
-std::vector<std::string> ensight_seeds() {
+std::vector<std::string> seeds() {
     const std::string between(border);
     std::vector<std::string> seeds{
         "FORMAT\ntype: ensight\n" + between,
@@ -148,5 +146,9 @@ std::vector<std::string> ensight_seeds() {
                             geometry(encoding) + between + variable(encoding, from));
     return seeds;
 }
+
+} // namespace
+
+const Target ensight_target{"ensight", run, seeds};
 
 } // namespace wakesurf::fuzz

@@ -53,9 +53,7 @@ server::HttpRequest request_of(std::string_view text) {
     return request;
 }
 
-} // namespace
-
-void gate(Input input) {
+void run(Input input) {
     Doorway door;
     const auto text = text_of(input);
     const auto request = request_of(text);
@@ -69,7 +67,7 @@ void gate(Input input) {
            "no one logs in without the token");
 }
 
-std::vector<std::string> gate_seeds() {
+std::vector<std::string> seeds() {
     return {
         "GET /ws\nhost: 127.0.0.1:8080\nauthorization: Bearer " + token +
             "\nupgrade: websocket\n\n",
@@ -80,5 +78,9 @@ std::vector<std::string> gate_seeds() {
         "GET /healthz\nhost: 127.0.0.1.\nhost: two\n\n",
     };
 }
+
+} // namespace
+
+const Target gate_target{"gate", run, seeds};
 
 } // namespace wakesurf::fuzz

@@ -30,9 +30,7 @@ std::string line_of(const server::JournalEntry& entry) {
     return entry.type + '\t' + entry.id + '\t' + entry.record.value_or("") + '\n';
 }
 
-} // namespace
-
-void journal_rows(Input input) {
+void run(Input input) {
     const auto kept = server::read_entries(rows(text_of(input)));
     const auto records = kept.records.list();
     std::vector<server::JournalEntry> written;
@@ -43,7 +41,7 @@ void journal_rows(Input input) {
     demand(again.records.list().size() == records.size(), "no record is lost between two starts");
 }
 
-std::vector<std::string> journal_rows_seeds() {
+std::vector<std::string> seeds() {
     protocol::RakeRecord rake;
     rake.rake = "rake-1";
     rake.rev = 2;
@@ -60,5 +58,9 @@ std::vector<std::string> journal_rows_seeds() {
     return {head + both, both, head + line_of(server::entry_of(protocol::ClockRecord{})),
             "rake\trake-9\t{}\nunknown\tx\ty\n"};
 }
+
+} // namespace
+
+const Target journal_rows_target{"journal_rows", run, seeds, true};
 
 } // namespace wakesurf::fuzz

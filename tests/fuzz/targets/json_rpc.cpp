@@ -8,7 +8,9 @@
 
 namespace wakesurf::fuzz {
 
-void json_rpc(Input input) {
+namespace {
+
+void run(Input input) {
     const auto message = protocol::parse_rpc(text_of(input), {});
     demand(!message.calls.empty(), "each message is at least one call, valid or refused");
     std::vector<std::string> answers;
@@ -25,7 +27,7 @@ void json_rpc(Input input) {
         demand(!protocol::rpc_batch(answers).empty(), "a batch with calls has answers");
 }
 
-std::vector<std::string> json_rpc_seeds() {
+std::vector<std::string> seeds() {
     return {
         R"({"jsonrpc":"2.0","id":1,"method":"server.ping"})",
         R"({"jsonrpc":"2.0","id":"κ€😀","method":"rake.set","params":{"kind":"line","points":[[0,0,0],[1e300,-0.5,1]]}})",
@@ -37,5 +39,9 @@ std::vector<std::string> json_rpc_seeds() {
         "\xef\xbb\xbf{}",
     };
 }
+
+} // namespace
+
+const Target json_rpc_target{"json_rpc", run, seeds, true};
 
 } // namespace wakesurf::fuzz

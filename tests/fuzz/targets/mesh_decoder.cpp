@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 namespace wakesurf::fuzz {
 
@@ -38,9 +39,7 @@ void check_ids(const protocol::WireMesh& mesh) {
     }
 }
 
-} // namespace
-
-void mesh_decoder(Input input) {
+void run(Input input) {
     const auto given = std::as_bytes(input);
     std::vector<std::byte> bytes(given.begin(), given.end());
     protocol::MeshDecoder decoder;
@@ -60,16 +59,41 @@ void mesh_decoder(Input input) {
     }
 }
 
-std::vector<std::string> mesh_decoder_seeds() {
+std::string fixture(std::string_view name) {
+    std::ifstream file(tests::source_folder() / "protocol/fixtures" / (std::string(name) + ".bin"),
+                       std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Short sequences out of a long one, each from a KEY on: with every kind of edit, and read quickly.
+void add_pieces(std::string_view whole, std::vector<std::string>& to) {
+    constexpr std::size_t frames = 60, longest = 1500, flags_at = 3;
+    std::string piece;
+    for (std::size_t i = 0, at = 0; i < frames && at + 4 < whole.size(); ++i) {
+        std::uint32_t size = 0;
+        std::memcpy(&size, whole.data() + at, sizeof size);
+        const auto frame = whole.substr(at, sizeof size + size);
+        const bool key = (frame[sizeof size + flags_at] & 1) != 0;
+        if (!piece.empty() && (key || piece.size() + frame.size() > longest))
+            to.push_back(std::exchange(piece, {}));
+        if (key || !piece.empty())
+            piece += frame;
+        at += frame.size();
+    }
+}
+
+std::vector<std::string> seeds() {
     std::vector<std::string> seeds;
     for (const char* const name :
-         {"sheet", "hanging", "chaos", "refined", "empty", "obstacle", "growing"}) {
-        std::ifstream file(tests::source_folder() / "protocol/fixtures" /
-                               (std::string(name) + ".bin"),
-                           std::ios::binary);
-        seeds.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-    }
+         {"sheet", "hanging", "chaos", "refined", "empty", "obstacle", "growing"})
+        seeds.push_back(fixture(name));
+    for (const char* const name : {"living", "thousand"})
+        add_pieces(fixture(name), seeds);
     return seeds;
 }
+
+} // namespace
+
+const Target mesh_decoder_target{"mesh_decoder", run, seeds};
 
 } // namespace wakesurf::fuzz

@@ -28,9 +28,7 @@ server::Flow small_flow(int format) {
     return flow;
 }
 
-} // namespace
-
-void netcdf(Input input) {
+void run(Input input) {
     if (text_of(input).starts_with("\x89HDF"))
         return;
     const auto source = server::open_netcdf(scratch_file("a.nc", text_of(input)));
@@ -47,7 +45,7 @@ void netcdf(Input input) {
                    "a step that was read has the fields that were asked for");
 }
 
-std::vector<std::string> netcdf_seeds() {
+std::vector<std::string> seeds() {
     std::vector<std::string> seeds;
     for (const int format : {0, NC_64BIT_OFFSET, NC_64BIT_DATA})
         seeds.push_back(file_of(small_flow(format)));
@@ -72,5 +70,9 @@ std::vector<std::string> netcdf_seeds() {
     seeds.push_back(file_of(endless));
     return seeds;
 }
+
+} // namespace
+
+const Target netcdf_target{"netcdf", run, seeds};
 
 } // namespace wakesurf::fuzz

@@ -78,9 +78,7 @@ std::string files(const server::Plot3dLayout& layout) {
     return grid.text() + std::string(border) + solution.text();
 }
 
-} // namespace
-
-void plot3d(Input input) {
+void run(Input input) {
     const auto text = text_of(input);
     const auto cut = std::min(text.find(border), text.size());
     const server::ListedFile grid{scratch_file("a.xyz", text.substr(0, cut)), "a.xyz", ""};
@@ -93,7 +91,7 @@ void plot3d(Input input) {
     server::check_solution({scratch_file("a.q", rest), "a.q", ""}, *layout);
 }
 
-std::vector<std::string> plot3d_seeds() {
+std::vector<std::string> seeds() {
     std::vector<std::string> seeds{
         std::string("\xff\xff\xff\x7f\xff\xff\xff\x7f\xff\xff\xff\x7f", 12)};
     for (const bool several : {false, true}) {
@@ -111,5 +109,9 @@ std::vector<std::string> plot3d_seeds() {
     }
     return seeds;
 }
+
+} // namespace
+
+const Target plot3d_target{"plot3d", run, seeds};
 
 } // namespace wakesurf::fuzz

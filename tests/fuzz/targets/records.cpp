@@ -21,9 +21,7 @@ void check_twin(const core::Result<Record>& record, Write write, Read read) {
     demand(write(*again) == text, "a record is the same after it was written and read");
 }
 
-} // namespace
-
-void records(Input input) {
+void run(Input input) {
     const std::string_view text = text_of(input);
     if (!protocol::parse_json(text, {.bytes = std::size_t{1} << 20, .depth = 64}))
         return; // no reader takes it: all begin with this one
@@ -43,7 +41,7 @@ void records(Input input) {
     check_twin(protocol::read_grant(text), protocol::grant_text, protocol::read_grant);
 }
 
-std::vector<std::string> records_seeds() {
+std::vector<std::string> seeds() {
     protocol::RakeRecord rake;
     rake.rake = "r1";
     rake.rev = 3;
@@ -73,5 +71,9 @@ std::vector<std::string> records_seeds() {
             protocol::place_text(place),
             protocol::grant_text(grant)};
 }
+
+} // namespace
+
+const Target records_target{"records", run, seeds, true};
 
 } // namespace wakesurf::fuzz

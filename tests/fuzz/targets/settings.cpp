@@ -28,9 +28,7 @@ auto read_as(const nlohmann::json& object, Read read) {
     return in.verdict() ? std::optional(std::move(value)) : std::nullopt;
 }
 
-} // namespace
-
-void settings(Input input) {
+void run(Input input) {
     const auto object = protocol::parse_json(text_of(input), {});
     if (!object || !object->is_object())
         return;
@@ -55,7 +53,7 @@ void settings(Input input) {
     read_as(*object, [&](auto& in) { return protocol::read_presence(in, *object, 64); });
 }
 
-std::vector<std::string> settings_seeds() {
+std::vector<std::string> seeds() {
     return {
         R"({"kind":"line","points":[[0,0,0],[1,0,0]],"seeds":32,"name":"a","dragging":true,"ifRev":3})",
         R"({"rake":"r1","kind":"polyline","points":[[0,0,0],[1,0,0],[1,1,0]],"colour":"#12ab9f"})",
@@ -68,5 +66,9 @@ std::vector<std::string> settings_seeds() {
         R"({"pointer":[0,0,0],"camera":{"position":[0,0,1],"target":[0,0,0],"up":[0,1,0],"fov":45},"dragging":{"rake":"r1","points":[[0,0,0]]},"selected":"s1"})",
     };
 }
+
+} // namespace
+
+const Target settings_target{"settings", run, seeds, true};
 
 } // namespace wakesurf::fuzz

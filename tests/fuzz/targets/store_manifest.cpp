@@ -4,7 +4,9 @@
 
 namespace wakesurf::fuzz {
 
-void store_manifest(Input input) {
+namespace {
+
+void run(Input input) {
     const auto manifest = protocol::parse_store_manifest(text_of(input));
     if (!manifest)
         return;
@@ -15,9 +17,13 @@ void store_manifest(Input input) {
            "a manifest is the same after it was written and read");
 }
 
-std::vector<std::string> store_manifest_seeds() {
+std::vector<std::string> seeds() {
     const std::string whole = protocol::store_manifest_text(tests::sample_manifest());
     return {whole, whole.substr(0, whole.size() / 2), "{}"};
 }
+
+} // namespace
+
+const Target store_manifest_target{"store_manifest", run, seeds, true};
 
 } // namespace wakesurf::fuzz
