@@ -9,7 +9,7 @@ import type { PageView } from '../../web-client/src/state/pageView.ts';
 import { ask, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { acrossAt, finalSheets, FlatSheets, ground, middle, type Side, spread } from './support/flat_sheets.ts';
 import { pixelsOfPng } from './support/png_pixels.ts';
-import { layered, type Layer, litColor } from './support/shading_formula.ts';
+import { layered, type Layer, litColour } from './support/shading_formula.ts';
 
 /** From y = 1 on, one behind the other, so that one to six of them are over one another. */
 const sheets = [
@@ -78,7 +78,7 @@ interface Seen {
 function expected(reach: number, side: Side, { sheets: of = sheets, opacityOf = ({ opacity }) => opacity }: Seen = {}, atMost = 6): number[] {
     const there = of.filter(({ length }) => length >= reach);
     const nearestFirst = side === 'before' ? there : [...there].reverse();
-    const layers = nearestFirst.map((sheet): Layer => ({ color: litColor(sheet.colour, [0, 0, 1]), alpha: opacityOf(sheet) }));
+    const layers = nearestFirst.map((sheet): Layer => ({ colour: litColour(sheet.colour, [0, 0, 1]), alpha: opacityOf(sheet) }));
     return layered(layers.slice(0, atMost), ground);
 }
 
@@ -154,8 +154,8 @@ describe('layers over one another', () => {
             // What goes down between turns its other side to the viewer, from above or from below.
             const [up, straight] = [side === 'before' ? -2 : 2, grown];
             const slant = [0, up / Math.hypot(up, straight), straight / Math.hypot(up, straight)] as const;
-            const upright: Layer = { color: litColor(look.colour!, [0, 0, 1], back(side === 'before')), alpha: 0.5 };
-            const slanted: Layer = { color: litColor(look.colour!, slant, back(side === 'behind')), alpha: 0.5 };
+            const upright: Layer = { colour: litColour(look.colour!, [0, 0, 1], back(side === 'before')), alpha: 0.5 };
+            const slanted: Layer = { colour: litColour(look.colour!, slant, back(side === 'behind')), alpha: 0.5 };
             for (const [i, layers] of [[upright], [upright, slanted, upright], [upright]].entries()) {
                 expect(apart(drawn[i]!, layered(layers, ground))).toBeLessThan(2.5);
             }

@@ -2,7 +2,7 @@
 // merely some picture.
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { colorTable, fractionOf } from '../../web-client/src/scene/surface/colorMap.ts';
+import { colourTable, fractionOf } from '../../web-client/src/scene/surface/colourMap.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
@@ -117,7 +117,7 @@ describe('the picture', () => {
 
     it('colours the surface by the speed, as the scalar bar says', async () => {
         const range = await ask(page, (hook) => hook.speedRange);
-        const table = colorTable();
+        const table = colourTable();
         const hueOfSpeed = (speed: number): number => {
             const i = Math.round(fractionOf(speed, range) * 255) * 4;
             return hueOf([...table.subarray(i, i + 3)]).hue;

@@ -85,8 +85,8 @@ async function pixelAt(at: { x: number; y: number }): Promise<[number, number, n
 }
 
 /** But for the softened edge of a thin line. */
-function expectColor(seen: [number, number, number], color: string): void {
-    seen.forEach((each, k) => expect(Math.abs(each - parseInt(color.slice(1 + 2 * k, 3 + 2 * k), 16))).toBeLessThan(60));
+function expectColour(seen: [number, number, number], colour: string): void {
+    seen.forEach((each, k) => expect(Math.abs(each - parseInt(colour.slice(1 + 2 * k, 3 + 2 * k), 16))).toBeLessThan(60));
 }
 
 describe('a handle under the mouse', () => {
@@ -299,11 +299,11 @@ describe('several rakes', () => {
         await page.waitForFunction(() => window.wakesurf!.rakes[1]?.chosen === true);
         await finalSurface(page);
         const [first, second] = await ask(page, (hook) => hook.rakes);
-        expect(first!.color).not.toBe(second!.color);
+        expect(first!.colour).not.toBe(second!.colour);
         // A quarter along the other's line, clear of its middle.
         const [a, b] = await onScreen([...first!.shape.points] as Vec3[]);
         const quarter = { x: a!.x + 0.25 * (b!.x - a!.x), y: a!.y + 0.25 * (b!.y - a!.y) };
-        expectColor(await pixelAt(quarter), first!.color);
+        expectColour(await pixelAt(quarter), first!.colour);
         await page.mouse.click(quarter.x, quarter.y);
         await page.waitForFunction(() => window.wakesurf!.rakes[0]!.chosen);
         const untouched = (await rakes())[1]!;
@@ -324,7 +324,7 @@ describe('several rakes', () => {
         await eventually(rakes, (each) => each[0]!.colour === '#ff00ff');
         await finalSurface(page);
         const ends = await onScreen(await shown());
-        expectColor(await pixelAt({ x: 0.3 * ends[0]!.x + 0.7 * ends[1]!.x, y: 0.3 * ends[0]!.y + 0.7 * ends[1]!.y }), '#ff00ff');
+        expectColour(await pixelAt({ x: 0.3 * ends[0]!.x + 0.7 * ends[1]!.x, y: 0.3 * ends[0]!.y + 0.7 * ends[1]!.y }), '#ff00ff');
         await screenshot(page, 'two-rakes');
     });
 
@@ -423,7 +423,7 @@ describe('a rake that someone else moves', () => {
         await page.getByText('Ann is moving this', { exact: true }).waitFor();
         await page.getByRole('button', { name: /Ann is moving it/ }).waitFor();
         await page.waitForFunction(() => window.wakesurf!.rakes[0]!.holder?.points !== undefined);
-        expect(await ask(page, (hook) => hook.rakes[0]!.holder)).toEqual({ name: 'Ann', color: '#cc79a7', points: moved(-0.9) });
+        expect(await ask(page, (hook) => hook.rakes[0]!.holder)).toEqual({ name: 'Ann', colour: '#cc79a7', points: moved(-0.9) });
         const ends = await onScreen(moved(-0.9));
         await screenshot(page, 'rake-of-someone');
         // Dashed, so somewhere along it.

@@ -6,7 +6,7 @@ import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
 import { launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { finalSheets, FlatSheets, ground, middle, type Sheet, type Side, spread } from './support/flat_sheets.ts';
-import { type Color, layerAlpha, layered, litColor } from './support/shading_formula.ts';
+import { type Colour, layerAlpha, layered, litColour } from './support/shading_formula.ts';
 
 let flow: FlatSheets;
 let browser: Browser;
@@ -58,7 +58,7 @@ function pixels(page: Page, points: readonly Vec3[], exact: boolean): Promise<nu
 }
 
 const apart = (a: readonly number[], b: readonly number[]): number => Math.max(...a.map((c, i) => Math.abs(c - b[i]!)));
-const inBytes = (color: Color): number[] => color.map((c) => 255 * c);
+const inBytes = (colour: Colour): number[] => colour.map((c) => 255 * c);
 
 describe('flat sheets', () => {
     let opened: { session: string; surfaces: string[] };
@@ -84,8 +84,8 @@ describe('flat sheets', () => {
             await screenshot(page, `sides-${side}`);
             await page.context().close();
         }
-        const fronts = inBytes(litColor(colour, [0, 0, 1]));
-        const backs = (['same', 'shaded', 'tinted'] as const).map((side) => inBytes(litColor(colour, [0, 0, 1], side)));
+        const fronts = inBytes(litColour(colour, [0, 0, 1]));
+        const backs = (['same', 'shaded', 'tinted'] as const).map((side) => inBytes(litColour(colour, [0, 0, 1], side)));
         // Which is the front depends on which way round the quads are.
         const [front, back] = apart(drawn.before[2]!, fronts) < 2 ? [drawn.before, drawn.behind] : [drawn.behind, drawn.before];
         for (const [i] of bands.entries()) {
@@ -103,8 +103,8 @@ describe('flat sheets', () => {
         const page = await open('before');
         const alphas = times.map((t) => layerAlpha({ opacity: 0.8, smoke: 1, areaRatio: Math.exp(spread * t), age: t / length }));
         const aged = times.map((t) => layerAlpha({ opacity: 0.8, smoke: 1, age: t / length }));
-        const expected = alphas.map((alpha) => layered([{ color: litColor(colour, [0, 0, 1]), alpha }], ground));
-        const unstretched = aged.map((alpha) => layered([{ color: litColor(colour, [0, 0, 1]), alpha }], ground));
+        const expected = alphas.map((alpha) => layered([{ colour: litColour(colour, [0, 0, 1]), alpha }], ground));
+        const unstretched = aged.map((alpha) => layered([{ colour: litColour(colour, [0, 0, 1]), alpha }], ground));
         for (const exact of [false, true]) {
             const known = await pixels(page, times.map((t) => placeIn(right, bands[1], t)), exact);
             const guessed = await pixels(page, times.map((t) => placeIn(right, bands[2], t)), exact);
@@ -121,15 +121,15 @@ describe('flat sheets', () => {
     it('are denser edge-on, as the way through a layer is longer, and lit from over the shoulder', async () => {
         const page = await open('before', 60);
         const [sine, cosine] = [Math.sin(Math.PI / 3), 0.5];
-        const color = litColor(colour, [-sine, 0, cosine]);
-        const dense = layered([{ color, alpha: 1 - (1 - 0.6) ** 2 }], ground);
+        const seen = litColour(colour, [-sine, 0, cosine]);
+        const dense = layered([{ colour: seen, alpha: 1 - (1 - 0.6) ** 2 }], ground);
         const places = times.map((t) => placeIn(right, bands[0], t));
         expect(layerAlpha({ opacity: 0.6, facing: cosine })).toBeCloseTo(0.84, 9);
         await screenshot(page, 'edge-on');
         const [blended, exact] = [await pixels(page, places, false), await pixels(page, places, true)];
         const opaque = await pixels(page, [placeIn(left, bands[0], 1.2)], false);
         for (const pixel of [...blended, ...exact]) expect(apart(pixel, dense)).toBeLessThan(2);
-        expect(apart(opaque[0]!, inBytes(color))).toBeLessThan(2);
+        expect(apart(opaque[0]!, inBytes(seen))).toBeLessThan(2);
         await page.context().close();
     });
 });

@@ -3,7 +3,7 @@ import type { Page } from 'playwright-core';
 import type { PickHit } from '../../../web-client/src/scene/surface/surfacePick.ts';
 import type { SurfaceVertex } from '../../../web-client/src/scene/surface/surfaceMesh.ts';
 import type { ScreenPoint } from '../../../web-client/src/scene/base/view.ts';
-import { type ColorMapName, colorTable, fractionOf } from '../../../web-client/src/scene/surface/colorMap.ts';
+import { type ColourMapName, colourTable, fractionOf } from '../../../web-client/src/scene/surface/colourMap.ts';
 
 export type Rgb = [number, number, number];
 
@@ -49,7 +49,7 @@ export async function seenVertices(page: Page, every: number): Promise<SeenVerte
 }
 
 export interface Colouring {
-    map: ColorMapName;
+    map: ColourMapName;
     range: readonly [number, number];
     log?: boolean;
     invert?: boolean;
@@ -61,7 +61,7 @@ export function agreement(
     valueOf: (vertex: SeenVertex) => number,
     { map, range, log = false, invert = false }: Colouring,
 ): number {
-    const table = colorTable(map);
+    const table = colourTable(map);
     const hues = seen.flatMap((vertex) => {
         const fraction = fractionOf(valueOf(vertex), range, log);
         const i = 4 * Math.round((invert ? 1 - fraction : fraction) * 255);

@@ -37,7 +37,7 @@ void main() {
 // Discs, rings and strokes by their distance in pixels: sharp at any size. What moves the whole is dark with a sign (a cross,
 // most of a circle with an arrow's head, a ring seen aslant), what moves a point has the rake's colour.
 const fragmentShader = /* glsl */ `
-uniform vec3 color;
+uniform vec3 colour;
 varying float kind;
 varying float px;
 varying float lit;
@@ -59,7 +59,7 @@ void main() {
     float ring = kind > 3.5 ? 0.0 : max(1.5, px * 0.17) + lit;
     vec3 shade = mix(light, dark, within(r - px));
     bool plain = kind < 0.5 || kind > 3.5;
-    vec3 core = plain ? color : mix(dark, color, 0.25);
+    vec3 core = plain ? colour : mix(dark, colour, 0.25);
     shade = mix(shade, core, within(px - ring - r));
     float arm = px * 0.42;
     if (kind > 0.5 && kind < 1.5) {
@@ -93,7 +93,7 @@ export class HandleSprites {
             transparent: true,
             depthTest: false,
             depthWrite: false,
-            uniforms: { color: { value: new Color() }, pixelRatio: { value: 1 } },
+            uniforms: { colour: { value: new Color() }, pixelRatio: { value: 1 } },
         });
         this.object = new Points(new BufferGeometry(), this.material);
         this.object.frustumCulled = false;
@@ -103,12 +103,12 @@ export class HandleSprites {
         };
     }
 
-    set(sprites: readonly HandleSprite[], color: string): void {
+    set(sprites: readonly HandleSprite[], colour: string): void {
         const { geometry } = this.object;
         this.reserve(sprites.length);
         geometry.setDrawRange(0, sprites.length);
         this.object.visible = sprites.length > 0;
-        (this.material.uniforms['color']!.value as Color).set(color);
+        (this.material.uniforms['colour']!.value as Color).set(colour);
         if (sprites.length === 0) return;
         const [position, mark, radius, highlighted] = names.map((name) => geometry.getAttribute(name));
         sprites.forEach((sprite, i) => {

@@ -59,7 +59,7 @@ void main() {
 `;
 
 const fragmentShader = /* glsl */ `
-uniform vec3 color;
+uniform vec3 colour;
 uniform float opacity;
 uniform float width;
 uniform float dash;
@@ -70,16 +70,16 @@ varying float along;
 void main() {
     if (dash > 0.0 && fract(along / dash) > 0.55) discard;
     float edge = (1.0 - abs(across)) * width * 0.5;
-    vec3 inner = mix(color, vec3(1.0), 1.0 - smoothstep(halo, halo + 0.8, edge - 1.0));
+    vec3 inner = mix(colour, vec3(1.0), 1.0 - smoothstep(halo, halo + 0.8, edge - 1.0));
     float inside = smoothstep(0.5, 1.5, edge);
     float covered = smoothstep(0.0, 0.8, edge);
-    gl_FragColor = vec4(mix(vec3(0.02, 0.03, 0.05), halo > 0.0 ? inner : color, inside), opacity * covered);
+    gl_FragColor = vec4(mix(vec3(0.02, 0.03, 0.05), halo > 0.0 ? inner : colour, inside), opacity * covered);
     #include <colorspace_fragment>
 }
 `;
 
 export interface CurveStyle {
-    color: string;
+    colour: string;
     widthPx: number;
     opacity: number;
     /** Length of a dash with its gap in pixels; 0: unbroken. */
@@ -97,7 +97,7 @@ export class RakeCurve {
     private readonly shown = createMaterial(true);
     private readonly hidden = createMaterial(false);
     private buffer: InstancedInterleavedBuffer | null = null;
-    private style: CurveStyle = { color: '#ffffff', widthPx: 4, opacity: 1, dashPx: 0, haloPx: 0 };
+    private style: CurveStyle = { colour: '#ffffff', widthPx: 4, opacity: 1, dashPx: 0, haloPx: 0 };
 
     constructor() {
         const corners = [0, -1, 0, 1, -1, 0, 0, 1, 0, 1, 1, 0];
@@ -131,7 +131,7 @@ export class RakeCurve {
     setStyle(style: CurveStyle): void {
         this.style = style;
         for (const material of [this.shown, this.hidden]) {
-            (material.uniforms['color']!.value as Color).set(style.color);
+            (material.uniforms['colour']!.value as Color).set(style.colour);
             material.uniforms['dash']!.value = style.dashPx;
             material.uniforms['halo']!.value = style.haloPx;
             material.uniforms['width']!.value = style.widthPx;
@@ -140,8 +140,8 @@ export class RakeCurve {
         this.hidden.uniforms['opacity']!.value = style.opacity * hiddenOpacity;
     }
 
-    get color(): string {
-        return this.style.color;
+    get colour(): string {
+        return this.style.colour;
     }
 
     /** Called before every frame. */
@@ -181,7 +181,7 @@ function createMaterial(depthTest: boolean): ShaderMaterial {
         depthTest,
         depthWrite: false,
         uniforms: {
-            color: { value: new Color() },
+            colour: { value: new Color() },
             opacity: { value: 1 },
             width: { value: 4 },
             dash: { value: 0 },

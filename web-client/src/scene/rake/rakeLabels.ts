@@ -5,7 +5,7 @@ import type { ScreenPoint } from '../base/view.ts';
 export interface RakeLabel {
     at: ScreenPoint;
     words: string;
-    color: string;
+    colour: string;
 }
 
 /** Clear of the handle and of the finger on it. */
@@ -20,9 +20,9 @@ export class RakeLabels {
 
     show(labels: readonly RakeLabel[]): void {
         this.labels.begin();
-        for (const { at, words, color } of labels) {
+        for (const { at, words, colour } of labels) {
             const place = { x: at.x + clearancePx.x, y: at.y - clearancePx.y };
-            this.labels.place(place, words, 'rake-label', beside).style.borderLeftColor = color;
+            this.labels.place(place, words, 'rake-label', beside).style.borderLeftColor = colour;
         }
         this.labels.end();
     }

@@ -12,7 +12,7 @@ import type { Axis } from './snapping.ts';
 /** Someone else who moves a rake just now. */
 export interface RakeHolder {
     name: string;
-    color: string;
+    colour: string;
     /** Where they have it, if they say so. */
     points?: readonly Vec3[];
 }
@@ -20,7 +20,7 @@ export interface RakeHolder {
 export interface DrawnRake {
     rake: string;
     shape: RakeShape;
-    color: string;
+    colour: string;
     chosen: boolean;
     holder: RakeHolder | null;
 }
@@ -32,7 +32,7 @@ export interface Guide {
     words: string;
 }
 
-const axisColors = ['#ff8a80', '#7ee2a8', '#8ab8ff'] as const;
+const axisColours = ['#ff8a80', '#7ee2a8', '#8ab8ff'] as const;
 const nothing: RakeShape = { kind: 'line', points: [] };
 
 export class RakeLayer implements Layer {
@@ -121,7 +121,7 @@ export class RakeLayer implements Layer {
         const axis = guide?.axis ?? null;
         this.axis.setPoints(axis === null ? [] : axisLine(axis.from, axis.axis, this.bounds));
         if (axis === null) return;
-        this.axis.setStyle({ color: axisColors[axis.axis], widthPx: 4, opacity: 0.9, dashPx: 12, haloPx: 0 });
+        this.axis.setStyle({ colour: axisColours[axis.axis], widthPx: 4, opacity: 0.9, dashPx: 12, haloPx: 0 });
     }
 
     /** Brings the drawn objects in line with rakes and camera; called before every frame. */
@@ -135,20 +135,20 @@ export class RakeLayer implements Layer {
         this.labels.show([...this.holders(view), ...this.snapWords(view)]);
     }
 
-    private holders(view: View): { at: ScreenPoint; words: string; color: string }[] {
+    private holders(view: View): { at: ScreenPoint; words: string; colour: string }[] {
         return this.drawn.flatMap(({ holder, shape }) => {
             const points = holder?.points ?? shape.points;
             const at = labelPlace({ kind: shape.kind, points }, view);
-            return holder === null || at === null ? [] : [{ at, words: `${holder.name} is moving this`, color: holder.color }];
+            return holder === null || at === null ? [] : [{ at, words: `${holder.name} is moving this`, colour: holder.colour }];
         });
     }
 
-    private snapWords(view: View): { at: ScreenPoint; words: string; color: string }[] {
+    private snapWords(view: View): { at: ScreenPoint; words: string; colour: string }[] {
         const { guide } = this;
         const at = guide === null || guide.words === '' ? null : view.project(guide.held.at);
         if (guide === null || at === null) return [];
-        const color = guide.axis === null ? '#ffffff' : axisColors[guide.axis.axis];
-        return [{ at, words: guide.words, color }];
+        const colour = guide.axis === null ? '#ffffff' : axisColours[guide.axis.axis];
+        return [{ at, words: guide.words, colour }];
     }
 
     private create(id: string): RakeWidget {

@@ -52,13 +52,13 @@ export class RakeWidget {
         const before = this.drawn;
         this.drawn = rake;
         if (before?.shape !== rake.shape) this.setCurve(rake);
-        else if (before.chosen !== rake.chosen || before.color !== rake.color) this.setDots(rake);
-        const { chosen, color, holder } = rake;
+        else if (before.chosen !== rake.chosen || before.colour !== rake.colour) this.setDots(rake);
+        const { chosen, colour, holder } = rake;
         const dashPx = holder === null ? 0 : 10;
-        this.curve.setStyle(chosen && holder === null ? { ...chosenStyle, color, dashPx } : { ...otherStyle, color, dashPx });
+        this.curve.setStyle(chosen && holder === null ? { ...chosenStyle, colour, dashPx } : { ...otherStyle, colour, dashPx });
         this.ghost.setPoints(holder?.points === undefined ? [] : curveOf({ kind: rake.shape.kind, points: holder.points }));
-        this.ghost.setStyle({ ...otherStyle, color: holder?.color ?? color, dashPx: 10 });
-        this.stem.setStyle({ ...otherStyle, color: '#ffffff', widthPx: 3, opacity: 0.7, dashPx: 0 });
+        this.ghost.setStyle({ ...otherStyle, colour: holder?.colour ?? colour, dashPx: 10 });
+        this.stem.setStyle({ ...otherStyle, colour: '#ffffff', widthPx: 3, opacity: 0.7, dashPx: 0 });
     }
 
     /** While one is moved: the same rake, elsewhere. */
@@ -79,7 +79,7 @@ export class RakeWidget {
                 highlighted: handle === highlighted,
             }),
         );
-        this.handles.set(sprites, drawn?.color ?? '#ffffff');
+        this.handles.set(sprites, drawn?.colour ?? '#ffffff');
         this.stem.setPoints(shown.includes('rotate') ? [this.middle, at('rotate')] : []);
     }
 
@@ -94,7 +94,7 @@ export class RakeWidget {
     }
 
     /** At the ends of a rake that is not chosen, and at every point of a list, which has no handles for them. */
-    private setDots({ shape, chosen, color }: DrawnRake): void {
+    private setDots({ shape, chosen, colour }: DrawnRake): void {
         const { points, kind } = shape;
         const every = Math.ceil(points.length / mostDots);
         const list = !hasPointHandles(shape);
@@ -104,7 +104,7 @@ export class RakeWidget {
         const radiusPx = list ? smallDotRadiusPx : dotRadiusPx;
         this.dots.set(
             dotted.map((at): HandleSprite => ({ at, mark: 'dot', radiusPx, highlighted: false })),
-            color,
+            colour,
         );
     }
 }

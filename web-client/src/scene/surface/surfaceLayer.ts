@@ -25,7 +25,7 @@ export interface DrawnSurface {
 /** What a surface spans, as it is drawn. */
 export interface SurfaceSpan {
     /** What both ends of the colours stand for. */
-    colors: Range;
+    colours: Range;
     t: Range;
     s: Range;
     /** Of what is shown now, the same as t but for streak surfaces. */
@@ -133,7 +133,7 @@ export class SurfaceLayer {
         const surface = this.surfaces.get(id);
         if (surface === undefined) return null;
         const { mesh, materials } = surface;
-        return { colors: materials.range, t: mesh.tRange, s: [0, 1], age: materials.ages, style: surface.style };
+        return { colours: materials.range, t: mesh.tRange, s: [0, 1], age: materials.ages, style: surface.style };
     }
 
     /** Reveals or hides what the brush touches of the surfaces that are painted. */

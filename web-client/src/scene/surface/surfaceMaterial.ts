@@ -13,7 +13,7 @@ import {
     Vector4,
     ZeroFactor,
 } from 'three';
-import { drawnRange } from './colorMap.ts';
+import { drawnRange } from './colourMap.ts';
 import { peelUniforms } from './peeling.ts';
 import { fragmentShader, pickFragmentShader, vertexShader } from './surfaceShader.ts';
 import type { SurfaceStyle } from './surfaceStyle.ts';
@@ -54,7 +54,7 @@ function ownUniforms(textures: SurfaceTextures) {
         maskT: { value: new Vector2(0, 1) },
         mask: { value: textures.blank },
         opacity: { value: 1 },
-        colors: { value: textures.colors('viridis') },
+        colours: { value: textures.colours('viridis') },
         constant: { value: new Color(1, 1, 1) },
         range: { value: new Vector2(0, 1) },
         inverted: { value: false },
@@ -140,8 +140,8 @@ export class SurfaceMaterials {
         own.painting.value = style.painting;
         own.faded.value = style.faded;
         own.opacity.value = style.opacity;
-        own.colors.value = this.textures.colors(style.map);
-        own.constant.value.set(style.color);
+        own.colours.value = this.textures.colours(style.map);
+        own.constant.value.set(style.colour);
         own.inverted.value = style.inverted;
         own.logarithmic.value = style.logarithmic;
         const seen = { constant: [0, 1], scalar: facts.scalarRange, s: [0, 1], t: facts.tRange, age: ages }[style.source];

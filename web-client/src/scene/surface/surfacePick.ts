@@ -112,12 +112,12 @@ export class SurfacePick {
 
     private draw(camera: Camera, target: WebGLRenderTarget): void {
         const { renderer } = this;
-        const before = { target: renderer.getRenderTarget(), color: renderer.getClearColor(new Color()), alpha: renderer.getClearAlpha() };
+        const before = { target: renderer.getRenderTarget(), colour: renderer.getClearColor(new Color()), alpha: renderer.getClearAlpha() };
         renderer.setRenderTarget(target);
         renderer.setClearColor(0, 0);
         renderer.render(this.scene, camera);
         renderer.setRenderTarget(before.target);
-        renderer.setClearColor(before.color, before.alpha);
+        renderer.setClearColor(before.colour, before.alpha);
     }
 
     private targetOf(size: number): WebGLRenderTarget {

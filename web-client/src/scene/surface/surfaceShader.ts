@@ -2,7 +2,7 @@
 // outlines, which most surfaces have none of; BLENDED adds to the targets of transparency (weightedBlending.ts); PEELED draws one
 // of its layers (peeling.ts); the pick writes what is where (surfacePick.ts). Looks differ in uniforms alone.
 import { patternGlsl } from './patternShader.ts';
-import { tableSize } from './colorMap.ts';
+import { tableSize } from './colourMap.ts';
 
 export const vertexShader = `
 attribute vec2 seed;
@@ -64,7 +64,7 @@ float revealed() {
 }`;
 
 const shading = `
-uniform sampler2D colors;
+uniform sampler2D colours;
 uniform vec3 constant;
 uniform vec2 range;
 uniform bool inverted;
@@ -77,7 +77,7 @@ uniform bool stretchKnown;
 uniform float areaPerSeed;
 uniform float ageSpan;
 
-vec3 baseColor() {
+vec3 baseColour() {
     if (source == 0) return constant;
     float value = logarithmic ? log(values.x) : values.x;
     // No number, or none that has a logarithm.
@@ -86,10 +86,10 @@ vec3 baseColor() {
     if (inverted) fraction = 1.0 - fraction;
     float at = (fraction * ${tableSize - 1}.0 + 0.5) / ${tableSize}.0;
     // The texture is declared sRGB: the sampler hands out linear values, ready for lighting.
-    return texture(colors, vec2(at, 0.5)).rgb;
+    return texture(colours, vec2(at, 0.5)).rgb;
 }
 
-vec3 backColor(vec3 base) {
+vec3 backColour(vec3 base) {
     float grey = dot(base, vec3(0.2126, 0.7152, 0.0722));
     if (backSide == 1) return mix(base, vec3(grey), 0.15) * 0.8;
     if (backSide == 2) return mix(vec3(grey), vec3(0.93, 0.36, 0.12), 0.72) * (0.45 + 0.75 * grey);
@@ -136,30 +136,30 @@ void main() {
 #ifdef TRANSPARENT
     if (isPeeledOff()) discard;
 #endif
-    vec3 base = baseColor();
-    if (!gl_FrontFacing) base = backColor(base);
+    vec3 base = baseColour();
+    if (!gl_FrontFacing) base = backColour(base);
 #ifdef PLAIN
     drawn = linearToOutputTexel(vec4(lit(base, n, toViewer), 1.0));
 #else
     base *= pattern(place, slope);
-    vec3 color = lit(base, n, toViewer);
+    vec3 colour = lit(base, n, toViewer);
     float outlined = 0.0;
     if (silhouettes) outlined = 1.0 - smoothstep(1.0, 2.4, facing / max(facingSlope, 0.004));
-    color *= 1.0 - 0.9 * outlined;
+    colour *= 1.0 - 0.9 * outlined;
 #ifdef TRANSPARENT
     float alpha = max(opacityAt(facing, abs(determinant(slope)), areaPerPixel), outlined * revealed());
     if (alpha < 0.002) discard;
 #ifdef PEELED
-    layer = vec4(sRGBTransferOETF(vec4(clamp(color, 0.0, 1.0), 1.0)).rgb * alpha, alpha);
+    layer = vec4(sRGBTransferOETF(vec4(clamp(colour, 0.0, 1.0), 1.0)).rgb * alpha, alpha);
 #else
     float depth = clamp((-viewPosition.z - depthRange.x) / (depthRange.y - depthRange.x), 0.0, 1.0);
     float weight = 0.02 + 60.0 * pow(1.0 - depth, 5.0);
-    sum = vec4(color * alpha * weight, alpha);
+    sum = vec4(colour * alpha * weight, alpha);
     weights = vec4(alpha * weight, 0.0, 0.0, 1.0);
 #endif
 #else
     if (revealed() < 0.5) discard;
-    drawn = linearToOutputTexel(vec4(color, 1.0));
+    drawn = linearToOutputTexel(vec4(colour, 1.0));
 #endif
 #endif
 }`;

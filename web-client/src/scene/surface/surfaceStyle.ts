@@ -1,18 +1,18 @@
 // How one surface is to be drawn, with everything resolved that the shader cannot know.
-import type { ColorMapName } from './colorMap.ts';
+import type { ColourMapName } from './colourMap.ts';
 
 /** Where the number behind the colour comes from; 'scalar': from the server, the others are made from s and t. */
-export type ColorSource = 'constant' | 'scalar' | 's' | 't' | 'age';
+export type ColourSource = 'constant' | 'scalar' | 's' | 't' | 'age';
 export type LinePattern = 'none' | 'timelines' | 'streamlines' | 'grid' | 'checker';
 export type BackSide = 'shaded' | 'same' | 'tinted';
 
 export interface SurfaceStyle {
-    source: ColorSource;
+    source: ColourSource;
     /** Name of the attribute where `source` is 'scalar'. */
     scalar: string;
     /** #rrggbb */
-    color: string;
-    map: ColorMapName;
+    colour: string;
+    map: ColourMapName;
     inverted: boolean;
     logarithmic: boolean;
     /** Null: from the least to the greatest that there is. */
@@ -45,7 +45,7 @@ export interface SurfaceStyle {
 export const plainStyle: SurfaceStyle = {
     source: 'scalar',
     scalar: 'speed',
-    color: '#7fb2d9',
+    colour: '#7fb2d9',
     map: 'viridis',
     inverted: false,
     logarithmic: false,

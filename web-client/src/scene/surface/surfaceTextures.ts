@@ -8,22 +8,22 @@ import {
     SRGBColorSpace,
     UnsignedByteType,
 } from 'three';
-import { type ColorMapName, colorTable, tableSize } from './colorMap.ts';
+import { type ColourMapName, colourTable, tableSize } from './colourMap.ts';
 import { flowNoise, noiseSize } from './flowNoise.ts';
 
 export class SurfaceTextures {
     readonly noise = noiseTexture();
     readonly blank = new DataTexture(Uint8Array.of(255), 1, 1, RedFormat, UnsignedByteType);
-    private readonly tables = new Map<ColorMapName, DataTexture>();
+    private readonly tables = new Map<ColourMapName, DataTexture>();
 
     constructor() {
         this.blank.needsUpdate = true;
     }
 
-    colors(name: ColorMapName): DataTexture {
+    colours(name: ColourMapName): DataTexture {
         const known = this.tables.get(name);
         if (known !== undefined) return known;
-        const texture = new DataTexture(colorTable(name), tableSize, 1, RGBAFormat, UnsignedByteType);
+        const texture = new DataTexture(colourTable(name), tableSize, 1, RGBAFormat, UnsignedByteType);
         texture.colorSpace = SRGBColorSpace;
         texture.minFilter = texture.magFilter = LinearFilter;
         texture.needsUpdate = true;

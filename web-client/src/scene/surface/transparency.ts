@@ -83,13 +83,13 @@ export class Transparency {
         const target = this.depthOf(size);
         const depth = target.depthTexture!;
         this.setDepthRange(camera);
-        const before = { color: renderer.getClearColor(new Color()), alpha: renderer.getClearAlpha(), auto: renderer.autoClear };
+        const before = { colour: renderer.getClearColor(new Color()), alpha: renderer.getClearAlpha(), auto: renderer.autoClear };
         renderer.setRenderTarget(target);
         drawDepth(renderer, opaque, camera);
         if (this.exact) this.peeling.draw(renderer, this.scene, camera, depth, size, (which) => this.use(which));
         else this.blending.draw(renderer, this.scene, camera, depth, size);
         renderer.autoClear = before.auto;
-        renderer.setClearColor(before.color, before.alpha);
+        renderer.setClearColor(before.colour, before.alpha);
         renderer.setRenderTarget(into);
         this.compose(this.exact ? this.peeling.composite : this.blended);
     }

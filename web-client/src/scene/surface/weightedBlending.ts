@@ -48,10 +48,10 @@ layout(location = 0) out vec4 drawn;
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    vec4 colors = texelFetch(sum, at, 0);
-    float alpha = 1.0 - colors.a;
+    vec4 colours = texelFetch(sum, at, 0);
+    float alpha = 1.0 - colours.a;
     if (alpha < 0.001) discard;
-    vec4 mean = vec4(colors.rgb / max(texelFetch(weights, at, 0).r, 1e-4), 1.0);
+    vec4 mean = vec4(colours.rgb / max(texelFetch(weights, at, 0).r, 1e-4), 1.0);
 #ifdef ENCODED
     drawn = vec4(sRGBTransferOETF(mean).rgb * alpha, alpha);
 #else

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { RakeRecord } from '../../protocol/messages.ts';
-import { rakeColor, rakeColors } from './palette.ts';
+import { rakeColour, rakeColours } from './palette.ts';
 
 function rakesOf(...colours: (string | undefined)[]): Map<string, RakeRecord> {
     return new Map(colours.map((colour, i) => [`r${i}`, { rake: `r${i}`, colour } as RakeRecord]));
@@ -9,7 +9,7 @@ function rakesOf(...colours: (string | undefined)[]): Map<string, RakeRecord> {
 describe('the colour of a rake', () => {
     it('is its own, or else one by its place', () => {
         const rakes = rakesOf(undefined, '#123456', '');
-        const colors = [...rakes.values()].map((each) => rakeColor(each, rakes));
-        expect(colors).toEqual([rakeColors[0], '#123456', rakeColors[2]]);
+        const colours = [...rakes.values()].map((each) => rakeColour(each, rakes));
+        expect(colours).toEqual([rakeColours[0], '#123456', rakeColours[2]]);
     });
 });

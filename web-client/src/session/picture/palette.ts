@@ -2,7 +2,7 @@
 // are coloured with.
 import type { RakeRecord } from '../../protocol/messages.ts';
 
-export const rakeColors = [
+export const rakeColours = [
     '#ff7a45',
     '#4cc2ff',
     '#ffd84d',
@@ -14,11 +14,11 @@ export const rakeColors = [
 ] as const;
 
 /** Its own, or one by its place among the rakes of the session. */
-export function rakeColor(record: RakeRecord, rakes: ReadonlyMap<string, RakeRecord>): string {
+export function rakeColour(record: RakeRecord, rakes: ReadonlyMap<string, RakeRecord>): string {
     if (record.colour !== undefined && record.colour !== '') return record.colour;
     return byOrder([...rakes.keys()].indexOf(record.rake));
 }
 
 function byOrder(place: number): string {
-    return rakeColors[Math.max(0, place) % rakeColors.length] ?? rakeColors[0];
+    return rakeColours[Math.max(0, place) % rakeColours.length] ?? rakeColours[0];
 }

@@ -15,7 +15,7 @@ function stateWith(ann: Partial<Participant> = {}): AppState {
 
 describe('who holds a rake', () => {
     it('is told by name and colour, and where they have it if they say so of this rake', () => {
-        expect(holderOf(stateWith(), record)).toEqual({ name: 'Ann', color: '#009e73' });
+        expect(holderOf(stateWith(), record)).toEqual({ name: 'Ann', colour: '#009e73' });
         const points: Vec3[] = [[0, 2, 0], [1, 2, 0]];
         expect(holderOf(stateWith({ dragging: { rake: 'r1', points } }), record)).toMatchObject({ points });
         expect(holderOf(stateWith({ dragging: { rake: 'r2', points } }), record)).not.toHaveProperty('points');

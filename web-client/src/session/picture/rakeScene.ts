@@ -6,7 +6,7 @@ import type { DrawnRake, RakeHolder } from '../../scene/rake/rakeLayer.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { rakeColor } from './palette.ts';
+import { rakeColour } from './palette.ts';
 
 const ofNobody = '#ffffff';
 
@@ -19,8 +19,8 @@ export function showRakes(state: AppState, view: ViewState, scene: FlowScene): v
         const own = scene.interaction.dragging ? scene.rakes.shape : settled;
         const drawn = [...rakes.value.values()].map((record): DrawnRake => {
             const chosen = record.rake === activeRake.value;
-            const color = rakeColor(record, rakes.value);
-            return { rake: record.rake, shape: chosen ? own : record, color, chosen, holder: holderOf(state, record) };
+            const colour = rakeColour(record, rakes.value);
+            return { rake: record.rake, shape: chosen ? own : record, colour, chosen, holder: holderOf(state, record) };
         });
         scene.rakes.setRakes(drawn);
         scene.loop.request();
@@ -36,8 +36,8 @@ export function holderOf(state: AppState, record: RakeRecord): RakeHolder | null
     const by = record.dragging ? record.leasedBy : undefined;
     if (by === undefined || by === state.you.value) return null;
     const participant = state.participants.value.get(by);
-    if (participant === undefined) return { name: by.startsWith('script') ? 'A script' : 'Someone', color: ofNobody };
+    if (participant === undefined) return { name: by.startsWith('script') ? 'A script' : 'Someone', colour: ofNobody };
     const { name, colour, dragging } = participant;
     const points = dragging?.rake === record.rake ? { points: dragging.points } : {};
-    return { name, color: colour, ...points };
+    return { name, colour: colour, ...points };
 }

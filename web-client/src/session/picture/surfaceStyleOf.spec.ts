@@ -24,7 +24,7 @@ describe('styleOf', () => {
         expect(of('deformation')).toMatchObject({ source: 'scalar', scalar: 'deformation', range: null });
         expect(of('q_criterion')).toMatchObject({ source: 'scalar', scalar: 'q_criterion', range: null });
         expect(of('age')).toMatchObject({ source: 'age', range: null });
-        expect(of('constant')).toMatchObject({ source: 'constant', color: '#123456' });
+        expect(of('constant')).toMatchObject({ source: 'constant', colour: '#123456' });
         const locked = styleOf({ ...facts, look: { ...usualLook, range: [0, 1] } });
         expect(locked.range).toEqual([0, 1]);
     });

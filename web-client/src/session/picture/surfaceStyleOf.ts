@@ -1,6 +1,6 @@
 // From the look that someone wants to what the picture needs: names become attributes, ranges those of the dataset.
 import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
-import type { ColorSource, SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
+import type { ColourSource, SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import type { SurfaceLook } from '../../state/surfaceLook.ts';
 
 export const deformation = 'deformation';
@@ -69,7 +69,7 @@ export function styleOf({ look, record, rake, dataset, speedRange }: StyleFacts)
         ...pick(same),
         source: sourceOf(colourBy),
         scalar: attributeOf(colourBy) ?? '',
-        color: colour ?? rake?.colour ?? usualColour,
+        colour: colour ?? rake?.colour ?? usualColour,
         inverted: invert,
         logarithmic: log,
         range: range ?? knownRange(colourBy, dataset, speedRange),
@@ -91,7 +91,7 @@ function pick(look: Pick<SurfaceLook, Same | AlsoSame>): Pick<SurfaceStyle, Same
     };
 }
 
-function sourceOf(colourBy: string): ColorSource {
+function sourceOf(colourBy: string): ColourSource {
     if (attributeOf(colourBy) !== null) return 'scalar';
     if (colourBy === 's' || colourBy === 'age') return colourBy;
     return 'constant';

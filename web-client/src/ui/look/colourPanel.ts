@@ -1,6 +1,6 @@
 // What the selected surface is coloured by, with which colours, over which range.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { colorTable, tableSize } from '../../scene/surface/colorMap.ts';
+import { colourTable, tableSize } from '../../scene/surface/colourMap.ts';
 import { attributeOf, fieldOf, isSigned, withField } from '../../session/picture/surfaceStyleOf.ts';
 import { colourMaps, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { AppModel } from '../base/appModel.ts';
@@ -81,7 +81,7 @@ export class ColourPanel extends SignalElement {
         const look = view.lookOf(id);
         const isThere = (field: string): boolean => state.role.value !== 'viewer' || record.fields.includes(field);
         const choices = colourChoices(state.dataset.value, record.kind, isThere);
-        const range = look.range ?? scene.surfaces.spanOf(id)?.colors ?? ([0, 1] as const);
+        const range = look.range ?? scene.surfaces.spanOf(id)?.colours ?? ([0, 1] as const);
         return html`
             ${selectRow('colour-by', 'Colour by', choices, look.colourBy, (colourBy) => this.colourBy(colourBy))}
             ${this.waiting(id, look)}
@@ -193,7 +193,7 @@ export class ColourPanel extends SignalElement {
             const map = colourMaps.find((each) => each === canvas.dataset['map']);
             if (map === undefined || canvas.dataset['drawn'] === map) continue;
             canvas.dataset['drawn'] = map;
-            const pixels = new Uint8ClampedArray(colorTable(map).buffer);
+            const pixels = new Uint8ClampedArray(colourTable(map).buffer);
             canvas.getContext('2d')?.putImageData(new ImageData(pixels, tableSize, 1), 0, 0);
         }
     }

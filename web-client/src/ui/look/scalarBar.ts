@@ -1,7 +1,7 @@
 // What the colours of the selected surface mean: the colour table with numbers, as text that can be read aloud.
 import { css, html, type TemplateResult } from 'lit';
-import { colorTable, fractionOf, tableSize } from '../../scene/surface/colorMap.ts';
-import { colorTicks } from '../../scene/surface/colorTicks.ts';
+import { colourTable, fractionOf, tableSize } from '../../scene/surface/colourMap.ts';
+import { colourTicks } from '../../scene/surface/colourTicks.ts';
 import type { SurfaceSpan } from '../../scene/surface/surfaceLayer.ts';
 import { shortNumber } from '../../scene/base/ticks.ts';
 import type { AppModel } from '../base/appModel.ts';
@@ -74,8 +74,8 @@ export class ScalarBar extends SignalElement {
         this.span = scene.surfaces.spanOf(state.activeSurface.value ?? '');
         this.hidden = this.span === null || this.span.style.source === 'constant';
         if (this.span === null) return html``;
-        const { colors, style } = this.span;
-        const [low, high] = colors;
+        const { colours, style } = this.span;
+        const [low, high] = colours;
         const name = colourTitle(style, state.dataset.value, state.surface.value?.kind);
         const scale = style.logarithmic ? ', logarithmic' : '';
         return html`<figure aria-label=${`Colours: ${name} from ${shortNumber(low)} to ${shortNumber(high)}${scale}`}>
@@ -85,9 +85,9 @@ export class ScalarBar extends SignalElement {
             </figcaption>
             <canvas width=${tableSize} height="1" aria-hidden="true"></canvas>
             <div class="ticks" aria-hidden="true">
-                ${colorTicks(low, high, style.logarithmic, 5).map(
+                ${colourTicks(low, high, style.logarithmic, 5).map(
                     ({ value, label }) =>
-                        html`<span data-at=${fractionOf(value, colors, style.logarithmic)}>${label}</span>`,
+                        html`<span data-at=${fractionOf(value, colours, style.logarithmic)}>${label}</span>`,
                 )}
             </div>
         </figure>`;
@@ -105,7 +105,7 @@ export class ScalarBar extends SignalElement {
         // Ranges change with every state, colours seldom.
         if (canvas === null || (this.painted?.canvas === canvas && this.painted.table === table)) return;
         this.painted = { canvas, table };
-        const pixels = new Uint8ClampedArray(colorTable(map, inverted).buffer);
+        const pixels = new Uint8ClampedArray(colourTable(map, inverted).buffer);
         canvas.getContext('2d')?.putImageData(new ImageData(pixels, tableSize, 1), 0, 0);
     }
 }

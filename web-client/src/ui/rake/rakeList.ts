@@ -1,7 +1,7 @@
 // The rakes of the session: choose one, give it a name and a colour, make, copy and delete, undo and redo.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { RakeRecord } from '../../protocol/messages.ts';
-import { rakeColor } from '../../session/picture/palette.ts';
+import { rakeColour } from '../../session/picture/palette.ts';
 import { holderOf } from '../../session/picture/rakeScene.ts';
 import type { AppModel } from '../base/appModel.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
@@ -156,7 +156,7 @@ export class RakeList extends SignalElement {
                 title=${`${nameOf(record)}: ${about}`}
                 @click=${() => edits.chooseRake(record.rake)}
             >
-                ${swatch(rakeColor(record, state.rakes.value))}
+                ${swatch(rakeColour(record, state.rakes.value))}
                 <span class="name">${nameOf(record)}</span>
                 <span class="about">${about}</span>
             </button>
@@ -176,7 +176,7 @@ export class RakeList extends SignalElement {
                 aria-label="Colour of the rake"
                 title=${colours ? 'Colour of the rake' : 'This server does not store colours'}
                 ?disabled=${locked || !colours}
-                .value=${rakeColor(record, state.rakes.value)}
+                .value=${rakeColour(record, state.rakes.value)}
                 @change=${(event: Event) => edits.changeRake(record.rake, { colour: change(event) })}
             />
             <input
@@ -209,9 +209,9 @@ function nameOf({ name, rake }: RakeRecord): string {
 }
 
 /** Presentation attributes, because style attributes are not allowed. */
-function swatch(color: string): TemplateResult {
+function swatch(colour: string): TemplateResult {
     return html`<svg width="16" height="16" viewBox="0 0 16 16" aria-hidden="true">
-        <circle cx="8" cy="8" r="6.5" fill=${color} stroke="#0b1018" stroke-width="1.5" />
+        <circle cx="8" cy="8" r="6.5" fill=${colour} stroke="#0b1018" stroke-width="1.5" />
     </svg>`;
 }
 

@@ -5,8 +5,8 @@ import { infernoHex, plasmaHex } from './infernoPlasma.ts';
 import { viridisHex } from './viridis.ts';
 
 export const tableSize = 256;
-export const colorMapNames = ['viridis', 'cividis', 'inferno', 'plasma', 'coolToWarm', 'grey', 'turbo'] as const;
-export type ColorMapName = (typeof colorMapNames)[number];
+export const colourMapNames = ['viridis', 'cividis', 'inferno', 'plasma', 'coolToWarm', 'grey', 'turbo'] as const;
+export type ColourMapName = (typeof colourMapNames)[number];
 export type Range = readonly [number, number];
 
 type Rgb = [number, number, number];
@@ -14,7 +14,7 @@ type Rgb = [number, number, number];
 /** What a logarithmic range reaches down to where it would begin at 0 or below, as a part of its upper end. */
 const leastLogarithmic = 1e-3;
 
-const colorsOf: Record<ColorMapName, (i: number) => Rgb> = {
+const coloursOf: Record<ColourMapName, (i: number) => Rgb> = {
     viridis: (i) => fromHex(viridisHex, i),
     inferno: (i) => fromHex(infernoHex, i),
     plasma: (i) => fromHex(plasmaHex, i),
@@ -38,11 +38,11 @@ const turboCoefficients = [
 ];
 
 /** 256 x RGBA, 8 bits each, sRGB. */
-export function colorTable(name: ColorMapName = 'viridis', inverted = false): Uint8Array<ArrayBuffer> {
+export function colourTable(name: ColourMapName = 'viridis', inverted = false): Uint8Array<ArrayBuffer> {
     const table = new Uint8Array(tableSize * 4);
     for (let i = 0; i < tableSize; ++i) {
         const from = inverted ? tableSize - 1 - i : i;
-        table.set([...colorsOf[name](from), 255], 4 * i);
+        table.set([...coloursOf[name](from), 255], 4 * i);
     }
     return table;
 }

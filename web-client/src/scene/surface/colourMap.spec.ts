@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { colorMapNames, type ColorMapName, colorTable, drawnRange, fractionOf } from './colorMap.ts';
+import { colourMapNames, type ColourMapName, colourTable, drawnRange, fractionOf } from './colourMap.ts';
 
 const linear = (c: number): number => (c <= 0.04045 * 255 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4);
 
@@ -8,8 +8,8 @@ function luminance(table: Uint8Array, i: number): number {
     return 0.2126 * linear(r!) + 0.7152 * linear(g!) + 0.0722 * linear(b!);
 }
 
-describe('colorTable', () => {
-    const ends: Partial<Record<ColorMapName, [number[], number[]]>> = {
+describe('colourTable', () => {
+    const ends: Partial<Record<ColourMapName, [number[], number[]]>> = {
         viridis: [[0x44, 0x01, 0x54], [0xfd, 0xe7, 0x25]],
         inferno: [[0, 0, 4], [252, 255, 164]],
         plasma: [[13, 8, 135], [240, 249, 33]],
@@ -17,7 +17,7 @@ describe('colorTable', () => {
     };
 
     it.each(Object.entries(ends))('%s has the ends of its source', (name, [first, last]) => {
-        const table = colorTable(name as ColorMapName);
+        const table = colourTable(name as ColourMapName);
         expect([...table.slice(0, 4)]).toEqual([...first, 255]);
         expect([...table.slice(-4)]).toEqual([...last, 255]);
     });
@@ -25,7 +25,7 @@ describe('colorTable', () => {
     it.each(['viridis', 'cividis', 'inferno', 'plasma', 'grey'] as const)(
         '%s grows brighter all the way, so that it can be read without colour',
         (name) => {
-            const table = colorTable(name);
+            const table = colourTable(name);
             for (let i = 8; i < 256; i += 8) {
                 expect(luminance(table, i), `entry ${i}`).toBeGreaterThan(luminance(table, i - 8));
             }
@@ -33,7 +33,7 @@ describe('colorTable', () => {
     );
 
     it('cool to warm is brightest in its middle, which has no hue', () => {
-        const table = colorTable('coolToWarm');
+        const table = colourTable('coolToWarm');
         // Moreland's own table has (221, 221, 221) there.
         for (const c of table.subarray(4 * 128, 4 * 128 + 3)) expect(Math.abs(c - 221)).toBeLessThanOrEqual(2);
         for (let i = 1; i < 127; i += 1) {
@@ -43,8 +43,8 @@ describe('colorTable', () => {
         }
     });
 
-    it.each(colorMapNames)('%s inverted is itself from the end', (name) => {
-        const [table, inverted] = [colorTable(name), colorTable(name, true)];
+    it.each(colourMapNames)('%s inverted is itself from the end', (name) => {
+        const [table, inverted] = [colourTable(name), colourTable(name, true)];
         for (let i = 0; i < 256; i += 1) {
             expect([...inverted.subarray(4 * i, 4 * i + 4)]).toEqual([...table.subarray(4 * (255 - i), 4 * (256 - i))]);
         }

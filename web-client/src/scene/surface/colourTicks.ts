@@ -3,7 +3,7 @@ import { niceTicks, shortNumber, type Tick } from '../base/ticks.ts';
 
 const steps: readonly (readonly number[])[] = [[1, 2, 5], [1, 3], [1]];
 
-export function colorTicks(low: number, high: number, logarithmic: boolean, wanted: number): Tick[] {
+export function colourTicks(low: number, high: number, logarithmic: boolean, wanted: number): Tick[] {
     if (!logarithmic) return niceTicks(low, high, wanted);
     if (!(low > 0) || !(high > low)) return [];
     const [first, last] = [Math.floor(Math.log10(low)), Math.ceil(Math.log10(high))];

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { colorTicks } from './colorTicks.ts';
+import { colourTicks } from './colourTicks.ts';
 
 const values = (low: number, high: number, log: boolean): number[] =>
-    colorTicks(low, high, log, 5).map(({ value }) => Number(value.toPrecision(6)) + 0);
+    colourTicks(low, high, log, 5).map(({ value }) => Number(value.toPrecision(6)) + 0);
 
-describe('colorTicks', () => {
+describe('colourTicks', () => {
     it('are even where the range is', () => {
         expect(values(0, 1, false)).toEqual([0, 0.2, 0.4, 0.6, 0.8, 1]);
     });
