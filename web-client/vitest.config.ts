@@ -18,6 +18,7 @@ export default defineConfig({
                     name: 'browser',
                     dir: browserTests,
                     include: ['**/*.spec.ts'],
+                    setupFiles: [`${browserTests}support/setup.ts`],
                     environment: 'node',
                     // One Chromium with software rendering saturates two cores: files run in turn.
                     fileParallelism: false,

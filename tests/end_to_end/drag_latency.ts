@@ -35,7 +35,7 @@ async function measure(link: string): Promise<void> {
     try {
         const context = await newContext(browser, { width: 1280, height: 720 });
         await timeScripts(context);
-        const { page } = await openPage(context, link);
+        const page = await openPage(context, link);
         await finalSurface(page);
         const before = await ask(page, (hook) => hook.latencySamples.length);
         await takeScriptTimes(page);

@@ -13,7 +13,7 @@ try {
     const surfaces: number[] = [];
     for (let visit = 0; visit < visits; ++visit) {
         const context = await newContext(browser, { width: 1280, height: 720 });
-        const { page } = await openPage(context, await server.newSession());
+        const page = await openPage(context, await server.newSession());
         await finalSurface(page);
         pictures.push((await ask(page, (hook) => hook.firstPictureMs)) ?? Number.NaN);
         surfaces.push(await page.evaluate(() => performance.now()));

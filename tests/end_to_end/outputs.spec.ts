@@ -23,7 +23,7 @@ afterAll(() => work.remove());
 beforeEach(async () => {
     context = await newContext(stand.browser, { width: 900, height: 480 });
     await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-    ({ page } = await openPage(context, await stand.server.newSession()));
+    page = await openPage(context, await stand.server.newSession());
     await finalSurface(page);
 });
 

@@ -51,7 +51,7 @@ function looksBy(lookOf: typeof usual): Record<string, Partial<SurfaceLook>> {
 }
 
 async function open(side: Side, lookOf = usual, view: PageView = {}): Promise<Page> {
-    const { page } = await openPage(context, flow.link(session, side, looksBy(lookOf), view));
+    const page = await openPage(context, flow.link(session, side, looksBy(lookOf), view));
     await finalSheets(page, sheets.length);
     return page;
 }
@@ -143,7 +143,7 @@ describe('layers over one another', () => {
         const at = 3;
         const grown = Math.exp(spread * (at - 0.5));
         for (const side of ['before', 'behind'] as const) {
-            const { page } = await openPage(context, flow.link(folded.session, side, { [folded.surfaces[0]!]: look }));
+            const page = await openPage(context, flow.link(folded.session, side, { [folded.surfaces[0]!]: look }));
             await finalSheets(page, 1);
             const drawn = await page.evaluate((x) => {
                 const hook = window.wakesurf!;
@@ -169,7 +169,7 @@ describe('a picture', () => {
 
     it('that stands still is drawn once more in exact order, and no more, where that is wanted', async () => {
         const wide = await newContext(browser, { width: 900, height: 640 });
-        const { page } = await openPage(wide, flow.link(session, 'before', looksBy(usual)));
+        const page = await openPage(wide, flow.link(session, 'before', looksBy(usual)));
         await finalSheets(page, sheets.length);
         await page.getByRole('tab', { name: 'Look' }).click();
         await page.locator('#opacity-group summary').click();
@@ -214,7 +214,7 @@ describe('a picture', () => {
 
     it('that is saved is in exact order, before a ground and before none', async () => {
         const wide = await newContext(browser, { width: 900, height: 640 });
-        const { page } = await openPage(wide, flow.link(session, 'behind', looksBy(usual)));
+        const page = await openPage(wide, flow.link(session, 'behind', looksBy(usual)));
         await finalSheets(page, sheets.length);
         await page.getByRole('tab', { name: 'Export' }).click();
         const canvas = (await page.locator('canvas').first().boundingBox())!;

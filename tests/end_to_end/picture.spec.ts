@@ -19,7 +19,7 @@ beforeAll(async () => {
     server = await ServerProcess.start({ store: store.path });
     browser = await launchBrowser();
     context = await newContext(browser);
-    ({ page } = await openPage(context, server.link));
+    page = await openPage(context, server.link);
     await finalSurface(page);
 });
 

@@ -12,7 +12,7 @@ let page: Page;
 
 beforeEach(async () => {
     context = await newContext(stand.browser, { height: 900 });
-    ({ page } = await openPage(context, await stand.networkLink()));
+    page = await openPage(context, await stand.networkLink());
     await finalSurface(page);
     await page.getByRole('radio', { name: 'Streak' }).check();
     await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);

@@ -31,7 +31,7 @@ afterAll(async () => {
 
 async function open(link: string): Promise<Page> {
     context = await newContext(browser);
-    const { page } = await openPage(context, link);
+    const page = await openPage(context, link);
     return page;
 }
 
@@ -145,7 +145,7 @@ describe('a page that cannot work says why', () => {
         await context.addInitScript(() => {
             HTMLCanvasElement.prototype.getContext = () => null;
         });
-        const { page } = await openPage(context, server.link);
+        const page = await openPage(context, server.link);
         await page.getByText(/not offer WebGL2/).waitFor();
     });
 });

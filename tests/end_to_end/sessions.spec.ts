@@ -235,7 +235,7 @@ describe('how many sessions there can be', () => {
     it('is said before it is met, and a refusal says what to do', async () => {
         const context = await newContext(stand.browser, size);
         await context.addInitScript(keepFewSessions, (await listed()).length + 2);
-        const { page } = await openPage(context, stand.server.link);
+        const page = await openPage(context, stand.server.link);
         await finalSurface(page);
         await openList(page);
         await page.getByText('there is room for only 2 more. Delete sessions that are no longer needed').waitFor();

@@ -71,7 +71,7 @@ describe('flat sheets', () => {
     async function open(side: Side, turned = 0): Promise<Page> {
         const context = await newContext(browser, { width: 900, height: 440 });
         const looks = Object.fromEntries(opened.surfaces.map((id, i) => [id, sheets[i]!.look]));
-        const { page } = await openPage(context, flow.link(opened.session, side, looks, {}, turned));
+        const page = await openPage(context, flow.link(opened.session, side, looks, {}, turned));
         await finalSheets(page, sheets.length);
         return page;
     }
@@ -144,7 +144,7 @@ describe('outlines', () => {
         /** A column of pixels across the upper edge of the tube, from inside to outside. */
         const edge = async (look: Partial<SurfaceLook>): Promise<number[][]> => {
             const looks = { [surfaces[0]!]: { ...constant, backSide: 'same', ...look } as Partial<SurfaceLook> };
-            const { page } = await openPage(context, flow.link(session, 'before', looks));
+            const page = await openPage(context, flow.link(session, 'before', looks));
             await finalSheets(page, 1);
             const read = await page.evaluate(() => {
                 const hook = window.wakesurf!;

@@ -13,7 +13,7 @@ let page: Page;
 
 beforeEach(async () => {
     context = await newContext(stand.browser, { width: 900, height: 480 });
-    ({ page } = await openPage(context, await stand.server.newSession()));
+    page = await openPage(context, await stand.server.newSession());
     await finalSurface(page);
 });
 
@@ -192,7 +192,7 @@ describe('the timeline', () => {
         const session = await ask(page, (hook) => hook.session);
         const { link } = (await stand.server.call('session.share', { session, role: 'viewer' })) as { link: string };
         const other = await newContext(stand.browser, { width: 900, height: 480, colorScheme: 'light' });
-        const { page: viewer } = await openPage(other, new URL(link, stand.server.link).href);
+        const viewer = await openPage(other, new URL(link, stand.server.link).href);
         await finalSurface(viewer);
         expect(await viewer.getByRole('button', { name: 'Play' }).isDisabled()).toBe(true);
         const line = await lineOf(page.locator('#clock'));

@@ -29,7 +29,7 @@ async function visit(link: string): Promise<Page> {
     const context = await newContext(stand.browser);
     contexts.push(context);
     await context.addInitScript(keepResumeToken);
-    const { page: visited } = await openPage(context, link);
+    const visited = await openPage(context, link);
     await finalSurface(visited);
     return visited;
 }

@@ -152,7 +152,7 @@ describe('views that are kept', () => {
         const values = new URLSearchParams(address.hash.slice(1));
         values.set('session', 'forgotten');
         address.hash = values.toString();
-        const { page: again } = await openPage(page.context(), address.href);
+        const again = await openPage(page.context(), address.href);
         await again.getByText(/is not on this server\. This page remembers its contents/).waitFor();
         await screenshot(again, 'session-forgotten');
         await again.getByRole('button', { name: 'Recreate it' }).click();

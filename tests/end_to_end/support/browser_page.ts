@@ -3,6 +3,7 @@ import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
 import type { TestHook } from '../../../web-client/src/testHook.ts';
+import { hearComplaints } from './complaints.ts';
 import { projectRoot } from './project_root.ts';
 
 const flags = [
@@ -21,12 +22,14 @@ const flags = [
 
 const artefacts = join(projectRoot, 'test-artefacts');
 
-export function launchBrowser(extra: readonly string[] = []): Promise<Browser> {
-    return chromium.launch({
+export async function launchBrowser(extra: readonly string[] = []): Promise<Browser> {
+    const browser = await chromium.launch({
         executablePath: process.env['WAKESURF_CHROMIUM'] ?? '/usr/bin/chromium',
         headless: true,
         args: [...flags, ...extra],
     });
+    hearComplaints(browser);
+    return browser;
 }
 
 export interface PageOptions {
@@ -45,23 +48,16 @@ export async function newContext(browser: Browser, options: PageOptions = {}): P
         reducedMotion: 'reduce',
         colorScheme,
     });
-    if (!firstVisit) await context.addInitScript(() => localStorage.setItem('wakesurf.tour', 'done'));
+    // Scripts also run in the empty page before the first, which may keep nothing.
+    if (!firstVisit) await context.addInitScript(() => origin !== 'null' && localStorage.setItem('wakesurf.tour', 'done'));
     return context;
 }
 
-/** Opens a link and collects everything the page complains about. */
-export async function openPage(
-    context: BrowserContext,
-    link: string,
-): Promise<{ page: Page; complaints: string[] }> {
+/** A new page of the context, at the link. */
+export async function openPage(context: BrowserContext, link: string): Promise<Page> {
     const page = await context.newPage();
-    const complaints: string[] = [];
-    page.on('pageerror', (error) => complaints.push(String(error)));
-    page.on('console', (message) => {
-        if (message.type() === 'error') complaints.push(message.text());
-    });
     await page.goto(link);
-    return { page, complaints };
+    return page;
 }
 
 /** Waits for the newest surface at its finest, drawn. */

@@ -10,16 +10,13 @@ export class Stand {
     browser!: Browser;
     /** Between the server and whoever comes by `networkLink`. */
     network!: NetworkProxy;
-    /** What pages complained about, of all that were visited. */
-    readonly complaints: string[] = [];
     private readonly contexts: BrowserContext[] = [];
 
     /** Someone with a browser of their own, neither cookies nor choices are shared; without a link, in a session of their own. */
     async visit(options: PageOptions & { link?: string } = {}): Promise<Page> {
         const context = await newContext(this.browser, options);
         this.contexts.push(context);
-        const { page, complaints } = await openPage(context, options.link ?? (await this.server.newSession()));
-        page.on('close', () => this.complaints.push(...complaints));
+        const page = await openPage(context, options.link ?? (await this.server.newSession()));
         await finalSurface(page);
         return page;
     }
@@ -31,7 +28,7 @@ export class Stand {
 
     /** Another window of the same browser. */
     async open(beside: Page, link: string): Promise<Page> {
-        const { page } = await openPage(beside.context(), link);
+        const page = await openPage(beside.context(), link);
         await finalSurface(page);
         return page;
     }

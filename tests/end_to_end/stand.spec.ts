@@ -1,0 +1,69 @@
+// The stand itself: a test fails when its page complains, whatever else the test looks at.
+import type { Page } from 'playwright-core';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { expectComplaint, takeComplaints } from './support/complaints.ts';
+import { useStand } from './support/stand.ts';
+
+const stand = useStand();
+let page: Page;
+
+beforeAll(async () => {
+    page = await stand.visit({ width: 400, height: 300 });
+});
+
+const complaints: Record<string, (page: Page) => Promise<unknown>> = {
+    'throws an error that nothing catches': async (page) =>
+        Promise.all([
+            page.context().waitForEvent('weberror'),
+            page.evaluate(() => {
+                setTimeout(() => {
+                    throw new Error('made by the test');
+                });
+            }),
+        ]),
+    'leaves a rejection unhandled': async (page) =>
+        Promise.all([
+            page.context().waitForEvent('weberror'),
+            page.evaluate(() => void Promise.reject(new Error('made by the test'))),
+        ]),
+    'writes an error to the console': async (page) =>
+        Promise.all([page.waitForEvent('console'), page.evaluate(() => console.error('made by the test'))]),
+    'throws in its worker': async (page) =>
+        Promise.all([
+            page.context().waitForEvent('weberror'),
+            page.workers()[0]!.evaluate(() => {
+                setTimeout(() => {
+                    throw new Error('made by the test');
+                });
+            }),
+        ]),
+};
+
+describe.each(Object.entries(complaints))('a page that %s', (_, complain) => {
+    it('is heard', async () => {
+        await complain(page);
+        expect(takeComplaints()).toEqual([expect.stringContaining('made by the test')]);
+    });
+
+    it.fails('fails the test', async () => {
+        await complain(page);
+    });
+
+    it('is allowed to in a test that expects it', async () => {
+        expectComplaint(/made by the test/);
+        await complain(page);
+    });
+});
+
+it.fails('a test that expects a complaint fails without one', () => {
+    expectComplaint(/made by the test/);
+});
+
+it('only the complaint that is expected is allowed', async () => {
+    expectComplaint(/of another kind/);
+    await complaints['writes an error to the console']!(page);
+    const found = takeComplaints();
+    expect(found).toHaveLength(2);
+    expect(found[0]).toContain('made by the test');
+    expect(found[1]).toBe('no page complained: /of another kind/');
+});
