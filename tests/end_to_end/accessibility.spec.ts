@@ -14,7 +14,7 @@ const stand = useStand();
 
 /** Through the debugger, past the content security policy of the page. */
 async function expectNoFindings(page: Page, where: string): Promise<void> {
-    const found = (await page.evaluate('axe.run()')) as AxeResults;
+    const found = await page.evaluate<AxeResults>('axe.run()');
     const findings = found.violations.map(({ id, nodes }) => [where, id, nodes[0]?.html, nodes[0]?.failureSummary]);
     expect(findings).toEqual([]);
     expect(found.passes.length).toBeGreaterThan(20);

@@ -61,7 +61,8 @@ async function measure(url: string): Promise<DecodedUpdate[]> {
             }
             const worker = new Worker('worker.js', { type: 'module' });
             return new Promise<DecodedUpdate[]>((resolve, reject) => {
-                worker.onmessage = ({ data }) => (data.error ? reject(new Error(data.error)) : resolve(data.updates));
+                worker.onmessage = ({ data }: MessageEvent<{ error: string } | { updates: DecodedUpdate[] }>) =>
+                    'error' in data ? reject(new Error(data.error)) : resolve(data.updates);
                 worker.onerror = (event) => reject(new Error(event.message));
                 worker.postMessage({ frames, rounds: count });
             });
@@ -79,8 +80,7 @@ try {
     const server = await serve(folder, process.env['WAKESURF_FRAMES'] ?? golden);
     const updates = await measure(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
     server.close();
-    const total = (of: (update: DecodedUpdate) => number): number =>
-        updates.reduce((sum, update) => sum + of(update), 0);
+    const total = (of: (update: DecodedUpdate) => number): number => updates.reduce((sum, update) => sum + of(update), 0);
     const vertices = total((update) => update.vertices);
     const decodeMs = total((update) => update.decodeMs);
     const arraysMs = total((update) => update.arraysMs);

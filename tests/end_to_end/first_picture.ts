@@ -20,7 +20,11 @@ try {
         await context.close();
     }
     const median = (values: number[]): number => Math.round(values.sort((a, b) => a - b)[values.length >> 1] ?? Number.NaN);
-    const figures = { domainMs: median(pictures), surfaceMs: median(surfaces), slowestDomainMs: Math.round(pictures.at(-1) ?? 0) };
+    const figures = {
+        domainMs: median(pictures),
+        surfaceMs: median(surfaces),
+        slowestDomainMs: Math.round(pictures.at(-1) ?? 0),
+    };
     console.log(JSON.stringify({ name: 'browser-first-picture', ...figures, visits }));
 } finally {
     await browser.close();

@@ -2,7 +2,7 @@
 // wire, in the server's history.
 import { expect, it } from 'vitest';
 import type { Page } from 'playwright-core';
-import type { RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
+import type { RakeRecord, SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
 import { ask } from './support/browser_page.ts';
 import { dragHandle } from './support/rake_drag.ts';
 import { useStand } from './support/stand.ts';
@@ -54,20 +54,27 @@ it('a slider dragged over more edits than are kept is taken back at once, and wh
     await page.mouse.move(at(0.2), y);
     const length = await shown();
     await page.mouse.up();
-    const asked = ({ surface }: { surface: SurfaceRecord }): boolean => Math.abs(surface.to - surface.from - length) < 1e-6 * length;
+    const asked = ({ surface }: { surface: SurfaceRecord }): boolean =>
+        Math.abs(surface.to - surface.from - length) < 1e-6 * length;
     const slid = (await becomes(() => records(page), asked)).surface.to;
 
     await page.keyboard.press('Control+Z');
-    const back = await becomes(() => records(page), ({ surface }) => surface.to === to);
+    const back = await becomes(
+        () => records(page),
+        ({ surface }) => surface.to === to,
+    );
     expect(back.rake.points).toEqual(moved.rake.points);
     await expect.poll(shown).toBeCloseTo(value, 6);
     await page.keyboard.press('Control+Shift+Z');
-    await becomes(() => records(page), ({ surface }) => surface.to === slid);
+    await becomes(
+        () => records(page),
+        ({ surface }) => surface.to === slid,
+    );
     await page.keyboard.press('Control+Z');
     await page.keyboard.press('Control+Z');
     const start = await becomes(
         () => records(page),
-        ({ rake }) => JSON.stringify(rake.points as Vec3[]) === JSON.stringify(first.points),
+        ({ rake }) => JSON.stringify(rake.points) === JSON.stringify(first.points),
     );
     expect(start.surface.to).toBe(to);
     await page.getByText('Undone.').first().waitFor();
@@ -77,13 +84,25 @@ it('a stream surface that plays is one step, and undo stops it', async () => {
     const page = await stand.visit({ width: 780, height: 320 });
     const { from, rev } = (await records(page)).surface;
     await page.getByRole('button', { name: 'Play' }).click();
-    await becomes(() => records(page), ({ surface }) => surface.rev >= rev + 3);
+    await becomes(
+        () => records(page),
+        ({ surface }) => surface.rev >= rev + 3,
+    );
     await page.keyboard.press('Control+Z');
-    await becomes(() => records(page), ({ surface }) => surface.from === from);
+    await becomes(
+        () => records(page),
+        ({ surface }) => surface.from === from,
+    );
     await page.getByRole('button', { name: 'Play' }).waitFor();
     await page.getByRole('button', { name: 'Redo' }).click();
-    const again = await becomes(() => records(page), ({ surface }) => surface.from !== from);
+    const again = await becomes(
+        () => records(page),
+        ({ surface }) => surface.from !== from,
+    );
     await page.keyboard.press('Control+Z');
-    await becomes(() => records(page), ({ surface }) => surface.from === from);
+    await becomes(
+        () => records(page),
+        ({ surface }) => surface.from === from,
+    );
     expect(again.surface.from).toBeGreaterThan(from);
 });

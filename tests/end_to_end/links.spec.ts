@@ -53,7 +53,10 @@ describe('a link', () => {
     });
 
     it('that has made others is taken back with them or without', async () => {
-        for (const [answer, left] of [['Only this one', 1], ['Both', 0]] as const) {
+        for (const [answer, left] of [
+            ['Only this one', 1],
+            ['Both', 0],
+        ] as const) {
             const { grant } = await linkWithChild();
             // The list is asked for anew with every look at it.
             await host.getByRole('tab', { name: 'View' }).click();

@@ -111,7 +111,7 @@ describe('colours', () => {
     it('are those of the place on the rake, in another map chosen by keyboard', async () => {
         await page.getByLabel('Colour by').selectOption('s');
         await page.getByRole('radio', { name: 'Viridis' }).focus();
-        for (let i = 0; i < 3; i += 1) await page.keyboard.press('ArrowRight');
+        for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowRight');
         expect(await page.getByRole('radio', { name: 'Plasma' }).isChecked()).toBe(true);
         await drawn();
         const seen = await seenVertices(page, 5);
@@ -146,7 +146,10 @@ describe('colours', () => {
     it('are those of the speed again at once', async () => {
         await page.getByLabel('Colour by').selectOption('speed');
         const range = await ask(page, (hook) => hook.speedRange);
-        await page.waitForFunction((top) => window.wakesurf!.vertices(1).every(({ scalar }) => scalar >= 0 && scalar <= top), range[1]);
+        await page.waitForFunction(
+            (top) => window.wakesurf!.vertices(1).every(({ scalar }) => scalar >= 0 && scalar <= top),
+            range[1],
+        );
         await drawn();
         expect(await scalarBar()).toMatch(/^Colours: Speed from/);
         const seen = await seenVertices(page, 5);
@@ -187,7 +190,10 @@ describe('stripes', () => {
         await drawn();
         const plain = await hitsOver(page, 9);
         const read = (): Promise<Rgb[]> =>
-            page.evaluate((at) => window.wakesurf!.pixelsAt(at), plain.map(({ at }) => at));
+            page.evaluate(
+                (at) => window.wakesurf!.pixelsAt(at),
+                plain.map(({ at }) => at),
+            );
         const before = await read();
         await openGroup('#lines-group');
         await page.getByLabel('Stripes').selectOption('timelines');
@@ -207,8 +213,8 @@ describe('stripes', () => {
             if (Math.abs(off - 0.25) < 0.08) return [];
             const ratio = light(striped[i]!) / light(before[i]!);
             const expected = off < 0.25 ? 1 : 0.5;
-            if (expected === 1) bright += 1;
-            else dark += 1;
+            if (expected === 1) ++bright;
+            else ++dark;
             return [Math.abs(ratio - expected) < 0.13];
         });
         expect(Math.min(bright, dark)).toBeGreaterThan(40);
@@ -240,7 +246,7 @@ describe('what is shown of a surface', () => {
         await openGroup('#clip-group');
         await page.locator('#clip-x').check();
         await page.locator('#clip-x-at').focus();
-        for (let i = 0; i < 20; i += 1) await page.keyboard.press('ArrowLeft');
+        for (let i = 0; i < 20; ++i) await page.keyboard.press('ArrowLeft');
         await drawn();
         const [low, high] = (await ask(page, (hook) => hook.bounds))! as [number, number];
         const at = low + 0.4 * (high - low);
@@ -258,7 +264,10 @@ describe('what is shown of a surface', () => {
         expect(behind.every(({ surface, point }) => surface !== null && point[0] >= at - slack)).toBe(true);
         // Where only what is cut away was, there is the background.
         const gone = before.filter(({ at: { x, y } }) => !behind.some((hit) => hit.at.x === x && hit.at.y === y));
-        const pixels = await page.evaluate((places) => window.wakesurf!.pixelsAt(places), gone.map((hit) => hit.at));
+        const pixels = await page.evaluate(
+            (places) => window.wakesurf!.pixelsAt(places),
+            gone.map((hit) => hit.at),
+        );
         const dark = pixels.filter(([r, g, b]) => Math.max(Math.abs(r - 11), Math.abs(g - 16), Math.abs(b - 24)) <= 2);
         expect(dark.length / pixels.length).toBeGreaterThan(0.9);
         await page.locator('#clip-body').uncheck();
@@ -286,7 +295,10 @@ describe('what is shown of a surface', () => {
         await drawn();
         expect((await hitsOver(page, 12)).filter(({ surface }) => surface !== null)).toHaveLength(0);
         const hidden = await page.evaluate(() => window.wakesurf!.project([4, -0.3, 3])!);
-        const [from, to] = [{ x: hidden.x - 60, y: hidden.y }, { x: hidden.x + 60, y: hidden.y + 10 }];
+        const [from, to] = [
+            { x: hidden.x - 60, y: hidden.y },
+            { x: hidden.x + 60, y: hidden.y + 10 },
+        ];
         await page.mouse.move(from.x, from.y);
         await page.mouse.down();
         await page.mouse.move(to.x, to.y, { steps: 5 });
@@ -311,7 +323,10 @@ describe('what is shown of a surface', () => {
         await page.getByRole('button', { name: 'Erase' }).click();
         await page.mouse.click(hidden.x, hidden.y);
         await drawn();
-        const erased = await page.evaluate(({ x, y }) => [window.wakesurf!.pick({ x, y }), window.wakesurf!.pick({ x, y: y + 30 })], hidden);
+        const erased = await page.evaluate(
+            ({ x, y }) => [window.wakesurf!.pick({ x, y }), window.wakesurf!.pick({ x, y: y + 30 })],
+            hidden,
+        );
         expect([erased[0]?.surface ?? null, typeof erased[1]?.surface]).toEqual([null, 'string']);
     });
 

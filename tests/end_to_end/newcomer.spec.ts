@@ -46,7 +46,10 @@ describe('a server with several datasets', () => {
                 y: middle.y + factor * radius * Math.sin(angle),
             }));
             return page.evaluate(
-                (all) => window.wakesurf!.pixelsAt(all).map((rgb) => Math.min(...rgb) > 40 && Math.max(...rgb) - Math.min(...rgb) < 40),
+                (all) =>
+                    window
+                        .wakesurf!.pixelsAt(all)
+                        .map((rgb) => Math.min(...rgb) > 40 && Math.max(...rgb) - Math.min(...rgb) < 40),
                 places,
             );
         };
@@ -87,7 +90,7 @@ describe('a number that a rake cannot have', () => {
         await end.press('Enter');
         await banner(page, 'rake outside').getByText('x = −3 to 12.92').waitFor();
         // The record that the second edit made is no answer to the first.
-        await expect.poll(() => ask(page, (hook) => Math.round(100 * hook.rakePoints[1]![0]!))).toBe(1292);
+        await expect.poll(() => ask(page, (hook) => Math.round(100 * hook.rakePoints[1]![0]))).toBe(1292);
         expect(await banner(page, 'seeds').count()).toBe(1);
         await seeds.fill('20');
         await seeds.press('Enter');

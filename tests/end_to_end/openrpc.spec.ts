@@ -74,8 +74,11 @@ describe('/openrpc.json', () => {
 
     it('says what parameters are that are left out', () => {
         const defaults = (name: string): unknown[] =>
-            document.methods.filter((each) => each.name === name).flatMap((each) =>
-                each.params.filter(({ schema }) => 'default' in schema).map((each) => [each.name, each.schema['default']]));
+            document.methods
+                .filter((each) => each.name === name)
+                .flatMap((each) =>
+                    each.params.filter(({ schema }) => 'default' in schema).map((each) => [each.name, each.schema['default']]),
+                );
         expect(Object.fromEntries(defaults('surface.set') as [string, unknown][])).toEqual({
             default: false,
             direction: 'forward',

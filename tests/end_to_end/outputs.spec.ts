@@ -129,9 +129,7 @@ describe('a picture', () => {
         expect(opaque(bare.at)).toBe(0);
         await chooseSize('picture', 100_000, 500);
         await page.locator('#save-picture').click();
-        expect(await page.getByRole('alert').filter({ hasText: 'at most' }).textContent()).toMatch(
-            /at most \d+ pixels per side/,
-        );
+        expect(await page.getByRole('alert').filter({ hasText: 'at most' }).textContent()).toMatch(/at most \d+ pixels per side/);
     });
 
     it('may be larger than the graphics draw at once: tiles make the same picture as one drawing', async () => {
@@ -152,9 +150,9 @@ describe('a picture', () => {
                 let [differ, colours] = [0, 0];
                 for (let i = 0; i < whole.length; i += 4) {
                     const pixel = [0, 1, 2, 3].map((k) => i + k);
-                    if (Math.max(...pixel.map((at) => Math.abs(whole[at]! - tiled[at]!))) > 3) differ += 1;
+                    if (Math.max(...pixel.map((at) => Math.abs(whole[at]! - tiled[at]!))) > 3) ++differ;
                     const [r, g, b] = [whole[i]!, whole[i + 1]!, whole[i + 2]!];
-                    if (Math.max(r, g, b) - Math.min(r, g, b) > 40) colours += 1;
+                    if (Math.max(r, g, b) - Math.min(r, g, b) > 40) ++colours;
                 }
                 return { differing: differ, coloured: colours };
             });
@@ -245,10 +243,9 @@ describe('a mesh', () => {
         ] as const) {
             await page.locator('#mesh-format').selectOption(choice);
             const { name, bytes } = await saved('#download-mesh');
-            const reply = await fetch(
-                new URL(`/api/v1/sessions/${session}/surfaces/${surface}/${file}`, stand.server.link),
-                { headers },
-            );
+            const reply = await fetch(new URL(`/api/v1/sessions/${session}/surfaces/${surface}/${file}`, stand.server.link), {
+                headers,
+            });
             expect(name).toBe(`sqcyl-stream.${choice.split('-')[0]}`);
             expect(reply.status).toBe(200);
             const given = Buffer.from(await reply.arrayBuffer());

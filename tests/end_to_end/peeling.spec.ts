@@ -34,9 +34,7 @@ beforeAll(async () => {
     flow = await FlatSheets.start();
     browser = await launchBrowser();
     context = await newContext(browser, { width: 900, height: 440 });
-    ({ session, surfaces } = await flow.session(
-        sheets.map(({ y, length }) => ({ points: acrossAt(y), length, look: {} })),
-    ));
+    ({ session, surfaces } = await flow.session(sheets.map(({ y, length }) => ({ points: acrossAt(y), length, look: {} }))));
 });
 
 afterAll(async () => {
@@ -62,7 +60,10 @@ function pixels(page: Page, exact: boolean): Promise<number[][]> {
     return page.evaluate(
         ({ all, exactly }) => {
             const hook = window.wakesurf!;
-            return hook.pixelsAt(all.map((point) => hook.project(point)!), exactly);
+            return hook.pixelsAt(
+                all.map((point) => hook.project(point)!),
+                exactly,
+            );
         },
         { all: points, exactly: exact },
     );
@@ -75,7 +76,12 @@ interface Seen {
 }
 
 /** What the over operator makes of the sheets that reach as far as there; of the nearest `atMost`. */
-function expected(reach: number, side: Side, { sheets: of = sheets, opacityOf = ({ opacity }) => opacity }: Seen = {}, atMost = 6): number[] {
+function expected(
+    reach: number,
+    side: Side,
+    { sheets: of = sheets, opacityOf = ({ opacity }) => opacity }: Seen = {},
+    atMost = 6,
+): number[] {
     const there = of.filter(({ length }) => length >= reach);
     const nearestFirst = side === 'before' ? there : [...there].reverse();
     const layers = nearestFirst.map((sheet): Layer => ({ colour: litColour(sheet.colour, [0, 0, 1]), alpha: opacityOf(sheet) }));
@@ -137,7 +143,12 @@ describe('layers over one another', () => {
 
     it('may be folds of one surface, each showing its own side', async () => {
         // Up at y = 2, back down to y = 4 and up again there: one, three and one layers over one another.
-        const turns: Vec3[] = [[0.5, 2, 2], [0.5, 2, 4], [0.5, 4, 3], [0.5, 4, 5]];
+        const turns: Vec3[] = [
+            [0.5, 2, 2],
+            [0.5, 2, 4],
+            [0.5, 4, 3],
+            [0.5, 4, 5],
+        ];
         const look: Partial<SurfaceLook> = { colourBy: 'constant', colour: '#4080ff', opacity: 0.5, backSide: 'tinted' };
         const folded = await flow.session([{ points: turns, length: 3, look }]);
         const at = 3;
@@ -147,7 +158,10 @@ describe('layers over one another', () => {
             await finalSheets(page, 1);
             const drawn = await page.evaluate((x) => {
                 const hook = window.wakesurf!;
-                return hook.pixelsAt([2.4, 3.5, 4.6].map((z) => hook.project([x, 3, z])!), true);
+                return hook.pixelsAt(
+                    [2.4, 3.5, 4.6].map((z) => hook.project([x, 3, z])!),
+                    true,
+                );
             }, at);
             await screenshot(page, `peeled-folded-${side}`);
             const back = (is: boolean): BackSide | null => (is ? 'tinted' : null);
@@ -179,10 +193,7 @@ describe('a picture', () => {
         await page.getByLabel('Exact order when still').check();
         await page.waitForFunction(() => window.wakesurf!.transparency === 'exact');
         await screenshot(page, 'peeled-still');
-        const spots = await page.evaluate(
-            (all) => all.map((reach) => window.wakesurf!.project([reach, 3.5, 3.87])!),
-            places,
-        );
+        const spots = await page.evaluate((all) => all.map((reach) => window.wakesurf!.project([reach, 3.5, 3.87])!), places);
         // Whatever asks for another picture, it is blended first, and exact again a little later.
         const furthest = async (): Promise<number> => {
             const { at } = await pixelsOfPng(page, await page.screenshot(), spots);
@@ -193,14 +204,17 @@ describe('a picture', () => {
         const drawnMeanwhile = (): Promise<number> =>
             page.evaluate(async () => {
                 const before = window.wakesurf!.framesDrawn;
-                for (let i = 0; i < 45; i += 1) await new Promise(requestAnimationFrame);
+                for (let i = 0; i < 45; ++i) await new Promise(requestAnimationFrame);
                 return window.wakesurf!.framesDrawn - before;
             });
         await expect.poll(async () => [await drawnMeanwhile(), await whole(page)], { timeout: 20_000 }).toEqual([0, 'exact']);
 
         // A picture in exact order comes after one that is not, when the camera has stopped.
         const frames = await ask(page, (hook) => hook.framesDrawn);
-        await page.locator('canvas').first().hover({ position: { x: 60, y: 60 } });
+        await page
+            .locator('canvas')
+            .first()
+            .hover({ position: { x: 60, y: 60 } });
         await page.mouse.wheel(0, 120);
         await page.waitForFunction(
             (count) => window.wakesurf!.framesDrawn >= count + 2 && window.wakesurf!.transparency === 'exact',
@@ -218,10 +232,7 @@ describe('a picture', () => {
         await finalSheets(page, sheets.length);
         await page.getByRole('tab', { name: 'Export' }).click();
         const canvas = (await page.locator('canvas').first().boundingBox())!;
-        const spots = await page.evaluate(
-            (all) => all.map((reach) => window.wakesurf!.project([reach, 3.5, 3.87])!),
-            places,
-        );
+        const spots = await page.evaluate((all) => all.map((reach) => window.wakesurf!.project([reach, 3.5, 3.87])!), places);
         const inPicture = spots.map(({ x, y }) => ({ x: x - canvas.x, y: y - canvas.y }));
         const saved = async (): Promise<number[][]> => {
             const download = page.waitForEvent('download');
@@ -229,12 +240,16 @@ describe('a picture', () => {
             return (await pixelsOfPng(page, readFileSync(await (await download).path()), inPicture)).at;
         };
         const before = await saved();
-        for (const [i, reach] of places.entries()) expect(apart(before[i]!.slice(0, 3), expected(reach, 'behind'))).toBeLessThan(3);
+        for (const [i, reach] of places.entries()) {
+            expect(apart(before[i]!.slice(0, 3), expected(reach, 'behind'))).toBeLessThan(3);
+        }
         await page.getByLabel('Background').selectOption('clear');
         const bare = await saved();
         for (const [i, reach] of places.entries()) {
             const [red, green, blue, alpha] = bare[i]! as [number, number, number, number];
-            const passes = sheets.filter(({ length }) => length >= reach).reduce((light, { opacity }) => light * (1 - opacity), 1);
+            const passes = sheets
+                .filter(({ length }) => length >= reach)
+                .reduce((light, { opacity }) => light * (1 - opacity), 1);
             expect(Math.abs(alpha - 255 * (1 - passes))).toBeLessThan(3);
             const laid = [red, green, blue].map((c, k) => (c * alpha) / 255 + ground[k]! * (1 - alpha / 255));
             expect(apart(laid, expected(reach, 'behind'))).toBeLessThan(3.5);

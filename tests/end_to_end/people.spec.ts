@@ -113,8 +113,13 @@ describe('the others in the picture', () => {
         const label = host.locator('.person', { hasText: 'guest 2' }).first();
         await expect
             .poll(async () => {
-                const [box, at] = [await label.boundingBox(), await host.evaluate((point) => window.wakesurf!.project(point), eye)];
-                return box === null || at === null ? 99 : Math.hypot(box.x + box.width / 2 - at.x, box.y + box.height / 2 - (at.y - 14));
+                const [box, at] = [
+                    await label.boundingBox(),
+                    await host.evaluate((point) => window.wakesurf!.project(point), eye),
+                ];
+                return box === null || at === null
+                    ? 99
+                    : Math.hypot(box.x + box.width / 2 - at.x, box.y + box.height / 2 - (at.y - 14));
             })
             .toBeLessThan(3);
         await screenshot(host, 'others-frustum');
@@ -157,7 +162,10 @@ describe('someone of whom nothing is in the picture', () => {
         const inset = { left: 8, right: 100, top: 48, bottom: 8 };
         await expect
             .poll(async () => {
-                const [box, at] = [await hint.boundingBox(), await host.evaluate((point) => window.wakesurf!.project(point), eye)];
+                const [box, at] = [
+                    await hint.boundingBox(),
+                    await host.evaluate((point) => window.wakesurf!.project(point), eye),
+                ];
                 if (box === null || at === null) return 99;
                 // Where the way there crosses the border, and how far along its words the label is held.
                 const reach = (picture.width / 2 - inset.right) / (at.x - middle.x);
@@ -187,7 +195,9 @@ describe('notes', () => {
         await host.getByRole('button', { name: 'Save' }).click();
         await guest.getByRole('listitem').filter({ hasText: 'Tears here' }).waitFor();
         const session = await ask(host, (hook) => hook.session);
-        const { annotations } = (await stand.server.call('annotation.list', { session })) as { annotations: { position: Vec3 }[] };
+        const { annotations } = (await stand.server.call('annotation.list', { session })) as {
+            annotations: { position: Vec3 }[];
+        };
         const seen = (await host.evaluate((point) => window.wakesurf!.project(point), annotations[0]!.position))!;
         expect(Math.hypot(seen.x - at.x, seen.y - at.y)).toBeLessThan(2);
         await screenshot(host, 'note');

@@ -63,18 +63,11 @@ async function verticesInPicture(every: number): Promise<SeenVertex[]> {
         const canvas = { left: 4, top: 50, right: 520, bottom: 460 };
         const seen = hook.vertices(n).flatMap(({ point, scalar }) => {
             const at = hook.project(point);
-            const inside =
-                at !== null &&
-                at.x > canvas.left &&
-                at.x < canvas.right &&
-                at.y > canvas.top &&
-                at.y < canvas.bottom;
+            const inside = at !== null && at.x > canvas.left && at.x < canvas.right && at.y > canvas.top && at.y < canvas.bottom;
             return inside ? [{ at, scalar }] : [];
         });
         const offsets = [-1, 0, 1].flatMap((dx) => [-1, 0, 1].map((dy) => ({ dx, dy })));
-        const places = seen.flatMap(({ at }) =>
-            offsets.map(({ dx, dy }) => ({ x: at.x + dx, y: at.y + dy })),
-        );
+        const places = seen.flatMap(({ at }) => offsets.map(({ dx, dy }) => ({ x: at.x + dx, y: at.y + dy })));
         const pixels = hook.pixelsAt(places);
         return seen.map(({ scalar }, i) => {
             const around = pixels.slice(9 * i, 9 * i + 9);

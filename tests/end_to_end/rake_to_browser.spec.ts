@@ -98,7 +98,10 @@ describe('the keyboard', () => {
         await page.getByRole('spinbutton', { name: 'Start x' }).fill('500');
         await page.getByRole('spinbutton', { name: 'End x' }).fill('500');
         await page.keyboard.press('Enter');
-        await page.getByRole('alert').filter({ hasText: /outside/i }).waitFor({ timeout: 10_000 });
+        await page
+            .getByRole('alert')
+            .filter({ hasText: /outside/i })
+            .waitFor({ timeout: 10_000 });
     });
 });
 

@@ -5,7 +5,7 @@ import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { Guest } from './support/guest.ts';
-import { dragHandle, type HandleName, takeHandle } from './support/rake_drag.ts';
+import { dragHandle, takeHandle } from './support/rake_drag.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { takeScriptTimes, timeScripts } from './support/script_time.ts';
 import { useStand } from './support/stand.ts';
@@ -38,9 +38,7 @@ async function surfaces(): Promise<SurfaceRecord[]> {
 /** Asks the server until it says what is expected. */
 async function eventually<Fact>(ask: () => Promise<Fact>, holds: (fact: Fact) => boolean): Promise<Fact> {
     let fact = await ask();
-    await expect
-        .poll(async () => holds((fact = await ask())), { timeout: 10_000, interval: 40 })
-        .toBe(true);
+    await expect.poll(async () => holds((fact = await ask())), { timeout: 10_000, interval: 40 }).toBe(true);
     return fact;
 }
 
@@ -322,7 +320,10 @@ describe('several rakes', () => {
         await eventually(rakes, (each) => each[0]!.colour === '#ff00ff');
         await finalSurface(page);
         const ends = await onScreen(await shown());
-        expectColour(await pixelAt({ x: 0.3 * ends[0]!.x + 0.7 * ends[1]!.x, y: 0.3 * ends[0]!.y + 0.7 * ends[1]!.y }), '#ff00ff');
+        expectColour(
+            await pixelAt({ x: 0.3 * ends[0]!.x + 0.7 * ends[1]!.x, y: 0.3 * ends[0]!.y + 0.7 * ends[1]!.y }),
+            '#ff00ff',
+        );
         await screenshot(page, 'two-rakes');
     });
 
@@ -350,9 +351,15 @@ describe('several rakes', () => {
         const { rake, kind, points, seeds } = await recorded();
         await stand.server.call('rake.set', { session, rake, kind, points, seeds: seeds + 1, name: 'Theirs' });
         await page.waitForFunction(() => window.wakesurf!.rakes[0]!.shape !== undefined);
-        await eventually(() => page.getByRole('list', { name: 'Rakes' }).textContent(), (text) => text!.includes('Theirs'));
+        await eventually(
+            () => page.getByRole('list', { name: 'Rakes' }).textContent(),
+            (text) => text!.includes('Theirs'),
+        );
         await page.keyboard.press('Control+Z');
-        await page.getByText(/Not undone: Theirs has been changed by someone else/).first().waitFor();
+        await page
+            .getByText(/Not undone: Theirs has been changed by someone else/)
+            .first()
+            .waitFor();
         expect((await rakes())[0]).toMatchObject({ name: 'Theirs', points });
     });
 });
@@ -383,12 +390,12 @@ describe('a polyline and a circle', () => {
         // Across the flow, which goes along x.
         for (const point of [rim, side]) expect(point[0]).toBeCloseTo(centre[0], 9);
 
-        await dragHandle(page, 1 as HandleName, 3, 22, 5);
+        await dragHandle(page, 1, 3, 22, 5);
         const smaller = await recorded();
         expect(distance(smaller.points[0]!, smaller.points[1]!)).toBeLessThan(distance(centre, rim) * 0.9);
         for (const point of smaller.points) expect(point[0]).toBeCloseTo(centre[0], 9);
 
-        await dragHandle(page, 2 as HandleName, 6, -4, 4);
+        await dragHandle(page, 2, 6, -4, 4);
         const tipped = await recorded();
         const radius = distance(smaller.points[0]!, smaller.points[1]!);
         expect(tipped.points[0]).toEqual(smaller.points[0]);
@@ -444,7 +451,10 @@ describe('a rake that someone else moves', () => {
         await dragHandle(page, 0, 20, 10, 6);
         expect((await recorded()).points).not.toEqual(moved(0.2));
         // She was told meanwhile, and of the end.
-        await eventually(() => Promise.resolve(ann.told), (told) => told.length > 1 && told.at(-1) === null);
+        await eventually(
+            () => Promise.resolve(ann.told),
+            (told) => told.length > 1 && told.at(-1) === null,
+        );
         expect(ann.told[0]!.points).toHaveLength(2);
         ann.leave();
     });

@@ -36,11 +36,7 @@ async function open(link: string): Promise<Page> {
 }
 
 function connectionIs(page: Page, wanted: 'open' | 'down', timeout: number): Promise<unknown> {
-    return page.waitForFunction(
-        (state) => (window.wakesurf?.connection === 'open') === (state === 'open'),
-        wanted,
-        { timeout },
-    );
+    return page.waitForFunction((state) => (window.wakesurf?.connection === 'open') === (state === 'open'), wanted, { timeout });
 }
 
 describe('the connection', () => {

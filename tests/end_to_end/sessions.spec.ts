@@ -25,7 +25,10 @@ async function openList(page: Page): Promise<void> {
 }
 
 function card(page: Page, name: string): ReturnType<Page['locator']> {
-    return page.getByRole('dialog').getByRole('listitem').filter({ has: page.getByTitle(name, { exact: true }) });
+    return page
+        .getByRole('dialog')
+        .getByRole('listitem')
+        .filter({ has: page.getByTitle(name, { exact: true }) });
 }
 
 function sessionOf(page: Page): Promise<string | null> {
@@ -50,7 +53,10 @@ describe('the printed link', () => {
         expect(await listed()).toMatchObject([{ session: 'main', rakes: 1, surfaces: 1, edited: false, participants: 3 }]);
         await dragHandle(pages[0]!, 0, 12, 8, 3);
         const moved = await ask(pages[0]!, (hook) => hook.rakePoints);
-        await pages[1]!.waitForFunction((points) => JSON.stringify(window.wakesurf!.rakePoints) === JSON.stringify(points), moved);
+        await pages[1]!.waitForFunction(
+            (points) => JSON.stringify(window.wakesurf!.rakePoints) === JSON.stringify(points),
+            moved,
+        );
         await expect.poll(async () => (await listed())[0]!.edited).toBe(true);
         for (const page of pages) await page.context().close();
     });
@@ -83,7 +89,9 @@ describe('the list of sessions', () => {
         await own.getByText('you are here').waitFor();
         await own.getByText('1 rake, 1 surface').waitFor();
         const picture = own.locator('img');
-        await expect.poll(() => picture.evaluate((img: HTMLImageElement) => [img.naturalWidth, img.naturalHeight])).toEqual([320, 200]);
+        await expect
+            .poll(() => picture.evaluate((img: HTMLImageElement) => [img.naturalWidth, img.naturalHeight]))
+            .toEqual([320, 200]);
         // As many colours as a surface has, not a blank canvas.
         const colours = await picture.evaluate((img: HTMLImageElement) => {
             const canvas = new OffscreenCanvas(img.naturalWidth, img.naturalHeight);
@@ -91,7 +99,9 @@ describe('the list of sessions', () => {
             drawing.drawImage(img, 0, 0);
             const { data } = drawing.getImageData(0, 0, canvas.width, canvas.height);
             const seen = new Set<number>();
-            for (let i = 0; i < data.length; i += 4) seen.add(((data[i]! >> 5) << 10) | ((data[i + 1]! >> 5) << 5) | (data[i + 2]! >> 5));
+            for (let i = 0; i < data.length; i += 4) {
+                seen.add(((data[i]! >> 5) << 10) | ((data[i + 1]! >> 5) << 5) | (data[i + 2]! >> 5));
+            }
             return seen.size;
         });
         expect(colours).toBeGreaterThan(12);
@@ -100,7 +110,9 @@ describe('the list of sessions', () => {
         expect(await page.getByRole('dialog').count()).toBe(0);
         // Nothing is drawn for the list, and no second picture of what has not changed is sent.
         expect((await ask(page, (hook) => hook.framesDrawn)) - framesBefore).toBeLessThanOrEqual(1);
-        const { headers } = await page.request.get(new URL(`/api/v1/sessions/${session}/thumbnail`, stand.server.link).href).then((reply) => ({ headers: reply.headers() }));
+        const { headers } = await page.request
+            .get(new URL(`/api/v1/sessions/${session}/thumbnail`, stand.server.link).href)
+            .then((reply) => ({ headers: reply.headers() }));
         expect(headers['content-type']).toBe('image/jpeg');
         // In the trash it is the same picture.
         await stand.server.call('session.delete', { session });
@@ -165,7 +177,9 @@ describe('a session that is deleted', () => {
         await banner.waitFor({ state: 'detached' });
         await finalSurface(other);
         // The one who has deleted it is back as well, by itself.
-        await page.waitForFunction((id) => window.wakesurf!.session === id && window.wakesurf!.stage === 'running', session, { timeout: 10_000 });
+        await page.waitForFunction((id) => window.wakesurf!.session === id && window.wakesurf!.stage === 'running', session, {
+            timeout: 10_000,
+        });
         await page.context().close();
         await other.context().close();
     });
@@ -182,7 +196,9 @@ describe('a session that is deleted', () => {
         await card(page, 'Old').getByRole('button', { name: 'Delete' }).click();
         await card(page, 'Old').waitFor({ state: 'detached' });
         await page.getByRole('button', { name: /^Trash/ }).click();
-        await card(page, 'Old').getByText(/Deleted just now, kept until/).waitFor();
+        await card(page, 'Old')
+            .getByText(/Deleted just now, kept until/)
+            .waitFor();
         await screenshot(page, 'trash');
         await card(page, 'Old').getByRole('button', { name: 'Restore', exact: true }).click();
         await card(page, 'Old').waitFor({ state: 'detached' });
@@ -224,7 +240,9 @@ describe('a session as a file', () => {
         expect(await ask(page, (hook) => hook.rakePoints)).toEqual(points);
 
         await openList(page);
-        await page.getByLabel('File of a session').setInputFiles({ name: 'x.json', mimeType: 'application/json', buffer: Buffer.from('{"a":1}') });
+        await page
+            .getByLabel('File of a session')
+            .setInputFiles({ name: 'x.json', mimeType: 'application/json', buffer: Buffer.from('{"a":1}') });
         await page.getByRole('dialog').getByRole('alert').getByText(/.+/).first().waitFor();
         await screenshot(page, 'session-file-refused');
         await page.context().close();
@@ -241,7 +259,9 @@ describe('how many sessions there can be', () => {
         await page.getByText('there is room for only 2 more. Delete sessions that are no longer needed').waitFor();
         await page.getByLabel('Name of the new session').fill('One too many');
         await page.getByRole('button', { name: 'New session' }).click();
-        await page.getByText('The server keeps at most 3 sessions, and has as many. Export the sessions that are no longer needed').waitFor();
+        await page
+            .getByText('The server keeps at most 3 sessions, and has as many. Export the sessions that are no longer needed')
+            .waitFor();
         await screenshot(page, 'sessions-limit');
         expect(await sessionOf(page)).toBe('main');
         await context.close();
@@ -250,17 +270,23 @@ describe('how many sessions there can be', () => {
 
 /** What the worker hears of a server that keeps few sessions and has as many. */
 function keepFewSessions(limit: number): void {
+    type Told = { type: string; id: number; result?: { limit?: number }; failure?: object };
     const RealWorker = window.Worker;
     window.Worker = class extends RealWorker {
         private readonly creations = new Set<number>();
 
         constructor(url: string | URL, options?: WorkerOptions) {
             super(url, options);
-            this.addEventListener('message', ({ data }) => {
+            this.addEventListener('message', ({ data }: MessageEvent<Told>) => {
                 if (data.result?.limit !== undefined) data.result.limit = limit;
                 if (data.type !== 'reply' || !this.creations.has(data.id)) return;
                 data.type = 'failure';
-                data.failure = { kind: 'rpc', code: -32014, message: 'the server keeps at most 3 sessions, and has as many', hint: 'session.delete' };
+                data.failure = {
+                    kind: 'rpc',
+                    code: -32014,
+                    message: 'the server keeps at most 3 sessions, and has as many',
+                    hint: 'session.delete',
+                };
             });
         }
 

@@ -30,7 +30,15 @@ const bands = [1.7, middle, 5.3] as const;
 const length = 2.5;
 
 function band(x: number, z: number, look: Partial<SurfaceLook>, fields: string[] = []): Sheet {
-    return { points: [[x, middle, z - 0.7], [x, middle, z + 0.7]], length, look: { ...constant, ...look }, fields };
+    return {
+        points: [
+            [x, middle, z - 0.7],
+            [x, middle, z + 0.7],
+        ],
+        length,
+        look: { ...constant, ...look },
+        fields,
+    };
 }
 
 const sheets: readonly Sheet[] = [
@@ -51,7 +59,10 @@ function pixels(page: Page, points: readonly Vec3[], exact: boolean): Promise<nu
     return page.evaluate(
         ({ all, exactly }) => {
             const hook = window.wakesurf!;
-            return hook.pixelsAt(all.map((point) => hook.project(point)!), exactly);
+            return hook.pixelsAt(
+                all.map((point) => hook.project(point)!),
+                exactly,
+            );
         },
         { all: points, exactly: exact },
     );
@@ -80,7 +91,11 @@ describe('flat sheets', () => {
         const drawn: Record<Side, number[][]> = { before: [], behind: [] };
         for (const side of ['before', 'behind'] as const) {
             const page = await open(side);
-            drawn[side] = await pixels(page, bands.map((z) => placeIn(left, z, 1.2)), false);
+            drawn[side] = await pixels(
+                page,
+                bands.map((z) => placeIn(left, z, 1.2)),
+                false,
+            );
             await screenshot(page, `sides-${side}`);
             await page.context().close();
         }
@@ -106,8 +121,16 @@ describe('flat sheets', () => {
         const expected = alphas.map((alpha) => layered([{ colour: litColour(colour, [0, 0, 1]), alpha }], ground));
         const unstretched = aged.map((alpha) => layered([{ colour: litColour(colour, [0, 0, 1]), alpha }], ground));
         for (const exact of [false, true]) {
-            const known = await pixels(page, times.map((t) => placeIn(right, bands[1], t)), exact);
-            const guessed = await pixels(page, times.map((t) => placeIn(right, bands[2], t)), exact);
+            const known = await pixels(
+                page,
+                times.map((t) => placeIn(right, bands[1], t)),
+                exact,
+            );
+            const guessed = await pixels(
+                page,
+                times.map((t) => placeIn(right, bands[2], t)),
+                exact,
+            );
             for (const [i] of times.entries()) {
                 expect(apart(known[i]!, expected[i]!)).toBeLessThan(2);
                 // Whether by the mean speed, or by that of the seeds: a few in a hundred.
@@ -148,9 +171,17 @@ describe('outlines', () => {
             await finalSheets(page, 1);
             const read = await page.evaluate(() => {
                 const hook = window.wakesurf!;
-                const top = Math.max(...hook.vertices(1).filter(({ point: [x] }) => Math.abs(x - 3.5) < 0.2).map(({ point }) => point[2]));
+                const top = Math.max(
+                    ...hook
+                        .vertices(1)
+                        .filter(({ point: [x] }) => Math.abs(x - 3.5) < 0.2)
+                        .map(({ point }) => point[2]),
+                );
                 const at = hook.project([3.5, 3.5, top])!;
-                return hook.pixelsAt(Array.from({ length: 24 }, (_, i) => ({ x: at.x, y: at.y + 12 - i })), true);
+                return hook.pixelsAt(
+                    Array.from({ length: 24 }, (_, i) => ({ x: at.x, y: at.y + 12 - i })),
+                    true,
+                );
             });
             await screenshot(page, `outlines-${look.silhouettes === true}-${look.opacity ?? 1}`);
             await page.close();

@@ -88,14 +88,11 @@ describe('the timeline', () => {
         expect(steps).toContain('resident');
         const drawn = await becomes(marks, (now) => expect(now.map(({ state }) => state)).toEqual(steps));
         const line = await lineOf(page.locator('#time'));
-        for (const [i, { middle }] of drawn.entries())
-            expect(Math.abs(middle - line.x(times[i]!))).toBeLessThan(1);
+        for (const [i, { middle }] of drawn.entries()) expect(Math.abs(middle - line.x(times[i]!))).toBeLessThan(1);
         // Full, half or hollow: not by colour alone.
         const fills = await page.locator('wakesurf-timeline [data-state] .filled').count();
         expect(fills).toBe(steps.filter((state) => state === 'resident').length);
-        await expect
-            .poll(() => page.locator('#resident').textContent())
-            .toBe(`${fills} of 16 time-steps in memory`);
+        await expect.poll(() => page.locator('#resident').textContent()).toBe(`${fills} of 16 time-steps in memory`);
         await screenshot(page, 'timeline-frozen');
         await streak();
         await becomes(marks, (now) => expect(now.every(({ state }) => state === 'resident')).toBe(true));
@@ -164,9 +161,7 @@ describe('the timeline', () => {
         await handle.focus();
         await page.keyboard.press('Home');
         // Nothing has been released for any time yet.
-        await page.waitForFunction(
-            () => window.wakesurf!.displayed!.time === 8.5 && window.wakesurf!.phase === 'empty',
-        );
+        await page.waitForFunction(() => window.wakesurf!.displayed!.time === 8.5 && window.wakesurf!.phase === 'empty');
         for (const _ of [1, 2, 3]) await page.keyboard.press('ArrowRight');
         await shownAt(10);
         await page.keyboard.press('PageUp');

@@ -46,7 +46,7 @@ function keepResumeToken(): void {
     window.Worker = class extends RealWorker {
         constructor(url: string | URL, options?: WorkerOptions) {
             super(url, options);
-            this.addEventListener('message', ({ data }) => {
+            this.addEventListener('message', ({ data }: MessageEvent<{ result?: { resumeToken?: unknown } }>) => {
                 const token = data.result?.resumeToken;
                 if (typeof token === 'string') window.resumeToken = token;
             });

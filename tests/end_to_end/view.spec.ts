@@ -50,7 +50,11 @@ describe('the camera', () => {
         }
         // Against y from -y: x to the right, z up, on the marker as in the picture.
         await expect.poll(async () => (await endOf('+x: look against x')).x).toBeGreaterThan(20);
-        const [centre, along, up] = await project([[5, 0, 3], [6, 0, 3], [5, 0, 4]]);
+        const [centre, along, up] = await project([
+            [5, 0, 3],
+            [6, 0, 3],
+            [5, 0, 4],
+        ]);
         const [x, z] = [await endOf('+x: look against x'), await endOf('+z: look against z')];
         expect(along!.x).toBeGreaterThan(centre!.x);
         expect(Math.abs(x.y)).toBeLessThan(1);
@@ -60,7 +64,12 @@ describe('the camera', () => {
 
     it('without perspective shows equal lengths equal, near and far, with the target where it was', async () => {
         await page.getByRole('button', { name: 'Fit the whole domain' }).click();
-        const stick: Vec3[] = [[-2, -3, 1], [-2, -3, 3], [10, 3, 1], [10, 3, 3]];
+        const stick: Vec3[] = [
+            [-2, -3, 1],
+            [-2, -3, 3],
+            [10, 3, 1],
+            [10, 3, 3],
+        ];
         const lengths = async (): Promise<[number, number]> => {
             const [a, b, c, d] = await project(stick);
             return [Math.hypot(b!.x - a!.x, b!.y - a!.y), Math.hypot(d!.x - c!.x, d!.y - c!.y)];
@@ -91,11 +100,16 @@ describe('the camera', () => {
 
     it('fits the domain by a key', async () => {
         await page.evaluate(() => window.wakesurf!.setCamera([200, 300, 100], [0, 0, 0]));
-        await page.locator('canvas').first().click({ position: { x: 20, y: 300 } });
+        await page
+            .locator('canvas')
+            .first()
+            .click({ position: { x: 20, y: 300 } });
         await page.keyboard.press('f');
         const corners = await page.evaluate(() => {
             const b = window.wakesurf!.bounds!;
-            return [0, 1, 2, 3, 4, 5, 6, 7].map((i) => window.wakesurf!.project([b[i & 1]!, b[2 + ((i >> 1) & 1)]!, b[4 + (i >> 2)]!])!);
+            return [0, 1, 2, 3, 4, 5, 6, 7].map((i) =>
+                window.wakesurf!.project([b[i & 1]!, b[2 + ((i >> 1) & 1)]!, b[4 + (i >> 2)]!])!,
+            );
         });
         const canvas = (await page.locator('canvas').first().boundingBox())!;
         for (const { x, y } of corners) {
@@ -122,7 +136,9 @@ describe('views that are kept', () => {
         const kept = page.getByRole('button', { name: 'From the wake', exact: true });
         await kept.waitFor();
         const session = await ask(page, (hook) => hook.session);
-        const { bookmarks } = (await stand.server.call('bookmark.list', { session })) as { bookmarks: { name: string; view: object }[] };
+        const { bookmarks } = (await stand.server.call('bookmark.list', { session })) as {
+            bookmarks: { name: string; view: object }[];
+        };
         expect(bookmarks).toMatchObject([{ name: 'From the wake', view: { camera: { target: place.target } } }]);
 
         await page.getByRole('button', { name: 'Fit the whole domain' }).click();
@@ -170,7 +186,8 @@ describe('what a brush has revealed', () => {
         const hits = await hitsOver(of, 6);
         return new Set(hits.filter(({ surface }) => surface !== null).map(({ at }) => `${at.x} ${at.y}`));
     };
-    const apart = (a: Set<string>, b: Set<string>): number => [...a].filter((at) => !b.has(at)).length + [...b].filter((at) => !a.has(at)).length;
+    const apart = (a: Set<string>, b: Set<string>): number =>
+        [...a].filter((at) => !b.has(at)).length + [...b].filter((at) => !a.has(at)).length;
     const masksOf = (page: Page) => readFragment(new URL(page.url()).hash).state?.view.masks ?? {};
 
     it('is in the link that someone else opens, and in views that are kept', async () => {

@@ -50,7 +50,7 @@ const smallSequences: Sequence[] = Array.from({ length: randomSequences }, (_, i
     return { name: `random ${i}`, lattice, attributes: ranges.length, frames };
 });
 
-/// With `count` bytes from `from` on said twice.
+/** With `count` bytes from `from` on said twice. */
 function doubled(bytes: Uint8Array, from: number, count: number): Uint8Array {
     const again = bytes.subarray(from, from + count);
     const longer = new Uint8Array(bytes.length + again.length);
@@ -60,10 +60,10 @@ function doubled(bytes: Uint8Array, from: number, count: number): Uint8Array {
     return longer;
 }
 
-/// A frame with some bytes changed, cut off or put in twice.
+/** A frame with some bytes changed, cut off or put in twice. */
 function mutated(frame: Uint8Array): Uint8Array {
-    let bytes = frame.slice();
-    for (let round = random() % 4; round >= 0; round -= 1) {
+    let bytes: Uint8Array = frame.slice();
+    for (let round = random() % 4; round >= 0; --round) {
         const at = random() % Math.max(1, bytes.length);
         switch (random() % 8) {
             case 0:
@@ -73,24 +73,28 @@ function mutated(frame: Uint8Array): Uint8Array {
                 bytes = doubled(bytes, at, random() % 32);
                 break;
             case 2: // extreme values where the header has numbers
-                new DataView(bytes.buffer).setUint32(Math.min(at % frameHeaderBytes, Math.max(0, bytes.length - 4)), [0, 1, 0x7fffffff, noVertex][random() % 4]!, true);
+                new DataView(bytes.buffer).setUint32(
+                    Math.min(at % frameHeaderBytes, Math.max(0, bytes.length - 4)),
+                    [0, 1, 0x7fffffff, noVertex][random() % 4]!,
+                    true,
+                );
                 break;
             default:
                 bytes[at]! ^= 1 << (random() % 8);
         }
-        if (bytes.length < 4)
-            return bytes;
+        if (bytes.length < 4) return bytes;
     }
     return bytes.length < frameHeaderBytes ? bytes : sealed(bytes);
 }
 
 function check(decoder: MeshDecoder): void {
     const mesh = decoder.mesh;
-    if (mesh === undefined)
-        return;
-    for (const id of mesh.cells)
-        if (id >= mesh.vertices && id >>> 0 !== noVertex)
+    if (mesh === undefined) return;
+    for (const id of mesh.cells) {
+        if (id >= mesh.vertices && id >>> 0 !== noVertex) {
             throw new Error(`a decoded cell names vertex ${id} of ${mesh.vertices}`);
+        }
+    }
 }
 
 const points = await dracoPoints();
@@ -100,32 +104,31 @@ let epoch = process.cpuUsage(); // read for every frame it would cost as much as
 
 function report(): void {
     const [heap, took] = [points.heapBytes >> 20, (performance.now() - start) / 1000];
-    console.log(`mesh_decoder.ts: ${runs} runs, ${refused} refused, slowest ${slowest.toFixed(0)} ms, Draco's heap ${heap} MiB, ${took.toFixed(0)} s`);
+    console.log(
+        `mesh_decoder.ts: ${runs} runs, ${refused} refused, slowest ${slowest.toFixed(0)} ms, Draco's heap ${heap} MiB, ${took.toFixed(0)} s`,
+    );
 }
 
-/// Folds one frame, whole or mutated; false where it was refused.
+/** Folds one frame, whole or mutated; false where it was refused. */
 function fold(decoder: MeshDecoder, frame: Uint8Array): boolean {
-    runs += 1;
+    ++runs;
     try {
         decoder.fold(random() % 2 === 0 ? frame : mutated(frame));
         check(decoder);
         return true;
     } catch (error) {
-        if (!(error instanceof FrameError))
-            throw error;
-        if (decoder.mesh !== undefined)
-            throw new Error('something is kept of a mesh that was refused');
-        refused += 1;
+        if (!(error instanceof FrameError)) throw error;
+        if (decoder.mesh !== undefined) throw new Error('something is kept of a mesh that was refused');
+        ++refused;
         return false;
     }
 }
 
-/// A sequence from its start until a frame is refused; now and then beyond, where only a KEY may be taken.
+/** A sequence from its start until a frame is refused; now and then beyond, where only a KEY may be taken. */
 function run({ lattice: agreed, attributes, frames }: Sequence): void {
     const decoder = new MeshDecoder(points, agreed, attributes);
     for (const frame of frames) {
-        if (runs % framesAnEpoch === 0)
-            epoch = process.cpuUsage();
+        if (runs % framesAnEpoch === 0) epoch = process.cpuUsage();
         const before = performance.now();
         const taken = fold(decoder, frame);
         const took = performance.now() - before;
@@ -133,12 +136,9 @@ function run({ lattice: agreed, attributes, frames }: Sequence): void {
             const { user, system } = process.cpuUsage(epoch);
             slowest = Math.max(slowest, Math.min(took, (user + system) / 1000)); // not what others had the processor for
         }
-        if (slowest > mostMilliseconds)
-            throw new Error(`a frame took ${slowest.toFixed(0)} ms`);
-        if (runs % 1_000_000 === 0)
-            report();
-        if (!taken && random() % 8 !== 0)
-            return;
+        if (slowest > mostMilliseconds) throw new Error(`a frame took ${slowest.toFixed(0)} ms`);
+        if (runs % 1_000_000 === 0) report();
+        if (!taken && random() % 8 !== 0) return;
     }
 }
 
@@ -151,7 +151,6 @@ while (runs < most && performance.now() - start < 1000 * seconds) {
         console.error(`broken: ${sequence.name}, seed ${seed}, run ${runs}`);
         throw error;
     }
-    if (points.heapBytes > mostHeap)
-        throw new Error(`Draco's heap has grown to ${points.heapBytes} bytes`);
+    if (points.heapBytes > mostHeap) throw new Error(`Draco's heap has grown to ${points.heapBytes} bytes`);
 }
 report();

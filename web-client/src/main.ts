@@ -103,7 +103,12 @@ function start(app: App): void {
     const sight = { view: () => scene.view(), pick: (at: ScreenPoint) => scene.pick(at) };
     const probing = new Probing({ state, pageView: view, worker, requestFrame: scene.loop.request, ...sight });
     const pointing = new Pointing({ state, people, requestFrame: scene.loop.request, ...sight });
-    for (const tool of [probing, new Measuring({ state, pageView: view, ...sight }), new Noting({ state, pageView: view, ...sight }), pointing]) {
+    for (const tool of [
+        probing,
+        new Measuring({ state, pageView: view, ...sight }),
+        new Noting({ state, pageView: view, ...sight }),
+        pointing,
+    ]) {
         scene.pointerTools.add(tool);
     }
     showLooks({ state, view, scene, worker });
@@ -117,7 +122,19 @@ function start(app: App): void {
         picture: (size) => scene.copySmall(size),
         busy: () => scene.interaction.dragging || document.visibilityState !== 'visible',
     });
-    const controller = new SessionController({ imports, state, scene, worker, edits, feed, people, progress, url, views, thumbnails });
+    const controller = new SessionController({
+        imports,
+        state,
+        scene,
+        worker,
+        edits,
+        feed,
+        people,
+        progress,
+        url,
+        views,
+        thumbnails,
+    });
     const shelf = new SessionShelf({ state, worker, base: baseUrl(), restored: (session) => controller.restored(session) });
     const clock = new ClockControl({ state, worker, requestFrame: scene.loop.request });
     const playback = new Playback({ state, edits, clock });
@@ -132,7 +149,24 @@ function start(app: App): void {
     showRakes(state, view, scene);
     installTestHook({ state, scene, latency, canvas, figure });
     const model: AppModel = {
-        ...{ state, view, edits, clock, playback, people, scene, worker, calls, views, probing, progress, imports, figure, film, mesh },
+        ...{
+            state,
+            view,
+            edits,
+            clock,
+            playback,
+            people,
+            scene,
+            worker,
+            calls,
+            views,
+            probing,
+            progress,
+            imports,
+            figure,
+            film,
+            mesh,
+        },
         shelf,
         rename: (name) => controller.rename(name),
         restoreSession: () => controller.restore(),

@@ -36,7 +36,9 @@ function packagesOfThePage(): Map<string, LockedPackage> {
 
 describe.skipIf(!existsSync(built))('the notices beside the page', () => {
     it('name each package that is in it, with its version and the words of its licence', () => {
-        const sections = readFileSync(built, 'utf8').split(/^={80}\n/m).slice(1);
+        const sections = readFileSync(built, 'utf8')
+            .split(/^={80}\n/m)
+            .slice(1);
         const packages = packagesOfThePage();
         expect(packages.size).toBeGreaterThan(5);
         expect(sections.map((text) => text.split(' ')[0]).sort()).toEqual([...packages.keys()].sort());
@@ -56,9 +58,13 @@ describe('a build', () => {
         const generate = thirdPartyNotices().page.generateBundle as (this: object, options: object, bundle: object) => void;
         const emitted: string[] = [];
         const build = (): void =>
-            generate.call({ emitFile: ({ source }: { source: string }) => emitted.push(source) }, {}, {
-                'a.js': { type: 'chunk', moduleIds: [join(of, 'index.js')] },
-            });
+            generate.call(
+                { emitFile: ({ source }: { source: string }) => emitted.push(source) },
+                {},
+                {
+                    'a.js': { type: 'chunk', moduleIds: [join(of, 'index.js')] },
+                },
+            );
         expect(build).toThrow(/nameless has no licence file/);
         writeFileSync(join(of, 'LICENSE.md'), 'Do what you like.');
         build();

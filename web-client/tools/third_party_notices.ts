@@ -34,9 +34,7 @@ export function thirdPartyNotices(): ThirdPartyNotices {
                 this.emitFile({ type: 'asset', fileName: noticesFile, source });
             },
         },
-        worker: () => [
-            { name: 'third-party-packages', apply: 'build', generateBundle: (_, bundle) => collect(bundle) },
-        ],
+        worker: () => [{ name: 'third-party-packages', apply: 'build', generateBundle: (_, bundle) => collect(bundle) }],
     };
 }
 
@@ -47,7 +45,10 @@ function packageFolder(module: string): string[] {
 }
 
 function noticeOf(folder: string): string {
-    const { name, version, license, author } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as Record<string, unknown>;
+    const { name, version, license, author } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as Record<
+        string,
+        unknown
+    >;
     const by = typeof author === 'string' ? `\nBy ${author}` : '';
     return `\n${'='.repeat(80)}\n${String(name)} ${String(version)}, ${String(license)}${by}\n\n${licenceText(folder, String(license))}\n`;
 }

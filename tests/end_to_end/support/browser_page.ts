@@ -67,7 +67,7 @@ export async function finalSurface(page: Page): Promise<void> {
 
 /** Reads facts from the page. */
 export function ask<Result>(page: Page, read: (hook: TestHook) => Result): Promise<Result> {
-    return page.evaluate(`(${read.toString()})(window.wakesurf)`) as Promise<Result>;
+    return page.evaluate<Result>(`(${read.toString()})(window.wakesurf)`);
 }
 
 export async function screenshot(page: Page, name: string): Promise<void> {

@@ -19,7 +19,7 @@ async function measure(frames: Uint8Array[], rounds: number): Promise<DecodedUpd
     const draco = await loadDraco();
     const { latticeBits, attributeCount } = readFrame(frames[0]!).header;
     const measured: DecodedUpdate[] = [];
-    for (let round = 0; round < rounds; round += 1) {
+    for (let round = 0; round < rounds; ++round) {
         const decoder = new MeshDecoder(draco, lattice(latticeBits), attributeCount);
         // The page draws the first attribute; s and t come with it.
         const names = ['speed', 's', 't', ...Array.from({ length: attributeCount }, (_, i) => `${i}`)];

@@ -32,7 +32,10 @@ export interface Sheet {
 
 /** A line across the middle of the flow. */
 export function acrossAt(y: number): Vec3[] {
-    return [[0.5, y, 2], [0.5, y, 5]];
+    return [
+        [0.5, y, 2],
+        [0.5, y, 5],
+    ];
 }
 
 /** From which side of the sheets the camera looks, along y. */

@@ -23,7 +23,7 @@ export class Guest {
         this.socket = socket;
         socket.on('message', (data, binary) => {
             if (binary) return;
-            const message = JSON.parse(String(data)) as Message;
+            const message = JSON.parse((data as Buffer).toString()) as Message;
             if (message.method === 'presence.patched') {
                 for (const { dragging } of message.params!.participants) if (dragging !== undefined) this.told.push(dragging);
             }

@@ -17,9 +17,7 @@ export function pixelsOfPng(page: Page, png: Buffer, points: { x: number; y: num
             const canvas = new OffscreenCanvas(image.width, image.height);
             const drawing = canvas.getContext('2d')!;
             drawing.drawImage(image, 0, 0);
-            const at = places.map(({ x, y }) => [
-                ...drawing.getImageData(Math.floor(x), Math.floor(y), 1, 1).data,
-            ]);
+            const at = places.map(({ x, y }) => [...drawing.getImageData(Math.floor(x), Math.floor(y), 1, 1).data]);
             return { width: image.width, height: image.height, at };
         },
         { data: png.toString('base64'), places: points },

@@ -14,13 +14,7 @@ export async function takeHandle(page: Page, handle: HandleName): Promise<{ x: n
 }
 
 /** Drags a handle by so many pixels; it is under the pointer after every step. */
-export async function dragHandle(
-    page: Page,
-    handle: HandleName,
-    dx: number,
-    dy: number,
-    steps: number,
-): Promise<void> {
+export async function dragHandle(page: Page, handle: HandleName, dx: number, dy: number, steps: number): Promise<void> {
     const from = await takeHandle(page, handle);
     const size = page.viewportSize();
     for (const [value, limit] of [

@@ -55,5 +55,8 @@ export interface Layer {
 
 /** Layers from the nearest on over a ground, of 0 .. 255, as is the result. */
 export function layered(layers: readonly Layer[], ground: readonly number[]): number[] {
-    return layers.reduceRight((behind, { colour, alpha }) => behind.map((c, i) => 255 * colour[i]! * alpha + (1 - alpha) * c), [...ground]);
+    return layers.reduceRight(
+        (behind, { colour, alpha }) => behind.map((c, i) => 255 * colour[i]! * alpha + (1 - alpha) * c),
+        [...ground],
+    );
 }

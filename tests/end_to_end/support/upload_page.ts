@@ -26,7 +26,7 @@ function sheet(fromRow: number, toRow: number, moved: number): MeshChange {
     const count = (toRow - fromRow) * columns;
     const [positions, normals, seeds] = [new Float32Array(3 * count), new Float32Array(3 * count), new Float32Array(2 * count)];
     const values = new Float32Array(count);
-    for (let i = 0; i < count; i += 1) {
+    for (let i = 0; i < count; ++i) {
         const [row, column] = [fromRow + Math.floor(i / columns), i % columns];
         positions.set([column / columns, row / 1000, 0.05 * Math.sin(row / 9 + column / 7 + moved)], 3 * i);
         normals.set([0, 0, 1], 3 * i);
@@ -36,7 +36,7 @@ function sheet(fromRow: number, toRow: number, moved: number): MeshChange {
     const firstCellRow = Math.max(0, fromRow - 1);
     const quads = (toRow - 1 - firstCellRow) * (columns - 1);
     const indices = new Uint32Array(6 * quads);
-    for (let i = 0; i < quads; i += 1) {
+    for (let i = 0; i < quads; ++i) {
         const at = (firstCellRow + Math.floor(i / (columns - 1))) * columns + (i % (columns - 1));
         indices.set([at, at + 1, at + columns, at + 1, at + columns + 1, at + columns], 6 * i);
     }
@@ -56,7 +56,13 @@ function sheet(fromRow: number, toRow: number, moved: number): MeshChange {
 /** All vertices move; cells, s and t stay. */
 function moved(rows: number, by: number): MeshChange {
     const change = sheet(0, rows, by);
-    return { ...change, fromSeed: rows * columns, seeds: new Float32Array(0), fromIndex: change.indices.length, indices: new Uint32Array(0) };
+    return {
+        ...change,
+        fromSeed: rows * columns,
+        seeds: new Float32Array(0),
+        fromIndex: change.indices.length,
+        indices: new Uint32Array(0),
+    };
 }
 
 class Bench {
@@ -97,7 +103,7 @@ async function measure(first: MeshChange, next: (round: number) => MeshChange | 
     const bench = new Bench();
     bench.take(first);
     const spent: number[] = [];
-    for (let round = 0; round < rounds; round += 1) {
+    for (let round = 0; round < rounds; ++round) {
         const change = next(round);
         await new Promise((resolve) => setTimeout(resolve, 20));
         spent.push(bench.take(change));

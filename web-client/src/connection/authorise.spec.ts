@@ -19,7 +19,9 @@ afterEach(() => vi.unstubAllGlobals());
 describe('letting a page in', () => {
     it('is given up where the token is no good, with words for who came by a link as well', async () => {
         answerWith(401);
-        await expect(authorise(base, 'wrong')).rejects.toThrow(/If someone gave you the link, it has expired or its session was deleted/);
+        await expect(authorise(base, 'wrong')).rejects.toThrow(
+            /If someone gave you the link, it has expired or its session was deleted/,
+        );
         await expect(authorise(base, null)).rejects.toBeInstanceOf(HopelessError);
     });
 

@@ -14,7 +14,7 @@ export class BackOff {
 
     nextWaitMs(): number {
         const ceiling = Math.min(longestWaitMs, firstWaitMs * 2 ** this.failures);
-        this.failures += 1;
+        ++this.failures;
         return ceiling * (0.5 + 0.5 * this.random());
     }
 

@@ -12,7 +12,7 @@ class Bench {
             this.sent.push(edit);
             return new Promise((resolve) => this.answers.push(resolve));
         },
-        requestFlush: () => (this.flushRequests += 1),
+        requestFlush: () => ++this.flushRequests,
         onChange: () => this.busyHistory.push(this.window.busy),
     });
 

@@ -37,9 +37,9 @@ export class EditWindow<T> {
         if (this.waiting === null || this.inFlight >= editsInFlight) return;
         const { edit } = this.waiting;
         this.waiting = null;
-        this.inFlight += 1;
+        ++this.inFlight;
         void this.options.send(edit).finally(() => {
-            this.inFlight -= 1;
+            --this.inFlight;
             this.options.onChange();
             if (this.waiting !== null) this.options.requestFlush();
         });

@@ -34,7 +34,7 @@ class Bench {
         },
         onState: (state) => this.states.push(state),
         onMessage: (data) => this.messages.push(data),
-        ping: () => (this.pings += 1),
+        ping: () => ++this.pings,
     });
 
     async start(): Promise<void> {
@@ -145,7 +145,7 @@ describe('LiveSocket', () => {
         bench.live.retryNow();
         await bench.clock.pass(600_000);
         expect(bench.sockets).toHaveLength(1);
-        expect(bench.states.at(-1)).toEqual({ state: 'ended', reason: expect.stringMatching(why) });
+        expect(bench.states.at(-1)).toEqual({ state: 'ended', reason: expect.stringMatching(why) as string });
     });
 
     it('says why a link has ended where the server does', async () => {

@@ -87,7 +87,7 @@ export class LiveSocket {
     }
 
     private async connect(): Promise<void> {
-        this.attempt += 1;
+        ++this.attempt;
         this.options.onState({ state: 'connecting', attempt: this.attempt });
         try {
             this.adopt(await this.options.connect());

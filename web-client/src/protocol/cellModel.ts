@@ -5,7 +5,7 @@ import { FrameError } from './frameError.ts';
 import type { OpenSides } from './openSides.ts';
 import { AdaptiveBits, AdaptiveNumber, type RangeDecoder } from './rangeDecoder.ts';
 
-/// Where a vertex was expected from.
+/** Where a vertex was expected from. */
 const along = 0;
 const beside = 1;
 const stride = 2;
@@ -20,7 +20,7 @@ const starts = [along, beside, stride, fresh];
 const startsOfOld = [old];
 const nexts = [old, back, gate, fresh, stride];
 
-/// The slots of a cell's outline, in order, by which mids there are.
+/** The slots of a cell's outline, in order, by which mids there are. */
 const outlines = Array.from({ length: 16 }, (_, mids) =>
     [0, 1, 2, 3].flatMap((side) => ((mids >> side) & 1 ? [side, 4 + side] : [side])),
 );
@@ -53,21 +53,20 @@ export class CellModel {
         this.open = open;
     }
 
-    /// The next cell, into eight ids from `at` on; `replaces`: in place of the one that is there. Throws FrameError.
+    /** The next cell, into eight ids from `at` on; `replaces`: in place of the one that is there. Throws FrameError. */
     read(decoder: RangeDecoder, cells: Int32Array, at: number, replaces: boolean): void {
-        if (replaces || !this.repeatable || !this.readRepeat(decoder))
-            this.readCell(decoder, cells, at, replaces);
+        if (replaces || !this.repeatable || !this.readRepeat(decoder)) this.readCell(decoder, cells, at, replaces);
         this.finish(cells, at);
     }
 
     private readRepeat(decoder: RangeDecoder): boolean {
         const repeats = decoder.bit(this.repeatBits, this.repeats & 7);
         this.repeats = (this.repeats << 1) | repeats;
-        if (repeats === 0)
-            return false;
+        if (repeats === 0) return false;
         this.slots = outlines[this.choiceMids]!;
-        for (let k = 0; k < this.slots.length; k += 1)
+        for (let k = 0; k < this.slots.length; ++k) {
             this.outline[k] = this.checked(this.expected(this.choice[k]!, k, this.last, 0));
+        }
         return true;
     }
 
@@ -76,14 +75,12 @@ export class CellModel {
         this.slots = outlines[mids]!;
         let before = this.lastStart;
         let allExpected = true;
-        for (let k = 0; k < this.slots.length; k += 1) {
+        for (let k = 0; k < this.slots.length; ++k) {
             before = this.readVertex(decoder, cells, at, replaces, k, before);
             allExpected &&= before !== explicit;
-            if (replaces)
-                continue;
+            if (replaces) continue;
             this.choice[k] = before;
-            if (k === 0)
-                this.lastStart = before;
+            if (k === 0) this.lastStart = before;
         }
         if (!replaces) {
             this.choiceMids = mids;
@@ -94,7 +91,7 @@ export class CellModel {
 
     private readMids(decoder: RangeDecoder, cells: Int32Array, at: number, replaces: boolean): number {
         let mids = 0;
-        for (let side = 0; side < 4; side += 1) {
+        for (let side = 0; side < 4; ++side) {
             const had = replaces && cells[at + 4 + side]! !== noVertex ? 4 : 0;
             const last = side !== 2 && ((this.lastMids >> side) & 1) !== 0 ? 2 : 0;
             const sideBefore = side > 0 ? (mids >> (side - 1)) & 1 : 0;
@@ -103,7 +100,7 @@ export class CellModel {
         return mids;
     }
 
-    /// Gives the choice; the vertex is in the outline.
+    /** Gives the choice; the vertex is in the outline. */
     private readVertex(
         decoder: RangeDecoder,
         cells: Int32Array,
@@ -118,32 +115,28 @@ export class CellModel {
         const { outline } = this;
         let asked = k;
         for (const choice of inTurn) {
-            if ((choice === old && !replaces) || (choice === stride && slot >= 4))
-                continue;
+            if ((choice === old && !replaces) || (choice === stride && slot >= 4)) continue;
             const v = this.expected(choice, k, cells, at);
-            if (v < 0 || v >= this.vertices || this.isInOutline(v, asked))
-                continue;
+            if (v < 0 || v >= this.vertices || this.isInOutline(v, asked)) continue;
             outline[asked] = v; // behind the outline so far: not asked again
             if (decoder.bit(this.choiceBits, context + choice) !== 0) {
                 outline[k] = v;
                 return choice;
             }
-            asked += 1;
+            ++asked;
         }
         const from = k === 0 ? this.last[0]! : slot >= 4 ? this.fresh : outline[k - 1]!;
-        const number = this.numbers[k === 0 ? 0 : slot >= 4 ? 2 : 1]!;
+        const number = this.numbers[k === 0 ? 0 : slot >= 4 ? 2 : 1];
         outline[k] = this.checked((from + unzigzag(number.read(decoder))) | 0);
         return explicit;
     }
 
     private isInOutline(v: number, count: number): boolean {
-        for (let i = 0; i < count; i += 1)
-            if (this.outline[i] === v)
-                return true;
+        for (let i = 0; i < count; ++i) if (this.outline[i] === v) return true;
         return false;
     }
 
-    /// None of the vertices where nothing is expected.
+    /** None of the vertices where nothing is expected. */
     private expected(choice: number, k: number, cells: Int32Array, at: number): number {
         const slot = this.slots[k]!;
         switch (choice) {
@@ -159,8 +152,7 @@ export class CellModel {
                 return cells[at + slot]!;
             case back: {
                 let v = this.outline[0]!;
-                for (let steps = this.slots.length - k; steps > 0 && v >= 0; steps -= 1)
-                    v = this.open.before(v);
+                for (let steps = this.slots.length - k; steps > 0 && v >= 0; --steps) v = this.open.before(v);
                 return v;
             }
             case gate:
@@ -171,24 +163,21 @@ export class CellModel {
     }
 
     private checked(v: number): number {
-        if (v < 0 || v >= this.vertices)
-            throw new FrameError('a cell of a mesh frame uses a vertex that was not sent');
+        if (v < 0 || v >= this.vertices) throw new FrameError('a cell of a mesh frame uses a vertex that was not sent');
         return v;
     }
 
     private finish(cells: Int32Array, at: number): void {
         const { slots, outline, open, last } = this;
         cells.fill(noVertex, at, at + cellStride);
-        for (let k = 0; k < slots.length; k += 1) {
+        for (let k = 0; k < slots.length; ++k) {
             const v = outline[k]!;
             const slot = slots[k]!;
             cells[at + slot] = v;
             this.stride[slot] = v - last[slot]!;
             last[slot] = v;
-            if (v >= this.fresh)
-                this.fresh = v + 1;
+            if (v >= this.fresh) this.fresh = v + 1;
         }
-        for (let k = 0; k < slots.length; k += 1)
-            open.join(outline[k]!, outline[k + 1 < slots.length ? k + 1 : 0]!);
+        for (let k = 0; k < slots.length; ++k) open.join(outline[k]!, outline[k + 1 < slots.length ? k + 1 : 0]!);
     }
 }

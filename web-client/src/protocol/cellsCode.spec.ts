@@ -19,7 +19,7 @@ function decode(code: number[], count: number, vertices: number, kept: PlainKept
     return Array.from({ length: count }, (_, i) => [...cells.subarray(i * cellStride, (i + 1) * cellStride)]);
 }
 
-/// Columns of ten.
+/** Columns of ten. */
 function strip(column: number, cells: number): number[][] {
     return Array.from({ length: cells }, (_, i) => {
         const at = 10 * column + i;
@@ -34,7 +34,7 @@ test('reads a sheet, whose later cells are as expected and cost hardly a byte', 
     expect(code.length).toBeLessThan(36);
 });
 
-/// Two strips with hanging nodes: 5 cells of vertices below 30.
+/** Two strips with hanging nodes: 5 cells of vertices below 30. */
 const mixed = [
     [0, 10, 11, 1, n, n, n, n],
     [1, 11, 13, 2, n, 12, n, n],
@@ -68,8 +68,7 @@ test('looks, of many cells that stay, at the last 4096 and at those by a change'
 test('refuses every truncation, more cells, fewer cells and fewer vertices', () => {
     const code = writeCells(mixed, nothingKept, 30);
     expect(decode(code, 5, 30)).toEqual(mixed);
-    for (let size = 0; size < code.length; size += 1)
-        expect(() => decode(code.slice(0, size), 5, 30)).toThrow(FrameError);
+    for (let size = 0; size < code.length; ++size) expect(() => decode(code.slice(0, size), 5, 30)).toThrow(FrameError);
     expect(() => decode([...code, 0], 5, 30)).toThrow(FrameError);
     expect(() => decode(code, 0, 30)).toThrow(FrameError);
     expect(() => decode(code, 500, 30)).toThrow(FrameError);
@@ -80,10 +79,9 @@ test('survives mutations with ids in range or an error', () => {
     const random = seededRandom(7);
     const code = writeCells(mixed, nothingKept, 30);
     let survived = 0;
-    for (let i = 0; i < 20_000; i += 1) {
+    for (let i = 0; i < 20_000; ++i) {
         const bad = [...code];
-        for (let k = random() % 4; k >= 0; k -= 1)
-            bad[random() % bad.length] = random() & 0xff;
+        for (let k = random() % 4; k >= 0; --k) bad[random() % bad.length] = random() & 0xff;
         let cells: number[][];
         try {
             cells = decode(bad, 5, 30);
@@ -91,7 +89,7 @@ test('survives mutations with ids in range or an error', () => {
             expect(error).toBeInstanceOf(FrameError);
             continue;
         }
-        survived += 1;
+        ++survived;
         expect(cells.flat().every((id) => (id >= 0 && id < 30) || id === noVertex)).toBe(true);
     }
     expect(survived).toBeGreaterThan(20);

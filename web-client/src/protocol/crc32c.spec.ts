@@ -7,8 +7,7 @@ function bitwise(bytes: Uint8Array): number {
     let crc = 0xffffffff;
     for (const byte of bytes) {
         crc ^= byte;
-        for (let bit = 0; bit < 8; bit += 1)
-            crc = (crc >>> 1) ^ ((crc & 1) !== 0 ? 0x82f63b78 : 0);
+        for (let bit = 0; bit < 8; ++bit) crc = (crc >>> 1) ^ ((crc & 1) !== 0 ? 0x82f63b78 : 0);
     }
     return ~crc >>> 0;
 }
@@ -23,13 +22,16 @@ test('gives the published check values', () => {
 
 test('equals its definition for every length and alignment', () => {
     const bytes = Uint8Array.from({ length: 67 }, (_, i) => i * i * 31 + 7);
-    for (let from = 0; from < 8; from += 1)
-        for (let to = from; to <= bytes.length; to += 1)
+    for (let from = 0; from < 8; ++from) {
+        for (let to = from; to <= bytes.length; ++to) {
             expect(crc32c(bytes.subarray(from, to))).toBe(bitwise(bytes.subarray(from, to)));
+        }
+    }
 });
 
 test('of a whole is that of its parts in turn', () => {
     const bytes = text.encode('quads with hanging nodes, column by column');
-    for (let cut = 0; cut <= bytes.length; cut += 1)
+    for (let cut = 0; cut <= bytes.length; ++cut) {
         expect(crc32c(bytes.subarray(cut), crc32c(bytes.subarray(0, cut)))).toBe(crc32c(bytes));
+    }
 });

@@ -2,16 +2,15 @@
 
 const reflectedPolynomial = 0x82f63b78;
 
-/// Eight tables of 256: slicing-by-8 (Kounavis, Berry, IEEE Trans. Comput. 57(11), 2008).
+/** Eight tables of 256: slicing-by-8 (Kounavis, Berry, IEEE Trans. Comput. 57(11), 2008). */
 function makeTables(): Int32Array {
     const tables = new Int32Array(8 * 256);
-    for (let byte = 0; byte < 256; byte += 1) {
+    for (let byte = 0; byte < 256; ++byte) {
         let crc = byte;
-        for (let bit = 0; bit < 8; bit += 1)
-            crc = (crc >>> 1) ^ ((crc & 1) !== 0 ? reflectedPolynomial : 0);
+        for (let bit = 0; bit < 8; ++bit) crc = (crc >>> 1) ^ ((crc & 1) !== 0 ? reflectedPolynomial : 0);
         tables[byte] = crc;
     }
-    for (let i = 256; i < tables.length; i += 1) {
+    for (let i = 256; i < tables.length; ++i) {
         const before = tables[i - 256]!;
         tables[i] = (before >>> 8) ^ tables[before & 0xff]!;
     }
@@ -22,8 +21,7 @@ const tables = makeTables();
 
 function sumBytes(bytes: Uint8Array, from: number, to: number, start: number): number {
     let crc = start;
-    for (let at = from; at < to; at += 1)
-        crc = (crc >>> 8) ^ tables[(crc ^ bytes[at]!) & 0xff]!;
+    for (let at = from; at < to; ++at) crc = (crc >>> 8) ^ tables[(crc ^ bytes[at]!) & 0xff]!;
     return crc;
 }
 
@@ -46,9 +44,11 @@ function sumWords(words: Uint32Array, start: number): number {
     return crc;
 }
 
-/// The checksum of everything summed so far followed by `data`, as an unsigned number:
-/// crc32c(b, crc32c(a)) === crc32c(a + b). Numbers are summed as they lie in memory, which is
-/// little-endian on everything that runs WebGL 2.
+/**
+ * The checksum of everything summed so far followed by `data`, as an unsigned number:
+ * crc32c(b, crc32c(a)) === crc32c(a + b). Numbers are summed as they lie in memory, which is
+ * little-endian on everything that runs WebGL 2.
+ */
 export function crc32c(data: ArrayBufferView, soFar = 0): number {
     const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
     const head = Math.min(bytes.length, (4 - (bytes.byteOffset & 3)) & 3);

@@ -6,17 +6,17 @@ import { FrameError } from './frameError.ts';
 const draco = { genericAttribute: 4, int32: 5, integerCoding: 1 } as const;
 const bytesOfInt32 = 4;
 
-/// All that Draco 2.3 says before the entropy-coded values. It trusts these counts, so a damaged one
-/// would cost gigabytes; compared first, they cannot.
+/**
+ * All that Draco 2.3 says before the entropy-coded values. It trusts these counts, so a damaged one
+ * would cost gigabytes; compared first, they cannot.
+ */
 function expectedStart(points: number, components: readonly number[]): Uint8Array {
     const bytes = [...'DRACO'].map((letter) => letter.charCodeAt(0));
     bytes.push(2, 3, 0, 0, 0, 0); // version; point cloud, sequential; no flags
-    for (let shift = 0; shift < 32; shift += 8)
-        bytes.push((points >>> shift) & 0xff);
+    for (let shift = 0; shift < 32; shift += 8) bytes.push((points >>> shift) & 0xff);
     bytes.push(1, components.length);
     components.forEach((count, i) => bytes.push(draco.genericAttribute, draco.int32, count, 0, i));
-    for (let i = 0; i < components.length; i += 1)
-        bytes.push(draco.integerCoding);
+    for (let i = 0; i < components.length; ++i) bytes.push(draco.integerCoding);
     return Uint8Array.from(bytes);
 }
 
@@ -24,7 +24,7 @@ function startsWith(bytes: Uint8Array, start: Uint8Array): boolean {
     return bytes.length >= start.length && start.every((byte, i) => byte === bytes[i]);
 }
 
-/// Decodes with one Draco module; everything it allocates there is freed before decode() returns.
+/** Decodes with one Draco module; everything it allocates there is freed before decode() returns. */
 export class DracoPoints {
     private module: DecoderModule;
 
@@ -32,21 +32,24 @@ export class DracoPoints {
         this.module = module;
     }
 
-    /// Bytes the module holds. They only grow.
+    /** Bytes the module holds. They only grow. */
     get heapBytes(): number {
         return this.module.HEAP8.byteLength;
     }
 
-    /// A fresh module takes the place of one that has grown too far.
+    /** A fresh module takes the place of one that has grown too far. */
     renew(module: DecoderModule): void {
         this.module = module;
     }
 
-    /// Fills one array a channel, whose numbers for each of the `points` (at least one) are `components`.
-    /// Throws FrameError.
+    /**
+     * Fills one array a channel, whose numbers for each of the `points` (at least one) are `components`.
+     * Throws FrameError.
+     */
     decode(bytes: Uint8Array, points: number, components: readonly number[], into: readonly Int32Array[]): void {
-        if (!startsWith(bytes, expectedStart(points, components)))
+        if (!startsWith(bytes, expectedStart(points, components))) {
             throw new FrameError('the Draco block of a mesh frame is not what its header announces');
+        }
         const { module } = this;
         const buffer = new module.DecoderBuffer();
         const decoder = new module.Decoder();
@@ -55,8 +58,9 @@ export class DracoPoints {
         try {
             buffer.Init(new Int8Array(bytes.buffer, bytes.byteOffset, bytes.length), bytes.length);
             const status = decoder.DecodeBufferToPointCloud(buffer, cloud);
-            if (!status.ok() || cloud.num_points() !== points)
+            if (!status.ok() || cloud.num_points() !== points) {
                 throw new FrameError(`Draco did not decode a mesh frame: ${status.error_msg()}`);
+            }
             components.forEach((count, i) => {
                 const size = points * count;
                 const attribute = decoder.GetAttribute(cloud, i);

@@ -27,8 +27,7 @@ describe.each(Object.entries(golden))('the golden frames %s', (name, expected) =
         let last: AppliedUpdate | undefined;
         for (const frame of frames) {
             const applied = into.fold(frame);
-            if (applied === undefined)
-                continue;
+            if (applied === undefined) continue;
             last = applied;
             seqs!.push(applied.header.seq);
             sums!.push(applied.mesh.stateSum());
@@ -41,8 +40,7 @@ describe.each(Object.entries(golden))('the golden frames %s', (name, expected) =
         const { surface, epoch, lossless, time } = expected;
         expect(header).toMatchObject({ surface, epoch, lossless, time, phase: phases[expected.phase] });
         expect([mesh.vertices, mesh.cellCount]).toEqual([expected.vertices, expected.cells]);
-        if (expected.firstVertex === undefined)
-            return;
+        if (expected.firstVertex === undefined) return;
         const vertex = (v: number): GoldenVertex => {
             const node = mesh.position.values.subarray(3 * v, 3 * v + 3);
             const position = new Float32Array(3);
@@ -64,10 +62,9 @@ describe.each(Object.entries(golden))('the golden frames %s', (name, expected) =
     test('are refused when mutated or cut off', () => {
         const random = seededRandom(11);
         const [good] = frames;
-        for (let i = 0; i < 500; i += 1) {
+        for (let i = 0; i < 500; ++i) {
             const bad = i % 2 === 0 ? good!.slice() : good!.subarray(0, random() % good!.length);
-            if (i % 2 === 0)
-                bad[random() % bad.length]! ^= 1 + (random() % 255);
+            if (i % 2 === 0) bad[random() % bad.length]! ^= 1 + (random() % 255);
             expect(() => decoder().fold(bad)).toThrow();
         }
     });
@@ -77,12 +74,13 @@ test('entropy-coded blocks damaged behind a right checksum are refused, soon and
     const random = seededRandom(23);
     let refused = 0;
     let slowest = 0;
-    for (let i = 0; i < 1500; i += 1) {
+    for (let i = 0; i < 1500; ++i) {
         const name = ['hanging', 'refined', 'chaos'][i % 3]!;
         const bad = goldenFrames(name)[0]!;
         const { lattice, attributes } = golden[name]!;
-        for (let k = random() % 3; k >= 0; k -= 1)
+        for (let k = random() % 3; k >= 0; --k) {
             bad[frameHeaderBytes + (random() % (bad.length - frameHeaderBytes))]! ^= 1 + (random() % 255);
+        }
         const into = new MeshDecoder(points, lattice, attributes);
         const start = performance.now();
         try {
@@ -91,7 +89,7 @@ test('entropy-coded blocks damaged behind a right checksum are refused, soon and
             expect(applied?.mesh.stateSum()).toBe(golden[name]!.stateSums[0]);
         } catch (error) {
             expect(error).toBeInstanceOf(FrameError);
-            refused += 1;
+            ++refused;
         }
         slowest = Math.max(slowest, performance.now() - start);
     }

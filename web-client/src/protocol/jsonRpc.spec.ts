@@ -24,9 +24,11 @@ describe('jsonRpc', () => {
             id: 1,
             error,
         });
-        expect(parseIncoming('{"jsonrpc":"2.0","id":null,"error":{"code":1,"message":"x"}}')).toEqual(
-            { type: 'error', id: null, error: { code: 1, message: 'x' } },
-        );
+        expect(parseIncoming('{"jsonrpc":"2.0","id":null,"error":{"code":1,"message":"x"}}')).toEqual({
+            type: 'error',
+            id: null,
+            error: { code: 1, message: 'x' },
+        });
         expect(parseIncoming('{"jsonrpc":"2.0","method":"server.notice"}')).toEqual({
             type: 'notification',
             method: 'server.notice',

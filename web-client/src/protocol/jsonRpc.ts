@@ -64,9 +64,5 @@ export function parseIncoming(text: string): Incoming | null {
 }
 
 function isErrorObject(value: unknown): value is RpcErrorObject & Record<string, unknown> {
-    return (
-        isObject(value) &&
-        typeof value['code'] === 'number' &&
-        typeof value['message'] === 'string'
-    );
+    return isObject(value) && typeof value['code'] === 'number' && typeof value['message'] === 'string';
 }

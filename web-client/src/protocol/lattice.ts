@@ -9,7 +9,7 @@ export interface Lattice {
 
 export const maxLatticeBits = 20;
 
-/// Number of the last node along an axis.
+/** Number of the last node along an axis. */
 export function lastNode(bits: number): number {
     return 2 ** bits - 1;
 }
@@ -27,7 +27,7 @@ export function isLattice(lattice: Lattice): boolean {
     );
 }
 
-/// Positions of nodes, xyz interleaved, rounded to float32. `positions` is as long as `nodes`.
+/** Positions of nodes, xyz interleaved, rounded to float32. `positions` is as long as `nodes`. */
 export function dequantise(lattice: Lattice, nodes: Int32Array, positions: Float32Array): void {
     const [x, y, z] = lattice.origin;
     const { step } = lattice;

@@ -27,11 +27,10 @@ function plain(mesh: WireMesh): PlainState {
     return { positions: rows(mesh.position.values, 3), codes, changes: rows(mesh.position.change, 3), cells };
 }
 
-/// Folds until something is refused; true if nothing was.
+/** Folds until something is refused; true if nothing was. */
 function accepts(into: MeshDecoder, frames: readonly Uint8Array[]): boolean {
     try {
-        for (const frame of frames)
-            into.fold(frame);
+        for (const frame of frames) into.fold(frame);
         return true;
     } catch (error) {
         expect(error).toBeInstanceOf(FrameError);
@@ -44,15 +43,15 @@ describe('random sequences', () => {
     test('of a thousand frames decode to what a plain reading of the specification makes of them', () => {
         const into = decoder();
         let count = 0;
-        for (const { frames, state } of randomUpdates(41, 400))
+        for (const { frames, state } of randomUpdates(41, 400)) {
             for (const [i, frame] of frames.entries()) {
-                count += 1;
+                ++count;
                 const applied = into.fold(frame);
                 expect(applied !== undefined).toBe(i + 1 === frames.length);
-                if (applied === undefined)
-                    continue;
+                if (applied === undefined) continue;
                 expect(plain(applied.mesh)).toEqual(state);
             }
+        }
         expect(count).toBeGreaterThan(1000);
     }, 60_000);
 
@@ -62,11 +61,9 @@ describe('random sequences', () => {
         let joined = 0;
         for (const [i, { frames }] of updates.entries()) {
             const history = i > 0 && readFrame(frames[0]!).header.history;
-            if (history)
-                joined = i;
+            if (history) joined = i;
             expect(accepts(early, frames)).toBe(true);
-            if (joined > 0)
-                expect(accepts(late, frames)).toBe(true);
+            if (joined > 0) expect(accepts(late, frames)).toBe(true);
         }
         expect(joined).toBeGreaterThan(0);
         expect(plain(late.mesh!)).toEqual(plain(early.mesh!));
@@ -78,25 +75,21 @@ describe('frames lost, repeated or reordered', () => {
         const dice = new Dice(seededRandom(43));
         const updates = randomUpdates(44, 60);
         const right = updates.map(({ state }) => JSON.stringify(state));
-        for (let round = 0; round < 20; round += 1) {
+        for (let round = 0; round < 20; ++round) {
             const frames = updates.flatMap((update) => update.frames);
-            for (let changes = 1 + dice.below(3); changes > 0; changes -= 1) {
+            for (let changes = 1 + dice.below(3); changes > 0; --changes) {
                 const at = dice.below(frames.length);
                 const other = dice.below(frames.length);
-                if (dice.oneIn(3))
-                    frames.splice(at, 1);
-                else if (dice.oneIn(2))
-                    frames.splice(other, 0, frames[at]!);
-                else
-                    [frames[at], frames[other]] = [frames[other]!, frames[at]!];
+                if (dice.oneIn(3)) frames.splice(at, 1);
+                else if (dice.oneIn(2)) frames.splice(other, 0, frames[at]!);
+                else [frames[at], frames[other]] = [frames[other]!, frames[at]!];
             }
             const into = decoder();
             let needsKey = true;
-            for (const frame of frames)
+            for (const frame of frames) {
                 try {
                     const applied = into.fold(frame);
-                    if (applied === undefined)
-                        continue;
+                    if (applied === undefined) continue;
                     needsKey &&= !applied.header.key;
                     expect(needsKey).toBe(false);
                     expect(JSON.stringify(plain(applied.mesh))).toBe(right[applied.header.seq]);
@@ -104,6 +97,7 @@ describe('frames lost, repeated or reordered', () => {
                     expect(error).toBeInstanceOf(FrameError);
                     needsKey = true;
                 }
+            }
         }
     });
 
@@ -127,8 +121,7 @@ describe('frames lost, repeated or reordered', () => {
     test('of an older epoch, or a KEY before the newest update, come too late', () => {
         const updates = randomUpdates(46, 3);
         const into = decoder();
-        for (const { frames } of updates)
-            accepts(into, frames);
+        for (const { frames } of updates) accepts(into, frames);
         expect(into.newest).toMatchObject({ epoch: 1, seq: 2 });
         expect(() => updates[0]!.frames.forEach((frame) => into.fold(frame))).toThrow(/too late/);
     });
@@ -139,10 +132,9 @@ describe('damage', () => {
         const [{ frames }] = randomUpdates(47, 1) as [Update];
         const [good] = frames as [Uint8Array];
         const random = seededRandom(48);
-        for (let i = 0; i < 2000; i += 1) {
+        for (let i = 0; i < 2000; ++i) {
             const bad = i % 2 === 0 ? good.slice() : good.subarray(0, random() % good.length);
-            if (i % 2 === 0)
-                bad[random() % bad.length]! ^= 1 + (random() % 255);
+            if (i % 2 === 0) bad[random() % bad.length]! ^= 1 + (random() % 255);
             expect(accepts(decoder(), [bad])).toBe(false);
         }
     });
@@ -152,21 +144,24 @@ describe('damage', () => {
         const updates = randomUpdates(50, 6);
         const contents = ({ positions, codes, cells }: PlainState): object => ({ positions, codes, cells });
         let refused = 0;
-        for (let i = 0; i < 1500; i += 1) {
+        for (let i = 0; i < 1500; ++i) {
             const hit = random() % updates.length;
             const sent = updates.slice(0, hit + 1).map(({ frames }) => frames.map((frame) => frame.slice()));
             const bytes = sent[hit]![random() % sent[hit]!.length]!;
-            for (let k = random() % 3; k >= 0; k -= 1) {
+            for (let k = random() % 3; k >= 0; --k) {
                 const from = random() % 4 === 0 ? 0 : frameHeaderBytes;
                 bytes[from + (random() % (bytes.length - from))]! ^= 1 + (random() % 255);
             }
             sealed(bytes);
             const into = decoder();
-            if (!accepts(into, sent.flat()))
-                refused += 1;
+            if (!accepts(into, sent.flat())) ++refused;
             else if (into.mesh !== undefined)
-                // What made the update look unfinished leaves the one before.
-                expect([hit, hit - 1].map((at) => updates[at] && contents(updates[at].state))).toContainEqual(contents(plain(into.mesh)));
+            // What made the update look unfinished leaves the one before.
+            {
+                expect([hit, hit - 1].map((at) => updates[at] && contents(updates[at].state))).toContainEqual(
+                    contents(plain(into.mesh)),
+                );
+            }
         }
         expect(refused).toBeGreaterThan(1000);
     }, 60_000);
@@ -175,13 +170,11 @@ describe('damage', () => {
         const updates = randomUpdates(51, 20);
         const run = (): void => {
             const into = decoder();
-            for (const { frames } of updates)
-                accepts(into, frames);
+            for (const { frames } of updates) accepts(into, frames);
         };
         run();
         const heap = points.heapBytes;
-        for (let i = 0; i < 60; i += 1)
-            run();
+        for (let i = 0; i < 60; ++i) run();
         expect(points.heapBytes).toBe(heap);
     });
 });
@@ -195,8 +188,10 @@ describe('what is announced', () => {
                 new DataView(bytes.buffer).setUint32(offset, value, true);
                 return sealed(bytes);
             });
-        for (const offset of [28, 32, 36])
-            for (const value of [0xffffffff, (1 << 24) + 1, 1 << 24])
+        for (const offset of [28, 32, 36]) {
+            for (const value of [0xffffffff, (1 << 24) + 1, 1 << 24]) {
                 expect(accepts(decoder(), announcing(offset, value))).toBe(false);
+            }
+        }
     });
 });

@@ -8,16 +8,13 @@ const { edit, wanted, options } = randomStep(emptyState(), new Dice(seededRandom
 const { frames } = writeUpdate(emptyState(), edit, wanted, { ...options, phase: 1, history: true });
 const good = frames[0]!;
 
-/// With the checksum made right again, so that the other checks are reached.
+/** With the checksum made right again, so that the other checks are reached. */
 function changed(offset: number, value: number, size = 4): Uint8Array {
     const bytes = good.slice();
     const view = new DataView(bytes.buffer);
-    if (size === 1)
-        view.setUint8(offset, value);
-    else if (size === 2)
-        view.setUint16(offset, value, true);
-    else
-        view.setUint32(offset, value, true);
+    if (size === 1) view.setUint8(offset, value);
+    else if (size === 2) view.setUint16(offset, value, true);
+    else view.setUint32(offset, value, true);
     return sealed(bytes);
 }
 
@@ -44,14 +41,14 @@ test('reads a frame that starts anywhere in its buffer', () => {
 test('knows the frames of one update', () => {
     const [first, ...others] = frames.map((frame) => readFrame(frame).header);
     expect(others.length).toBeGreaterThan(0);
-    for (const other of others)
-        expect(sameUpdate(first!, other)).toBe(true);
-    for (const name of ['seq', 'epoch', 'time', 'cells', 'stateSum'] as const)
+    for (const other of others) expect(sameUpdate(first!, other)).toBe(true);
+    for (const name of ['seq', 'epoch', 'time', 'cells', 'stateSum'] as const) {
         expect(sameUpdate(first!, { ...first!, [name]: first![name] + 1 })).toBe(false);
+    }
 });
 
 test('refuses a frame with any flipped bit', () => {
-    for (let bit = 0; bit < 8 * good.length; bit += 1) {
+    for (let bit = 0; bit < 8 * good.length; ++bit) {
         const bytes = good.slice();
         bytes[bit >> 3]! ^= 1 << (bit & 7);
         expect(() => readFrame(bytes)).toThrow();
@@ -59,8 +56,7 @@ test('refuses a frame with any flipped bit', () => {
 });
 
 test('refuses a frame cut off or followed by more', () => {
-    for (let size = 0; size < good.length; size += 1)
-        expect(() => readFrame(good.subarray(0, size))).toThrow();
+    for (let size = 0; size < good.length; ++size) expect(() => readFrame(good.subarray(0, size))).toThrow();
     expect(() => readFrame(Uint8Array.of(...good, 0))).toThrow();
 });
 
@@ -86,6 +82,7 @@ test('refuses a header that cannot be true', () => {
         changed(48, 1), // parts
         changed(52, 0xffffffff),
         changed(64, 0x7fc00000), // a range from NaN
-    ])
+    ]) {
         expect(() => readFrame(bad)).toThrow();
+    }
 });

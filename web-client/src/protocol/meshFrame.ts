@@ -17,7 +17,7 @@ export const maxAttributes = 7;
 
 export const flag = { key: 1, lossless: 2, history: 4 } as const;
 
-/// How good a state is: what is shown, and whether more is to come.
+/** How good a state is: what is shown, and whether more is to come. */
 export const phases = ['coarse', 'refined', 'final', 'live'] as const;
 export type Phase = (typeof phases)[number];
 
@@ -43,7 +43,7 @@ export interface FrameHeader {
     stateSum: number;
 }
 
-/// A frame taken apart; the parts are views of the bytes it was read from.
+/** A frame taken apart; the parts are views of the bytes it was read from. */
 export interface MeshFrame {
     header: FrameHeader;
     ranges: AttributeRange[]; // of frame 0 of a KEY, else empty
@@ -51,24 +51,24 @@ export interface MeshFrame {
     points: Uint8Array;
 }
 
-/// Whether two frames can be of one update: alike but for their index and the sizes of their parts.
+/** Whether two frames can be of one update: alike but for their index and the sizes of their parts. */
 export function sameUpdate(a: FrameHeader, b: FrameHeader): boolean {
     const names = Object.keys(a) as (keyof FrameHeader)[];
     return names.every((name) => name === 'frameIndex' || Object.is(a[name], b[name]));
 }
 
-/// Which subscription a message belongs to, without checking anything else.
+/** Which subscription a message belongs to, without checking anything else. */
 export function surfaceOf(bytes: Uint8Array): number | undefined {
-    if (bytes.length < frameHeaderBytes)
-        return undefined;
+    if (bytes.length < frameHeaderBytes) return undefined;
     return new DataView(bytes.buffer, bytes.byteOffset).getUint32(4, true);
 }
 
 function parse(view: DataView): FrameHeader {
     const flags = view.getUint8(3);
     const phase = phases[view.getUint8(24)];
-    if ((flags & ~(flag.key | flag.lossless | flag.history)) !== 0 || phase === undefined || view.getUint8(27) !== 0)
+    if ((flags & ~(flag.key | flag.lossless | flag.history)) !== 0 || phase === undefined || view.getUint8(27) !== 0) {
         throw new FrameError('a mesh frame has flags or a phase that this version does not know');
+    }
     return {
         key: (flags & flag.key) !== 0,
         lossless: (flags & flag.lossless) !== 0,
@@ -90,10 +90,11 @@ function parse(view: DataView): FrameHeader {
     };
 }
 
-/// Counts that memory is reserved for, and what must be so in any header.
+/** Counts that memory is reserved for, and what must be so in any header. */
 function check(h: FrameHeader, topologyBytes: number): void {
-    if (h.vertices > maxMeshVertices || h.cells > maxMeshCells || h.attributeCount > maxAttributes)
+    if (h.vertices > maxMeshVertices || h.cells > maxMeshCells || h.attributeCount > maxAttributes) {
         throw new FrameError(`a mesh frame announces ${h.vertices} vertices and ${h.cells} cells`);
+    }
     if (
         h.frameIndex >= h.frameCount ||
         (h.key ? h.baseSeq !== h.seq : h.baseSeq >= h.seq) ||
@@ -102,29 +103,31 @@ function check(h: FrameHeader, topologyBytes: number): void {
         h.latticeBits > maxLatticeBits ||
         topologyBytes > h.topologySize ||
         !Number.isFinite(h.time)
-    )
+    ) {
         throw new FrameError("a mesh frame's header contradicts itself");
+    }
 }
 
 function readRange(view: DataView, at: number): AttributeRange {
     const range = { lo: view.getFloat32(at, true), hi: view.getFloat32(at + 4, true) };
-    if (!Number.isFinite(range.lo) || !Number.isFinite(range.hi) || range.lo > range.hi)
+    if (!Number.isFinite(range.lo) || !Number.isFinite(range.hi) || range.lo > range.hi) {
         throw new FrameError('a mesh frame has an attribute without a usable range');
+    }
     return range;
 }
 
-/// Throws FrameError unless `bytes` are exactly one whole, undamaged frame.
+/** Throws FrameError unless `bytes` are exactly one whole, undamaged frame. */
 export function readFrame(bytes: Uint8Array): MeshFrame {
-    if (bytes.length > maxFrameBytes)
-        throw new FrameError(`a mesh frame has ${bytes.length} bytes`);
+    if (bytes.length > maxFrameBytes) throw new FrameError(`a mesh frame has ${bytes.length} bytes`);
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-    if (bytes.length < frameHeaderBytes || view.getUint16(0, true) !== frameMagic)
+    if (bytes.length < frameHeaderBytes || view.getUint16(0, true) !== frameMagic) {
         throw new FrameError('a binary message is not a mesh frame');
-    if (view.getUint8(2) !== frameVersion)
+    }
+    if (view.getUint8(2) !== frameVersion) {
         throw new FrameError(`a mesh frame has version ${view.getUint8(2)}, not ${frameVersion}`);
+    }
     const crc = crc32c(bytes.subarray(frameHeaderBytes), crc32c(bytes.subarray(0, frameCrcAt)));
-    if (crc !== view.getUint32(frameCrcAt, true))
-        throw new FrameError('a mesh frame does not match its checksum');
+    if (crc !== view.getUint32(frameCrcAt, true)) throw new FrameError('a mesh frame does not match its checksum');
     const header = parse(view);
     const topologyBytes = view.getUint32(48, true);
     const pointsBytes = view.getUint32(52, true);
@@ -132,10 +135,10 @@ export function readFrame(bytes: Uint8Array): MeshFrame {
     const ranges: AttributeRange[] = [];
     const rangeCount = header.key && header.frameIndex === 0 ? header.attributeCount : 0;
     const body = frameHeaderBytes + rangeBytes * rangeCount;
-    if (bytes.length !== body + topologyBytes + pointsBytes)
+    if (bytes.length !== body + topologyBytes + pointsBytes) {
         throw new FrameError(`a mesh frame of ${bytes.length} bytes announces other parts`);
-    for (let i = 0; i < rangeCount; i += 1)
-        ranges.push(readRange(view, frameHeaderBytes + rangeBytes * i));
+    }
+    for (let i = 0; i < rangeCount; ++i) ranges.push(readRange(view, frameHeaderBytes + rangeBytes * i));
     return {
         header,
         ranges,

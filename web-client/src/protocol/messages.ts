@@ -58,7 +58,8 @@ export interface SurfaceEpoch {
 
 /** Everything of a record but what the server gives; what is left out of a new one gets the server's usual value. */
 export type SurfaceSetting = Pick<SurfaceRecord, 'rake' | 'kind' | 'dataset' | 'from' | 'to'> &
-    Partial<Omit<SurfaceRecord, 'rev' | 'epoch'>> & { session?: string } & InGesture & AsDefault;
+    Partial<Omit<SurfaceRecord, 'rev' | 'epoch'>> & { session?: string } & InGesture &
+    AsDefault;
 
 /** Edits that follow each other with one name are one step of undo. */
 interface InGesture {

@@ -154,10 +154,7 @@ function isCamera(value: unknown): value is CameraPlace & Record<string, unknown
 
 function isDragged(value: unknown): value is { rake: string; points: Vec3[] } & Record<string, unknown> {
     return (
-        isObject(value) &&
-        typeof value['rake'] === 'string' &&
-        Array.isArray(value['points']) &&
-        value['points'].every(isVec3)
+        isObject(value) && typeof value['rake'] === 'string' && Array.isArray(value['points']) && value['points'].every(isVec3)
     );
 }
 

@@ -7,7 +7,7 @@ const certain = 65536;
 const least = 32;
 const longestMemory = 30;
 
-/// How likely some decisions are, by number, from how they went before.
+/** How likely some decisions are, by number, from how they went before. */
 export class AdaptiveBits {
     readonly one: Int32Array; // of 2^16
     readonly seen: Uint8Array;
@@ -18,7 +18,7 @@ export class AdaptiveBits {
     }
 }
 
-/// What a decision weighs after so many of its kind.
+/** What a decision weighs after so many of its kind. */
 const rates = Int32Array.from({ length: longestMemory + 1 }, (_, seen) => Math.floor(131072 / (2 * seen + 3)));
 
 export class RangeDecoder {
@@ -29,33 +29,29 @@ export class RangeDecoder {
 
     constructor(bytes: Uint8Array) {
         this.bytes = bytes;
-        for (let i = 0; i < 4; i += 1)
-            this.code = this.code * 256 + this.next();
-        if (this.code === this.range)
-            throw new FrameError('a range code of a mesh frame begins as none does'); // it is always below
+        for (let i = 0; i < 4; ++i) this.code = this.code * 256 + this.next();
+        if (this.code === this.range) throw new FrameError('a range code of a mesh frame begins as none does'); // it is always below
     }
 
-    /// 0 or 1. Throws FrameError behind the end of the bytes.
+    /** 0 or 1. Throws FrameError behind the end of the bytes. */
     bit({ one, seen }: AdaptiveBits, index: number): number {
         const likely = one[index]!;
         const bit = this.narrow((this.range >>> 16) * likely);
         const rate = rates[seen[index]!]!;
         const now = bit !== 0 ? likely + (((certain - likely) * rate) >>> 16) : likely - ((likely * rate) >>> 16);
         one[index] = now < least ? least : now > certain - least ? certain - least : now;
-        if (seen[index]! < longestMemory)
-            seen[index]! += 1;
+        if (seen[index]! < longestMemory) ++seen[index]!;
         return bit;
     }
 
-    /// A decision about which nothing was known.
+    /** A decision about which nothing was known. */
     even(): number {
         return this.narrow(this.range >>> 1);
     }
 
-    /// Throws FrameError unless all bytes have been read.
+    /** Throws FrameError unless all bytes have been read. */
     finish(): void {
-        if (this.read !== this.bytes.length)
-            throw new FrameError('a range code of a mesh frame goes on after its end');
+        if (this.read !== this.bytes.length) throw new FrameError('a range code of a mesh frame goes on after its end');
     }
 
     private narrow(bound: number): number {
@@ -67,35 +63,30 @@ export class RangeDecoder {
             this.code -= bound;
             this.range -= bound;
         }
-        for (; this.range < leastRange; this.range *= 256)
-            this.code = this.code * 256 + this.next();
+        for (; this.range < leastRange; this.range *= 256) this.code = this.code * 256 + this.next();
         return bit;
     }
 
     private next(): number {
-        if (this.read === this.bytes.length)
-            throw new FrameError('a range code of a mesh frame ends too early');
+        if (this.read === this.bytes.length) throw new FrameError('a range code of a mesh frame ends too early');
         return this.bytes[this.read++]!;
     }
 }
 
-/// Numbers that are mostly small: how many bits, then the bits, of which the two below the highest are learnt.
+/** Numbers that are mostly small: how many bits, then the bits, of which the two below the highest are learnt. */
 export class AdaptiveNumber {
     private readonly width = new AdaptiveBits(64);
     private readonly high = new AdaptiveBits(99);
 
-    /// Of 32 bits, with or without sign.
+    /** Of 32 bits, with or without sign. */
     read(decoder: RangeDecoder): number {
         let node = 1;
-        for (let level = 0; level < 6; level += 1)
-            node = node * 2 + decoder.bit(this.width, node);
+        for (let level = 0; level < 6; ++level) node = node * 2 + decoder.bit(this.width, node);
         const width = node - 64;
-        if (width > 32)
-            throw new FrameError('a range code of a mesh frame holds a number of more than 32 bits');
-        if (width === 0)
-            return 0;
+        if (width > 32) throw new FrameError('a range code of a mesh frame holds a number of more than 32 bits');
+        if (width === 0) return 0;
         let value = 1;
-        for (let place = 1; place < width; place += 1) {
+        for (let place = 1; place < width; ++place) {
             const context = 3 * width + (place === 1 ? 0 : 1 + (value & 1));
             value = (value << 1) | (place <= 2 ? decoder.bit(this.high, context) : decoder.even());
         }

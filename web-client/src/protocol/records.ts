@@ -236,11 +236,18 @@ export function isSurfaceRecord(value: unknown): value is SurfaceRecord & Member
 }
 
 export function isBookmarkRecord(value: unknown): value is BookmarkRecord & Members {
-    return isObject(value) && typeof value['bookmark'] === 'string' && typeof value['name'] === 'string' && isObject(value['view']);
+    return (
+        isObject(value) && typeof value['bookmark'] === 'string' && typeof value['name'] === 'string' && isObject(value['view'])
+    );
 }
 
 export function isAnnotationRecord(value: unknown): value is AnnotationRecord & Members {
-    return isObject(value) && typeof value['annotation'] === 'string' && typeof value['text'] === 'string' && isVec3(value['position']);
+    return (
+        isObject(value) &&
+        typeof value['annotation'] === 'string' &&
+        typeof value['text'] === 'string' &&
+        isVec3(value['position'])
+    );
 }
 
 /** Why something failed, as an object of that shape; null if it is none. */

@@ -9,13 +9,19 @@ test('equals its definition in whole numbers without overflow', () => {
         const x = sum ^ wrap(word);
         return wrap(wrap((x << 13n) | (x >> 19n)) * 0x9e3779b1n);
     };
-    for (let length = 0; length < 40; length += 1) {
+    for (let length = 0; length < 40; ++length) {
         const words = Int32Array.from({ length }, random);
         let h = BigInt(length);
-        for (let lane = 0; lane < 4; lane += 1) {
+        for (let lane = 0; lane < 4; ++lane) {
             const mine = [...words].filter((_, i) => i % 4 === lane).map((word) => BigInt(word >>> 0));
-            h = stir(h, mine.reduce((sum, word) => sum + word, 0n));
-            h = stir(h, mine.reduce((sum, word, i) => sum + word * BigInt(mine.length - i), 0n));
+            h = stir(
+                h,
+                mine.reduce((sum, word) => sum + word, 0n),
+            );
+            h = stir(
+                h,
+                mine.reduce((sum, word, i) => sum + word * BigInt(mine.length - i), 0n),
+            );
         }
         expect(wordSum(words)).toBe(Number(h ^ (h >> 15n)));
     }
@@ -34,7 +40,7 @@ test('of a whole is that of its parts in turn', () => {
 test('changes with any change of one word', () => {
     const words = Int32Array.from({ length: 33 }, seededRandom(7));
     const before = wordSum(words);
-    for (let i = 0; i < words.length; i += 1) {
+    for (let i = 0; i < words.length; ++i) {
         words[i]! ^= 1 << (i & 31);
         expect(wordSum(words)).not.toBe(before);
         words[i]! ^= 1 << (i & 31);

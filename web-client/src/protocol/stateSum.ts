@@ -6,7 +6,7 @@ function stir(sum: number, word: number): number {
     return Math.imul((x << 13) | (x >>> 19), 0x9e3779b1);
 }
 
-/// Sums words in any number of steps, each of which but the last adds a multiple of four.
+/** Sums words in any number of steps, each of which but the last adds a multiple of four. */
 export class WordSum {
     private readonly sums = new Int32Array(4);
     private readonly ofSums = new Int32Array(4);
@@ -41,7 +41,7 @@ export class WordSum {
         ofSums[1] = f;
         ofSums[2] = g;
         ofSums[3] = h;
-        for (let at = whole; at < words.length; at += 1) {
+        for (let at = whole; at < words.length; ++at) {
             sums[at & 3]! += words[at]!;
             ofSums[at & 3]! += sums[at & 3]!;
         }
@@ -50,13 +50,12 @@ export class WordSum {
 
     value(): number {
         let sum = this.count | 0;
-        for (let lane = 0; lane < 4; lane += 1)
-            sum = stir(stir(sum, this.sums[lane]!), this.ofSums[lane]!);
+        for (let lane = 0; lane < 4; ++lane) sum = stir(stir(sum, this.sums[lane]!), this.ofSums[lane]!);
         return (sum ^ (sum >>> 15)) >>> 0;
     }
 }
 
-/// Of the words as an unsigned number.
+/** Of the words as an unsigned number. */
 export function wordSum(words: Int32Array): number {
     const sum = new WordSum();
     sum.add(words);

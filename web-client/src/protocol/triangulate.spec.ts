@@ -15,10 +15,7 @@ function outline(cell: Int32Array): number[] {
 
 function area([a, b, c]: number[]): number {
     const at = (v: number, axis: number): number => flat[3 * v + axis]!;
-    return (
-        0.5 *
-        ((at(b!, 0) - at(a!, 0)) * (at(c!, 1) - at(a!, 1)) - (at(c!, 0) - at(a!, 0)) * (at(b!, 1) - at(a!, 1)))
-    );
+    return 0.5 * ((at(b!, 0) - at(a!, 0)) * (at(c!, 1) - at(a!, 1)) - (at(c!, 0) - at(a!, 0)) * (at(b!, 1) - at(a!, 1)));
 }
 
 function cut(cells: Int32Array, positions: Float32Array): Uint32Array {
@@ -47,10 +44,8 @@ describe.each(Array.from({ length: 16 }, (_, mask) => mask))('a cell with mids %
         const edges = triangles.flatMap(([a, b, c]) => [`${a}-${b}`, `${b}-${c}`, `${c}-${a}`]);
         expect(new Set(edges).size).toBe(edges.length);
         const border = ring.map((v, i) => `${v}-${ring[(i + 1) % ring.length]}`);
-        for (const edge of border)
-            expect(edges).toContain(edge);
-        for (const edge of edges.filter((e) => !border.includes(e)))
-            expect(edges).toContain(edge.split('-').reverse().join('-'));
+        for (const edge of border) expect(edges).toContain(edge);
+        for (const edge of edges.filter((e) => !border.includes(e))) expect(edges).toContain(edge.split('-').reverse().join('-'));
     });
 });
 

@@ -3,7 +3,7 @@
 // where a mid lies on a straight side.
 import { cellStride, noVertex } from './cell.ts';
 
-/// Writes triangles, turning the way the cells' outlines turn.
+/** Writes triangles, turning the way the cells' outlines turn. */
 class TriangleWriter {
     readonly indices: Uint32Array;
     private at = 0;
@@ -22,7 +22,7 @@ class TriangleWriter {
         this.at = at + 3;
     }
 
-    /// Cut along the shorter diagonal.
+    /** Cut along the shorter diagonal. */
     quad(a: number, b: number, c: number, d: number): void {
         if (this.squaredDistance(a, c) <= this.squaredDistance(b, d)) {
             this.triangle(a, b, c);
@@ -42,7 +42,7 @@ class TriangleWriter {
     }
 }
 
-/// One cell seen with side `turn` as its side 0.
+/** One cell seen with side `turn` as its side 0. */
 class TurnedCell {
     private readonly cells: Int32Array;
     private readonly base: number;
@@ -65,15 +65,13 @@ class TurnedCell {
 
 function midMask(cells: Int32Array, base: number): number {
     let mask = 0;
-    for (let side = 0; side < 4; side += 1)
-        if (cells[base + 4 + side] !== noVertex)
-            mask |= 1 << side;
+    for (let side = 0; side < 4; ++side) if (cells[base + 4 + side] !== noVertex) mask |= 1 << side;
     return mask;
 }
 
 const countOfMask = Uint8Array.from({ length: 16 }, (_, mask) => [1, 2, 4, 8].filter((bit) => mask & bit).length);
 
-/// By which turn a mask becomes its template's: 1, 3 (adjacent), 5 (opposite), 7 (all but side 3) or 15.
+/** By which turn a mask becomes its template's: 1, 3 (adjacent), 5 (opposite), 7 (all but side 3) or 15. */
 const turnOfMask = Uint8Array.from({ length: 16 }, (_, mask) => {
     const turned = (turn: number): number => ((mask >> turn) | (mask << (4 - turn))) & 15;
     const turn = [0, 1, 2, 3].find((t) => [0, 1, 3, 5, 7, 15].includes(turned(t)));
@@ -82,7 +80,7 @@ const turnOfMask = Uint8Array.from({ length: 16 }, (_, mask) => {
 
 function cutCell(out: TriangleWriter, cells: Int32Array, base: number, mask: number): void {
     const c = new TurnedCell(cells, base, turnOfMask[mask]!);
-    switch (countOfMask[mask]) {
+    switch (countOfMask[mask]!) {
         case 1:
             out.triangle(c.mid(0), c.corner(1), c.corner(2));
             out.triangle(c.mid(0), c.corner(2), c.corner(3));
@@ -107,29 +105,27 @@ function cutCell(out: TriangleWriter, cells: Int32Array, base: number, mask: num
             out.triangle(c.mid(1), c.corner(0), c.mid(0));
             break;
         default:
-            for (let i = 0; i < 4; i += 1)
-                out.triangle(c.mid((i + 3) & 3), c.corner(i), c.mid(i));
+            for (let i = 0; i < 4; ++i) out.triangle(c.mid((i + 3) & 3), c.corner(i), c.mid(i));
             out.quad(c.mid(0), c.mid(1), c.mid(2), c.mid(3));
     }
 }
 
-/// Two triangles a cell and one more for each mid.
+/** Two triangles a cell and one more for each mid. */
 export function triangleCount(cells: Int32Array): number {
     let triangles = 0;
-    for (let base = 0; base < cells.length; base += cellStride)
-        triangles += 2 + countOfMask[midMask(cells, base)]!;
+    for (let base = 0; base < cells.length; base += cellStride) triangles += 2 + countOfMask[midMask(cells, base)]!;
     return triangles;
 }
 
-/// Fills `indices` with vertex ids, three a triangle.
-/// `positions`: xyz of each vertex, in any unit.
+/**
+ * Fills `indices` with vertex ids, three a triangle.
+ * `positions`: xyz of each vertex, in any unit.
+ */
 export function triangulate(cells: Int32Array, positions: Float32Array | Int32Array, indices: Uint32Array): void {
     const out = new TriangleWriter(indices, positions);
     for (let base = 0; base < cells.length; base += cellStride) {
         const mask = midMask(cells, base);
-        if (mask === 0)
-            out.quad(cells[base]!, cells[base + 1]!, cells[base + 2]!, cells[base + 3]!);
-        else
-            cutCell(out, cells, base, mask);
+        if (mask === 0) out.quad(cells[base]!, cells[base + 1]!, cells[base + 2]!, cells[base + 3]!);
+        else cutCell(out, cells, base, mask);
     }
 }

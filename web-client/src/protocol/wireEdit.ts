@@ -24,11 +24,12 @@ function readRuns(reader: ByteReader, over: number): Runs {
     const all: Run[] = [];
     let at = 0;
     let count = 0;
-    for (let left = reader.varint(); left > 0; left -= 1) {
+    for (let left = reader.varint(); left > 0; --left) {
         const begin = at + reader.varint();
         const end = begin + reader.varint();
-        if (begin === end || end > over)
+        if (begin === end || end > over) {
             throw new FrameError('the topology of a mesh update names vertices or cells that are not there');
+        }
         all.push({ begin, end });
         count += end - begin;
         at = end;
@@ -36,7 +37,7 @@ function readRuns(reader: ByteReader, over: number): Runs {
     return { all, count };
 }
 
-/// Throws FrameError unless the edit leads from `before` to `after`. Allocates O(after) at most.
+/** Throws FrameError unless the edit leads from `before` to `after`. Allocates O(after) at most. */
 export function readEdit(bytes: Uint8Array, before: MeshSize, after: MeshSize): TopologyEdit {
     const reader = new ByteReader(bytes);
     const removedVertices = readRuns(reader, before.vertices);
@@ -47,22 +48,24 @@ export function readEdit(bytes: Uint8Array, before: MeshSize, after: MeshSize): 
     const cellsStay = before.cells - removedCells.count;
     const replacedCells = readRuns(reader, cellsStay);
     const addedCells = reader.varint();
-    if (verticesStay + addedVertices !== after.vertices || cellsStay + addedCells !== after.cells)
+    if (verticesStay + addedVertices !== after.vertices || cellsStay + addedCells !== after.cells) {
         throw new FrameError('a mesh update leads to other numbers of vertices and cells than it announces');
+    }
     const cellsCode = reader.rest();
     return { removedVertices, addedVertices, movedVertices, removedCells, replacedCells, addedCells, cellsCode };
 }
 
-/// Gives the cells that are new: the replaced, then the added ones. Throws FrameError when they do not fit; the mesh is then unusable.
-/// Cost: O(state) where cells go, come or change.
+/**
+ * Gives the cells that are new: the replaced, then the added ones. Throws FrameError when they do not fit; the mesh is then unusable.
+ * Cost: O(state) where cells go, come or change.
+ */
 export function applyEdit(mesh: WireMesh, edit: TopologyEdit): Int32Array {
     const { removedVertices, addedVertices, removedCells, replacedCells, addedCells } = edit;
     const verticesBefore = mesh.vertices;
     const stay = verticesBefore - removedVertices.count;
     mesh.beginVertices(removedVertices, stay + addedVertices);
     if (removedVertices.count + addedVertices + removedCells.count + replacedCells.count + addedCells === 0) {
-        if (edit.cellsCode.length > 0)
-            throw new FrameError('a mesh update has cells that it does not announce');
+        if (edit.cellsCode.length > 0) throw new FrameError('a mesh update has cells that it does not announce');
         return new Int32Array(0);
     }
     const kept = keepCells(mesh, edit, verticesBefore);

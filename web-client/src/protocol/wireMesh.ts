@@ -7,7 +7,7 @@ import { removeRuns, type Runs } from './runs.ts';
 import { WordSum, wordSum } from './stateSum.ts';
 import { Neighbours } from './wireTopology.ts';
 
-/// What the codes 0 and 65535 of an attribute stand for, until the next KEY.
+/** What the codes 0 and 65535 of an attribute stand for, until the next KEY. */
 export interface AttributeRange {
     lo: number;
     hi: number;
@@ -15,7 +15,7 @@ export interface AttributeRange {
 
 export const lastCode = 65535;
 
-/// One number (or three, of a position) a vertex. Arrays may be longer than there are vertices.
+/** One number (or three, of a position) a vertex. Arrays may be longer than there are vertices. */
 export class Channel {
     readonly components: number;
     readonly last: number; // values are 0 .. last
@@ -30,16 +30,14 @@ export class Channel {
 
     remove(removed: Runs, vertices: number, remember: boolean): void {
         removeRuns(this.values, removed, vertices, this.components);
-        if (remember)
-            removeRuns(this.change, removed, vertices, this.components);
+        if (remember) removeRuns(this.change, removed, vertices, this.components);
     }
 
-    /// Nothing has changed yet. Only positions `remember` their last change; that of a code counts as 0.
+    /** Nothing has changed yet. Only positions `remember` their last change; that of a code counts as 0. */
     begin(vertices: number, remember: boolean): void {
         const length = vertices * this.components;
         this.values = roomFor(this.values, length);
-        if (remember)
-            [this.change, this.changeBefore] = [this.changeBefore, roomFor(this.change, length)];
+        if (remember) [this.change, this.changeBefore] = [this.changeBefore, roomFor(this.change, length)];
         this.change = roomFor(this.change, length).fill(0, 0, length);
     }
 }
@@ -62,23 +60,22 @@ export class WireMesh {
         this.codes = ranges.map(() => new Channel(1, lastCode));
     }
 
-    /// cellStride ids a cell, noVertex as -1.
+    /** cellStride ids a cell, noVertex as -1. */
     get cells(): Int32Array {
         return this.cellRoom.subarray(0, this.cellCount * cellStride);
     }
 
-    /// Vertices go, the others close up; `vertices` is how many there are afterwards.
+    /** Vertices go, the others close up; `vertices` is how many there are afterwards. */
     beginVertices(removed: Runs, vertices: number): void {
         for (const channel of [this.position, ...this.codes]) {
             const remember = channel === this.position;
-            if (removed.count > 0)
-                channel.remove(removed, this.vertices, remember);
+            if (removed.count > 0) channel.remove(removed, this.vertices, remember);
             channel.begin(vertices, remember);
         }
         this.vertices = vertices;
     }
 
-    /// Cells go, the others close up.
+    /** Cells go, the others close up. */
     removeCells(removed: Runs): void {
         removeRuns(this.cellRoom, removed, this.cellCount, cellStride);
         this.cellCount -= removed.count;
@@ -91,21 +88,21 @@ export class WireMesh {
         this.cellCount += cells.length / cellStride;
     }
 
-    /// After cells have changed: some of `kept` have been replaced, those from `keptCells` on were added. `onlyAdded`: the others are
-    /// as they were.
+    /**
+     * After cells have changed: some of `kept` have been replaced, those from `keptCells` on were added. `onlyAdded`: the others are
+     * as they were.
+     */
     cellsChanged(kept: KeptCells, replaced: Runs, keptCells: number, onlyAdded: boolean): void {
-        if (!onlyAdded)
-            this.cellSum = new WordSum();
+        if (!onlyAdded) this.cellSum = new WordSum();
         this.cellSum.add(onlyAdded ? this.cells.subarray(keptCells * cellStride) : this.cells);
         this.neighbours.follow(kept, replaced, keptCells, this.cells, this.vertices);
     }
 
-    /// The checksum of everything but the changes. Cost: O(vertices), cells were summed when they came.
+    /** The checksum of everything but the changes. Cost: O(vertices), cells were summed when they came. */
     stateSum(): number {
         const positions = wordSum(this.position.values.subarray(0, 3 * this.vertices));
         const parts = [this.vertices, positions, this.cellCount, this.cellSum.value()];
-        for (const { values } of this.codes)
-            parts.push(wordSum(values.subarray(0, this.vertices)));
+        for (const { values } of this.codes) parts.push(wordSum(values.subarray(0, this.vertices)));
         return wordSum(Int32Array.from(parts));
     }
 }

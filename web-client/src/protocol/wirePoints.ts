@@ -7,21 +7,13 @@ import { roomFor } from './room.ts';
 import type { Run } from './runs.ts';
 import type { TopologyEdit } from './wireEdit.ts';
 import type { Channel, WireMesh } from './wireMesh.ts';
-import {
-    append,
-    appendPredictors,
-    assumeChanges,
-    changePredictor,
-    move,
-    movePredictors,
-    takeChanges,
-} from './wirePredict.ts';
+import { append, appendPredictors, assumeChanges, changePredictor, move, movePredictors, takeChanges } from './wirePredict.ts';
 
 export const maxFrameVertices = 1 << 16;
 
 const maxTolerance = 32767;
 
-/// What the vertices of a block are.
+/** What the vertices of a block are. */
 const kinds = { moved: 0, appended: 1, changes: 2 } as const;
 
 interface Block {
@@ -33,7 +25,7 @@ interface Block {
     still: boolean[]; // by channel: a code that stays as it is
 }
 
-/// Vertices of one kind that have not come yet, in order.
+/** Vertices of one kind that have not come yet, in order. */
 class Expected {
     private readonly runs: readonly Run[];
     private run = 0;
@@ -46,24 +38,24 @@ class Expected {
         this.left = runs.reduce((sum, { begin, end }) => sum + end - begin, 0);
     }
 
-    /// The next `count`, at most `left`, piece by piece: `take(from, to, how many before)`.
+    /** The next `count`, at most `left`, piece by piece: `take(from, to, how many before)`. */
     next(count: number, take: (from: number, to: number, done: number) => void): void {
         this.left -= count;
-        for (let done = 0; done < count; ) {
+        for (let done = 0; done < count;) {
             const { end } = this.runs[this.run]!;
             const to = Math.min(end, this.at + count - done);
             take(this.at, to, done);
             done += to - this.at;
             this.at = to;
             if (to === end) {
-                this.run += 1;
+                ++this.run;
                 this.at = this.runs[this.run]?.begin ?? 0;
             }
         }
     }
 }
 
-/// Room for the residuals of one block, kept because it is needed for each.
+/** Room for the residuals of one block, kept because it is needed for each. */
 class ResidualRoom {
     private room: Int32Array[] = [];
 
@@ -85,7 +77,7 @@ export class PointsReader {
         this.draco = draco;
     }
 
-    /// The topology has been applied to the mesh; what comes is the points of the same update.
+    /** The topology has been applied to the mesh; what comes is the points of the same update. */
     begin(mesh: WireMesh, edit: TopologyEdit, hasHistory: boolean): void {
         this.mesh = mesh;
         this.channels = [mesh.position, ...mesh.codes];
@@ -99,15 +91,14 @@ export class PointsReader {
         ];
     }
 
-    /// All blocks of one frame. Throws FrameError; the mesh is then unusable.
+    /** All blocks of one frame. Throws FrameError; the mesh is then unusable. */
     take(bytes: Uint8Array): void {
         const reader = new ByteReader(bytes);
         let vertices = 0;
         while (!reader.atEnd) {
             const block = this.readBlock(reader);
             vertices += block.count;
-            if (vertices > maxFrameVertices)
-                throw new FrameError('a mesh frame holds too many vertices');
+            if (vertices > maxFrameVertices) throw new FrameError('a mesh frame holds too many vertices');
             const escapes = this.readResiduals(reader, block);
             block.still = block.coded.map((coded, i) => {
                 const unmoved = block.kind === kinds.moved && i > 0 && block.predictors[i] === 0;
@@ -117,12 +108,10 @@ export class PointsReader {
         }
     }
 
-    /// Throws FrameError unless everything has come.
+    /** Throws FrameError unless everything has come. */
     finish(): void {
-        if (this.expected.some(({ left }) => left > 0))
-            throw new FrameError('a mesh update ends before its last vertex');
-        if (this.stayed > 0)
-            assumeChanges(this.mesh.position.change, this.mesh.neighbours, this.stayed, this.mesh.vertices);
+        if (this.expected.some(({ left }) => left > 0)) throw new FrameError('a mesh update ends before its last vertex');
+        if (this.stayed > 0) assumeChanges(this.mesh.position.change, this.mesh.neighbours, this.stayed, this.mesh.vertices);
     }
 
     private readBlock(reader: ByteReader): Block {
@@ -131,10 +120,10 @@ export class PointsReader {
         const channels = reader.byte();
         const used = kind === kinds.changes ? 1 : this.channels.length;
         const current = this.expected.findIndex(({ left }) => left > 0);
-        if (kind !== current || count === 0 || count > this.expected[kind]!.left || count > maxFrameVertices)
+        if (kind !== current || count === 0 || count > this.expected[kind]!.left || count > maxFrameVertices) {
             throw new FrameError('a mesh frame holds other vertices than those that are expected');
-        if (channels >= 1 << used)
-            throw new FrameError('a mesh frame holds attributes that were not announced');
+        }
+        if (channels >= 1 << used) throw new FrameError('a mesh frame holds attributes that were not announced');
         const indices = Array.from({ length: used }, (_, i) => i);
         const predictors = indices.map(() => this.readPredictor(reader, kind));
         const scales = indices.map(() => (kind === kinds.changes ? 1 : readScale(reader)));
@@ -144,38 +133,43 @@ export class PointsReader {
     private readPredictor(reader: ByteReader, kind: number): number {
         const predictor = reader.byte();
         const known = kind === kinds.moved ? movePredictors : appendPredictors;
-        if (kind === kinds.changes ? predictor !== changePredictor : predictor >= known)
+        if (kind === kinds.changes ? predictor !== changePredictor : predictor >= known) {
             throw new FrameError(`a mesh frame needs the unknown predictor ${predictor}`);
+        }
         return predictor;
     }
 
-    /// How many vertices have residuals of their own.
+    /** How many vertices have residuals of their own. */
     private readResiduals(reader: ByteReader, { count, coded }: Block): number {
         const rooms = coded.map((_, i) => this.room.of(i, count * this.channels[i]!.components));
         const escaped: { vertex: number; residuals: number[] }[] = [];
         let vertex = 0;
-        for (let left = reader.varint(); left > 0; left -= 1, vertex += 1) {
+        for (let left = reader.varint(); left > 0; --left, ++vertex) {
             vertex += reader.varint();
-            if (vertex >= count)
-                throw new FrameError('a mesh frame holds a residual of a vertex that is not in its block');
+            if (vertex >= count) throw new FrameError('a mesh frame holds a residual of a vertex that is not in its block');
             const length = this.channels.slice(0, coded.length).reduce((sum, { components }) => sum + components, 0);
             escaped.push({ vertex, residuals: Array.from({ length }, () => reader.signed()) });
         }
         const bytes = reader.take(reader.varint());
         const used = coded.flatMap((isCoded, i) => (isCoded ? [i] : []));
-        if ((used.length === 0) !== (bytes.length === 0))
+        if ((used.length === 0) !== (bytes.length === 0)) {
             throw new FrameError('a mesh frame announces residuals without bytes for them');
+        }
         coded.forEach((isCoded, i) => isCoded || rooms[i]!.fill(0));
         if (used.length > 0) {
             const components = used.map((i) => this.channels[i]!.components);
-            this.draco.decode(bytes, count, components, used.map((i) => rooms[i]!));
+            this.draco.decode(
+                bytes,
+                count,
+                components,
+                used.map((i) => rooms[i]!),
+            );
         }
         for (const { vertex: at, residuals } of escaped) {
             let next = 0;
             rooms.forEach((room, i) => {
                 const { components } = this.channels[i]!;
-                for (let k = 0; k < components; k += 1)
-                    room[at * components + k] = residuals[next++]!;
+                for (let k = 0; k < components; ++k) room[at * components + k] = residuals[next++]!;
             });
         }
         return escaped.length;
@@ -191,14 +185,11 @@ export class PointsReader {
             }
             this.channels.forEach((channel, i) => {
                 const values = this.room.of(i, block.count * channel.components);
-                if (block.still[i])
-                    return;
+                if (block.still[i]) return;
                 const residuals = { values, at, scale: block.scales[i]! };
                 const predictor = block.predictors[i]!;
-                if (block.kind === kinds.moved)
-                    move(channel, neighbours, predictor, from, to, residuals);
-                else
-                    append(channel, neighbours, predictor, from, to, residuals, this.stayed);
+                if (block.kind === kinds.moved) move(channel, neighbours, predictor, from, to, residuals);
+                else append(channel, neighbours, predictor, from, to, residuals, this.stayed);
             });
         });
     }
@@ -206,7 +197,6 @@ export class PointsReader {
 
 function readScale(reader: ByteReader): number {
     const tolerance = reader.varint();
-    if (tolerance > maxTolerance)
-        throw new FrameError('a mesh frame has a tolerance over the limit');
+    if (tolerance > maxTolerance) throw new FrameError('a mesh frame has a tolerance over the limit');
     return 2 * tolerance + 1;
 }

@@ -9,7 +9,7 @@ export const changePredictor = 0;
 
 const largestChange = 1 << 20;
 
-/// Residuals of consecutive vertices, from `at` on; each counts `scale` steps.
+/** Residuals of consecutive vertices, from `at` on; each counts `scale` steps. */
 export interface Residuals {
     values: Int32Array;
     at: number;
@@ -21,7 +21,7 @@ function clamp(value: number, last: number): number {
     return wrapped < 0 ? 0 : wrapped > last ? last : wrapped;
 }
 
-/// Moved vertices from .. to - 1.
+/** Moved vertices from .. to - 1. */
 export function move(
     channel: Channel,
     near: Neighbours,
@@ -30,13 +30,11 @@ export function move(
     to: number,
     residuals: Residuals,
 ): void {
-    if (channel.components === 3)
-        movePositions(channel, near, predictor, from, to, residuals);
-    else
-        moveCodes(channel, near, predictor, from, to, residuals);
+    if (channel.components === 3) movePositions(channel, near, predictor, from, to, residuals);
+    else moveCodes(channel, near, predictor, from, to, residuals);
 }
 
-/// Three components at a time: nearly all of the work of an update is here.
+/** Three components at a time: nearly all of the work of an update is here. */
 function movePositions(
     { last, values: x, change: d, changeBefore: h }: Channel,
     { highest, lowest, beside, beside2, opposite }: Neighbours,
@@ -45,7 +43,7 @@ function movePositions(
     to: number,
     { values: r, at, scale }: Residuals,
 ): void {
-    for (let v = from, next = 3 * at; v < to; v += 1, next += 3) {
+    for (let v = from, next = 3 * at; v < to; ++v, next += 3) {
         const i = 3 * v;
         const a = 3 * highest[v]!;
         const b = 3 * lowest[v]!;
@@ -95,7 +93,7 @@ function movePositions(
     }
 }
 
-/// Codes remember no earlier change: h is 0.
+/** Codes remember no earlier change: h is 0. */
 function moveCodes(
     { last, values: x, change: d }: Channel,
     { highest, lowest, beside, beside2, opposite }: Neighbours,
@@ -104,18 +102,14 @@ function moveCodes(
     to: number,
     { values: r, at, scale }: Residuals,
 ): void {
-    for (let v = from, next = at; v < to; v += 1, next += 1) {
+    for (let v = from, next = at; v < to; ++v, ++next) {
         const a = highest[v]!;
         const b = lowest[v]!;
         let change = 0;
-        if (a < 0 || predictor === 0)
-            change = 0;
-        else if (predictor === 1 || predictor === 3)
-            change = d[a]!;
-        else if (predictor === 5 && opposite[v]! >= 0)
-            change = (d[beside[v]!]! + d[beside2[v]!]! - d[opposite[v]!]!) | 0;
-        else
-            change = (d[a]! + d[b]!) >> 1;
+        if (a < 0 || predictor === 0) change = 0;
+        else if (predictor === 1 || predictor === 3) change = d[a]!;
+        else if (predictor === 5 && opposite[v]! >= 0) change = (d[beside[v]!]! + d[beside2[v]!]! - d[opposite[v]!]!) | 0;
+        else change = (d[a]! + d[b]!) >> 1;
         const before = x[v]!;
         const after = clamp(before + change + Math.imul(r[next]!, scale), last);
         x[v] = after;
@@ -123,18 +117,16 @@ function moveCodes(
     }
 }
 
-/// What is used where the neighbours of an appended vertex do not suffice for `predictor`.
+/** What is used where the neighbours of an appended vertex do not suffice for `predictor`. */
 function usable(near: Neighbours, predictor: number, v: number, stayed: number): number {
     const a = near.highest[v]!;
     const b = near.lowest[v]!;
-    if (a < 0)
-        return 0;
+    if (a < 0) return 0;
     switch (predictor) {
         case 7:
             return b < stayed ? 7 : 1;
         case 5:
-            if (near.lowest[b]! >= 0 && near.lowest[a]! >= 0 && near.lowest[near.lowest[a]!]! >= 0)
-                return 5;
+            if (near.lowest[b]! >= 0 && near.lowest[a]! >= 0 && near.lowest[near.lowest[a]!]! >= 0) return 5;
             return usable(near, 4, v, stayed);
         case 4:
             return near.beside[v]! >= 0 ? 4 : usable(near, 2, v, stayed);
@@ -147,7 +139,7 @@ function usable(near: Neighbours, predictor: number, v: number, stayed: number):
     }
 }
 
-/// Appended vertices from .. to - 1; the first `stayed` were there before the update.
+/** Appended vertices from .. to - 1; the first `stayed` were there before the update. */
 export function append(
     channel: Channel,
     near: Neighbours,
@@ -161,12 +153,12 @@ export function append(
     const { values: r, scale } = residuals;
     const { highest, lowest, beside, beside2, opposite } = near;
     let next = residuals.at * n;
-    for (let v = from; v < to; v += 1) {
+    for (let v = from; v < to; ++v) {
         const formula = usable(near, predictor, v, stayed);
         const hasNeighbour = highest[v]! >= 0;
         const a = hasNeighbour ? highest[v]! : v - 1;
         const b = lowest[v]!;
-        for (let i = v * n, k = 0; k < n; i += 1, k += 1, next += 1) {
+        for (let i = v * n, k = 0; k < n; ++i, ++k, ++next) {
             let expected = 0;
             switch (formula) {
                 case 0:
@@ -207,19 +199,18 @@ function meanChange(d: Int32Array, near: Neighbours, v: number, k: number): numb
     return a === none ? 0 : (d[3 * a + k]! + d[3 * near.lowest[v]! + k]!) >> 1;
 }
 
-/// The changes of positions that a KEY sends for its vertices from .. to - 1.
+/** The changes of positions that a KEY sends for its vertices from .. to - 1. */
 export function takeChanges(d: Int32Array, near: Neighbours, from: number, to: number, residuals: Residuals): void {
     let next = residuals.at * 3;
-    for (let v = from; v < to; v += 1)
-        for (let k = 0; k < 3; k += 1, next += 1) {
+    for (let v = from; v < to; ++v) {
+        for (let k = 0; k < 3; ++k, ++next) {
             const change = (meanChange(d, near, v, k) + residuals.values[next]!) | 0;
             d[3 * v + k] = Math.min(largestChange, Math.max(-largestChange, change));
         }
+    }
 }
 
-/// Appended vertices from .. to - 1 are taken to have moved as their neighbours did.
+/** Appended vertices from .. to - 1 are taken to have moved as their neighbours did. */
 export function assumeChanges(d: Int32Array, near: Neighbours, from: number, to: number): void {
-    for (let v = from; v < to; v += 1)
-        for (let k = 0; k < 3; k += 1)
-            d[3 * v + k] = meanChange(d, near, v, k);
+    for (let v = from; v < to; ++v) for (let k = 0; k < 3; ++k) d[3 * v + k] = meanChange(d, near, v, k);
 }

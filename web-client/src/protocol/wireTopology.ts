@@ -5,10 +5,10 @@ import type { KeptCells } from './keptCells.ts';
 import { roomFor } from './room.ts';
 import type { Runs } from './runs.ts';
 
-/// Stands where there is no such neighbour.
+/** Stands where there is no such neighbour. */
 export const none = -1;
 
-/// Neighbours of each vertex v, all below v. Arrays may be longer than there are vertices.
+/** Neighbours of each vertex v, all below v. Arrays may be longer than there are vertices. */
 export class Neighbours {
     highest = new Int32Array(0); // a(v)
     lowest = new Int32Array(0); // b(v)
@@ -16,9 +16,11 @@ export class Neighbours {
     beside2 = new Int32Array(0); // n(v)
     opposite = new Int32Array(0); // o(v); none where p and n are the ends of the side the vertex hangs on
 
-    /// After an update of the cells, of which those from `keptCells` on were added: finds the neighbours of vertices that have other
-    /// cells than before, the others keep theirs in new numbers. Vertices keep their order, so that which neighbour is the highest or the
-    /// lowest stays as well.
+    /**
+     * After an update of the cells, of which those from `keptCells` on were added: finds the neighbours of vertices that have other
+     * cells than before, the others keep theirs in new numbers. Vertices keep their order, so that which neighbour is the highest or the
+     * lowest stays as well.
+     */
     follow(kept: KeptCells, replaced: Runs, keptCells: number, cells: Int32Array, vertices: number): void {
         const { now, touched, near } = kept;
         this.highest = roomFor(this.highest, vertices);
@@ -26,25 +28,19 @@ export class Neighbours {
         this.beside = roomFor(this.beside, vertices);
         this.beside2 = roomFor(this.beside2, vertices);
         this.opposite = roomFor(this.opposite, vertices);
-        if (now !== undefined)
-            this.renumber(now);
-        for (let v = 0; v < touched.length; v += 1)
-            if (touched[v] !== 0)
-                this.forget(v);
-        for (let v = touched.length; v < vertices; v += 1)
-            this.forget(v);
+        if (now !== undefined) this.renumber(now);
+        for (let v = 0; v < touched.length; ++v) if (touched[v] !== 0) this.forget(v);
+        for (let v = touched.length; v < vertices; ++v) this.forget(v);
         if (this.forgetTaken(touched, replaced, cells)) {
             this.add(cells, 0, cells.length / cellStride);
             return;
         }
         let next = 0;
         for (const { begin, end } of replaced.all) {
-            for (; next < near.length && near[next]! < begin; next += 1)
-                this.add(cells, near[next]!, near[next]! + 1);
+            for (; next < near.length && near[next]! < begin; ++next) this.add(cells, near[next]!, near[next]! + 1);
             this.add(cells, begin, end);
         }
-        for (; next < near.length; next += 1)
-            this.add(cells, near[next]!, near[next]! + 1);
+        for (; next < near.length; ++next) this.add(cells, near[next]!, near[next]! + 1);
         this.add(cells, keptCells, cells.length / cellStride);
     }
 
@@ -52,28 +48,29 @@ export class Neighbours {
         this.highest[v] = this.lowest[v] = this.beside[v] = this.beside2[v] = this.opposite[v] = none;
     }
 
-    /// Whether a cell that replaces another takes a vertex that has lost nothing: which cell is the first there may then be another
-    /// one. Forgets the neighbours of those.
+    /**
+     * Whether a cell that replaces another takes a vertex that has lost nothing: which cell is the first there may then be another
+     * one. Forgets the neighbours of those.
+     */
     private forgetTaken(touched: Uint8Array, replaced: Runs, cells: Int32Array): boolean {
         let taken = false;
-        for (const { begin, end } of replaced.all)
-            for (let at = begin * cellStride; at < end * cellStride; at += 1) {
+        for (const { begin, end } of replaced.all) {
+            for (let at = begin * cellStride; at < end * cellStride; ++at) {
                 const v = cells[at]!;
-                if (v < 0 || v >= touched.length || touched[v] !== 0)
-                    continue;
+                if (v < 0 || v >= touched.length || touched[v] !== 0) continue;
                 this.forget(v);
                 taken = true;
             }
+        }
         return taken;
     }
 
-    /// In place, from the first to the last: a vertex never gets a higher number.
+    /** In place, from the first to the last: a vertex never gets a higher number. */
     private renumber(now: Int32Array): void {
         const { highest, lowest, beside, beside2, opposite } = this;
-        for (let v = 0; v < now.length; v += 1) {
+        for (let v = 0; v < now.length; ++v) {
             const to = now[v]!;
-            if (to < 0)
-                continue;
+            if (to < 0) continue;
             const a = highest[v]!;
             highest[to] = a < 0 ? none : now[a]!;
             lowest[to] = a < 0 ? none : now[lowest[v]!]!; // there is none where there is no highest
@@ -85,7 +82,7 @@ export class Neighbours {
         }
     }
 
-    /// Cells first .. last - 1. Adding one again makes no difference.
+    /** Cells first .. last - 1. Adding one again makes no difference. */
     private add(cells: Int32Array, first: number, last: number): void {
         const { highest, lowest, beside, beside2, opposite } = this;
         for (let at = first * cellStride; at < last * cellStride; at += cellStride) {
@@ -110,21 +107,18 @@ export class Neighbours {
                     opposite[v] = o;
                 }
             }
-            if ((cells[at + 4]! & cells[at + 5]! & cells[at + 6]! & cells[at + 7]!) >= 0)
-                this.addMids(cells, at);
+            if ((cells[at + 4]! & cells[at + 5]! & cells[at + 6]! & cells[at + 7]!) >= 0) this.addMids(cells, at);
         }
     }
 
-    /// That a vertex hangs says more of its place than a cell that it is a corner of.
+    /** That a vertex hangs says more of its place than a cell that it is a corner of. */
     private addMids(cells: Int32Array, at: number): void {
-        for (let i = 0; i < 4; i += 1) {
+        for (let i = 0; i < 4; ++i) {
             const mid = cells[at + 4 + i]!;
             const from = cells[at + i]!;
             const to = cells[at + ((i + 1) & 3)]!;
-            if (from >= mid || to >= mid)
-                continue;
-            if (this.beside[mid]! >= 0 && this.opposite[mid]! < 0)
-                continue;
+            if (from >= mid || to >= mid) continue;
+            if (this.beside[mid]! >= 0 && this.opposite[mid]! < 0) continue;
             this.beside[mid] = from;
             this.beside2[mid] = to;
             this.opposite[mid] = none;
@@ -132,10 +126,9 @@ export class Neighbours {
     }
 }
 
-/// One side of a cell, over its mid if there is one.
+/** One side of a cell, over its mid if there is one. */
 function side(highest: Int32Array, lowest: Int32Array, from: number, mid: number, to: number): void {
-    if (mid < 0)
-        join(highest, lowest, from, to);
+    if (mid < 0) join(highest, lowest, from, to);
     else {
         join(highest, lowest, from, mid);
         join(highest, lowest, mid, to);
@@ -143,13 +136,10 @@ function side(highest: Int32Array, lowest: Int32Array, from: number, mid: number
 }
 
 function join(highest: Int32Array, lowest: Int32Array, u: number, w: number): void {
-    if (u === w)
-        return;
+    if (u === w) return;
     const low = u < w ? u : w;
     const high = u < w ? w : u;
-    if (low > highest[high]!)
-        highest[high] = low;
+    if (low > highest[high]!) highest[high] = low;
     const lowestSoFar = lowest[high]!;
-    if (lowestSoFar < 0 || low < lowestSoFar)
-        lowest[high] = low;
+    if (lowestSoFar < 0 || low < lowestSoFar) lowest[high] = low;
 }

@@ -2,21 +2,18 @@ import { describe, expect, it } from 'vitest';
 import { sizeFault, withoutBackground } from './capture.ts';
 
 /** What is seen of a colour with this opacity before a ground, as browsers compose it. */
-const before = (ground: number, value: number, alpha: number): number =>
-    Math.round(value * alpha + ground * (1 - alpha));
+const before = (ground: number, value: number, alpha: number): number => Math.round(value * alpha + ground * (1 - alpha));
 
 describe('withoutBackground', () => {
     it('finds colour and opacity again, within the rounding of the two pictures', () => {
         for (const alpha of [0, 0.1, 0.5, 0.9, 1]) {
             const colour = [10, 128, 250];
-            const on = (ground: number) =>
-                Uint8ClampedArray.from([...colour.map((value) => before(ground, value, alpha)), 255]);
+            const on = (ground: number) => Uint8ClampedArray.from([...colour.map((value) => before(ground, value, alpha)), 255]);
             const found = on(0);
             withoutBackground(found, on(255));
             expect(Math.abs(found[3]! - 255 * alpha)).toBeLessThanOrEqual(1);
             if (alpha === 0) expect([...found]).toEqual([0, 0, 0, 0]);
-            else
-                colour.forEach((value, k) => expect(Math.abs(found[k]! - value)).toBeLessThanOrEqual(1.5 / alpha));
+            else colour.forEach((value, k) => expect(Math.abs(found[k]! - value)).toBeLessThanOrEqual(1.5 / alpha));
         }
     });
 });

@@ -28,12 +28,7 @@ export function paintElement(
     }
 }
 
-function paintBox(
-    context: CanvasRenderingContext2D,
-    style: CSSStyleDeclaration,
-    at: ScreenPoint,
-    box: DOMRect,
-): void {
+function paintBox(context: CanvasRenderingContext2D, style: CSSStyleDeclaration, at: ScreenPoint, box: DOMRect): void {
     const border = style.borderTopStyle === 'solid' ? parseFloat(style.borderTopWidth) : 0;
     const inset = border / 2;
     context.beginPath();

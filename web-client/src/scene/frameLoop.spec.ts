@@ -8,7 +8,7 @@ function steppedLoop() {
     let drawn = 0;
     const loop = new FrameLoop(
         (finished) => {
-            drawn += 1;
+            ++drawn;
             finishing.push(finished);
         },
         (callback) => scheduled.push(callback),

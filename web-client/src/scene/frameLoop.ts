@@ -11,10 +11,7 @@ export class FrameLoop {
     private requested = false;
     private drawing = false;
 
-    constructor(
-        draw: Draw,
-        schedule: (callback: () => void) => void = (callback) => requestAnimationFrame(callback),
-    ) {
+    constructor(draw: Draw, schedule: (callback: () => void) => void = (callback) => requestAnimationFrame(callback)) {
         this.draw = draw;
         this.schedule = schedule;
     }

@@ -305,7 +305,7 @@ export class FlowScene {
         }
         this.transparency = !transparency.isNeeded ? 'none' : exact ? 'exact' : 'blended';
         this.stillness.drawn(this.exactWhenStill && this.transparency === 'blended');
-        this.framesDrawn += 1;
+        ++this.framesDrawn;
         for (const listener of this.drawn) listener(view);
     }
 

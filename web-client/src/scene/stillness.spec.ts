@@ -33,11 +33,11 @@ describe('stillness', () => {
     beforeEach(() => {
         clock = new Clock();
         reached = 0;
-        stillness = new Stillness(() => (reached += 1), clock);
+        stillness = new Stillness(() => ++reached, clock);
     });
 
     it('is reached once, 300 ms after the last picture', () => {
-        for (let i = 0; i < 10; i += 1) {
+        for (let i = 0; i < 10; ++i) {
             stillness.drawn(true);
             clock.pass(299);
         }

@@ -15,20 +15,23 @@ describe('tiles', () => {
         { width: 97, height: 451, side: 64, margin: 400 },
         { width: 50, height: 31, side: 8, margin: 24 },
         { width: 50, height: 31, side: 13, margin: 24 },
-    ])('keep each pixel of $width x $height once, with the margin round it, from even places on', ({ width, height, side, margin }) => {
-        const counts = new Uint8Array(width * height);
-        for (const { drawn, kept } of tilesOf({ width, height }, side, margin)) {
-            expect(Math.max(drawn.width, drawn.height)).toBeLessThanOrEqual(side);
-            expect([drawn.x % 2, drawn.y % 2].map(Math.abs)).toEqual([0, 0]);
-            const margins = [
-                ...(width > side ? [kept.x - drawn.x, drawn.x + drawn.width - kept.x - kept.width] : []),
-                ...(height > side ? [kept.y - drawn.y, drawn.y + drawn.height - kept.y - kept.height] : []),
-            ];
-            expect(Math.min(...margins)).toBeGreaterThanOrEqual(Math.min(margin, Math.floor(side / 4)));
-            for (let y = kept.y; y < kept.y + kept.height; y += 1) {
-                for (let x = kept.x; x < kept.x + kept.width; x += 1) counts[y * width + x]! += 1;
+    ])(
+        'keep each pixel of $width x $height once, with the margin round it, from even places on',
+        ({ width, height, side, margin }) => {
+            const counts = new Uint8Array(width * height);
+            for (const { drawn, kept } of tilesOf({ width, height }, side, margin)) {
+                expect(Math.max(drawn.width, drawn.height)).toBeLessThanOrEqual(side);
+                expect([drawn.x % 2, drawn.y % 2].map(Math.abs)).toEqual([0, 0]);
+                const margins = [
+                    ...(width > side ? [kept.x - drawn.x, drawn.x + drawn.width - kept.x - kept.width] : []),
+                    ...(height > side ? [kept.y - drawn.y, drawn.y + drawn.height - kept.y - kept.height] : []),
+                ];
+                expect(Math.min(...margins)).toBeGreaterThanOrEqual(Math.min(margin, Math.floor(side / 4)));
+                for (let y = kept.y; y < kept.y + kept.height; ++y) {
+                    for (let x = kept.x; x < kept.x + kept.width; ++x) ++counts[y * width + x]!;
+                }
             }
-        }
-        expect(counts.every((count) => count === 1)).toBe(true);
-    });
+            expect(counts.every((count) => count === 1)).toBe(true);
+        },
+    );
 });

@@ -78,8 +78,7 @@ export class OpenDataset {
         delete rest.error; // a patch says what is wrong now
         state.datasetEntry.value = { ...rest, ...change };
         // The range of the velocity is known in full only now.
-        if (change.state === 'ready' || change.state === 'incomplete')
-            void this.describe(dataset).catch(() => undefined);
+        if (change.state === 'ready' || change.state === 'incomplete') void this.describe(dataset).catch(() => undefined);
     }
 
     stepsPatched(dataset: string, changes: readonly { step: number; state: StepState }[]): void {

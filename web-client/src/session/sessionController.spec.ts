@@ -124,7 +124,7 @@ class Bench {
         }
         if (method === 'surface.set') {
             const surface = `s${this.records.surfaces.length + 1}`;
-            this.records.surfaces.push({ ...surfaceOf(surface), ...params, surface } as SurfaceRecord);
+            this.records.surfaces.push({ ...surfaceOf(surface), ...params, surface });
             return { surface, rev: 1, epoch: 1 };
         }
         throw new Error(`unexpected ${method}`);
@@ -162,7 +162,17 @@ describe('the session on a page', () => {
     });
 
     const rakeOf = (rake: string): RakeRecord =>
-        ({ rake, rev: 1, kind: 'line', points: [[0, 0, 0], [1, 0, 0]], seeds: 8, name: rake }) as RakeRecord;
+        ({
+            rake,
+            rev: 1,
+            kind: 'line',
+            points: [
+                [0, 0, 0],
+                [1, 0, 0],
+            ],
+            seeds: 8,
+            name: rake,
+        }) as RakeRecord;
 
     it('puts back what a server has lost, also when the connection is lost in the middle of it', async () => {
         const bench = new Bench(null);
@@ -300,7 +310,9 @@ describe('a visit', () => {
     it('goes on with the first rake where a page was closed before it had made a surface', async () => {
         const bench = new Bench(null);
         bench.edited = false;
-        bench.records.rakes = [{ rake: 'r1', rev: 1, kind: 'line', points: [], seeds: 8, name: 'Rake 1' } as unknown as RakeRecord];
+        bench.records.rakes = [
+            { rake: 'r1', rev: 1, kind: 'line', points: [], seeds: 8, name: 'Rake 1' } as unknown as RakeRecord,
+        ];
         await bench.connect();
         expect(bench.calls).not.toContain('rake.set');
         expect(bench.records.surfaces).toMatchObject([{ rake: 'r1' }]);
@@ -361,7 +373,19 @@ describe('a session that is deleted while the page is in it', () => {
 
     it('is made again from what is on the screen where it is gone for good', async () => {
         const bench = new Bench();
-        bench.records.rakes = [{ rake: 'r1', rev: 1, kind: 'line', points: [[0, 0, 0], [1, 0, 0]], seeds: 8, name: 'mine' } as RakeRecord];
+        bench.records.rakes = [
+            {
+                rake: 'r1',
+                rev: 1,
+                kind: 'line',
+                points: [
+                    [0, 0, 0],
+                    [1, 0, 0],
+                ],
+                seeds: 8,
+                name: 'mine',
+            } as RakeRecord,
+        ];
         bench.controller.handle({ type: 'connection', state: 'open' });
         await vi.advanceTimersByTimeAsync(10);
         bench.records.session = 'main';

@@ -10,7 +10,8 @@ const displayed: DisplayedSurface = {
     stateCrc: 1,
     keys: 1,
     deltas: 0,
-    phase: 'final' as const, time: 0,
+    phase: 'final' as const,
+    time: 0,
 };
 
 describe('surfacePhase', () => {

@@ -156,17 +156,7 @@ export interface SurfaceFailure {
 }
 
 export type SurfacePhase =
-    | 'waiting'
-    | 'ended'
-    | 'gone'
-    | 'none'
-    | 'updating'
-    | 'coarse'
-    | 'live'
-    | 'final'
-    | 'empty'
-    | 'stopped'
-    | 'error';
+    'waiting' | 'ended' | 'gone' | 'none' | 'updating' | 'coarse' | 'live' | 'final' | 'empty' | 'stopped' | 'error';
 
 export interface SurfaceProgress {
     displayed: DisplayedSurface | undefined;

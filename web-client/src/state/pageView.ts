@@ -33,7 +33,8 @@ export function readPageView(value: unknown): PageView {
         view.looks = Object.fromEntries(known.map(([id, look]) => [id, encodeLook(decodeLook(look))]));
     }
     if (typeof masks === 'object' && masks !== null) {
-        const isText = (each: [string, unknown]): each is [string, string] => typeof each[1] === 'string' && maskText.test(each[1]);
+        const isText = (each: [string, unknown]): each is [string, string] =>
+            typeof each[1] === 'string' && maskText.test(each[1]);
         view.masks = Object.fromEntries(Object.entries(masks).filter(isText).slice(0, looksAtMost));
     }
     if (clip !== undefined) view.clip = decodeClip(clip);

@@ -74,8 +74,7 @@ export const partsAtMost = 64;
 const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
 const isFlag = (value: unknown): boolean => typeof value === 'boolean';
 const isPart = (value: unknown): boolean => isNumber(value) && value >= 0 && value <= 1;
-const isPair = (value: unknown): value is [number, number] =>
-    Array.isArray(value) && value.length === 2 && value.every(isNumber);
+const isPair = (value: unknown): value is [number, number] => Array.isArray(value) && value.length === 2 && value.every(isNumber);
 const isSpan = (value: unknown): boolean => value === null || (isPair(value) && value[0] <= value[1]);
 const isOneOf =
     (values: readonly string[]) =>
@@ -116,6 +115,8 @@ export function encodeLook(look: SurfaceLook): Partial<SurfaceLook> {
 /** Never throws. */
 export function decodeLook(value: unknown): SurfaceLook {
     if (typeof value !== 'object' || value === null) return usualLook;
-    const given = Object.entries(value).filter(([name, each]) => Object.hasOwn(checks, name) && checks[name as keyof SurfaceLook](each));
+    const given = Object.entries(value).filter(
+        ([name, each]) => Object.hasOwn(checks, name) && checks[name as keyof SurfaceLook](each),
+    );
     return { ...usualLook, ...Object.fromEntries(given) };
 }

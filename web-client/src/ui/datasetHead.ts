@@ -38,12 +38,14 @@ export class DatasetHead extends SignalElement {
     override render(): TemplateResult {
         const dataset = this.model.state.dataset.value;
         return html`${this.name(dataset?.dataset ?? '', dataset?.name ?? '')}
-        ${dataset === null
-            ? nothing
-            : html`<p class="quiet">
+        ${
+            dataset === null
+                ? nothing
+                : html`<p class="quiet">
                   ${dataset.points > 0 ? `${countWords(dataset.points)} points` : 'an analytic flow'},
                   ${dataset.times.length} ${dataset.times.length === 1 ? 'time-step' : 'time-steps'}
-              </p>`}`;
+              </p>`
+        }`;
     }
 
     private name(shown: string, name: string): TemplateResult | typeof nothing {
@@ -56,7 +58,8 @@ export class DatasetHead extends SignalElement {
             <select id="dataset" aria-label="Dataset" @change=${this.choose}>
                 ${shown === '' ? html`<option value="">Choose a dataset</option>` : nothing}
                 ${datasets.value.map(
-                    (each) => html`<option value=${each.dataset} .selected=${each.dataset === chosen}>${optionWords(each, datasets.value)}</option>`,
+                    (each) =>
+                        html`<option value=${each.dataset} .selected=${each.dataset === chosen}>${optionWords(each, datasets.value)}</option>`,
                 )}
             </select>
             <button type="button" ?disabled=${chosen === shown || chosen === ''} @click=${() => this.open(chosen)}>

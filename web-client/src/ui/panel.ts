@@ -88,12 +88,14 @@ const tabs: readonly Tab[] = [
             <section aria-labelledby="links-head">
                 <h2 id="links-head">Invite</h2>
                 <wakesurf-links .model=${model}></wakesurf-links>
-                ${model.state.role.value === 'host'
-                    ? html`<wakesurf-copy-as
+                ${
+                    model.state.role.value === 'host'
+                        ? html`<wakesurf-copy-as
                           .model=${model}
                           .calls=${() => [{ method: 'session.share', params: { role: 'editor' } }]}
                       ></wakesurf-copy-as>`
-                    : nothing}
+                        : nothing
+                }
             </section>
             <section aria-labelledby="notes-head">
                 <h2 id="notes-head">Notes</h2>
@@ -221,9 +223,7 @@ export class Panel extends SignalElement {
                 </div>
                 <wakesurf-session-head .model=${this.model}></wakesurf-session-head>
                 <wakesurf-dataset-head .model=${this.model}></wakesurf-dataset-head>
-                ${state.role.value === 'viewer'
-                    ? html`<p class="quiet" id="role">View-only link: you cannot edit.</p>`
-                    : nothing}
+                ${state.role.value === 'viewer' ? html`<p class="quiet" id="role">View-only link: you cannot edit.</p>` : nothing}
             </div>
             <div role="tablist" aria-label="Settings" @keydown=${this.turn}>
                 ${tabs.map(({ id, label }) => this.tab(id, label, id === chosen.id))}

@@ -20,7 +20,7 @@ describe('AttributeNames', () => {
 
     it('forget old epochs, and whole surfaces when told', () => {
         const names = new AttributeNames();
-        for (let epoch = 1; epoch < 40; epoch += 1) names.learn('a', epoch, ['speed', 's', 't', `f${epoch}`]);
+        for (let epoch = 1; epoch < 40; ++epoch) names.learn('a', epoch, ['speed', 's', 't', `f${epoch}`]);
         expect(names.of('a', 39, 4)[3]).toBe('f39');
         expect(names.of('a', 1, 4)).toEqual(['speed', 's', 't']);
         names.forget('a');

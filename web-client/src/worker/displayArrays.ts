@@ -142,20 +142,13 @@ export class DisplayArrays {
     }
 
     /** The values of an attribute from some vertex on; those of one that does not come stay 0. */
-    private fill(
-        mesh: WireMesh,
-        name: string,
-        from: number,
-        into: Float32Array,
-        stride: number,
-        offset: number,
-    ): void {
+    private fill(mesh: WireMesh, name: string, from: number, into: Float32Array, stride: number, offset: number): void {
         const channel = this.attributes.indexOf(name);
         const values = mesh.codes[channel]?.values;
         const range = mesh.ranges[channel];
         if (values === undefined || range === undefined) return;
         const scale = (range.hi - range.lo) / lastCode;
-        for (let i = from, at = offset; i < mesh.vertices; i += 1, at += stride) {
+        for (let i = from, at = offset; i < mesh.vertices; ++i, at += stride) {
             into[at] = range.lo + scale * values[i]!;
         }
     }

@@ -4,12 +4,7 @@
  * Fills `normals`, which are 0, for the vertices from `from` on; `indices` are those of the whole mesh.
  * Vertices without area stay 0.
  */
-export function addNormals(
-    positions: Float32Array,
-    indices: Uint32Array,
-    from: number,
-    normals: Float32Array,
-): void {
+export function addNormals(positions: Float32Array, indices: Uint32Array, from: number, normals: Float32Array): void {
     for (let i = 0; i < indices.length; i += 3) {
         const a = indices[i]!;
         const b = indices[i + 1]!;

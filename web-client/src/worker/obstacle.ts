@@ -19,11 +19,7 @@ export async function fetchObstacle(
     return decodeObstacle(new Uint8Array(await response.arrayBuffer()), draco, lattice);
 }
 
-export function decodeObstacle(
-    bytes: Uint8Array,
-    draco: DracoPoints,
-    lattice: Lattice,
-): GeometryArrays | null {
+export function decodeObstacle(bytes: Uint8Array, draco: DracoPoints, lattice: Lattice): GeometryArrays | null {
     const decoder = new MeshDecoder(draco, lattice, 0);
     for (const frame of framesOf(bytes)) decoder.fold(frame);
     const { mesh } = decoder;
@@ -39,7 +35,7 @@ export function decodeObstacle(
 export function framesOf(bytes: Uint8Array): Uint8Array[] {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     const frames: Uint8Array[] = [];
-    for (let at = 0; at + 4 <= bytes.length; ) {
+    for (let at = 0; at + 4 <= bytes.length;) {
         const length = view.getUint32(at, true);
         if (at + 4 + length > bytes.length) throw new Error('The obstacle arrived incomplete.');
         frames.push(bytes.subarray(at + 4, at + 4 + length));

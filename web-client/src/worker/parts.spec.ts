@@ -25,11 +25,13 @@ describe('rootsOf', () => {
         const random = seededRandom(5);
         const vertices = 300;
         const cells = Int32Array.from(
-            Array.from({ length: 70 }, () => quad(...([0, 0, 0, 0].map(() => random() % vertices) as [number, number, number, number]))).flat(),
+            Array.from({ length: 70 }, () =>
+                quad(...([0, 0, 0, 0].map(() => random() % vertices) as [number, number, number, number])),
+            ).flat(),
         );
         const roots = rootsOf(cells, vertices);
         const flooded = Array.from({ length: vertices }, (_, i) => i);
-        for (let changed = true; changed; ) {
+        for (let changed = true; changed;) {
             changed = false;
             for (let base = 0; base < cells.length; base += 8) {
                 const corners = [...cells.subarray(base, base + 4)];

@@ -16,7 +16,7 @@ export function rootsOf(cells: Int32Array, vertices: number): Int32Array {
     };
     for (let base = 0; base < cells.length; base += cellStride) {
         const first = cells[base]!;
-        for (let i = 1; i < cellStride; i += 1) {
+        for (let i = 1; i < cellStride; ++i) {
             const other = cells[base + i]!;
             if (other === noVertex) continue;
             const [a, b] = [find(first), find(other)];
@@ -25,7 +25,7 @@ export function rootsOf(cells: Int32Array, vertices: number): Int32Array {
             else parent[a] = b;
         }
     }
-    for (let i = 0; i < vertices; i += 1) parent[i] = find(i);
+    for (let i = 0; i < vertices; ++i) parent[i] = find(i);
     return parent;
 }
 
@@ -61,7 +61,7 @@ function nearest(seeds: Float32Array, [s, t]: readonly [number, number]): number
     const scale = high > low ? 1 / (high - low) : 1;
     let best = -1;
     let least = Number.POSITIVE_INFINITY;
-    for (let i = 0; 2 * i < seeds.length; i += 1) {
+    for (let i = 0; 2 * i < seeds.length; ++i) {
         const [ds, dt] = [seeds[2 * i]! - s, (seeds[2 * i + 1]! - t) * scale];
         const apart = ds * ds + dt * dt;
         if (apart < least) [least, best] = [apart, i];

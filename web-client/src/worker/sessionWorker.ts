@@ -6,12 +6,7 @@ import { type ConnectionState, LiveSocket } from '../connection/liveSocket.ts';
 import { RpcClient } from '../connection/rpcClient.ts';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { encodeNotification, parseIncoming, RpcError } from '../protocol/jsonRpc.ts';
-import {
-    type MethodName,
-    type ParamsOf,
-    readNotification,
-    type ResultOf,
-} from '../protocol/messages.ts';
+import { type MethodName, type ParamsOf, readNotification, type ResultOf } from '../protocol/messages.ts';
 import { keepDracoSmall, loadDraco } from './draco.ts';
 import { fetchObstacle } from './obstacle.ts';
 import { SurfaceFolder } from './surfaceFolder.ts';
@@ -88,7 +83,7 @@ class SessionWorker {
         }
         const cancel = new AbortController();
         this.cancels.set(id, cancel);
-        const answered = this.rpc.call(method, params as ParamsOf<MethodName>, cancel.signal);
+        const answered = this.rpc.call(method, params, cancel.signal);
         const result = await answered.finally(() => this.cancels.delete(id));
         if (method === 'session.join') {
             const { resumeToken } = params as ParamsOf<'session.join'>;
@@ -98,16 +93,11 @@ class SessionWorker {
     }
 
     /** Goes on from the state that is here, if the server can; else, or where it will not hear of that, with a whole one. */
-    private async subscribe({
-        surface,
-    }: ParamsOf<'surface.subscribe'>): Promise<ResultOf<'surface.subscribe'>> {
+    private async subscribe({ surface }: ParamsOf<'surface.subscribe'>): Promise<ResultOf<'surface.subscribe'>> {
         const from = this.folder.placeOf(surface);
-        const whole = (): Promise<ResultOf<'surface.subscribe'>> =>
-            this.rpc.call('surface.subscribe', { surface });
+        const whole = (): Promise<ResultOf<'surface.subscribe'>> => this.rpc.call('surface.subscribe', { surface });
         const agreed =
-            from === undefined
-                ? await whole()
-                : await this.rpc.call('surface.subscribe', { surface, from }).catch(whole);
+            from === undefined ? await whole() : await this.rpc.call('surface.subscribe', { surface, from }).catch(whole);
         // Before anything else is heard: the first frames follow the answer at once.
         this.folder.subscribed(surface, agreed);
         return agreed;
@@ -124,8 +114,7 @@ class SessionWorker {
     private answer(id: number, outcome: Promise<unknown>): void {
         outcome.then(
             (result) => this.port.postMessage({ type: 'reply', id, result }),
-            (error: unknown) =>
-                this.port.postMessage({ type: 'failure', id, failure: failureOf(error) }),
+            (error: unknown) => this.port.postMessage({ type: 'failure', id, failure: failureOf(error) }),
         );
     }
 

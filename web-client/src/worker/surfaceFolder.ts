@@ -146,8 +146,8 @@ export class SurfaceFolder {
             if (applied === undefined) return;
             followed.troubled = false;
             followed.news = true;
-            if (applied.header.key) followed.keys += 1;
-            else followed.deltas += 1;
+            if (applied.header.key) ++followed.keys;
+            else ++followed.deltas;
             const { key, epoch, attributeCount } = applied.header;
             if (key) followed.display.rename(this.names.of(followed.surface, epoch, attributeCount));
             followed.display.note(applied);
@@ -168,7 +168,7 @@ export class SurfaceFolder {
         if (!followed.news || followed.untaken >= statesUntaken) return;
         if (header === undefined || mesh === undefined) return;
         followed.news = false;
-        followed.untaken += 1;
+        ++followed.untaken;
         const { epoch, phase, time, stateSum } = header;
         const { surface, keys, deltas } = followed;
         const start = performance.now();

@@ -10,10 +10,10 @@ class Bench {
     watchdog = new Watchdog({
         clock: this.clock,
         ask: () => {
-            this.asked += 1;
+            ++this.asked;
             if (this.answers) this.watchdog.heard();
         },
-        onHang: () => (this.hangs += 1),
+        onHang: () => ++this.hangs,
     });
 }
 

@@ -23,10 +23,7 @@ export class CallError extends Error {
     }
 }
 
-export type WorkerEvent = Exclude<
-    MessageOf<FromWorker>,
-    { type: 'reply' } | { type: 'failure' } | { type: 'here' }
->;
+export type WorkerEvent = Exclude<MessageOf<FromWorker>, { type: 'reply' } | { type: 'failure' } | { type: 'here' }>;
 
 const firstPauseMs = 500;
 

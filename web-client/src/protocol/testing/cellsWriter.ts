@@ -3,7 +3,7 @@
 
 const none = -1;
 
-/// What both ends know: cells that stay, in new numbers, with which of them are replaced, and touched vertices.
+/** What both ends know: cells that stay, in new numbers, with which of them are replaced, and touched vertices. */
 export interface PlainKept {
     cells: number[][];
     replaced: boolean[];
@@ -13,7 +13,7 @@ export interface PlainKept {
 
 export const nothingKept: PlainKept = { cells: [], replaced: [], touched: new Set(), stay: 0 };
 
-/// An arithmetic coder with a number as long as it takes.
+/** An arithmetic coder with a number as long as it takes. */
 class Encoder {
     private low = 0n;
     private range = 0xffffffffn;
@@ -24,9 +24,7 @@ class Encoder {
         const learnt = this.bits.get(name) ?? { one: 32768, seen: 0 };
         this.narrow((this.range >> 16n) * BigInt(learnt.one), value);
         const rate = Math.floor(131072 / (2 * learnt.seen + 3));
-        learnt.one += value
-            ? Math.floor(((65536 - learnt.one) * rate) / 65536)
-            : -Math.floor((learnt.one * rate) / 65536);
+        learnt.one += value ? Math.floor(((65536 - learnt.one) * rate) / 65536) : -Math.floor((learnt.one * rate) / 65536);
         learnt.one = Math.min(65504, Math.max(32, learnt.one));
         learnt.seen = Math.min(30, learnt.seen + 1);
         this.bits.set(name, learnt);
@@ -42,10 +40,8 @@ class Encoder {
         }
         [...digits].slice(1).forEach((digit, i) => {
             const learnt = i === 0 ? '' : digits[1];
-            if (i < 2)
-                this.bit(`${name} high ${digits.length} ${learnt}`, digit === '1');
-            else
-                this.narrow(this.range >> 1n, digit === '1');
+            if (i < 2) this.bit(`${name} high ${digits.length} ${learnt}`, digit === '1');
+            else this.narrow(this.range >> 1n, digit === '1');
         });
     }
 
@@ -60,12 +56,12 @@ class Encoder {
         while (this.range < 1n << 24n) {
             this.low <<= 8n;
             this.range <<= 8n;
-            this.bytes += 1;
+            ++this.bytes;
         }
     }
 }
 
-/// Sides that are open, one leaving and one arriving a vertex.
+/** Sides that are open, one leaving and one arriving a vertex. */
 class Sides {
     readonly leaves = new Map<number, number>();
     readonly arrives = new Map<number, number>();
@@ -75,12 +71,9 @@ class Sides {
         outline.forEach((x, i) => {
             const y = outline[(i + 1) % outline.length]!;
             const closes = this.leaves.get(y) === x || this.arrives.get(x) === y;
-            if (this.leaves.get(y) === x)
-                this.leaves.delete(y);
-            if (this.arrives.get(x) === y)
-                this.arrives.delete(x);
-            if (closes)
-                return;
+            if (this.leaves.get(y) === x) this.leaves.delete(y);
+            if (this.arrives.get(x) === y) this.arrives.delete(x);
+            if (closes) return;
             this.leaves.set(x, y);
             this.arrives.set(y, x);
         });
@@ -95,16 +88,14 @@ function zigzag(difference: number): number {
     return ((difference << 1) ^ (difference >> 31)) >>> 0;
 }
 
-/// The replaced cells in order, then those that are added; their vertices are below `vertices`.
+/** The replaced cells in order, then those that are added; their vertices are below `vertices`. */
 export function writeCells(cells: number[][], kept: PlainKept, vertices: number): number[] {
-    if (cells.length === 0)
-        return [];
+    if (cells.length === 0) return [];
     const out = new Encoder();
     const sides = new Sides();
     kept.cells.forEach((cell, i) => {
         const near = cell.some((id) => kept.touched.has(id)) || i >= kept.cells.length - 4096;
-        if (near && !kept.replaced[i])
-            sides.add(cell);
+        if (near && !kept.replaced[i]) sides.add(cell);
     });
     const olds = kept.cells.filter((_, i) => kept.replaced[i]);
     let fresh = kept.stay;
@@ -120,16 +111,21 @@ export function writeCells(cells: number[][], kept: PlainKept, vertices: number)
         const expected = (choice: string, k: number): number => {
             const slot = slots[k]!;
             switch (choice) {
-                case 'along': return last[3]!;
-                case 'beside': return last[1]!;
-                case 'stride': return slot < 4 ? last[slot]! + stride[slot]! : none;
-                case 'fresh': return fresh;
-                case 'old': return old?.[slot] ?? none;
-                case 'gate': return sides.arrives.get(cell[slots[k - 1]!]!) ?? none;
+                case 'along':
+                    return last[3]!;
+                case 'beside':
+                    return last[1]!;
+                case 'stride':
+                    return slot < 4 ? last[slot]! + stride[slot]! : none;
+                case 'fresh':
+                    return fresh;
+                case 'old':
+                    return old?.[slot] ?? none;
+                case 'gate':
+                    return sides.arrives.get(cell[slots[k - 1]!]!) ?? none;
                 default: {
-                    let v: number | undefined = cell[0]!;
-                    for (let steps = slots.length - k; steps > 0 && v !== undefined; steps -= 1)
-                        v = sides.leaves.get(v);
+                    let v: number | undefined = cell[0];
+                    for (let steps = slots.length - k; steps > 0 && v !== undefined; --steps) v = sides.leaves.get(v);
                     return v ?? none;
                 }
             }
@@ -161,13 +157,16 @@ export function writeCells(cells: number[][], kept: PlainKept, vertices: number)
         lastMids = mids;
         let before = start;
         const choices = slots.map((slot, k) => {
-            const order = k > 0 ? ['old', 'back', 'gate', 'fresh', 'stride']
-                : old !== undefined ? ['old'] : ['along', 'beside', 'stride', 'fresh'];
+            const order =
+                k > 0
+                    ? ['old', 'back', 'gate', 'fresh', 'stride']
+                    : old !== undefined
+                      ? ['old']
+                      : ['along', 'beside', 'stride', 'fresh'];
             const seen = slots.slice(0, k).map((known) => cell[known]!);
             const found = order.find((choice) => {
                 const v = expected(choice, k);
-                if (v < 0 || v >= vertices || seen.includes(v))
-                    return false;
+                if (v < 0 || v >= vertices || seen.includes(v)) return false;
                 seen.push(v);
                 return out.bit(`choice ${old !== undefined} ${slot} ${before} ${choice}`, v === cell[slot]);
             });

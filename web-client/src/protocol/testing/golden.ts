@@ -12,7 +12,7 @@ export interface GoldenVertex {
     attributes: number[];
 }
 
-/// What the C++ decoder made of the frames: of each whole update in turn, and of the last.
+/** What the C++ decoder made of the frames: of each whole update in turn, and of the last. */
 export interface Golden {
     frames: number;
     lattice: Lattice;
@@ -39,12 +39,12 @@ function fixture(name: string): URL {
 
 export const golden = JSON.parse(readFileSync(fixture('golden.json'), 'utf8')) as Record<string, Golden>;
 
-/// The frames of one golden file, each of which stands behind its length as u32.
+/** The frames of one golden file, each of which stands behind its length as u32. */
 export function goldenFrames(name: string): Uint8Array[] {
     const bytes = Uint8Array.from(readFileSync(fixture(`${name}.bin`)));
     const view = new DataView(bytes.buffer);
     const frames: Uint8Array[] = [];
-    for (let at = 0; at < bytes.length; ) {
+    for (let at = 0; at < bytes.length;) {
         const end = at + 4 + view.getUint32(at, true);
         frames.push(bytes.slice(at + 4, end));
         at = end;

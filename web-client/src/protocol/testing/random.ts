@@ -1,6 +1,6 @@
 // Chance that is the same on every run.
 
-/// Numbers in 0 .. 2^32 - 1 (xorshift32).
+/** Numbers in 0 .. 2^32 - 1 (xorshift32). */
 export function seededRandom(seed: number): () => number {
     let state = seed;
     return () => {

@@ -9,7 +9,7 @@ export const ranges: [number, number][] = [
 
 const none = -1;
 
-/// Chance with words for it.
+/** Chance with words for it. */
 export class Dice {
     readonly random: () => number;
 
@@ -32,7 +32,7 @@ export interface Step {
     options: WriteOptions;
 }
 
-/// What comes after `before`; a KEY starts from nothing.
+/** What comes after `before`; a KEY starts from nothing. */
 export function randomStep(before: PlainState, dice: Dice, seq: number, key: boolean): Step {
     const from = key ? emptyState() : before;
     const edit = randomEdit(from, dice);
@@ -83,12 +83,11 @@ function applied(from: PlainState, edit: PlainEdit, dice: Dice): PlainState {
             edit.replacedCells[i] ? randomCell(vertices, dice) : cell.map((id) => (id === none ? none : now[id]!)),
         );
     const added = vertices === 0 ? 0 : dice.below(1 + edit.addedVertices);
-    for (let i = 0; i < added; i += 1)
-        cells.push(randomCell(vertices, dice));
+    for (let i = 0; i < added; ++i) cells.push(randomCell(vertices, dice));
     return { positions, codes, changes, cells };
 }
 
-/// Mostly of vertices that are near each other by number, as in a sheet.
+/** Mostly of vertices that are near each other by number, as in a sheet. */
 function randomCell(vertices: number, dice: Dice): number[] {
     const base = dice.below(vertices);
     const near = (offset: number): number => (base + offset + (dice.oneIn(5) ? dice.below(7) : 0)) % vertices;

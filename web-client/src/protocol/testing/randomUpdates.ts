@@ -10,15 +10,14 @@ export interface Update {
 
 export const lattice = { origin: [10, -2, 5] as [number, number, number], step: 0.25, bits: 12 };
 
-/// `stillness`: vertices that are there do not move.
+/** `stillness`: vertices that are there do not move. */
 export function randomUpdates(seed: number, count: number, stillness = false): Update[] {
     const dice = new Dice(seededRandom(seed));
     const all: Update[] = [];
     let state = emptyState();
-    for (let seq = 0; seq < count; seq += 1) {
+    for (let seq = 0; seq < count; ++seq) {
         const step = randomStep(state, dice, seq, seq === 0 || dice.oneIn(40));
-        if (stillness)
-            step.edit.movedVertices.fill(false);
+        if (stillness) step.edit.movedVertices.fill(false);
         all.push(writeUpdate(step.options.key ? emptyState() : state, step.edit, step.wanted, step.options));
         ({ state } = all.at(-1)!);
     }

@@ -39,8 +39,10 @@ export function emptyState(): PlainState {
     return { positions: [], codes: [], changes: [], cells: [] };
 }
 
-/// The frames from `before` to about `wanted`, and the state that a reader must have after them: `wanted` to within the
-/// tolerances that chance chose. `wanted.changes` are looked at for a KEY with history only.
+/**
+ * The frames from `before` to about `wanted`, and the state that a reader must have after them: `wanted` to within the
+ * tolerances that chance chose. `wanted.changes` are looked at for a KEY with history only.
+ */
 export function writeUpdate(
     before: PlainState,
     edit: PlainEdit,
@@ -57,10 +59,10 @@ export function writeUpdate(
     };
     const state: PlainState = { ...emptyState(), cells: wanted.cells };
     const x = old.x.map((values) => [...values]);
-    const last = [...Array(3).fill(2 ** options.latticeBits - 1), ...options.ranges.map(() => 65535)];
+    const last = [...Array<number>(3).fill(2 ** options.latticeBits - 1), ...options.ranges.map(() => 65535)];
     const blocks: { bytes: number[]; count: number }[] = [];
     const code = (kind: number, all: number[]): void => {
-        for (let at = 0; at < all.length; ) {
+        for (let at = 0; at < all.length;) {
             const count = Math.min(all.length - at, 1 + (random() % 60));
             const channels = kind === 2 ? 1 : 1 + options.ranges.length;
             const predictors = Array.from({ length: channels }, () => (kind === 2 ? 0 : random() % [6, 8][kind]!));
@@ -73,14 +75,14 @@ export function writeUpdate(
                     if (kind === 2) {
                         const expected = meanChange(near[v]!, state.changes, i);
                         state.changes[v] ??= [0, 0, 0];
-                        state.changes[v]![i] = wanted.changes[v]![i]!;
+                        state.changes[v][i] = wanted.changes[v]![i]!;
                         return wanted.changes[v]![i]! - expected;
                     }
                     const goal = i < 3 ? wanted.positions[v]![i]! : wanted.codes[v]![i - 3]!;
                     const expected = predicted(kind, predictors[channel]!, v, i, near, x, old);
                     const residual = Math.round((goal - expected) / step);
                     x[v] ??= [];
-                    x[v]![i] = Math.min(last[i]!, Math.max(0, expected + residual * step));
+                    x[v][i] = Math.min(last[i]!, Math.max(0, expected + residual * step));
                     return residual;
                 });
             });
@@ -88,16 +90,24 @@ export function writeUpdate(
             at += count;
         }
     };
-    code(0, stay.flatMap((_, v) => (edit.movedVertices[v] ? [v] : [])));
-    code(1, Array.from({ length: edit.addedVertices }, (_, i) => stay.length + i));
-    for (let v = 0; v < x.length; v += 1)
-        if (v < stay.length)
-            state.changes.push([0, 1, 2].map((k) => x[v]![k]! - old.x[v]![k]!));
-        else
-            state.changes.push([0, 1, 2].map((k) => meanChange(near[v]!, state.changes, k)));
+    code(
+        0,
+        stay.flatMap((_, v) => (edit.movedVertices[v] ? [v] : [])),
+    );
+    code(
+        1,
+        Array.from({ length: edit.addedVertices }, (_, i) => stay.length + i),
+    );
+    for (let v = 0; v < x.length; ++v) {
+        if (v < stay.length) state.changes.push([0, 1, 2].map((k) => x[v]![k]! - old.x[v]![k]!));
+        else state.changes.push([0, 1, 2].map((k) => meanChange(near[v]!, state.changes, k)));
+    }
     if (options.history) {
         state.changes = [];
-        code(2, x.map((_, v) => v));
+        code(
+            2,
+            x.map((_, v) => v),
+        );
     }
     state.positions = x.map((values) => values.slice(0, 3));
     state.codes = x.map((values) => values.slice(3));
@@ -116,20 +126,24 @@ function writeBlock(
     const coded = channels.map((parts) => residuals.some((r, v) => !escaped[v] && parts.some((i) => r[i] !== 0)));
     const bytes = [kind, ...varint(residuals.length), coded.reduce((bits, is, c) => bits | (is ? 1 << c : 0), 0)];
     bytes.push(...predictors);
-    if (kind !== 2)
-        bytes.push(...tolerances.flatMap(varint));
+    if (kind !== 2) bytes.push(...tolerances.flatMap(varint));
     const all = escaped.flatMap((is, v) => (is ? [v] : []));
     bytes.push(...varint(all.length));
     all.forEach((v, i) => {
         bytes.push(...varint(i === 0 ? v : v - all[i - 1]! - 1), ...residuals[v]!.flatMap(signed));
     });
     const kept = residuals.map((values, v) => (escaped[v] ? values.map(() => 0) : values));
-    const draco = coded.includes(true) ? dracoBlock(kept, channels.filter((_, c) => coded[c])) : [];
+    const draco = coded.includes(true)
+        ? dracoBlock(
+              kept,
+              channels.filter((_, c) => coded[c]),
+          )
+        : [];
     bytes.push(...varint(draco.length));
     return bytes.concat(draco);
 }
 
-/// With the values as they are: entropy coding is what golden files are for.
+/** With the values as they are: entropy coding is what golden files are for. */
 function dracoBlock(residuals: number[][], channels: number[][]): number[] {
     const count = [0, 8, 16, 24].map((shift) => (residuals.length >>> shift) & 0xff);
     const start = [...'DRACO'].map((letter) => letter.charCodeAt(0));
@@ -145,8 +159,7 @@ function dracoBlock(residuals: number[][], channels: number[][]): number[] {
 function varint(value: number): number[] {
     const bytes: number[] = [];
     let rest = value >>> 0;
-    for (; rest >= 0x80; rest >>>= 7)
-        bytes.push((rest & 0x7f) | 0x80);
+    for (; rest >= 0x80; rest >>>= 7) bytes.push((rest & 0x7f) | 0x80);
     return [...bytes, rest];
 }
 
@@ -158,8 +171,7 @@ function runs(flags: boolean[]): number[] {
     const pairs: number[][] = [];
     for (let at = 0, end = 0; at < flags.length; at = end) {
         const begin = flags.indexOf(true, at);
-        if (begin < 0)
-            break;
+        if (begin < 0) break;
         end = flags.indexOf(false, begin);
         end = end < 0 ? flags.length : end;
         pairs.push([begin - at, end - begin]);
@@ -204,7 +216,7 @@ interface Near {
     o: number;
 }
 
-/// Collected first, chosen from afterwards, as the definition reads.
+/** Collected first, chosen from afterwards, as the definition reads. */
 function neighboursOf(cells: number[][], vertices: number): Near[] {
     const below: number[][] = Array.from({ length: vertices }, () => []);
     const corners: Near[] = [];
@@ -213,16 +225,13 @@ function neighboursOf(cells: number[][], vertices: number): Near[] {
         const outline = [0, 1, 2, 3].flatMap((i) => [cell[i]!, cell[4 + i]!]).filter((id) => id !== none);
         outline.forEach((id, i) => {
             const after = outline[(i + 1) % outline.length]!;
-            if (id !== after)
-                below[Math.max(id, after)]!.push(Math.min(id, after));
+            if (id !== after) below[Math.max(id, after)]!.push(Math.min(id, after));
         });
         for (const i of [0, 1, 2, 3]) {
             const [v, mid] = [cell[i]!, cell[4 + i]!];
             const [p, n, o] = [cell[(i + 3) % 4]!, cell[(i + 1) % 4]!, cell[(i + 2) % 4]!];
-            if (p < v && n < v && o < v)
-                corners[v] ??= { a: 0, b: 0, p, n, o };
-            if (mid !== none && v < mid && n < mid)
-                hanging[mid] ??= { a: 0, b: 0, p: v, n, o: none };
+            if (p < v && n < v && o < v) corners[v] ??= { a: 0, b: 0, p, n, o };
+            if (mid !== none && v < mid && n < mid) hanging[mid] ??= { a: 0, b: 0, p: v, n, o: none };
         }
     }
     return below.map((ids, v) => {
@@ -288,8 +297,14 @@ function sumOf(words: number[]): number {
     };
     let h = BigInt(words.length);
     for (const lane of lanes) {
-        h = stir(h, lane.reduce((sum, word) => sum + word, 0n));
-        h = stir(h, lane.reduce((sum, word, i) => sum + word * BigInt(lane.length - i), 0n));
+        h = stir(
+            h,
+            lane.reduce((sum, word) => sum + word, 0n),
+        );
+        h = stir(
+            h,
+            lane.reduce((sum, word, i) => sum + word * BigInt(lane.length - i), 0n),
+        );
     }
     return Number(h ^ (h >> 15n));
 }
@@ -310,11 +325,9 @@ function pack(
 ): Uint8Array[] {
     const parts: { topology: number[]; points: number[] }[] = [];
     const cut = options.random() % 3 === 0 ? 1 + (options.random() % topology.length) : topology.length;
-    for (let at = 0; at < topology.length; at += cut)
-        parts.push({ topology: topology.slice(at, at + cut), points: [] });
+    for (let at = 0; at < topology.length; at += cut) parts.push({ topology: topology.slice(at, at + cut), points: [] });
     for (const { bytes } of blocks) {
-        if (options.random() % 4 === 0)
-            parts.push({ topology: [], points: [] });
+        if (options.random() % 4 === 0) parts.push({ topology: [], points: [] });
         parts.at(-1)!.points.push(...bytes);
     }
     return parts.map((part, index) => {
@@ -346,7 +359,7 @@ function pack(
     });
 }
 
-/// With the checksum made right again.
+/** With the checksum made right again. */
 export function sealed(bytes: Uint8Array): Uint8Array {
     const crc = crc32c(bytes.subarray(frameHeaderBytes), crc32c(bytes.subarray(0, frameCrcAt)));
     new DataView(bytes.buffer, bytes.byteOffset).setUint32(frameCrcAt, crc, true);

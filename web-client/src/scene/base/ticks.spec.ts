@@ -38,13 +38,6 @@ describe('niceStep', () => {
 
 describe('shortNumber', () => {
     it('drops what no one reads', () => {
-        expect([0, 0.165263, -1.5, 14, 1e9, Number.NaN].map(shortNumber)).toEqual([
-            '0',
-            '0.1653',
-            '−1.5',
-            '14',
-            '1.000e+9',
-            '–',
-        ]);
+        expect([0, 0.165263, -1.5, 14, 1e9, Number.NaN].map(shortNumber)).toEqual(['0', '0.1653', '−1.5', '14', '1.000e+9', '–']);
     });
 });

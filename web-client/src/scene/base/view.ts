@@ -37,7 +37,7 @@ export class View {
     }
 
     get eye(): Vec3 {
-        return this.camera.position.toArray() as Vec3;
+        return this.camera.position.toArray();
     }
 
     /** Null behind a camera with perspective. */
@@ -67,7 +67,7 @@ export class View {
     private unproject(pointer: ScreenPoint, depth: number): Vec3 {
         const { width, height } = this.size;
         const clip = new Vector3((pointer.x / width) * 2 - 1, 1 - (pointer.y / height) * 2, depth);
-        return clip.unproject(this.camera).toArray() as Vec3;
+        return clip.unproject(this.camera).toArray();
     }
 }
 

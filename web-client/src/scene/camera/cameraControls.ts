@@ -63,7 +63,7 @@ export class CameraControls {
     }
 
     get target(): Vec3 {
-        return this.orbit.target.toArray() as Vec3;
+        return this.orbit.target.toArray();
     }
 
     get pose(): CameraPose {
@@ -73,7 +73,7 @@ export class CameraControls {
         if (this.orthographic) {
             position.sub(this.orbit.target).divideScalar(this.parallel.zoom).add(this.orbit.target);
         }
-        return { position: position.toArray() as Vec3, target, orthographic: this.orthographic };
+        return { position: position.toArray(), target, orthographic: this.orthographic };
     }
 
     /** Starts to listen; whoever must see a press first has to listen before. */
@@ -109,8 +109,8 @@ export class CameraControls {
         const centre = new Vector3(...centreOf(this.bounds));
         const towards = new Vector3(...viewDirections[view]).normalize();
         const distance = fittingDistance(this.bounds, towards, this.perspective);
-        const position = centre.clone().addScaledVector(towards, distance).toArray() as Vec3;
-        this.place({ position, target: centre.toArray() as Vec3, orthographic: this.orthographic });
+        const position = centre.clone().addScaledVector(towards, distance).toArray();
+        this.place({ position, target: centre.toArray(), orthographic: this.orthographic });
     }
 
     place({ position, target, orthographic }: CameraPose): void {

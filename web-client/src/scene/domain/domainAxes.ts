@@ -22,11 +22,7 @@ export interface AxisEdge {
  * @param project canvas position, null behind the camera
  * @param eye     position of the camera
  */
-export function labelledEdges(
-    bounds: Bounds,
-    eye: Vec3,
-    project: (point: Vec3) => ScreenPoint | null,
-): AxisEdge[] {
+export function labelledEdges(bounds: Bounds, eye: Vec3, project: (point: Vec3) => ScreenPoint | null): AxisEdge[] {
     const centre = project(centreOf(bounds));
     if (centre === null) return [];
     const edges: AxisEdge[] = [];
@@ -51,11 +47,7 @@ export function labelledEdges(
 }
 
 export function centreOf(bounds: Bounds): Vec3 {
-    return [
-        (bounds[0] + bounds[1]) / 2,
-        (bounds[2] + bounds[3]) / 2,
-        (bounds[4] + bounds[5]) / 2,
-    ];
+    return [(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2];
 }
 
 /** Words of a place in the picture do not stand outside it: an axis near the border would lose its name. */
@@ -89,12 +81,7 @@ function faces(bounds: Bounds, axis: 0 | 1 | 2, side: 0 | 1, eye: Vec3): boolean
     return side === 1 ? eye[axis] > plane : eye[axis] < plane;
 }
 
-function awayFrom(
-    a: ScreenPoint,
-    b: ScreenPoint,
-    centre: ScreenPoint,
-    middle: ScreenPoint,
-): ScreenPoint {
+function awayFrom(a: ScreenPoint, b: ScreenPoint, centre: ScreenPoint, middle: ScreenPoint): ScreenPoint {
     const length = Math.hypot(b.x - a.x, b.y - a.y);
     let normal = { x: middle.x - centre.x, y: middle.y - centre.y };
     if (length > 1) normal = { x: -(b.y - a.y) / length, y: (b.x - a.x) / length };

@@ -26,15 +26,8 @@ export class DomainOutline implements Layer {
     constructor(bounds: Bounds, layer: HTMLElement, colour: Color) {
         this.bounds = bounds;
         this.labels = new Labels(layer);
-        const box = new BoxGeometry(
-            bounds[1] - bounds[0],
-            bounds[3] - bounds[2],
-            bounds[5] - bounds[4],
-        );
-        this.object = new LineSegments(
-            new EdgesGeometry(box),
-            new LineBasicMaterial({ color: colour }),
-        );
+        const box = new BoxGeometry(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+        this.object = new LineSegments(new EdgesGeometry(box), new LineBasicMaterial({ color: colour }));
         this.object.position.set(...centreOf(bounds));
     }
 
@@ -90,13 +83,7 @@ export class DomainOutline implements Layer {
         this.place(middle, edge.outward, nameGapPx, words, `axis-name axis-${name}`);
     }
 
-    private place(
-        at: ScreenPoint | null,
-        outward: ScreenPoint,
-        gapPx: number,
-        text: string,
-        className: string,
-    ): void {
+    private place(at: ScreenPoint | null, outward: ScreenPoint, gapPx: number, text: string, className: string): void {
         if (at === null) return;
         const to = keptIn({ x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx }, at, this.size);
         if (this.placed.some((other) => collide(other, to))) return;

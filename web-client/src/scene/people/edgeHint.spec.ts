@@ -27,7 +27,13 @@ describe('edgeHint', () => {
     });
 
     it('stands at the edge that the way from the middle to the projected point crosses', () => {
-        const outside: Vec3[] = [[9, 10, 1], [-12, 10, 3], [1, 10, 6], [-2, 10, -9], [8, 10, 5]];
+        const outside: Vec3[] = [
+            [9, 10, 1],
+            [-12, 10, 3],
+            [1, 10, 6],
+            [-2, 10, -9],
+            [8, 10, 5],
+        ];
         for (const view of [perspective, parallel]) {
             for (const point of outside) {
                 const { at, share, towards } = edgeHint(view, point, insets)!;
@@ -55,7 +61,10 @@ describe('edgeHint', () => {
     });
 
     it('says the shorter turn to what is behind', () => {
-        for (const [point, x] of [[[-3, -8, 0], 10], [[3, -8, 0], 580]] as const) {
+        for (const [point, x] of [
+            [[-3, -8, 0], 10],
+            [[3, -8, 0], 580],
+        ] as const) {
             const { at } = edgeHint(perspective, [...point], insets)!;
             expect(at.x).toBeCloseTo(x, 9);
             expect(at.y).toBeCloseTo(180, 9);
@@ -69,7 +78,16 @@ describe('edgeHint', () => {
     });
 
     it('has an arrow for each of eight directions', () => {
-        const arrows = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]] as const;
+        const arrows = [
+            [1, 0],
+            [1, 1],
+            [0, 1],
+            [-1, 1],
+            [-1, 0],
+            [-1, -1],
+            [0, -1],
+            [1, -1],
+        ] as const;
         expect(arrows.map(([x, y]) => arrowTowards({ x, y })).join('')).toBe('→↘↓↙←↖↑↗');
         expect(arrowTowards({ x: -1, y: -1e-9 })).toBe('←');
     });

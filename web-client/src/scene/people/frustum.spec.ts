@@ -1,6 +1,6 @@
 import { PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
-import type { CameraPlace, Vec3 } from '../../protocol/messages.ts';
+import type { CameraPlace } from '../../protocol/messages.ts';
 import { View } from '../base/view.ts';
 import { frustumSegments, looksFromHere } from './frustum.ts';
 
@@ -15,8 +15,13 @@ describe('frustumSegments', () => {
         camera.updateMatrixWorld();
         const view = new View(camera, { width: 160, height: 100 });
         const corners = frustumSegments(place).filter((_, i) => i % 4 === 1);
-        const seen = corners.map((corner) => view.project(corner as Vec3)!);
-        const expected = [[0, 100], [160, 100], [160, 0], [0, 0]] as const;
+        const seen = corners.map((corner) => view.project(corner)!);
+        const expected = [
+            [0, 100],
+            [160, 100],
+            [160, 0],
+            [0, 0],
+        ] as const;
         seen.forEach(({ x, y }, i) => {
             expect(x).toBeCloseTo(expected[i]![0], 6);
             expect(y).toBeCloseTo(expected[i]![1], 6);

@@ -27,13 +27,24 @@ export function frustumSegments({ position, target, up, fov }: CameraPlace): Vec
     right.normalize();
     const above = new Vector3().crossVectors(right, ahead);
     const half = depth * Math.tan(((fov ?? openingWithoutPerspective) * Math.PI) / 360);
-    const corners = ([[-1, -1], [1, -1], [1, 1], [-1, 1]] as const).map(([x, y]) =>
-        eye.clone().addScaledVector(ahead, depth).addScaledVector(right, x * half * aspect).addScaledVector(above, y * half),
+    const corners = (
+        [
+            [-1, -1],
+            [1, -1],
+            [1, 1],
+            [-1, 1],
+        ] as const
+    ).map(([x, y]) =>
+        eye
+            .clone()
+            .addScaledVector(ahead, depth)
+            .addScaledVector(right, x * half * aspect)
+            .addScaledVector(above, y * half),
     );
     const segments: Vec3[] = [];
     corners.forEach((corner, i) => {
         const next = corners[(i + 1) % corners.length]!;
-        segments.push(position, corner.toArray() as Vec3, corner.toArray() as Vec3, next.toArray() as Vec3);
+        segments.push(position, corner.toArray(), corner.toArray(), next.toArray());
     });
     return segments;
 }

@@ -1,6 +1,16 @@
 // The others in the picture: where they look from, as the lines of their camera, and what they point at, each in their colour
 // and with their name.
-import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
+import {
+    BufferAttribute,
+    BufferGeometry,
+    Color,
+    Group,
+    LineBasicMaterial,
+    LineSegments,
+    Mesh,
+    MeshBasicMaterial,
+    SphereGeometry,
+} from 'three';
 import type { Participant, Vec3 } from '../../protocol/messages.ts';
 import { Labels } from '../base/labels.ts';
 import type { Layer, View } from '../base/view.ts';
@@ -99,7 +109,11 @@ export class PeopleLayer implements Layer {
                 this.name(view, pointsAt, participant);
             }
             if (eye !== null) this.name(view, eye, participant);
-            this.hint(view, [pointsAt, eye].filter((place) => place !== null), participant);
+            this.hint(
+                view,
+                [pointsAt, eye].filter((place) => place !== null),
+                participant,
+            );
         }
         this.labels.end();
     }

@@ -23,8 +23,21 @@ const cameras: [string, SceneCamera][] = [
     ['orthographic', placed(new OrthographicCamera(-6.4, 6.4, 3.6, -3.6, 0.1, 100))],
 ];
 const free: Snap = { axis: false, step: null };
-const line: RakeShape = { kind: 'line', points: [[0, 1, -1], [1, -1, 2]] };
-const bent: RakeShape = { kind: 'polyline', points: [[0, 1, -1], [1, -1, 0], [1, 0, 2]] };
+const line: RakeShape = {
+    kind: 'line',
+    points: [
+        [0, 1, -1],
+        [1, -1, 2],
+    ],
+};
+const bent: RakeShape = {
+    kind: 'polyline',
+    points: [
+        [0, 1, -1],
+        [1, -1, 0],
+        [1, 0, 2],
+    ],
+};
 const ring = circleShape({ centre: [0.5, 0, 0.5], radius: 1, u: [0, 1, 0], v: [0, 0, 1] });
 
 describe.each(cameras)('a handle dragged in a %s view', (_, camera) => {
@@ -93,7 +106,10 @@ describe.each(cameras)('a handle dragged in a %s view', (_, camera) => {
     it('keeps to the axis nearest to the movement, at the foot of the pointer on it', () => {
         for (const axis of [0, 1, 2] as const) {
             const from = line.points[0]!;
-            const [a, b] = [view.project(from)!, view.project([0, 1, 2].map((k) => from[k]! + unitAxis(axis)[k]! * 0.7) as Vec3)!];
+            const [a, b] = [
+                view.project(from)!,
+                view.project([0, 1, 2].map((k) => from[k]! + unitAxis(axis)[k]! * 0.7) as Vec3)!,
+            ];
             const [dx, dy] = [b.x - a.x, b.y - a.y];
             const by = { x: dx - 0.1 * dy, y: dy + 0.1 * dx };
             expect(nearestAxis(from, by, view)).toBe(axis);
@@ -108,7 +124,13 @@ describe.each(cameras)('a handle dragged in a %s view', (_, camera) => {
     it('comes to a point of the grid, and moves along the axis only with both', () => {
         const { shape } = drag(line, 1, { x: 31, y: 17 }, { axis: false, step: 0.25 });
         for (const v of shape.points[1]!) expect(v * 4).toBe(Math.round(v * 4));
-        const off: RakeShape = { kind: 'line', points: [[0.1, 0.2, 0.3], [1, 1, 1]] };
+        const off: RakeShape = {
+            kind: 'line',
+            points: [
+                [0.1, 0.2, 0.3],
+                [1, 1, 1],
+            ],
+        };
         const both = drag(off, 0, { x: 50, y: -12 }, { axis: true, step: 0.25 });
         const kept = both.shape.points[0]!.filter((v, k) => v === off.points[0]![k]);
         expect(kept).toHaveLength(2);
@@ -131,11 +153,17 @@ describe.each(cameras)('handles in a %s view', (_, camera) => {
         }
         const [a, b] = [view.project(line.points[0]!)!, view.project(positionOf('middle', line, view))!];
         const length = Math.hypot(b.x - a.x, b.y - a.y);
-        const part = (px: number): ScreenPoint => ({ x: a.x + ((b.x - a.x) * px) / length, y: a.y + ((b.y - a.y) * px) / length });
+        const part = (px: number): ScreenPoint => ({
+            x: a.x + ((b.x - a.x) * px) / length,
+            y: a.y + ((b.y - a.y) * px) / length,
+        });
         expect(handleUnder(part(-hitRadiusPx + 1), line, view)).toBe(0);
         expect(handleUnder(part(-hitRadiusPx - 1), line, view)).toBeNull();
         expect(hitRadiusPx).toBeGreaterThanOrEqual(18);
-        const near: RakeShape = { kind: 'polyline', points: [line.points[0]!, view.pointAtDepth(part(10), line.points[0]!), line.points[1]!] };
+        const near: RakeShape = {
+            kind: 'polyline',
+            points: [line.points[0]!, view.pointAtDepth(part(10), line.points[0]!), line.points[1]!],
+        };
         expect(handleUnder(part(4), near, view)).toBe(0);
         expect(handleUnder(part(6), near, view)).toBe(1);
     });

@@ -3,17 +3,7 @@ import { Vector3 } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { ScreenPoint, View } from '../base/view.ts';
 import { type Handle, positionOf } from './rakeHandles.ts';
-import {
-    circleOf,
-    middleOf,
-    normalOf,
-    type RakeShape,
-    resized,
-    tilted,
-    translated,
-    turnedBy,
-    withPoint,
-} from './rakeShape.ts';
+import { circleOf, middleOf, normalOf, type RakeShape, resized, tilted, translated, turnedBy, withPoint } from './rakeShape.ts';
 import { alongAxis, type Axis, nearestAxis, onGrid, toStep, turnStep } from './snapping.ts';
 import { cross, distance, dot, minus, plus, times, unit } from './vec3.ts';
 
@@ -134,5 +124,5 @@ function tipped({ start, anchor }: Drag, target: ScreenPoint, view: View): Dragg
 
 /** Out of the screen. */
 export function towardsViewer(view: View): Vec3 {
-    return new Vector3().setFromMatrixColumn(view.camera.matrixWorld, 2).normalize().toArray() as Vec3;
+    return new Vector3().setFromMatrixColumn(view.camera.matrixWorld, 2).normalize().toArray();
 }

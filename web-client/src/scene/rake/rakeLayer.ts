@@ -164,4 +164,3 @@ export class RakeLayer implements Layer {
         widget.dispose();
     }
 }
-

@@ -18,8 +18,22 @@ import {
 } from './rakeShape.ts';
 import { distance, dot, lengthOf, minus, unit } from './vec3.ts';
 
-const line: RakeShape = { kind: 'line', points: [[0, 0, 0], [2, 4, 6]] };
-const bent: RakeShape = { kind: 'polyline', points: [[0, 0, 0], [2, 0, 0], [2, 4, 0], [2, 4, 1]] };
+const line: RakeShape = {
+    kind: 'line',
+    points: [
+        [0, 0, 0],
+        [2, 4, 6],
+    ],
+};
+const bent: RakeShape = {
+    kind: 'polyline',
+    points: [
+        [0, 0, 0],
+        [2, 0, 0],
+        [2, 4, 0],
+        [2, 4, 1],
+    ],
+};
 const ring = circleShape({ centre: [1, 2, 3], radius: 0.5, u: [0, 1, 0], v: [0, 0, 1] });
 const axis = unit([1, -2, 0.5]);
 
@@ -53,7 +67,13 @@ describe('a rake that is turned', () => {
     });
 
     it('goes counterclockwise about the axis', () => {
-        const x: RakeShape = { kind: 'line', points: [[-1, 0, 0], [1, 0, 0]] };
+        const x: RakeShape = {
+            kind: 'line',
+            points: [
+                [-1, 0, 0],
+                [1, 0, 0],
+            ],
+        };
         expectClose(turnedBy(x, [0, 0, 1], Math.PI / 2).points[1]!, [0, 1, 0]);
     });
 });
@@ -69,7 +89,11 @@ describe('a circle', () => {
     });
 
     it('goes through the point its rim is dragged to, in the same plane', () => {
-        for (const rim of [[1, 4, 3], [1, 2.3, 3.4], [1, 2, 2]] as Vec3[]) {
+        for (const rim of [
+            [1, 4, 3],
+            [1, 2.3, 3.4],
+            [1, 2, 2],
+        ] as Vec3[]) {
             const after = resized(ring, rim);
             expectClose(after.points[1]!, rim);
             const { radius } = circleOf(after);
@@ -89,7 +113,14 @@ describe('a circle', () => {
     });
 
     it('is read from rim points that are not at right angles as the server reads them', () => {
-        const skewed: RakeShape = { kind: 'circle', points: [[0, 0, 0], [2, 0, 0], [1, 1, 0]] };
+        const skewed: RakeShape = {
+            kind: 'circle',
+            points: [
+                [0, 0, 0],
+                [2, 0, 0],
+                [1, 1, 0],
+            ],
+        };
         const { radius, u, v } = circleOf(skewed);
         expect(radius).toBe(2);
         expectClose(u, [1, 0, 0]);
@@ -144,7 +175,13 @@ describe('a rake of another kind', () => {
         const circle = circleOf(asKind(line, 'circle', [1, 0, 0]));
         expectClose(circle.centre, [1, 2, 3]);
         expect(circle.radius).toBeCloseTo(lengthOf(minus([2, 4, 6], [0, 0, 0])) / 4, 9);
-        const upright: RakeShape = { kind: 'line', points: [[0, 0, 0], [0, 0, 8]] };
+        const upright: RakeShape = {
+            kind: 'line',
+            points: [
+                [0, 0, 0],
+                [0, 0, 8],
+            ],
+        };
         expectClose(normalOf(circleOf(asKind(upright, 'circle', [1, 0, 0]))), [1, 0, 0]);
     });
 });

@@ -22,7 +22,7 @@ export interface Circle {
 }
 
 export function circleOf({ points }: RakeShape): Circle {
-    const [centre = [0, 0, 0], a = [1, 0, 0], b = [0, 1, 0]] = points as readonly Vec3[];
+    const [centre = [0, 0, 0], a = [1, 0, 0], b = [0, 1, 0]] = points;
     const u = unit(minus(a, centre));
     const toB = minus(b, centre);
     const v = unit(minus(toB, times(u, dot(u, toB))));

@@ -71,14 +71,12 @@ export class RakeWidget {
         const { drawn, shape } = this;
         const shown = drawn !== null && drawn.chosen && drawn.holder === null ? handlesOf(shape) : [];
         const at = (handle: Handle): Vec3 => (held?.handle === handle ? held.at : positionOf(handle, shape, view));
-        const sprites = shown.map(
-            (handle): HandleSprite => ({
-                at: at(handle),
-                mark: markOf(handle, shape.kind === 'circle'),
-                radiusPx: handle === 'rotate' ? smallRadiusPx : handleRadiusPx,
-                highlighted: handle === highlighted,
-            }),
-        );
+        const sprites = shown.map((handle): HandleSprite => ({
+            at: at(handle),
+            mark: markOf(handle, shape.kind === 'circle'),
+            radiusPx: handle === 'rotate' ? smallRadiusPx : handleRadiusPx,
+            highlighted: handle === highlighted,
+        }));
         this.handles.set(sprites, drawn?.colour ?? '#ffffff');
         this.stem.setPoints(shown.includes('rotate') ? [this.middle, at('rotate')] : []);
     }

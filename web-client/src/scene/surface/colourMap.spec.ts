@@ -10,10 +10,22 @@ function luminance(table: Uint8Array, i: number): number {
 
 describe('colourTable', () => {
     const ends: Partial<Record<ColourMapName, [number[], number[]]>> = {
-        viridis: [[0x44, 0x01, 0x54], [0xfd, 0xe7, 0x25]],
-        inferno: [[0, 0, 4], [252, 255, 164]],
-        plasma: [[13, 8, 135], [240, 249, 33]],
-        coolToWarm: [[59, 76, 192], [180, 4, 38]],
+        viridis: [
+            [0x44, 0x01, 0x54],
+            [0xfd, 0xe7, 0x25],
+        ],
+        inferno: [
+            [0, 0, 4],
+            [252, 255, 164],
+        ],
+        plasma: [
+            [13, 8, 135],
+            [240, 249, 33],
+        ],
+        coolToWarm: [
+            [59, 76, 192],
+            [180, 4, 38],
+        ],
     };
 
     it.each(Object.entries(ends))('%s has the ends of its source', (name, [first, last]) => {
@@ -36,7 +48,7 @@ describe('colourTable', () => {
         const table = colourTable('coolToWarm');
         // Moreland's own table has (221, 221, 221) there.
         for (const c of table.subarray(4 * 128, 4 * 128 + 3)) expect(Math.abs(c - 221)).toBeLessThanOrEqual(2);
-        for (let i = 1; i < 127; i += 1) {
+        for (let i = 1; i < 127; ++i) {
             // But for the rounding to 8 bits.
             expect(luminance(table, i)).toBeLessThan(luminance(table, 127) + 0.005);
             expect(luminance(table, 255 - i)).toBeLessThan(luminance(table, 128) + 0.005);
@@ -45,7 +57,7 @@ describe('colourTable', () => {
 
     it.each(colourMapNames)('%s inverted is itself from the end', (name) => {
         const [table, inverted] = [colourTable(name), colourTable(name, true)];
-        for (let i = 0; i < 256; i += 1) {
+        for (let i = 0; i < 256; ++i) {
             expect([...inverted.subarray(4 * i, 4 * i + 4)]).toEqual([...table.subarray(4 * (255 - i), 4 * (256 - i))]);
         }
     });

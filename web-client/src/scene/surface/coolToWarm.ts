@@ -51,11 +51,7 @@ function fromMsh([m, s, h]: Triple): Triple {
     const [L, A, B] = [m * Math.cos(s), m * Math.sin(s) * Math.cos(h), m * Math.sin(s) * Math.sin(h)];
     const y = (L + 16) / 116;
     const [X, Y, Z] = [y + A / 500, y, y - B / 200].map((c, i) => white[i]! * labCurveBack(c)) as Triple;
-    const rgb = [
-        3.2406 * X - 1.5372 * Y - 0.4986 * Z,
-        -0.9689 * X + 1.8758 * Y + 0.0415 * Z,
-        0.0557 * X - 0.204 * Y + 1.057 * Z,
-    ];
+    const rgb = [3.2406 * X - 1.5372 * Y - 0.4986 * Z, -0.9689 * X + 1.8758 * Y + 0.0415 * Z, 0.0557 * X - 0.204 * Y + 1.057 * Z];
     return rgb.map((c) => Math.round(255 * Math.min(1, Math.max(0, encoded(c))))) as Triple;
 }
 

@@ -17,7 +17,10 @@ export type FullScreen = Mesh<BufferGeometry, ShaderMaterial>;
 /** `over`: laid over what is there; `under`: shines through what lets light pass of that. Colours come multiplied by alpha. */
 export type Laid = 'over' | 'under';
 
-export function fullScreen(laid: Laid, shader: Pick<ShaderMaterialParameters, 'uniforms' | 'fragmentShader' | 'defines'>): FullScreen {
+export function fullScreen(
+    laid: Laid,
+    shader: Pick<ShaderMaterialParameters, 'uniforms' | 'fragmentShader' | 'defines'>,
+): FullScreen {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(Float32Array.of(-1, -1, 0, 3, -1, 0, -1, 3, 0), 3));
     const blendSrc = laid === 'over' ? OneFactor : OneMinusDstAlphaFactor;

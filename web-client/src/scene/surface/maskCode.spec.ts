@@ -39,8 +39,8 @@ describe('the code of a mask', () => {
         const wrong = back.texels.findIndex((_value, i) => {
             if (isSame(i)) return false;
             const [row, column] = [Math.floor(i / maskSize), i % maskSize];
-            for (let y = Math.max(0, row - reach); y <= Math.min(maskSize - 1, row + reach); y += 1) {
-                for (let x = Math.max(0, column - reach); x <= Math.min(maskSize - 1, column + reach); x += 1) {
+            for (let y = Math.max(0, row - reach); y <= Math.min(maskSize - 1, row + reach); ++y) {
+                for (let x = Math.max(0, column - reach); x <= Math.min(maskSize - 1, column + reach); ++x) {
                     if (mask.texels[y * maskSize + x] !== mask.texels[i]) return false;
                 }
             }
@@ -52,7 +52,10 @@ describe('the code of a mask', () => {
     });
 
     it('is coarser for what is intricate, and none for what is too much so', () => {
-        const dots = (count: number): Shape => (s, t) => disc(0.5, 0.5, 0.3)((s * count) % 1, (t * count) % 1);
+        const dots =
+            (count: number): Shape =>
+            (s, t) =>
+                disc(0.5, 0.5, 0.3)((s * count) % 1, (t * count) % 1);
         const sizeOf = (shape: Shape): number | null => {
             const code = encodeMask(painted(shape));
             return code === null ? null : 2 ** atob(code.slice(0, 4).replaceAll('-', '+').replaceAll('_', '/')).charCodeAt(0);
@@ -74,7 +77,12 @@ describe('the code of a mask', () => {
         const bad = [
             ...['', '!', 'AAAA', good.slice(0, 20), good + good.repeat(10), 'ä'.repeat(40)],
             ...[head(5, 0, 1), head(9, 0, 1), head(255, 0, 1), head(6, Number.NaN, 1), head(6, 0, 0), head(6, 0, -1)],
-            ...[head(6, 0, Number.POSITIVE_INFINITY), head(6, 0, 1, 255, 255, 255, 127), head(6, 0, 1, 255, 127, 1), head(6, 0, 1, 129)],
+            ...[
+                head(6, 0, Number.POSITIVE_INFINITY),
+                head(6, 0, 1, 255, 255, 255, 127),
+                head(6, 0, 1, 255, 127, 1),
+                head(6, 0, 1, 129),
+            ],
         ];
         for (const text of bad) expect(decodeMask(text), text).toBeNull();
     });

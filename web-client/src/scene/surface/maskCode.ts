@@ -41,13 +41,13 @@ function codeOf({ texels, tStart, tLength }: MaskContent, size: number): string 
     const bits = reduced(texels, size);
     const bytes: number[] = [];
     let [run, value] = [0, 0];
-    for (let i = 0; i < bits.length; i += 1) {
+    for (let i = 0; i < bits.length; ++i) {
         if ((bits[i]! ^ (bits[i - size] ?? 0)) !== value) {
             pushNumber(bytes, run);
             if (4 * (headBytes + bytes.length) > 3 * longestCode) return null;
             [run, value] = [0, 1 - value];
         }
-        run += 1;
+        ++run;
     }
     // The last run is of equal rows, which need not be said, or of unequal ones.
     if (value === 1) pushNumber(bytes, run);
@@ -81,7 +81,7 @@ function bitsOf(bytes: Uint8Array, size: number): Uint8Array | null {
         bits.fill(value, at, at + number);
         [at, value, number, shift] = [at + number, 1 - value, 0, 0];
     }
-    for (let i = size; i < bits.length; i += 1) bits[i]! ^= bits[i - size]!;
+    for (let i = size; i < bits.length; ++i) bits[i]! ^= bits[i - size]!;
     return shift === 0 ? bits : null;
 }
 
@@ -96,10 +96,10 @@ function pushNumber(bytes: number[], number: number): void {
 function reduced(texels: Uint8Array, size: number): Uint8Array {
     const step = maskSize / size;
     const counts = new Uint16Array(size * size);
-    for (let i = 0; i < texels.length; i += 1) {
+    for (let i = 0; i < texels.length; ++i) {
         if (texels[i]! < 128) continue;
         const [row, column] = [Math.floor(i / maskSize), i % maskSize];
-        counts[Math.floor(row / step) * size + Math.floor(column / step)]! += 1;
+        ++counts[Math.floor(row / step) * size + Math.floor(column / step)]!;
     }
     return Uint8Array.from(counts, (count) => (2 * count >= step * step ? 1 : 0));
 }
@@ -107,9 +107,9 @@ function reduced(texels: Uint8Array, size: number): Uint8Array {
 function enlarged(bits: Uint8Array, size: number): Uint8Array<ArrayBuffer> {
     const step = maskSize / size;
     const texels = new Uint8Array(maskSize * maskSize);
-    for (let row = 0; row < maskSize; row += 1) {
+    for (let row = 0; row < maskSize; ++row) {
         const from = Math.floor(row / step) * size;
-        for (let column = 0; column < maskSize; column += 1) {
+        for (let column = 0; column < maskSize; ++column) {
             texels[row * maskSize + column] = bits[from + Math.floor(column / step)]! * 255;
         }
     }

@@ -34,7 +34,7 @@ export class PaintTool implements PointerTool {
         const from = this.last ?? at;
         const spacing = Math.max(2, (this.options.radiusPx() ?? 4) / 2);
         const steps = Math.max(1, Math.ceil(Math.hypot(at.x - from.x, at.y - from.y) / spacing));
-        for (let step = 1; step <= steps; step += 1) {
+        for (let step = 1; step <= steps; ++step) {
             const part = step / steps;
             this.options.paint({ x: from.x + part * (at.x - from.x), y: from.y + part * (at.y - from.y) });
         }

@@ -2,7 +2,18 @@
 // every pixel keeps the nearest fragment behind the layer before; the layers are laid one under the other, as colours of the
 // screen, so that a layer before another lets through what it lets through of an opaque body. What is behind the last layer is
 // blended by weights.
-import { type Camera, DepthTexture, FloatType, HalfFloatType, NearestFilter, Scene, type Texture, type Vector2, WebGLRenderTarget, type WebGLRenderer } from 'three';
+import {
+    type Camera,
+    DepthTexture,
+    FloatType,
+    HalfFloatType,
+    NearestFilter,
+    Scene,
+    type Texture,
+    type Vector2,
+    WebGLRenderTarget,
+    type WebGLRenderer,
+} from 'three';
 import { type FullScreen, fullScreen } from './fullScreen.ts';
 import type { WeightedBlending } from './weightedBlending.ts';
 
@@ -65,7 +76,7 @@ export class Peeling {
         renderer.setRenderTarget(sum);
         renderer.clear(true, false, false);
         use('peeled');
-        for (let i = 0; i < peeledLayers; i += 1) {
+        for (let i = 0; i < peeledLayers; ++i) {
             const [drawn, before] = i % 2 === 0 ? layers : ([layers[1], layers[0]] as const);
             peeling.value = i > 0;
             nearer.value = i > 0 ? before.depthTexture : null;

@@ -1,5 +1,5 @@
 // All surfaces of the session in the scene: their meshes, materials, looks and what the painter has left of them.
-import { Group, type Scene, type Vector4, type WebGLRenderer, WebGLRenderTarget } from 'three';
+import { Group, type Scene, type Vector4, WebGLRenderTarget } from 'three';
 import { decodeMask } from './maskCode.ts';
 import { SurfaceMask, type BrushPrint } from './surfaceMask.ts';
 import { SurfaceMesh, type MeshChange, type SurfaceVertex } from './surfaceMesh.ts';
@@ -59,7 +59,7 @@ export class SurfaceLayer {
         // Of a scene, the fourth is the target, other than the types say (WebGLRenderer.render).
         scene.onBeforeRender = (renderer, _scene, camera, target: unknown) => {
             const into = target instanceof WebGLRenderTarget ? target : null;
-            this.transparency.prepare(renderer as WebGLRenderer, scene, camera, into);
+            this.transparency.prepare(renderer, scene, camera, into);
         };
     }
 
@@ -138,7 +138,7 @@ export class SurfaceLayer {
 
     /** Reveals or hides what the brush touches of the surfaces that are painted. */
     paint(print: BrushPrint, reveal: boolean): void {
-        this.strokes += 1;
+        ++this.strokes;
         for (const surface of this.surfaces.values()) {
             if (surface.style.painting) this.maskOf(surface)?.stamp(surface.id, print, reveal);
         }
@@ -146,7 +146,7 @@ export class SurfaceLayer {
 
     /** All of a surface. */
     revealAll(id: string, reveal: boolean): void {
-        this.strokes += 1;
+        ++this.strokes;
         const surface = this.surfaces.get(id);
         if (surface !== undefined) this.maskOf(surface)?.fill(reveal);
     }
@@ -159,7 +159,7 @@ export class SurfaceLayer {
 
     /** As the code says, from now on or when the surface is painted; one that cannot be read says that nothing is revealed. */
     setMask(id: string, code: string): void {
-        this.strokes += 1;
+        ++this.strokes;
         this.wishedMasks.set(id, code);
         const surface = this.surfaces.get(id);
         if (surface === undefined) return;

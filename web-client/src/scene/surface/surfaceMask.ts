@@ -62,8 +62,8 @@ export class SurfaceMask {
             const hit = column < size && row < size ? (hits[row * size + column] ?? null) : null;
             return hit?.surface === surface && Math.hypot(column - centre, row - centre) <= radiusPx ? hit : null;
         };
-        for (let row = 0; row < size; row += 1) {
-            for (let column = 0; column < size; column += 1) {
+        for (let row = 0; row < size; ++row) {
+            for (let column = 0; column < size; ++column) {
                 const hit = touched(column, row);
                 if (hit === null) continue;
                 this.fillBetween([hit, touched(column + 1, row), touched(column, row + 1)], reveal ? 255 : 0);
@@ -87,7 +87,7 @@ export class SurfaceMask {
             [left, right] = [Math.min(left, x), Math.max(right, x)];
             [low, high] = [Math.min(low, y), Math.max(high, y)];
         }
-        for (let y = low; y <= high; y += 1) this.texels.fill(value, y * maskSize + left, y * maskSize + right + 1);
+        for (let y = low; y <= high; ++y) this.texels.fill(value, y * maskSize + left, y * maskSize + right + 1);
     }
 
     private columnOf(s: number): number {
@@ -102,8 +102,8 @@ export class SurfaceMask {
     private double(to: number): void {
         const former = this.texels.slice();
         this.texels.fill(0);
-        for (let row = 0; row < maskSize / 2; row += 1) {
-            for (let column = 0; column < maskSize; column += 1) {
+        for (let row = 0; row < maskSize / 2; ++row) {
+            for (let column = 0; column < maskSize; ++column) {
                 const [a, b] = [former[2 * row * maskSize + column]!, former[(2 * row + 1) * maskSize + column]!];
                 this.texels[(to + row) * maskSize + column] = Math.max(a, b);
             }

@@ -1,14 +1,6 @@
 // One surface in the scene. Its buffers are larger than the mesh and are refilled in place, so that
 // a stream of new states costs one upload each and no allocation.
-import {
-    BufferAttribute,
-    BufferGeometry,
-    DynamicDrawUsage,
-    Mesh,
-    type ShaderMaterial,
-    Sphere,
-    type TypedArray,
-} from 'three';
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, type ShaderMaterial, Sphere, type TypedArray } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 
 /** What is new in a mesh: of each array, everything from some vertex or some index on. */

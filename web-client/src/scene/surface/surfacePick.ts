@@ -87,8 +87,8 @@ export class SurfacePick {
             return pixels;
         }) as [Float32Array, Float32Array];
         const hits: (PickHit | null)[] = [];
-        for (let row = size - 1; row >= 0; row -= 1) {
-            for (let column = 0; column < size; column += 1) {
+        for (let row = size - 1; row >= 0; --row) {
+            for (let column = 0; column < size; ++column) {
                 const pixel = 4 * (row * size + column);
                 hits.push(hitOf(places.subarray(pixel, pixel + 4), numbers.subarray(pixel, pixel + 4), ids, view));
             }
@@ -112,7 +112,11 @@ export class SurfacePick {
 
     private draw(camera: Camera, target: WebGLRenderTarget): void {
         const { renderer } = this;
-        const before = { target: renderer.getRenderTarget(), colour: renderer.getClearColor(new Color()), alpha: renderer.getClearAlpha() };
+        const before = {
+            target: renderer.getRenderTarget(),
+            colour: renderer.getClearColor(new Color()),
+            alpha: renderer.getClearAlpha(),
+        };
         renderer.setRenderTarget(target);
         renderer.setClearColor(0, 0);
         renderer.render(this.scene, camera);

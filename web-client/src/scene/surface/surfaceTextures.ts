@@ -1,13 +1,5 @@
 // Textures that surfaces share: colour tables, the noise of the flow texture, and a mask that hides nothing.
-import {
-    DataTexture,
-    LinearFilter,
-    RedFormat,
-    RepeatWrapping,
-    RGBAFormat,
-    SRGBColorSpace,
-    UnsignedByteType,
-} from 'three';
+import { DataTexture, LinearFilter, RedFormat, RepeatWrapping, RGBAFormat, SRGBColorSpace, UnsignedByteType } from 'three';
 import { type ColourMapName, colourTable, tableSize } from './colourMap.ts';
 import { flowNoise, noiseSize } from './flowNoise.ts';
 

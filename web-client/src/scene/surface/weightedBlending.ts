@@ -1,7 +1,17 @@
 // Transparency that does not depend on the order in which surfaces, or their folds, are drawn: weighted blended (McGuire and
 // Bavoil, JCGT 2013). Transparent surfaces go to two half-float targets: the weighted sum of colours with the product of what
 // passes through, and the sum of weights. Where one is before the other the weights only guess; peeling.ts knows.
-import { type Camera, type DepthTexture, HalfFloatType, NearestFilter, type Scene, type Texture, type Vector2, WebGLRenderTarget, type WebGLRenderer } from 'three';
+import {
+    type Camera,
+    type DepthTexture,
+    HalfFloatType,
+    NearestFilter,
+    type Scene,
+    type Texture,
+    type Vector2,
+    WebGLRenderTarget,
+    type WebGLRenderer,
+} from 'three';
 import { type FullScreen, fullScreen, type Laid } from './fullScreen.ts';
 
 export class WeightedBlending {

@@ -1,6 +1,16 @@
 // Points in space that someone has set: where was probed, what was measured, where words stand. They keep their size on the
 // screen and show through what is before them.
-import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
+import {
+    BufferAttribute,
+    BufferGeometry,
+    Color,
+    Group,
+    LineBasicMaterial,
+    LineSegments,
+    Mesh,
+    MeshBasicMaterial,
+    SphereGeometry,
+} from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { Labels } from '../base/labels.ts';
 import type { Layer, View } from '../base/view.ts';

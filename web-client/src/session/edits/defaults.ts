@@ -15,8 +15,7 @@ type Bounds = DatasetDescription['bounds'];
 export function defaultRake(bounds: Bounds): [Vec3, Vec3] {
     const longest = ([0, 1, 2] as Axis[]).reduce((a, b) => (extent(bounds, b) > extent(bounds, a) ? b : a));
     const others = ([2, 1, 0] as Axis[]).filter((axis) => axis !== longest) as [Axis, Axis];
-    const [along, across] =
-        extent(bounds, others[1]) < extent(bounds, others[0]) ? [others[1], others[0]] : others;
+    const [along, across] = extent(bounds, others[1]) < extent(bounds, others[0]) ? [others[1], others[0]] : others;
     const start: Vec3 = [0, 0, 0];
     start[longest] = at(bounds, longest, 0.1);
     start[across] = at(bounds, across, 0.53);
@@ -34,9 +33,7 @@ export function defaultRake(bounds: Bounds): [Vec3, Vec3] {
 export function defaultSweep(bounds: Bounds, rake: readonly Vec3[]): Vec3 {
     const [first = [0, 0, 0], last = [0, 0, 0]] = [rake[0], rake[rake.length - 1]];
     const axes = ([0, 1, 2] as Axis[]).sort(
-        (a, b) =>
-            Math.abs(last[a] - first[a]) - Math.abs(last[b] - first[b]) ||
-            extent(bounds, a) - extent(bounds, b),
+        (a, b) => Math.abs(last[a] - first[a]) - Math.abs(last[b] - first[b]) || extent(bounds, a) - extent(bounds, b),
     );
     const axis = axes[0] ?? 0;
     const below = Math.min(...rake.map((point) => point[axis])) - (bounds[axis * 2] ?? 0);

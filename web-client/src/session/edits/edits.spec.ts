@@ -13,13 +13,16 @@ const leased = new CallError({ kind: 'rpc', code: -32011, message: 'rake r1 is b
 const lost = new CallError({ kind: 'disconnected', code: 0, message: 'gone', hint: '' });
 
 function rakeOf(rake: string, rest: Partial<RakeRecord> = {}): RakeRecord {
-    const points: Vec3[] = [[0, 0, 0], [0, 0, 1]];
+    const points: Vec3[] = [
+        [0, 0, 0],
+        [0, 0, 1],
+    ];
     return { rake, rev: 1, kind: 'line', points, seeds: 8, name: rake, clipped: false, dragging: false, ...rest };
 }
 
 function surfaceOf(surface: string, rake: string): SurfaceRecord {
     const asked = { direction: 'forward', separation: 0.2, accuracy: 'balanced', fields: [] as string[] } as const;
-    return { surface, rake, rev: 1, epoch: 1, kind: 'stream', dataset: 'd', from: 0, to: 4, ...asked } as SurfaceRecord & object as SurfaceRecord;
+    return { surface, rake, rev: 1, epoch: 1, kind: 'stream', dataset: 'd', from: 0, to: 4, ...asked } as SurfaceRecord & object;
 }
 
 /** A page whose server answers when the test lets it. */
@@ -51,7 +54,13 @@ class Bench {
 
     drag(x: number, dragging = true): void {
         this.held = dragging;
-        const shape = { kind: 'line', points: [[x, 0, 0], [0, 0, 1]] as Vec3[] } as const;
+        const shape = {
+            kind: 'line',
+            points: [
+                [x, 0, 0],
+                [0, 0, 1],
+            ] as Vec3[],
+        } as const;
         this.edits.moveRake({ shape, dragging, movedAt: 1000 + x });
     }
 
@@ -109,7 +118,16 @@ describe('a drag on its way to the server', () => {
         expect(bench.state.rakePoints.value[0]![0]).toBe(5);
         await bench.answer(2);
         expect(bench.state.rakePoints.value[0]![0]).toBe(5);
-        bench.records([rakeOf('r1', { rev: 2, points: [[4, 0, 0], [0, 0, 1]] }), rakeOf('r2')]);
+        bench.records([
+            rakeOf('r1', {
+                rev: 2,
+                points: [
+                    [4, 0, 0],
+                    [0, 0, 1],
+                ],
+            }),
+            rakeOf('r2'),
+        ]);
         expect(bench.state.rakePoints.value[0]![0]).toBe(4);
     });
 
@@ -294,7 +312,12 @@ describe('an edit that waits to be sent', () => {
 describe('that no time is left for a surface', () => {
     async function without(): Promise<Bench> {
         const bench = new Bench();
-        bench.state.dataset.value = { dataset: 'd', bounds: [0, 1, 0, 1, 0, 1], times: [0, 4], fields: [] } as unknown as DatasetDescription;
+        bench.state.dataset.value = {
+            dataset: 'd',
+            bounds: [0, 1, 0, 1, 0, 1],
+            times: [0, 4],
+            fields: [],
+        } as unknown as DatasetDescription;
         bench.edits.changeSurface({ separation: 0.5 });
         bench.edits.flush();
         bench.edits.changeSurface({ kind: 'path', from: 4 });
@@ -442,7 +465,10 @@ describe('undo', () => {
         await bench.answer();
         void bench.edits.undo();
         await settled();
-        await bench.answer(0, { undone: null, skipped: [{ type: 'rake', id: 'r1', why: 'rake r1 has been changed by someone else since' }] });
+        await bench.answer(0, {
+            undone: null,
+            skipped: [{ type: 'rake', id: 'r1', why: 'rake r1 has been changed by someone else since' }],
+        });
         expect(bench.edits.history.words.value).toBe('Not undone: Low has been changed by someone else since.');
         expect(bench.edits.history.redoable.value).toBe(0);
     });

@@ -137,7 +137,7 @@ export class Edits {
 
     /** What was done before an undo comes before it for the server as well. */
     private allSent(): Promise<void> {
-        this.history.turns.value += 1;
+        ++this.history.turns.value;
         this.flush();
         const { editsPending } = this.state;
         if (!editsPending.value) return Promise.resolve();

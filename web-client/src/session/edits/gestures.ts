@@ -14,7 +14,7 @@ export class Gestures {
 
     /** A key or a button of the mouse goes down: as long as it is held, what it does is one act. */
     press(): void {
-        this.presses += 1;
+        ++this.presses;
         this.held = true;
     }
 
@@ -52,7 +52,7 @@ export class Gestures {
 
     private started(what: string, at: number): string {
         this.newest = { what, at, press: this.presses };
-        this.count += 1;
+        ++this.count;
         return this.current;
     }
 }

@@ -67,7 +67,7 @@ describe('settingOf', () => {
         expect(both).toMatchObject({ direction: 'both', from: 12, to: 15.5 });
         const sheet = settingOf({ ...path, kind: 'streak', direction: 'backward', released: 2 }, record, times, false);
         expect(sheet).toMatchObject({ to: 8.5, releaseUntil: 10 });
-        expect(intentOf({ ...record, ...sheet! } as SurfaceRecord)).toMatchObject({ length: 3.5, released: 2 });
+        expect(intentOf({ ...record, ...sheet! })).toMatchObject({ length: 3.5, released: 2 });
     });
 
     it('keeps what only scripts set', () => {

@@ -97,10 +97,7 @@ function secondCurveOf({ kind, sweep, rake2 }: SurfaceIntent): Partial<SurfaceSe
 }
 
 /** What makes a lost surface anew, on the rakes that have taken the place of its own. */
-export function settingAnew(
-    record: SurfaceRecord,
-    rakes: ReadonlyMap<string, string>,
-): SurfaceSetting | null {
+export function settingAnew(record: SurfaceRecord, rakes: ReadonlyMap<string, string>): SurfaceSetting | null {
     const rake = rakes.get(record.rake);
     if (rake === undefined) return null;
     const { kind, dataset, from, to, direction, separation, accuracy, merge, angle, maxQuads, fields } = record;

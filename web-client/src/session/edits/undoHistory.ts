@@ -30,11 +30,11 @@ export class UndoHistory {
 
     /** The server has taken an edit. */
     noted(gesture: string): void {
-        if (gesture !== this.gesture) this.undoable.value += 1;
+        if (gesture !== this.gesture) ++this.undoable.value;
         this.gesture = gesture;
         this.redoable.value = 0;
         this.words.value = '';
-        this.taken.value += 1;
+        ++this.taken.value;
     }
 
     /** Another session, or another life of the server: what was counted here is not what it would turn. */
@@ -74,7 +74,7 @@ export class UndoHistory {
                 this.nothing(way);
                 return;
             }
-            this.taken.value += 1;
+            ++this.taken.value;
             const made = skipped.length === 0 ? 1 : 0;
             if (way === 'undo') this.count(undoable.value - 1, redoable.value + made);
             else this.count(undoable.value + made, redoable.value - 1);

@@ -45,10 +45,7 @@ export interface FilmOptions {
 }
 
 /** The times of the frames: the first and the last are the ends. */
-export function frameTimes(
-    [from, to]: readonly [number, number],
-    { fps, seconds }: { fps: number; seconds: number },
-): number[] {
+export function frameTimes([from, to]: readonly [number, number], { fps, seconds }: { fps: number; seconds: number }): number[] {
     const frames = Math.min(framesAtMost, Math.max(2, Math.round(fps * seconds)));
     return Array.from({ length: frames }, (_, i) => from + ((to - from) * i) / (frames - 1));
 }
@@ -74,10 +71,7 @@ export class FilmMaker {
     async record(setting: FilmSetting): Promise<Blob | null> {
         const { playback, state, figure } = this.options;
         if (this.progress.value.state === 'recording') return null;
-        if (!canEncode())
-            return this.fail(
-                'Recording needs a current browser over HTTPS (or on localhost).',
-            );
+        if (!canEncode()) return this.fail('Recording needs a current browser over HTTPS (or on localhost).');
         const size = { width: 2 * Math.floor(setting.width / 2), height: 2 * Math.floor(setting.height / 2) };
         const times = frameTimes(playback.span.value, setting);
         const before = state.clock.value;
@@ -88,17 +82,14 @@ export class FilmMaker {
         let begun = false;
         try {
             encoding = await VideoEncoding.begin({ ...size, fps: setting.fps });
-            if (encoding === null)
-                return this.fail('This browser cannot record at this size. Choose a smaller size.');
+            if (encoding === null) return this.fail('This browser cannot record at this size. Choose a smaller size.');
             begun = true;
             await playback.pause();
             this.options.edits.gestures.begin();
             for (const [i, time] of times.entries()) {
                 await this.show(time);
                 const background = figure.background.value === 'clear' ? 'white' : figure.background.value;
-                const caption = setting.time
-                    ? `t = ${withUnit(shortNumber(playback.time.value), setting.unit)}`
-                    : null;
+                const caption = setting.time ? `t = ${withUnit(shortNumber(playback.time.value), setting.unit)}` : null;
                 await encoding.add(figure.draw(size, caption, background));
                 this.progress.value = { ...this.progress.value, done: i + 1 };
             }
@@ -136,9 +127,7 @@ export class FilmMaker {
             ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), askAgainMs)
             : undefined;
         try {
-            await this.until(() =>
-                moving ? this.surfacesAt(time) : ['final', 'empty'].includes(state.phase.value),
-            );
+            await this.until(() => (moving ? this.surfacesAt(time) : ['final', 'empty'].includes(state.phase.value)));
         } finally {
             clearInterval(again);
         }

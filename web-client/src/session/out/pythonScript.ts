@@ -1,13 +1,5 @@
 // A script for Python that does what a panel shows, with the client that the server gives away (protocol/python/wakesurf.py).
-import {
-    type CallStep,
-    KeptId,
-    type MeshStep,
-    nounOf,
-    ofSession,
-    type ScriptPlace,
-    type ScriptStep,
-} from './scriptStep.ts';
+import { type CallStep, KeptId, type MeshStep, nounOf, ofSession, type ScriptPlace, type ScriptStep } from './scriptStep.ts';
 
 const head = (server: string): string[] => [
     '# Needs numpy, and the client beside it:',
@@ -45,8 +37,7 @@ function call(step: CallStep): string[] {
 /** As one would write it by hand; null where the class has no method that takes all of it. */
 function idiom(method: string, params: ReadonlyMap<string, unknown>): string | null {
     const known = (...names: string[]): boolean => [...params.keys()].every((name) => names.includes(name));
-    const rest = (...without: string[]): string[] =>
-        [...params].filter(([name]) => !without.includes(name)).map(keywordArgument);
+    const rest = (...without: string[]): string[] => [...params].filter(([name]) => !without.includes(name)).map(keywordArgument);
     const written = (name: string): string => literal(params.get(name));
     switch (method) {
         case 'rake.set':

@@ -30,7 +30,7 @@ class Bench {
             worker: { call } as never,
             edits: { history: { taken: this.taken } },
             picture: () => {
-                this.drawn += 1;
+                ++this.drawn;
                 return {} as HTMLCanvasElement;
             },
             busy: () => this.busy,
@@ -47,7 +47,7 @@ class Bench {
     /** An edit of this page's user, and the patch that everyone gets of it. */
     edit(): void {
         this.thumbnails.patched();
-        this.taken.value += 1;
+        ++this.taken.value;
     }
 }
 

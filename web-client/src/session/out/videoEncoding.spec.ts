@@ -18,7 +18,7 @@ class StuckEncoder extends EventTarget {
 
     encode(): void {
         if (this.state === 'closed') throw new Error('closed');
-        this.encodeQueueSize += 1;
+        ++this.encodeQueueSize;
     }
 
     fail(words: string): void {

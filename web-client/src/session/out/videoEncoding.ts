@@ -69,7 +69,7 @@ export class VideoEncoding {
         });
         this.encoder.encode(frame, { keyFrame: this.count % Math.round(keyEverySeconds * fps) === 0 });
         frame.close();
-        this.count += 1;
+        ++this.count;
         while (this.running && this.encoder.encodeQueueSize > queueAtMost) {
             await new Promise<void>((resolve) => {
                 this.wake = resolve;

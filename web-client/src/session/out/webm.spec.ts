@@ -10,9 +10,7 @@ interface Element {
     children: Element[];
 }
 
-const masters = new Set([
-    0x1a45dfa3, 0x18538067, 0x1549a966, 0x1654ae6b, 0xae, 0xe0, 0x1c53bb6b, 0xbb, 0xb7, 0x1f43b675,
-]);
+const masters = new Set([0x1a45dfa3, 0x18538067, 0x1549a966, 0x1654ae6b, 0xae, 0xe0, 0x1c53bb6b, 0xbb, 0xb7, 0x1f43b675]);
 
 /** The twin: elements of EBML (RFC 8794), whatever widths their numbers have. */
 function parse(file: DataView, from: number, to: number): Element[] {

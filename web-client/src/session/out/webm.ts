@@ -56,12 +56,7 @@ const longestCluster = 30_000;
 
 function head(): Part[] {
     return element(ids.ebml, [
-        ...[
-            whole(ids.version, 1),
-            whole(ids.readVersion, 1),
-            whole(ids.maxIdLength, 4),
-            whole(ids.maxSizeLength, 8),
-        ],
+        ...[whole(ids.version, 1), whole(ids.readVersion, 1), whole(ids.maxIdLength, 4), whole(ids.maxSizeLength, 8)],
         ...[text(ids.docType, 'webm'), whole(ids.docTypeVersion, 4), whole(ids.docTypeReadVersion, 2)],
     ]);
 }
@@ -81,12 +76,7 @@ function info({ duration }: Film): Part {
 function tracks({ codec, width, height }: Film): Part {
     const video = join(element(ids.video, [whole(ids.pixelWidth, width), whole(ids.pixelHeight, height)]));
     const entry = [
-        ...[
-            whole(ids.trackNumber, videoTrack),
-            whole(ids.trackUid, 1),
-            whole(ids.trackType, 1),
-            whole(ids.lacing, 0),
-        ],
+        ...[whole(ids.trackNumber, videoTrack), whole(ids.trackUid, 1), whole(ids.trackType, 1), whole(ids.lacing, 0)],
         ...[text(ids.codecId, codec), video],
     ];
     return join(element(ids.tracks, element(ids.trackEntry, entry)));
@@ -120,9 +110,7 @@ function block({ data, key }: EncodedFrame, time: number): Part[] {
 /** The same size for any place, so that places can be counted before they are written. */
 function cuePoint(time: number, at: number): Part {
     const positions = [whole(ids.cueTrack, videoTrack), whole(ids.cuePosition, at, 8)];
-    return join(
-        element(ids.cuePoint, [whole(ids.cueTime, time, 8), ...element(ids.cueTrackPositions, positions)]),
-    );
+    return join(element(ids.cuePoint, [whole(ids.cueTime, time, 8), ...element(ids.cueTrackPositions, positions)]));
 }
 
 function cuesSize(count: number): number {

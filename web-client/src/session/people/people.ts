@@ -63,7 +63,9 @@ export class People {
             this.told = {};
             this.cameraMoved();
         }
-        if (changes.some(({ participant, camera }) => participant === view.following.value && camera !== undefined)) this.follow();
+        if (changes.some(({ participant, camera }) => participant === view.following.value && camera !== undefined)) {
+            this.follow();
+        }
         requestFrame();
     }
 

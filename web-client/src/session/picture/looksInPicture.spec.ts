@@ -5,7 +5,8 @@ import { AppState } from '../../state/appState.ts';
 import { ViewState } from '../../state/viewState.ts';
 import { showLooks } from './looksInPicture.ts';
 
-const record = (surface: string): SurfaceRecord => ({ surface, rake: 'r1', kind: 'stream', fields: [] as string[] }) as SurfaceRecord;
+const record = (surface: string): SurfaceRecord =>
+    ({ surface, rake: 'r1', kind: 'stream', fields: [] as string[] }) as SurfaceRecord;
 
 function bench() {
     const [state, view] = [new AppState(), new ViewState()];
@@ -48,6 +49,10 @@ describe('the looks on their way to the worker', () => {
         view.partsListed.value = true;
         state.activeSurface.value = 's2';
         const listed = { hidden: [] };
-        expect(shown).toEqual([['s1', listed], ['s1', null], ['s2', listed]]);
+        expect(shown).toEqual([
+            ['s1', listed],
+            ['s1', null],
+            ['s2', listed],
+        ]);
     });
 });

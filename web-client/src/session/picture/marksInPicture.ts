@@ -19,7 +19,9 @@ export function showMarks(state: AppState, view: ViewState, scene: FlowScene): v
     effect(() => {
         const markers: Marker[] = [];
         const probe = view.tool.value === 'probe' ? view.probe.value : null;
-        if (probe !== null) markers.push({ at: probe.point, colour: probeColour, words: probeWords(probe, state.dataset.value?.velocity) });
+        if (probe !== null) {
+            markers.push({ at: probe.point, colour: probeColour, words: probeWords(probe, state.dataset.value?.velocity) });
+        }
         const [a, b] = view.measured.value;
         for (const at of view.measured.value) markers.push({ at, colour: measureColour, words: '' });
         for (const { position: at, text, author } of state.annotations.value.values()) {
@@ -27,7 +29,12 @@ export function showMarks(state: AppState, view: ViewState, scene: FlowScene): v
         }
         const lines: MarkedLine[] = [];
         if (a !== undefined && b !== undefined) {
-            lines.push({ from: a, to: b, colour: measureColour, words: withUnit(shortNumber(distance(a, b)), view.units.value.length) });
+            lines.push({
+                from: a,
+                to: b,
+                colour: measureColour,
+                words: withUnit(shortNumber(distance(a, b)), view.units.value.length),
+            });
         }
         layer.set(markers, lines);
         scene.loop.request();

@@ -2,16 +2,7 @@
 // are coloured with.
 import type { RakeRecord } from '../../protocol/messages.ts';
 
-export const rakeColours = [
-    '#ff7a45',
-    '#4cc2ff',
-    '#ffd84d',
-    '#ff7ab8',
-    '#9be564',
-    '#c79bff',
-    '#ffffff',
-    '#ff5c5c',
-] as const;
+export const rakeColours = ['#ff7a45', '#4cc2ff', '#ffd84d', '#ff7ab8', '#9be564', '#c79bff', '#ffffff', '#ff5c5c'] as const;
 
 /** Its own, or one by its place among the rakes of the session. */
 export function rakeColour(record: RakeRecord, rakes: ReadonlyMap<string, RakeRecord>): string {

@@ -3,7 +3,16 @@ import type { Participant, RakeRecord, Vec3 } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
 import { holderOf } from './rakeScene.ts';
 
-const record = { rake: 'r1', kind: 'line', points: [[0, 0, 0], [1, 0, 0]], dragging: true, leasedBy: 'p2' } as unknown as RakeRecord;
+const record = {
+    rake: 'r1',
+    kind: 'line',
+    points: [
+        [0, 0, 0],
+        [1, 0, 0],
+    ],
+    dragging: true,
+    leasedBy: 'p2',
+} as unknown as RakeRecord;
 
 function stateWith(ann: Partial<Participant> = {}): AppState {
     const state = new AppState();
@@ -16,7 +25,10 @@ function stateWith(ann: Partial<Participant> = {}): AppState {
 describe('who holds a rake', () => {
     it('is told by name and colour, and where they have it if they say so of this rake', () => {
         expect(holderOf(stateWith(), record)).toEqual({ name: 'Ann', colour: '#009e73' });
-        const points: Vec3[] = [[0, 2, 0], [1, 2, 0]];
+        const points: Vec3[] = [
+            [0, 2, 0],
+            [1, 2, 0],
+        ];
         expect(holderOf(stateWith({ dragging: { rake: 'r1', points } }), record)).toMatchObject({ points });
         expect(holderOf(stateWith({ dragging: { rake: 'r2', points } }), record)).not.toHaveProperty('points');
     });

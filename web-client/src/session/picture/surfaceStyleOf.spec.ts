@@ -13,7 +13,14 @@ const dataset = {
     surfaceFields: ['U', 'p', 'deformation', 'approximated'],
 } as unknown as DatasetDescription;
 const record = { surface: 's1', kind: 'stream', from: 3, fields: [] } as unknown as SurfaceRecord;
-const rake = { points: [[0, 0, 0], [3, 4, 0], [3, 4, 2]], colour: '#123456' } as unknown as RakeRecord;
+const rake = {
+    points: [
+        [0, 0, 0],
+        [3, 4, 0],
+        [3, 4, 2],
+    ],
+    colour: '#123456',
+} as unknown as RakeRecord;
 const facts = { record, rake, dataset, speedRange: [1, 3] as const };
 
 describe('styleOf', () => {

@@ -111,7 +111,7 @@ function knownRange(
 
 function lengthOf(points: readonly Vec3[]): number {
     let length = 0;
-    for (let i = 1; i < points.length; i += 1) {
+    for (let i = 1; i < points.length; ++i) {
         length += Math.hypot(...points[i]!.map((x, axis) => x - points[i - 1]![axis]!));
     }
     return length > 0 ? length : 1;

@@ -15,7 +15,9 @@ export async function fetchSessionFile(base: string, session: string): Promise<B
 /** Error: in words. */
 export async function sendSessionFile(base: string, file: Blob): Promise<SessionImported> {
     if (file.size > largestMiB << 20) {
-        throw new Error(`This file is ${Math.ceil(file.size / (1 << 20))} MiB; a session file is at most ${largestMiB} MiB. Choose the file of an exported session.`);
+        throw new Error(
+            `This file is ${Math.ceil(file.size / (1 << 20))} MiB; a session file is at most ${largestMiB} MiB. Choose the file of an exported session.`,
+        );
     }
     const headers = { 'Content-Type': 'application/json' };
     const reply = await fetch(new URL('api/v1/sessions', base), { method: 'POST', headers, body: file });

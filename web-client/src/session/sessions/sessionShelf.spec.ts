@@ -8,7 +8,16 @@ import { SessionShelf } from './sessionShelf.ts';
 
 function entryOf(session: string, lastUsed = '2026-11-22T10:00:00Z'): SessionEntry {
     const counts = { participants: 0, rakes: 1, surfaces: 1, bookmarks: 0, annotations: 0 };
-    return { session, name: `${session}'s name`, people: [], created: 'then', lastUsed, edited: true, thumbnail: false, ...counts };
+    return {
+        session,
+        name: `${session}'s name`,
+        people: [],
+        created: 'then',
+        lastUsed,
+        edited: true,
+        thumbnail: false,
+        ...counts,
+    };
 }
 
 /** A server with sessions and a trash; the test says what it refuses. */
@@ -37,7 +46,12 @@ class Bench {
             return { session: 'session-9', name: params['name'] ?? '', remaining: 1 };
         };
         const base = 'http://localhost/';
-        this.shelf = new SessionShelf({ state: new AppState(), worker: { call } as never, base, open: (to) => this.opened.push(to) });
+        this.shelf = new SessionShelf({
+            state: new AppState(),
+            worker: { call } as never,
+            base,
+            open: (to) => this.opened.push(to),
+        });
     }
 
     get names(): (string | undefined)[] {
@@ -77,7 +91,9 @@ describe('the list of sessions', () => {
         bench.refusals.set('session.create', full);
         await bench.shelf.create('Wake', null);
         const words = bench.shelf.problems.all.value.get('action');
-        expect(words).toBe('The server keeps at most 4 sessions. Export the sessions that are no longer needed, and delete them.');
+        expect(words).toBe(
+            'The server keeps at most 4 sessions. Export the sessions that are no longer needed, and delete them.',
+        );
         expect(bench.opened).toEqual([]);
         bench.refusals.clear();
         await bench.shelf.create('Wake', 'sqcyl');
@@ -131,7 +147,11 @@ describe('a file of a session', () => {
     });
 
     it.each([
-        ['the server refuses it', () => Response.json({ error: { message: 'it is no session', data: { hint: 'export one' } } }, { status: 400 }), /no session: export one/],
+        [
+            'the server refuses it',
+            () => Response.json({ error: { message: 'it is no session', data: { hint: 'export one' } } }, { status: 400 }),
+            /no session: export one/,
+        ],
         ['there is no connection', () => Promise.reject(new TypeError('failed')), /cannot be reached/],
     ])('is answered in words where %s', async (_, reply, words) => {
         vi.stubGlobal('fetch', async () => reply());

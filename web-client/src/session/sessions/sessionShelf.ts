@@ -73,7 +73,10 @@ export class SessionShelf {
     async refresh(): Promise<void> {
         const { worker } = this.options;
         try {
-            const [kept, deleted] = await Promise.all([worker.call('session.list', {}), worker.call('session.list', { trash: true })]);
+            const [kept, deleted] = await Promise.all([
+                worker.call('session.list', {}),
+                worker.call('session.list', { trash: true }),
+            ]);
             this.sessions.value = [...kept.sessions].sort((a, b) => later(b.lastUsed, a.lastUsed));
             this.trash.value = [...deleted.sessions].sort((a, b) => later(b.deletedAt, a.deletedAt));
             this.limits.value = { sessions: kept.limit, trash: kept.trashLimit };
@@ -90,7 +93,9 @@ export class SessionShelf {
     /** A new one, and into it. @param dataset null: the server's first */
     async create(name: string, dataset: string | null): Promise<void> {
         await this.attempt(async () => {
-            const made = await this.options.worker.call('session.create', name === '' ? {} : { name: fitting(name) }).catch(inWords(noPlace));
+            const made = await this.options.worker
+                .call('session.create', name === '' ? {} : { name: fitting(name) })
+                .catch(inWords(noPlace));
             this.open(writeFragment(made.session, dataset));
         });
     }
@@ -99,7 +104,9 @@ export class SessionShelf {
     async enterDataset(dataset: string, name: string): Promise<void> {
         const known = latestSession(dataset);
         await this.refresh();
-        const there = this.sessions.value?.find((each) => each.session === known?.session && (each.created ?? '') === known.created);
+        const there = this.sessions.value?.find(
+            (each) => each.session === known?.session && (each.created ?? '') === known.created,
+        );
         if (there === undefined) await this.create(name, dataset);
         else this.open(writeFragment(there.session, dataset));
     }
@@ -110,7 +117,9 @@ export class SessionShelf {
 
     async copy({ session, name }: SessionEntry): Promise<void> {
         await this.attempt(async () => {
-            const made = await this.options.worker.call('session.fork', { session, name: fitting(name, ' copy') }).catch(inWords(noPlace));
+            const made = await this.options.worker
+                .call('session.fork', { session, name: fitting(name, ' copy') })
+                .catch(inWords(noPlace));
             this.notices.say('done', `“${name}” was copied.`, { label: 'Open the copy', act: () => this.enter(made.session) });
         });
     }
@@ -118,7 +127,10 @@ export class SessionShelf {
     async delete({ session, name }: SessionEntry): Promise<void> {
         await this.attempt(async () => {
             await this.options.worker.call('session.delete', { session }).catch(inWords(fullTrash));
-            this.notices.say('done', `“${name}” is in the trash.`, { label: 'Undo', act: () => void this.restore({ session, name }) });
+            this.notices.say('done', `“${name}” is in the trash.`, {
+                label: 'Undo',
+                act: () => void this.restore({ session, name }),
+            });
         });
     }
 
@@ -167,7 +179,6 @@ export class SessionShelf {
         }
         await this.refresh();
     }
-
 }
 
 /** A limit is said with what can be done here: the server's hint names methods, and the list has buttons. */

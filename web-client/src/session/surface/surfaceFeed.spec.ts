@@ -29,7 +29,7 @@ class Bench {
                 this.calls.push(method);
                 return Promise.resolve({ subscription: 7, resumed: this.resumed });
             },
-            taken: () => (this.taken += 1),
+            taken: () => ++this.taken,
             forget: (surface: string) => this.calls.push(`forget ${surface}`),
         };
         const scene = {
@@ -106,9 +106,7 @@ describe('SurfaceFeed', () => {
         for (let i = 0; i < 10; ++i) {
             void bench.feed.troubled('s1', 7, 'bad frame');
             await vi.advanceTimersByTimeAsync(499);
-            expect(bench.calls.filter((call) => call === 'surface.unsubscribe').length).toBe(
-                Math.min(i, 4),
-            );
+            expect(bench.calls.filter((call) => call === 'surface.unsubscribe').length).toBe(Math.min(i, 4));
             await vi.advanceTimersByTimeAsync(60_000);
         }
         expect(bench.calls.filter((call) => call === 'surface.subscribe')).toHaveLength(5);

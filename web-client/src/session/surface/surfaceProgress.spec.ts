@@ -40,7 +40,10 @@ describe('SurfaceProgress', () => {
         state.requestedEpochs.value = new Map([['s1', 4]]);
         vi.advanceTimersByTime(300);
         // What others do with other surfaces is no new beginning.
-        state.requestedEpochs.value = new Map([['s1', 4], ['s2', 9]]);
+        state.requestedEpochs.value = new Map([
+            ['s1', 4],
+            ['s2', 9],
+        ]);
         vi.advanceTimersByTime(300);
         expect(asked).toMatchObject([{ method: 'surface.wait', params: { surface: 's1', epoch: 4 } }]);
         progress.progressed('someone else’s', 0.9, '');

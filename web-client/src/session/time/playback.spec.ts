@@ -146,7 +146,7 @@ describe('Playback of a stream surface', () => {
         const slid = gestures.slid('separation', 0);
         await time.pass(600);
         expect(named.at(-1)).toBe(slid);
-        turns.value += 1;
+        ++turns.value;
         const at = intent.value?.from;
         await time.pass(5000);
         expect([intent.value?.from, playback.playing.value]).toEqual([at, false]);

@@ -40,7 +40,10 @@ describe('time-steps', () => {
         expect(releasedSpan([1, 5], 'streak', false, 2)).toEqual([1, 2]);
         expect(releasedSpan([1, 5], 'streak', true)).toEqual([1, 5]);
         expect(releasedSpan([1, 5], 'streak', true, 4)).toEqual([4, 5]);
-        expect([releasedSpan([1, 5], 'path', false), releasedSpan([1, 5], 'time', true)]).toEqual([[1, 1], [5, 5]]);
+        expect([releasedSpan([1, 5], 'path', false), releasedSpan([1, 5], 'time', true)]).toEqual([
+            [1, 1],
+            [5, 5],
+        ]);
     });
 
     it('and the surface fit on the timeline', () => {
@@ -64,13 +67,10 @@ describe('time-steps', () => {
             expect(drawn.length).toBeLessThanOrEqual(240);
             expect(drawn.reduce((sum, { first, last }) => sum + last - first + 1, 0)).toBe(count);
             for (const { first, last, state } of drawn) {
-                if (state === 'resident')
-                    expect(many.slice(first, last + 1).every((each) => each === 'resident')).toBe(true);
+                if (state === 'resident') expect(many.slice(first, last + 1).every((each) => each === 'resident')).toBe(true);
             }
         }
-        expect(stepMarks(Array<StepState>(5000).fill('cold'), 240)).toEqual([
-            { first: 0, last: 4999, state: 'cold' },
-        ]);
+        expect(stepMarks(Array<StepState>(5000).fill('cold'), 240)).toEqual([{ first: 0, last: 4999, state: 'cold' }]);
     });
 
     it('are counted in words', () => {

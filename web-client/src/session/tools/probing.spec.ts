@@ -18,7 +18,14 @@ function bench() {
         { name: 'p', components: 1 },
         { name: 'mask', components: 1 },
     ];
-    state.dataset.value = { dataset: 'd', velocity: 'U', fields, surfaceFields: ['p', 'deformation'], bounds: [0, 10, 0, 10, 0, 10], times: [2] } as unknown as DatasetDescription;
+    state.dataset.value = {
+        dataset: 'd',
+        velocity: 'U',
+        fields,
+        surfaceFields: ['p', 'deformation'],
+        bounds: [0, 10, 0, 10, 0, 10],
+        times: [2],
+    } as unknown as DatasetDescription;
     const asked: { points: Vec3[]; fields?: string[]; time: number }[] = [];
     const answers: (() => void)[] = [];
     const call = (_: string, params: (typeof asked)[number]): Promise<unknown> => {
@@ -35,7 +42,15 @@ function bench() {
         answers.shift()?.();
         await settled();
     };
-    return { state, pageView, probing, measuring: new Measuring({ state, pageView, ...sight }), noting: new Noting({ state, pageView, ...sight }), asked, answer };
+    return {
+        state,
+        pageView,
+        probing,
+        measuring: new Measuring({ state, pageView, ...sight }),
+        noting: new Noting({ state, pageView, ...sight }),
+        asked,
+        answer,
+    };
 }
 
 const at = (x: number): Pointer => ({ at: { x, y: 0 }, time: 0, shift: false });
@@ -107,7 +122,10 @@ describe('Measuring', () => {
         pageView.tool.value = 'measure';
         measuring.click(at(10));
         measuring.click(at(300));
-        expect(pageView.measured.value).toEqual([[10, 1, 1], [300, 0, 1]]);
+        expect(pageView.measured.value).toEqual([
+            [10, 1, 1],
+            [300, 0, 1],
+        ]);
         measuring.click(at(30));
         expect(pageView.measured.value).toEqual([[30, 1, 1]]);
     });

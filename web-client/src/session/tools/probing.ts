@@ -92,7 +92,10 @@ export class Probing implements PointerTool {
         const asked = { dataset: description.dataset, points: [point], time, fields };
         try {
             const { inside, values } = await worker.call('probe.sample', asked);
-            const at = ([name, [value]]: [string, (number | Vec3 | null)[]]): ProbeReading['values'][number] => ({ name, value: value ?? null });
+            const at = ([name, [value]]: [string, (number | Vec3 | null)[]]): ProbeReading['values'][number] => ({
+                name,
+                value: value ?? null,
+            });
             state.problems.solved('probe');
             pageView.probe.value = { point, time, inside: inside[0] === true, values: Object.entries(values).map(at) };
         } catch (error) {

@@ -4,7 +4,14 @@ import { decodeLinkState, encodeLinkState } from './linkState.ts';
 
 const rake: RakeRecord = {
     ...{ rake: 'r1', rev: 4, kind: 'line', seeds: 8, name: 'Zulauf – größer', colour: '#0072b2' },
-    ...{ points: [[0, 0.123456789, 0], [1, 0, 0]] as Vec3[], clipped: false, dragging: false },
+    ...{
+        points: [
+            [0, 0.123456789, 0],
+            [1, 0, 0],
+        ] as Vec3[],
+        clipped: false,
+        dragging: false,
+    },
 };
 const surface = {
     ...{ surface: 's1', rev: 2, epoch: 9, rake: 'r1', kind: 'streak', dataset: 'd', from: 0, to: 3 },
@@ -18,7 +25,17 @@ describe('a state in a link', () => {
         expect(text).toMatch(/^[\w-]+$/);
         const back = decodeLinkState(text);
         expect(back.view).toEqual({ camera, surface: 's1' });
-        expect(back.rakes).toMatchObject([{ rake: 'r1', name: rake.name, rev: 0, points: [[0, 0.123457, 0], [1, 0, 0]] }]);
+        expect(back.rakes).toMatchObject([
+            {
+                rake: 'r1',
+                name: rake.name,
+                rev: 0,
+                points: [
+                    [0, 0.123457, 0],
+                    [1, 0, 0],
+                ],
+            },
+        ]);
         expect(back.surfaces).toMatchObject([{ ...surface, rev: 0, epoch: 0 }]);
     });
 
@@ -30,7 +47,10 @@ describe('a state in a link', () => {
     });
 
     it('keeps masks that can be some, whoever has sent them', () => {
-        const masks = { s1: 'CD_-0', s2: 7, s3: '', s4: 'a'.repeat(801), s5: '<b>', s6: null } as unknown as Record<string, string>;
+        const masks = { s1: 'CD_-0', s2: 7, s3: '', s4: 'a'.repeat(801), s5: '<b>', s6: null } as unknown as Record<
+            string,
+            string
+        >;
         const text = encodeLinkState({ view: { masks }, rakes: [], surfaces: [] });
         expect(decodeLinkState(text).view.masks).toEqual({ s1: 'CD_-0' });
     });

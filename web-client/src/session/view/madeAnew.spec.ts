@@ -4,9 +4,30 @@ import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
 import { makeAnew } from './madeAnew.ts';
 
 const rake = (id: string, seeds = 8): RakeRecord =>
-    ({ rake: id, rev: 0, kind: 'line', points: [[0, 0, 0], [1, 0, 0]], seeds, name: id }) as RakeRecord;
+    ({
+        rake: id,
+        rev: 0,
+        kind: 'line',
+        points: [
+            [0, 0, 0],
+            [1, 0, 0],
+        ],
+        seeds,
+        name: id,
+    }) as RakeRecord;
 const surface = (id: string, of: string, more: object = {}): SurfaceRecord =>
-    ({ surface: id, rev: 0, epoch: 0, rake: of, kind: 'stream', dataset: 'd', from: 0, to: 1, fields: [], ...more }) as unknown as SurfaceRecord;
+    ({
+        surface: id,
+        rev: 0,
+        epoch: 0,
+        rake: of,
+        kind: 'stream',
+        dataset: 'd',
+        from: 0,
+        to: 1,
+        fields: [],
+        ...more,
+    }) as unknown as SurfaceRecord;
 
 /** Names what it makes n1, n2, ...; takes no rake with fewer than two seeds. */
 function serverThat(fails: CallError) {
@@ -46,8 +67,14 @@ describe('a session made anew', () => {
         const remembered = { ...none, rakes: [rake('r2'), rake('r3')], surfaces: [surface('s1', 'r2'), surface('s2', 'r2')] };
         const made = await makeAnew(worker, remembered, there);
         expect(asked).toHaveLength(2);
-        expect([...made.rakes]).toEqual([['r2', 'n7'], ['r3', 'n1']]);
-        expect([...made.surfaces]).toEqual([['s1', 'n8'], ['s2', 'n2']]);
+        expect([...made.rakes]).toEqual([
+            ['r2', 'n7'],
+            ['r3', 'n1'],
+        ]);
+        expect([...made.surfaces]).toEqual([
+            ['s1', 'n8'],
+            ['s2', 'n2'],
+        ]);
         expect(made.missing).toBeNull();
     });
 

@@ -69,7 +69,9 @@ export async function makeAnew(
     for (const { text, position, surface = '' } of remembered.annotations) {
         const on = surfaces.get(surface);
         if (taken(notes, (each) => each === text) !== null) continue;
-        await refusals.of('note', () => worker.call('annotation.set', { text, position, ...(on === undefined ? {} : { surface: on }) }));
+        await refusals.of('note', () =>
+            worker.call('annotation.set', { text, position, ...(on === undefined ? {} : { surface: on }) }),
+        );
     }
     const views = (there.bookmarks ?? []).map(({ name }) => name);
     for (const { name, view, time } of remembered.bookmarks) {

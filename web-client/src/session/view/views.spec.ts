@@ -14,7 +14,10 @@ describe('the view of a session that is made anew', () => {
             ...{ token: null, session: null, dataset: null },
             state: { view: { surface: 's7', looks, masks: { s7: 'linked', s9: 'gone' } }, rakes: [], surfaces: [] },
         };
-        const masks = new Map([['s4', 'offour'], ['s7', 'ofseven']]);
+        const masks = new Map([
+            ['s4', 'offour'],
+            ['s7', 'ofseven'],
+        ]);
         const surfaces = {
             maskCode: (id: string) => masks.get(id),
             setMask: (id: string, code: string) => masks.set(id, code),
@@ -34,7 +37,10 @@ describe('the view of a session that is made anew', () => {
 
     it('shows all of a surface whose painting is too intricate to be taken along', () => {
         const [state, view] = [new AppState(), new ViewState()];
-        const masks = new Map<string, string | null>([['s4', null], ['s7', 'ofseven']]);
+        const masks = new Map<string, string | null>([
+            ['s4', null],
+            ['s7', 'ofseven'],
+        ]);
         const surfaces = {
             maskCode: (id: string) => masks.get(id),
             setMask: (id: string, code: string) => masks.set(id, code),
@@ -45,8 +51,17 @@ describe('the view of a session that is made anew', () => {
         const views = new Views({ state, view, scene, url });
         const painted = { ...usualLook, opacity: 0.4, painting: true };
         view.looks.value = new Map(['s4', 's7'].map((id) => [id, painted]));
-        views.madeAnew({ rakes: new Map(), surfaces: new Map([['s4', 's1'], ['s7', 's4']]) });
-        expect([...view.looks.value]).toEqual([['s1', { ...painted, painting: false }], ['s4', painted]]);
+        views.madeAnew({
+            rakes: new Map(),
+            surfaces: new Map([
+                ['s4', 's1'],
+                ['s7', 's4'],
+            ]),
+        });
+        expect([...view.looks.value]).toEqual([
+            ['s1', { ...painted, painting: false }],
+            ['s4', painted],
+        ]);
         expect([...masks]).toEqual([['s4', 'ofseven']]);
     });
 });
@@ -54,7 +69,13 @@ describe('the view of a session that is made anew', () => {
 describe('what is painted', () => {
     it('is in the view as long as there is room; where there is none all of the surface is shown, and it is noted', () => {
         const [state, view] = [new AppState(), new ViewState()];
-        const codes: Record<string, string | null> = { s1: 'a'.repeat(790), s2: null, s3: 'b'.repeat(790), s4: 'c'.repeat(90), s5: 'd' };
+        const codes: Record<string, string | null> = {
+            s1: 'a'.repeat(790),
+            s2: null,
+            s3: 'b'.repeat(790),
+            s4: 'c'.repeat(90),
+            s5: 'd',
+        };
         state.surfaces.value = new Map(Object.keys(codes).map((id) => [id, { surface: id } as SurfaceRecord]));
         view.looks.value = new Map(Object.keys(codes).map((id) => [id, { ...usualLook, painting: id !== 's5' }]));
         const surfaces = { maskCode: (id: string) => codes[id] };

@@ -55,16 +55,18 @@ export class Views {
         const [clip, known] = [view.clip.value, state.surfaces.value];
         const masks = this.masks();
         const left = view.paintLeftOut.value;
-        const looks = [...view.looks.value].filter(([id]) => known.has(id)).map(([id, look]) => {
-            // All of the surface rather than nothing.
-            return [id, encodeLook(left.has(id) ? { ...look, painting: false } : look)];
-        });
+        const looks = [...view.looks.value]
+            .filter(([id]) => known.has(id))
+            .map(([id, look]) => {
+                // All of the surface rather than nothing.
+                return [id, encodeLook(left.has(id) ? { ...look, painting: false } : look)];
+            });
         return {
             camera: scene.controls.pose,
             ...(surface === null ? {} : { surface }),
             looks: Object.fromEntries(looks) as Record<string, Partial<SurfaceLook>>,
             ...(clip === noClip ? {} : { clip }),
-            ...(masks.length === 0 ? {} : { masks: Object.fromEntries(masks) as Record<string, string> }),
+            ...(masks.length === 0 ? {} : { masks: Object.fromEntries(masks) }),
         };
     }
 

@@ -5,9 +5,13 @@ export function listenForPresses(gestures: Gestures): void {
     // Before the control hears of it.
     const capture = true;
     addEventListener('pointerdown', () => gestures.press(), capture);
-    addEventListener('keydown', ({ repeat }) => {
-        if (!repeat) gestures.press();
-    }, capture);
+    addEventListener(
+        'keydown',
+        ({ repeat }) => {
+            if (!repeat) gestures.press();
+        },
+        capture,
+    );
     for (const type of ['pointerup', 'pointercancel', 'keyup']) {
         addEventListener(type, () => gestures.release(), capture);
     }

@@ -57,7 +57,8 @@ export const tourSteps: readonly TourStep[] = [
     {
         id: 'look',
         title: 'Make it readable',
-        words: () => 'Under Look, colour the surface by another field (by Q, vortices are red), make it transparent, or draw lines on it.',
+        words: () =>
+            'Under Look, colour the surface by another field (by Q, vortices are red), make it transparent, or draw lines on it.',
         done: ({ view }, before) => view.looks.value !== before.looks,
     },
     {

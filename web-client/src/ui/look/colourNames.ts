@@ -1,7 +1,14 @@
 // What a surface can be coloured by, and the colour maps, in words.
 import type { DatasetDescription, SurfaceKind } from '../../protocol/messages.ts';
 import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
-import { canCome, colourByField, colourFields, deformation, qCriterion, vorticity } from '../../session/picture/surfaceStyleOf.ts';
+import {
+    canCome,
+    colourByField,
+    colourFields,
+    deformation,
+    qCriterion,
+    vorticity,
+} from '../../session/picture/surfaceStyleOf.ts';
 import type { ColourMap } from '../../state/surfaceLook.ts';
 import type { Choice } from './lookStyles.ts';
 
@@ -40,16 +47,18 @@ export function colourChoices(
         { value: 'speed', words: 'Speed' },
         { value: 'age', words: ageName(kind) },
         { value: 's', words: 'Position on the rake' },
-        ...derived
-            .filter(({ value }) => canCome(dataset, value))
-            .map((each) => ({ ...each, disabled: !isThere(each.value) })),
+        ...derived.filter(({ value }) => canCome(dataset, value)).map((each) => ({ ...each, disabled: !isThere(each.value) })),
         ...fields,
         { value: 'constant', words: 'Single colour' },
     ];
 }
 
 /** The name and unit of what colours a surface now. */
-export function colourTitle({ source, scalar }: SurfaceStyle, dataset: DatasetDescription | null, kind: SurfaceKind | undefined): string {
+export function colourTitle(
+    { source, scalar }: SurfaceStyle,
+    dataset: DatasetDescription | null,
+    kind: SurfaceKind | undefined,
+): string {
     if (source === 's') return 'Position on the rake';
     if (source === 'age') return ageName(kind);
     if (scalar === deformation) return 'Stretching (log₂ of area)';

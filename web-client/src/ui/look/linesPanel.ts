@@ -26,9 +26,11 @@ export class LinesPanel extends SignalElement {
             ${selectRow('lines', 'Stripes', kinds, lines, (chosen) => this.change({ lines: chosen }))}
             ${checkRow('texture', 'Flow texture', texture, (on) => this.change({ texture: on, animated: on && animated }))}
             ${checkRow('animated', 'Moving with the flow', animated, (on) => this.change({ animated: on }), !texture)}
-            ${matchMedia('(prefers-reduced-motion: reduce)').matches && animated
-                ? html`<p class="quiet">Animation is off: your system asks for reduced motion.</p>`
-                : nothing}
+            ${
+                matchMedia('(prefers-reduced-motion: reduce)').matches && animated
+                    ? html`<p class="quiet">Animation is off: your system asks for reduced motion.</p>`
+                    : nothing
+            }
             ${sliderRow({
                 ...{ id: 'density', words: 'Density', value: Math.log2(density), low: -2, high: 2, step: 0.5 },
                 shown: `× ${Number(density.toPrecision(2))}`,

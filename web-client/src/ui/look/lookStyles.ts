@@ -61,7 +61,13 @@ export const lookStyles = css`
     }
 `;
 
-export function checkRow(id: string, words: string, checked: boolean, change: (on: boolean) => void, disabled = false): TemplateResult {
+export function checkRow(
+    id: string,
+    words: string,
+    checked: boolean,
+    change: (on: boolean) => void,
+    disabled = false,
+): TemplateResult {
     return html`<label class="check" for=${id}>
         <input
             id=${id}

@@ -62,11 +62,13 @@ export class PaintPanel extends SignalElement {
                 <button id="reveal-all" type="button" @click=${() => this.fill(true)}>Reveal all</button>
                 <button id="hide-all" type="button" @click=${() => this.fill(false)}>Hide all</button>
             </div>
-            ${view.paintLeftOut.value.has(this.model.state.activeSurface.value ?? '')
-                ? html`<p role="status">
+            ${
+                view.paintLeftOut.value.has(this.model.state.activeSurface.value ?? '')
+                    ? html`<p role="status">
                       The painting is too detailed for a link or a saved view: both will show the whole surface. Use fewer, larger strokes.
                   </p>`
-                : nothing}
+                    : nothing
+            }
             <p class="quiet">Drag in the picture. Without a pointer, press “Reveal all” and set a range under “Part shown”.</p>
         `;
     }
@@ -90,15 +92,19 @@ export class PaintPanel extends SignalElement {
     private parts(look: SurfaceLook, parts: readonly SurfacePart[]): TemplateResult {
         const more = parts.length - listedAtMost;
         return html`
-            ${parts.slice(0, listedAtMost).map((part, i) =>
-                checkRow(`part-${i + 1}`, `Part ${i + 1}: ${countWords(part.cells)} quads`, !part.hidden, (on) =>
-                    this.showPart(look, parts, part, on),
-                ),
-            )}
+            ${parts
+                .slice(0, listedAtMost)
+                .map((part, i) =>
+                    checkRow(`part-${i + 1}`, `Part ${i + 1}: ${countWords(part.cells)} quads`, !part.hidden, (on) =>
+                        this.showPart(look, parts, part, on),
+                    ),
+                )}
             ${more > 0 ? html`<p class="quiet">and ${more} more; to hide one, click it in the picture</p>` : nothing}
-            ${look.hiddenParts.length > partsAtMost
-                ? html`<p role="status">A link or a saved view hides only the first ${partsAtMost} of these parts.</p>`
-                : nothing}
+            ${
+                look.hiddenParts.length > partsAtMost
+                    ? html`<p role="status">A link or a saved view hides only the first ${partsAtMost} of these parts.</p>`
+                    : nothing
+            }
             <div class="buttons">
                 ${this.tool('hidePart', 'Hide by clicking')}
                 <button id="show-parts" type="button" ?disabled=${look.hiddenParts.length === 0} @click=${() => this.change({ hiddenParts: [] })}>

@@ -86,8 +86,7 @@ export class ScalarBar extends SignalElement {
             <canvas width=${tableSize} height="1" aria-hidden="true"></canvas>
             <div class="ticks" aria-hidden="true">
                 ${colourTicks(low, high, style.logarithmic, 5).map(
-                    ({ value, label }) =>
-                        html`<span data-at=${fractionOf(value, colours, style.logarithmic)}>${label}</span>`,
+                    ({ value, label }) => html`<span data-at=${fractionOf(value, colours, style.logarithmic)}>${label}</span>`,
                 )}
             </div>
         </figure>`;

@@ -26,9 +26,11 @@ export class WindowsPanel extends SignalElement {
         return html`
             ${this.window('sWindow', 's-window', 'Position on the rake', look.sWindow, [0, 1])}
             ${this.window('ageWindow', 'age-window', ageName(state.surface.value?.kind), look.ageWindow, span.age)}
-            ${shown
-                ? html`<div class="buttons"><button id="show-whole" type="button" @click=${this.reset}>Show all of it</button></div>`
-                : nothing}
+            ${
+                shown
+                    ? html`<div class="buttons"><button id="show-whole" type="button" @click=${this.reset}>Show all of it</button></div>`
+                    : nothing
+            }
         `;
     }
 
@@ -40,7 +42,12 @@ export class WindowsPanel extends SignalElement {
         // Ages come in steps of the wire: the youngest is zero but for one of those.
         const slider = (end: 'from' | 'to', value: number): TemplateResult =>
             sliderRow({
-                ...{ id: `${id}-${end}`, words: `${words}, ${end}`, value, shown: shortNumber(Math.abs(value) < step / 2 ? 0 : value) },
+                ...{
+                    id: `${id}-${end}`,
+                    words: `${words}, ${end}`,
+                    value,
+                    shown: shortNumber(Math.abs(value) < step / 2 ? 0 : value),
+                },
                 ...{ low: whole[0], high: whole[1], step },
                 change: (at) => this.change(name, end === 'from' ? [at, Math.max(at, high)] : [Math.min(at, low), at], whole),
             });

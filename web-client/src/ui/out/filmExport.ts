@@ -93,8 +93,7 @@ export class FilmExport extends SignalElement {
         if (!canEncode()) {
             return 'Recording needs a current browser over HTTPS (or on localhost).';
         }
-        if (state.role.value === 'viewer')
-            return 'View-only link: recording changes the shared time, which you cannot do.';
+        if (state.role.value === 'viewer') return 'View-only link: recording changes the shared time, which you cannot do.';
         return playback.mode.value === 'none' ? 'The data have only one time-step: there is nothing to play.' : null;
     }
 

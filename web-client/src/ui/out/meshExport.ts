@@ -41,8 +41,7 @@ export class MeshExport extends SignalElement {
                 >Format
                 <select id="mesh-format" @change=${this.formatChosen}>
                     ${choices.map(
-                        (each) =>
-                            html`<option value=${each.value} .selected=${each === chosen.value}>${each.words}</option>`,
+                        (each) => html`<option value=${each.value} .selected=${each === chosen.value}>${each.words}</option>`,
                     )}
                 </select>
             </label>

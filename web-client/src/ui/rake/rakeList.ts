@@ -133,8 +133,8 @@ export class RakeList extends SignalElement {
                     Delete
                 </button>
                 <span></span>
-                ${this.turn('Undo', '↶', 'Ctrl+Z', history.undoable.value, () => edits.undo())}
-                ${this.turn('Redo', '↷', 'Ctrl+Shift+Z', history.redoable.value, () => edits.redo())}
+                ${this.turn('Undo', '↶', 'Ctrl+Z', history.undoable.value, () => void edits.undo())}
+                ${this.turn('Redo', '↷', 'Ctrl+Shift+Z', history.redoable.value, () => void edits.redo())}
             </div>
             <p role="status" ?hidden=${history.words.value === ''}>${history.words.value}</p>
         `;

@@ -108,9 +108,7 @@ export class RakePanel extends SignalElement {
         return html`<div class="pair">
             <label>Shape
                 <select id="shape" @change=${change}>
-                    ${choices.map(
-                        ([value, words]) => html`<option value=${value} .selected=${value === kind}>${words}</option>`,
-                    )}
+                    ${choices.map(([value, words]) => html`<option value=${value} .selected=${value === kind}>${words}</option>`)}
                 </select>
             </label>
             <label>Seeds
@@ -231,9 +229,11 @@ export class RakePanel extends SignalElement {
                 @click=${() => this.place(target, placing)}>
                 ${placing ? 'Click in the picture (Esc to cancel)' : `Place ${name} with a click`}
             </button>
-            ${(kind === 'polyline' || kind === 'line') && target !== 'middle'
-                ? this.pointButtons(target as number, points.length)
-                : nothing}
+            ${
+                (kind === 'polyline' || kind === 'line') && target !== 'middle'
+                    ? this.pointButtons(target as number, points.length)
+                    : nothing
+            }
         </div>`;
     }
 
@@ -317,7 +317,10 @@ export class RakePanel extends SignalElement {
         const { problems } = this.model.state;
         if (typed < low || typed > high) {
             const [from, to] = [shortNumber(low), shortNumber(high)];
-            problems.say(numberProblems.shape, `The domain extends from ${axes[axis]} = ${from} to ${to}: the rake stops at its edge.`);
+            problems.say(
+                numberProblems.shape,
+                `The domain extends from ${axes[axis]} = ${from} to ${to}: the rake stops at its edge.`,
+            );
         } else problems.solved(numberProblems.shape);
         field.value = numberText(this.placeOf(handle)[axis]);
     }

@@ -40,26 +40,34 @@ export function sessionCard(entry: SessionEntry, card: CardState, acts: CardActs
             <p class="quiet">${useWords(entry, others, card.here)}</p>
             <p class="quiet">${contentWords(entry)}</p>
             ${people(entry)}
-            ${card.question === 'rename'
-                ? renaming(entry, acts)
-                : card.question === 'delete'
-                  ? deleting(entry, others, acts)
-                  : html`<div class="actions">
+            ${
+                card.question === 'rename'
+                    ? renaming(entry, acts)
+                    : card.question === 'delete'
+                      ? deleting(entry, others, acts)
+                      : html`<div class="actions">
                         ${card.here ? nothing : html`<button type="button" @click=${() => acts.open(entry)}>Open</button>`}
                         ${card.hosts ? html`<button type="button" @click=${() => acts.ask(session, 'rename')}>Rename</button>` : nothing}
                         ${card.makes ? html`<button type="button" @click=${() => acts.copy(entry)}>Copy</button>` : nothing}
                         <button type="button" @click=${() => acts.export(entry)}>Export</button>
-                        ${card.hosts && session !== 'main'
-                            ? html`<button type="button" @click=${() => (others > 0 ? acts.ask(session, 'delete') : acts.delete(entry))}>
+                        ${
+                            card.hosts && session !== 'main'
+                                ? html`<button type="button" @click=${() => (others > 0 ? acts.ask(session, 'delete') : acts.delete(entry))}>
                                   Delete
                               </button>`
-                            : nothing}
-                    </div>`}
+                                : nothing
+                        }
+                    </div>`
+            }
         </div>
     </li>`;
 }
 
-export function trashCard(entry: SessionEntry, { question, look }: Pick<CardState, 'question' | 'look'>, acts: CardActs): TemplateResult {
+export function trashCard(
+    entry: SessionEntry,
+    { question, look }: Pick<CardState, 'question' | 'look'>,
+    acts: CardActs,
+): TemplateResult {
     const { session, name, deletedAt = '', deletedUntil = '' } = entry;
     return html`<li class="card trash" data-session=${session}>
         ${picture(entry, look, `Restore ${name}`, () => acts.restore(entry))}
@@ -68,16 +76,18 @@ export function trashCard(entry: SessionEntry, { question, look }: Pick<CardStat
             <p class="quiet">Deleted ${agoWords(deletedAt)}, kept until ${dayWords(deletedUntil)}</p>
             <p class="quiet">${contentWords(entry)}</p>
             ${people(entry)}
-            ${question === 'forever'
-                ? html`<p class="asked">This cannot be undone.</p>
+            ${
+                question === 'forever'
+                    ? html`<p class="asked">This cannot be undone.</p>
                       <div class="actions">
                           <button type="button" @click=${() => acts.deleteForever(entry)}>Delete permanently</button>
                           <button type="button" @click=${() => acts.ask(session, null)}>Keep</button>
                       </div>`
-                : html`<div class="actions">
+                    : html`<div class="actions">
                       <button type="button" @click=${() => acts.restore(entry)}>Restore</button>
                       <button type="button" @click=${() => acts.ask(session, 'forever')}>Delete permanently …</button>
-                  </div>`}
+                  </div>`
+            }
         </div>
     </li>`;
 }
@@ -85,9 +95,11 @@ export function trashCard(entry: SessionEntry, { question, look }: Pick<CardStat
 function picture({ session, thumbnail }: SessionEntry, look: number, label: string, open: () => void): TemplateResult {
     const name = thumbnail ? label : `${label}, no picture yet`;
     return html`<button type="button" class="picture" aria-label=${name} title=${label} @click=${open}>
-        ${thumbnail
-            ? html`<img loading="lazy" alt="" src=${`api/v1/sessions/${encodeURIComponent(session)}/thumbnail?look=${look}`} />`
-            : 'no picture yet'}
+        ${
+            thumbnail
+                ? html`<img loading="lazy" alt="" src=${`api/v1/sessions/${encodeURIComponent(session)}/thumbnail?look=${look}`} />`
+                : 'no picture yet'
+        }
     </button>`;
 }
 
@@ -127,7 +139,12 @@ function useWords({ lastUsed }: SessionEntry, others: number, here: boolean): st
 
 function contentWords({ rakes, surfaces, annotations, bookmarks, edited }: SessionEntry): string {
     if (!edited) return 'nothing edited yet';
-    const counts: [number, string][] = [[rakes, 'rake'], [surfaces, 'surface'], [annotations, 'note'], [bookmarks, 'view']];
+    const counts: [number, string][] = [
+        [rakes, 'rake'],
+        [surfaces, 'surface'],
+        [annotations, 'note'],
+        [bookmarks, 'view'],
+    ];
     const words = counts.filter(([count]) => count > 0).map(([count, word]) => `${count} ${word}${count === 1 ? '' : 's'}`);
     return words.length === 0 ? 'empty' : words.join(', ');
 }

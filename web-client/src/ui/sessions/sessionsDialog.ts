@@ -46,12 +46,14 @@ export class SessionsDialog extends SignalElement {
         return html`<dialog aria-labelledby="sessions-head" @close=${this.closed}>
             <div class="head">
                 <h2 id="sessions-head">Sessions</h2>
-                ${shelf.ownOnly.value
-                    ? nothing
-                    : html`<div class="choice" role="group" aria-label="Which sessions">
+                ${
+                    shelf.ownOnly.value
+                        ? nothing
+                        : html`<div class="choice" role="group" aria-label="Which sessions">
                           ${this.choice(`On this server (${shelf.sessions.value?.length ?? '…'})`, false)}
                           ${this.choice(`Trash (${trash.length})`, true)}
-                      </div>`}
+                      </div>`
+                }
                 <button type="button" aria-label="Close" @click=${() => this.close()}>✕</button>
             </div>
             <div role="status" aria-live="polite">${this.said('done')}</div>
@@ -73,7 +75,9 @@ export class SessionsDialog extends SignalElement {
             else this.model.shelf.unwatch();
         }
         // Colours through the object model: the content security policy forbids style attributes.
-        for (const dot of this.renderRoot.querySelectorAll<HTMLElement>('.dot')) dot.style.background = dot.dataset['colour'] ?? '';
+        for (const dot of this.renderRoot.querySelectorAll<HTMLElement>('.dot')) {
+            dot.style.background = dot.dataset['colour'] ?? '';
+        }
         this.renderRoot.querySelector<HTMLInputElement>('.rename input:not(:focus)')?.select();
     }
 
@@ -120,7 +124,9 @@ export class SessionsDialog extends SignalElement {
     }
 
     private trouble(): TemplateResult[] {
-        return [...this.model.shelf.problems.all.value.values()].map((words) => html`<p class="said problem"><span class="words">${words}</span></p>`);
+        return [...this.model.shelf.problems.all.value.values()].map(
+            (words) => html`<p class="said problem"><span class="words">${words}</span></p>`,
+        );
     }
 
     private kept(): TemplateResult {
@@ -131,7 +137,8 @@ export class SessionsDialog extends SignalElement {
         const found = all.filter((entry) => wanted === '' || textOf(entry).includes(wanted));
         const hosts = state.role.value === 'host';
         const makes = !shelf.ownOnly.value;
-        return html`${all.length < searchFrom
+        return html`${
+            all.length < searchFrom
                 ? nothing
                 : html`<input
                       class="search"
@@ -139,7 +146,8 @@ export class SessionsDialog extends SignalElement {
                       placeholder="Find by name or people"
                       .value=${this.sought.value}
                       @input=${(event: Event) => (this.sought.value = (event.target as HTMLInputElement).value)}
-                  />`}
+                  />`
+        }
             ${makes ? nothing : html`<p class="quiet">Your link is for one session only.</p>`}
             ${found.length === 0 ? html`<p class="quiet">No session and no person matches this search.</p>` : nothing}
             <ul aria-label="Sessions on this server">
@@ -148,7 +156,11 @@ export class SessionsDialog extends SignalElement {
                     ({ session }) => session,
                     (entry) => {
                         const here = this.isHere(entry);
-                        return sessionCard(entry, { here, hosts, makes, question: this.questionOf(entry), look: this.look }, this.acts);
+                        return sessionCard(
+                            entry,
+                            { here, hosts, makes, question: this.questionOf(entry), look: this.look },
+                            this.acts,
+                        );
                     },
                 )}
             </ul>`;
@@ -189,11 +201,13 @@ export class SessionsDialog extends SignalElement {
         return html`<div class="foot">
             <form aria-label="A new session" @submit=${this.create}>
                 <input name="name" maxlength="80" aria-label="Name of the new session" placeholder="Name of the new session" required />
-                ${datasets.length < 2
-                    ? nothing
-                    : html`<select name="dataset" aria-label="Dataset of the new session">
+                ${
+                    datasets.length < 2
+                        ? nothing
+                        : html`<select name="dataset" aria-label="Dataset of the new session">
                           ${datasets.map(({ dataset, name }) => html`<option value=${dataset} .selected=${dataset === shown}>${name}</option>`)}
-                      </select>`}
+                      </select>`
+                }
                 <button type="submit" ?disabled=${busy}>New session</button>
             </form>
             <button type="button" ?disabled=${busy} @click=${() => this.fileInput?.click()}>Import a file …</button>
@@ -209,8 +223,9 @@ export class SessionsDialog extends SignalElement {
     private readonly create = (event: Event): void => {
         event.preventDefault();
         const values = new FormData(event.target as HTMLFormElement);
-        const [name, dataset] = [values.get('name'), values.get('dataset') ?? this.model.state.dataset.value?.dataset ?? null];
-        void this.model.shelf.create(String(name).trim(), dataset === null ? null : String(dataset));
+        const text = (field: string): string | null => values.get(field) as string | null; // none of them is a file
+        const dataset = text('dataset') ?? this.model.state.dataset.value?.dataset ?? null;
+        void this.model.shelf.create(text('name')?.trim() ?? '', dataset);
     };
 
     private readonly import = (event: Event): void => {

@@ -116,28 +116,34 @@ export class LinksPanel extends SignalElement {
                 <button type="button" id="share" @click=${this.make}>Make a link</button>
             </div>
             <p class="quiet">A link is valid for 7 days unless you choose another time here. You can revoke it at any time.</p>
-            ${made === null
-                ? nothing
-                : html`<div class="made">
+            ${
+                made === null
+                    ? nothing
+                    : html`<div class="made">
                           <input id="share-link" readonly aria-label="Link" .value=${made.link} />
                           <button type="button" @click=${() => this.copy(made.link)}>
                               ${this.copied.value ? 'Copied' : 'Copy'}
                           </button>
                       </div>
-                      <p class="quiet">Anyone who opens this link ${roleWords[made.role]}. It is valid until ${untilWords(made.expires)}, and it is not shown again.</p>`}
-            ${this.shares.value.length === 0
-                ? nothing
-                : html`<ul aria-label="Valid links">
+                      <p class="quiet">Anyone who opens this link ${roleWords[made.role]}. It is valid until ${untilWords(made.expires)}, and it is not shown again.</p>`
+            }
+            ${
+                this.shares.value.length === 0
+                    ? nothing
+                    : html`<ul aria-label="Valid links">
                       ${this.shares.value.map((share) => this.share(share))}
-                  </ul>`}
+                  </ul>`
+            }
             <div class="fork">
                 <button type="button" id="fork" @click=${this.fork}>Continue in a copy</button>
-                ${this.forked.value === null
-                    ? nothing
-                    : html`<p>
+                ${
+                    this.forked.value === null
+                        ? nothing
+                        : html`<p>
                           <a id="forked" href=${this.forked.value} target="_blank" rel="noopener">Open the copy</a>:
                           the same rakes and surfaces, and no one else in it.
-                      </p>`}
+                      </p>`
+                }
             </div>
         `;
     }
@@ -151,16 +157,20 @@ export class LinksPanel extends SignalElement {
         };
         return html`<li data-grant=${grant}>
             <span
-                >${purposes[role]}, until ${untilWords(expires)}<small>${makerWords(share)}</small>${children === 0
-                    ? nothing
-                    : html`<small>${children === 1 ? '1 link was' : `${children} links were`} made by people who used it</small>`}</span
+                >${purposes[role]}, until ${untilWords(expires)}<small>${makerWords(share)}</small>${
+                    children === 0
+                        ? nothing
+                        : html`<small>${children === 1 ? '1 link was' : `${children} links were`} made by people who used it</small>`
+                }</span
             >
-            ${asked
-                ? html`<p>Revoke the links made by those people as well?</p>
+            ${
+                asked
+                    ? html`<p>Revoke the links made by those people as well?</p>
                       <button type="button" @click=${() => this.takeBack(grant, true)}>${children === 1 ? 'Both' : `All ${children + 1}`}</button>
                       <button type="button" @click=${() => this.takeBack(grant, false)}>Only this one</button>
                       <button type="button" @click=${() => (this.asked.value = null)}>Cancel</button>`
-                : html`<button type="button" @click=${back}>Revoke</button>`}
+                    : html`<button type="button" @click=${back}>Revoke</button>`
+            }
         </li>`;
     }
 
@@ -171,7 +181,10 @@ export class LinksPanel extends SignalElement {
     private async make(): Promise<void> {
         const role = this.chosen('share-role') === 'viewer' ? 'viewer' : 'editor';
         const { seconds } = lifetimes[Number(this.chosen('share-lifetime'))] ?? lifetimes[0]!;
-        const made = await this.model.calls.try('session.share', { role, ...(seconds === undefined ? {} : { expiresIn: seconds }) });
+        const made = await this.model.calls.try('session.share', {
+            role,
+            ...(seconds === undefined ? {} : { expiresIn: seconds }),
+        });
         if (made === null) return;
         this.copied.value = false;
         const state = new URLSearchParams(new URL(this.model.views.link()).hash.slice(1)).get('state') ?? '';

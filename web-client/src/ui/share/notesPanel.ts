@@ -50,15 +50,17 @@ export class NotesPanel extends SignalElement {
             <div class="row">
                 <span class="quiet">${author}</span>
                 <button type="button" @click=${show}>Show</button>
-                ${state.role.value === 'viewer'
-                    ? nothing
-                    : html`<button
+                ${
+                    state.role.value === 'viewer'
+                        ? nothing
+                        : html`<button
                               type="button"
                               @click=${() => (view.note.value = { annotation, text, position, surface })}
                           >
                               Change
                           </button>
-                          <button type="button" @click=${() => calls.try('annotation.delete', { annotation })}>Delete</button>`}
+                          <button type="button" @click=${() => calls.try('annotation.delete', { annotation })}>Delete</button>`
+                }
             </div>
         </li>`;
     }

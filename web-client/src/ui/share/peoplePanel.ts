@@ -69,14 +69,16 @@ export class PeoplePanel extends SignalElement {
         const you = participant === this.model.state.you.value;
         return html`<li data-participant=${participant} class=${connected ? '' : 'away'}>
             <span class="dot" data-colour=${colour}></span>
-            ${you
-                ? html`<input
+            ${
+                you
+                    ? html`<input
                       aria-label="Your name"
                       maxlength="40"
                       .value=${name}
                       @change=${(event: Event) => this.model.rename((event.target as HTMLInputElement).value.trim())}
                   />`
-                : html`<span class="name" title=${name}>${name}${connected ? '' : ' (away)'}</span>`}
+                    : html`<span class="name" title=${name}>${name}${connected ? '' : ' (away)'}</span>`
+            }
             ${this.mayDo(person, you)} ${you ? nothing : this.follow(person)}
         </li>`;
     }
@@ -113,8 +115,14 @@ export class PeoplePanel extends SignalElement {
             notices.solved('role');
             return;
         }
-        const places = also.length === 0 ? '' : `This also applies to ${also.length === 1 ? 'their other window' : `their ${also.length} other windows`} in this session. `;
-        const others = newcomers === undefined ? '' : `Anyone who uses the same link from now on ${roleWords[newcomers]}; make another link for others.`;
+        const places =
+            also.length === 0
+                ? ''
+                : `This also applies to ${also.length === 1 ? 'their other window' : `their ${also.length} other windows`} in this session. `;
+        const others =
+            newcomers === undefined
+                ? ''
+                : `Anyone who uses the same link from now on ${roleWords[newcomers]}; make another link for others.`;
         notices.say('role', `${places}${others}`.trim());
     }
 

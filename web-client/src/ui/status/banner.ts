@@ -95,9 +95,11 @@ export class Banner extends SignalElement {
         return html`<div class="banner" id="importing">
             <span class="words">${words}</span>
             <progress max="1" .value=${entry.progress ?? 0} aria-label="Import"></progress>
-            ${gone
-                ? html`<button type="button" @click=${() => imports.again()}>Wait again</button>`
-                : html`<button type="button" @click=${() => imports.stop()}>Stop</button>`}
+            ${
+                gone
+                    ? html`<button type="button" @click=${() => imports.again()}>Wait again</button>`
+                    : html`<button type="button" @click=${() => imports.stop()}>Stop</button>`
+            }
         </div>`;
     }
 
@@ -130,12 +132,16 @@ export class Banner extends SignalElement {
         const { words, next } = goneWords(gone.value);
         return html`<div class="banner down" id="gone">
             <span class="words"><strong>${name === '' ? 'This session' : `“${name}”`} ${words}</strong> ${next}</span>
-            ${restorableUntil === null || role.value === 'viewer'
-                ? nothing
-                : html`<button type="button" @click=${() => this.model.restoreSession()}>Restore</button>`}
-            ${restorableUntil === null && remembered
-                ? html`<button type="button" @click=${() => this.model.makeSessionAgain()}>Recreate it</button>`
-                : nothing}
+            ${
+                restorableUntil === null || role.value === 'viewer'
+                    ? nothing
+                    : html`<button type="button" @click=${() => this.model.restoreSession()}>Restore</button>`
+            }
+            ${
+                restorableUntil === null && remembered
+                    ? html`<button type="button" @click=${() => this.model.makeSessionAgain()}>Recreate it</button>`
+                    : nothing
+            }
             <button type="button" @click=${() => (this.model.view.sessionsShown.value = true)}>Sessions</button>
         </div>`;
     }

@@ -71,14 +71,15 @@ export class LatencyPanel extends SignalElement {
                 <span id="latency-total">${sample === null ? '–' : `${Math.round(sample.milliseconds)} ms`}</span>
             </summary>
             <dl>
-                ${!this.open.value
-                    ? nothing
-                    : sample === null
-                    ? html`<dt>There and back</dt>
+                ${
+                    !this.open.value
+                        ? nothing
+                        : sample === null
+                          ? html`<dt>There and back</dt>
                           <dd></dd>
                           <dd>${roundTrip === null ? '–' : words(roundTrip)}</dd>`
-                    : latencyParts.map(
-                          (part) => html`<dt>${partWords[part]}</dt>
+                          : latencyParts.map(
+                                (part) => html`<dt>${partWords[part]}</dt>
                               <dd>
                                   <meter
                                       aria-label=${partWords[part]}
@@ -87,7 +88,8 @@ export class LatencyPanel extends SignalElement {
                                   ></meter>
                               </dd>
                               <dd data-part=${part}>${words(sample.parts[part])}</dd>`,
-                      )}
+                            )
+                }
             </dl>
         </details>`;
     }

@@ -81,12 +81,16 @@ export class StatusPanel extends SignalElement {
             ${this.progress()}
             <wakesurf-quality .model=${this.model}></wakesurf-quality>
             <wakesurf-latency .model=${this.model}></wakesurf-latency>
-            ${phase === 'error' || phase === 'stopped'
-                ? html`<p class="problem">${state.surfaceErrors.value.get(id)?.text ?? ''}</p>`
-                : nothing}
-            ${phase === 'stopped' && state.role.value !== 'viewer'
-                ? html`<button type="button" @click=${() => this.model.edits.changeSurface({})}>Compute it again</button>`
-                : nothing}`;
+            ${
+                phase === 'error' || phase === 'stopped'
+                    ? html`<p class="problem">${state.surfaceErrors.value.get(id)?.text ?? ''}</p>`
+                    : nothing
+            }
+            ${
+                phase === 'stopped' && state.role.value !== 'viewer'
+                    ? html`<button type="button" @click=${() => this.model.edits.changeSurface({})}>Compute it again</button>`
+                    : nothing
+            }`;
     }
 
     private progress(): TemplateResult | typeof nothing {

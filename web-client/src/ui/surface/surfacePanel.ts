@@ -201,9 +201,7 @@ export class SurfacePanel extends SignalElement {
         return html`<label class="row" for=${id}>
             <span>${label}</span>
             <select id=${id} @change=${change}>
-                ${choices.map(
-                    ([value, words]) => html`<option value=${value} .selected=${value === current}>${words}</option>`,
-                )}
+                ${choices.map(([value, words]) => html`<option value=${value} .selected=${value === current}>${words}</option>`)}
             </select>
         </label>`;
     }
@@ -217,8 +215,9 @@ export class SurfacePanel extends SignalElement {
         const locked = state.locked.value;
         const choose = (event: Event): void => edits.chooseSurface((event.target as HTMLSelectElement).value);
         return html`<div class="several" role="group" aria-label="Surfaces of this rake">
-            ${own.length > 1
-                ? html`<select id="which-surface" aria-label="Surface" @change=${choose}>
+            ${
+                own.length > 1
+                    ? html`<select id="which-surface" aria-label="Surface" @change=${choose}>
                       ${own.map(
                           (each, i) =>
                               html`<option value=${each.surface} .selected=${each.surface === active}>
@@ -226,12 +225,14 @@ export class SurfacePanel extends SignalElement {
                               </option>`,
                       )}
                   </select>`
-                : html`<span></span>`}
+                    : html`<span></span>`
+            }
             <button type="button" ?disabled=${locked} @click=${() => edits.actions.addSurface(rake)}>
                 Add surface
             </button>
-            ${own.length > 0
-                ? html`<button
+            ${
+                own.length > 0
+                    ? html`<button
                       type="button"
                       aria-label="Delete surface"
                       title="Delete this surface; the rake stays"
@@ -240,7 +241,8 @@ export class SurfacePanel extends SignalElement {
                   >
                       Delete
                   </button>`
-                : nothing}
+                    : nothing
+            }
         </div>`;
     }
 
@@ -252,11 +254,7 @@ export class SurfacePanel extends SignalElement {
         return withUnit(shortNumber(value), this.model.view.units.value.length);
     }
 
-    private kindChoice(
-        kind: SurfaceKind,
-        label: string,
-        { times, steady }: DatasetDescription,
-    ): TemplateResult {
+    private kindChoice(kind: SurfaceKind, label: string, { times, steady }: DatasetDescription): TemplateResult {
         const { edits, state } = this.model;
         const still = kind !== 'stream' && times.length < 2 && !steady;
         const disabled = still || !state.capabilities.value.includes(kind);
@@ -338,10 +336,7 @@ export class SurfacePanel extends SignalElement {
         if (!choices.some(({ value }) => close(value))) {
             choices.push({ value: current, words: this.length(current) });
         }
-        return choices.map(
-            ({ value, words }) =>
-                html`<option value=${value} .selected=${close(value)}>${words}</option>`,
-        );
+        return choices.map(({ value, words }) => html`<option value=${value} .selected=${close(value)}>${words}</option>`);
     }
 
     private lengthChanged(event: Event): void {

@@ -87,12 +87,7 @@ export class TimeBar extends SignalElement {
     private buttons(disabled: boolean): TemplateResult {
         const { playback } = this.model;
         const playing = playback.playing.value;
-        const button = (
-            words: string,
-            keys: string,
-            sign: TemplateResult,
-            action: () => unknown,
-        ): TemplateResult =>
+        const button = (words: string, keys: string, sign: TemplateResult, action: () => unknown): TemplateResult =>
             html`<button type="button" aria-label=${words} title=${keys} ?disabled=${disabled} @click=${action}>
                 ${sign}
             </button>`;

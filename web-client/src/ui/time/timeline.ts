@@ -87,8 +87,7 @@ export class Timeline extends SignalElement {
         const backward = record !== undefined && record.to < record.from;
         const released = releasedSpan(surface, record?.kind ?? 'path', backward, record?.releaseUntil);
         const end = released[backward ? 0 : 1];
-        const width = (low: number, high: number): string =>
-            `${Math.max(0, parseFloat(at(high)) - parseFloat(at(low)))}%`;
+        const width = (low: number, high: number): string => `${Math.max(0, parseFloat(at(high)) - parseFloat(at(low)))}%`;
         return svg`
             <rect class="shown" x=${at(surface[0])} width=${width(...surface)} y="6" height="8" rx="2" />
             <rect class="released" x=${at(released[0])} width=${width(...released)} y="6" height="8" rx="2" />
@@ -140,7 +139,11 @@ export class Timeline extends SignalElement {
         return this.slider(line, {
             ...{ id: 'time', handle: 'release-handle', at: from },
             disabled: this.mayNot || state.times.value.length < 2,
-            ...{ label: 'Release', words: `released at ${this.words(from)}`, title: 'Drag to change when the surface is released' },
+            ...{
+                label: 'Release',
+                words: `released at ${this.words(from)}`,
+                title: 'Drag to change when the surface is released',
+            },
             ...{ moved: (event) => playback.release(valueOf(event)), keyed: this.releaseKeyed },
         });
     }

@@ -44,12 +44,14 @@ export class BookmarksPanel extends SignalElement {
         const bookmarks = [...state.bookmarks.value.values()];
         const viewer = state.role.value === 'viewer';
         return html`
-            ${viewer
-                ? nothing
-                : html`<form @submit=${this.add}>
+            ${
+                viewer
+                    ? nothing
+                    : html`<form @submit=${this.add}>
                       <input id="bookmark-name" required maxlength="60" aria-label="Name of the view" placeholder="Name of this view" />
                       <button type="submit">Keep</button>
-                  </form>`}
+                  </form>`
+            }
             <ul aria-label="Saved views">
                 ${bookmarks.map((bookmark) => this.row(bookmark, viewer))}
             </ul>
@@ -62,15 +64,17 @@ export class BookmarksPanel extends SignalElement {
             <button type="button" class="go" title=${name} @click=${() => this.show(record)}>
                 ${name}${time === undefined ? nothing : html` <span class="quiet">t = ${shortNumber(time)}</span>`}
             </button>
-            ${viewer
-                ? nothing
-                : html`<button
+            ${
+                viewer
+                    ? nothing
+                    : html`<button
                       type="button"
                       aria-label=${`Delete the view ${name}`}
                       @click=${() => this.model.calls.try('bookmark.delete', { bookmark })}
                   >
                       ✕
-                  </button>`}
+                  </button>`
+            }
         </li>`;
     }
 

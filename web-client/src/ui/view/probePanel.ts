@@ -65,15 +65,19 @@ export class ProbePanel extends SignalElement {
                 view.tool.value = 'probe';
                 probing.probeThere(point);
             })}
-            ${reading === null
-                ? html`<p class="quiet">Choose Probe over the picture and point at something, or type where.</p>`
-                : this.reading(reading)}
+            ${
+                reading === null
+                    ? html`<p class="quiet">Choose Probe over the picture and point at something, or type where.</p>`
+                    : this.reading(reading)
+            }
             ${this.measured()}
         `;
     }
 
     private reading({ inside, time, values }: ProbeReading): TemplateResult {
-        if (!inside) return html`<p class="quiet">There is no flow at this point: it is outside the domain or inside the body.</p>`;
+        if (!inside) {
+            return html`<p class="quiet">There is no flow at this point: it is outside the domain or inside the body.</p>`;
+        }
         const fields = this.model.state.dataset.value?.fields ?? [];
         return html`<dl id="probe-values">
             ${values.map(({ name, value }) => {

@@ -46,8 +46,7 @@ export class SurroundingsPanel extends SignalElement {
             >Colours of the page
             <select id="theme" @change=${this.choose}>
                 ${themes.map(
-                    ({ theme, words }) =>
-                        html`<option value=${theme} .selected=${theme === view.theme.value}>${words}</option>`,
+                    ({ theme, words }) => html`<option value=${theme} .selected=${theme === view.theme.value}>${words}</option>`,
                 )}
             </select>
         </label>`;
