@@ -2,8 +2,9 @@
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { allowLostConnections } from './support/complaints.ts';
 import { dragHandle } from './support/rake_drag.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
@@ -40,6 +41,8 @@ function connectionIs(page: Page, wanted: 'open' | 'down', timeout: number): Pro
 }
 
 describe('the connection', () => {
+    beforeEach(allowLostConnections);
+
     it('resumes after the server was killed and started again, with the same rake', async () => {
         const page = await open(server.link);
         await finalSurface(page);

@@ -5,6 +5,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import type { SessionEntry } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { expectComplaint } from './support/complaints.ts';
 import { dragHandle } from './support/rake_drag.ts';
 import { useStand } from './support/stand.ts';
 
@@ -239,6 +240,7 @@ describe('a session as a file', () => {
         await finalSurface(page);
         expect(await ask(page, (hook) => hook.rakePoints)).toEqual(points);
 
+        expectComplaint(/status of 400 .*\/api\/v1\/sessions/);
         await openList(page);
         await page
             .getByLabel('File of a session')

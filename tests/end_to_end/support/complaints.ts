@@ -4,6 +4,7 @@ import type { Browser, BrowserContext } from 'playwright-core';
 
 const heard: string[] = [];
 const expected: RegExp[] = [];
+const allowed: RegExp[] = [];
 
 function hear(context: BrowserContext): void {
     context.on('weberror', (event) => {
@@ -26,10 +27,20 @@ export function expectComplaint(pattern: RegExp): void {
     expected.push(pattern);
 }
 
+/** The same of a complaint that the browser makes or not, as fast as it is. */
+function allowComplaint(pattern: RegExp): void {
+    allowed.push(pattern);
+}
+
+/** For a test that ends connections: the browser says so of each attempt that it makes meanwhile. */
+export function allowLostConnections(): void {
+    allowComplaint(/net::ERR_(CONNECTION_REFUSED|INTERNET_DISCONNECTED|CONNECTION_RESET|EMPTY_RESPONSE)/);
+}
+
 /** What is wrong with the complaints heard since the last call: those that no test expected, and the expected ones that never came. */
 export function takeComplaints(): string[] {
-    const [complaints, patterns] = [heard.splice(0), expected.splice(0)];
-    const unexpected = complaints.filter((complaint) => !patterns.some((pattern) => pattern.test(complaint)));
-    const missing = patterns.filter((pattern) => !complaints.some((complaint) => pattern.test(complaint)));
+    const [complaints, wanted, known] = [heard.splice(0), expected.splice(0), allowed.splice(0)];
+    const unexpected = complaints.filter((complaint) => ![...wanted, ...known].some((pattern) => pattern.test(complaint)));
+    const missing = wanted.filter((pattern) => !complaints.some((complaint) => pattern.test(complaint)));
     return [...unexpected, ...missing.map((pattern) => `no page complained: ${pattern}`)];
 }
