@@ -56,11 +56,4 @@ Error WorkMemory::refusal(std::string_view what) const {
     return account_.refusal(what, wanted_);
 }
 
-void WorkMemory::clear() {
-    const std::lock_guard lock(mutex_);
-    share_.shrink_to(0);
-    taken_ = reserved_ = wanted_ = 0;
-    exhausted_ = false;
-}
-
 } // namespace wakesurf::core

@@ -48,9 +48,6 @@ class WorkMemory {
     /// Why the work ended. REQUIRES: exhausted().
     Error refusal(std::string_view what) const;
 
-    /// What it took so far is free again; nothing was refused.
-    void clear();
-
   private:
     bool reserve(std::size_t bytes);
     void give_way_from_now_on();
