@@ -143,16 +143,25 @@ tl::expected<Visitor, Refusal> Gate::check(const HttpRequest& request) {
     auto identity = check_token(request);
     if (!identity)
         return identity;
-    const bool harmless = (request.method == "GET" || request.method == "HEAD") && !request.upgrade;
-    if (auto refusal = harmless ? std::nullopt : check_sender(request))
+    if (auto refusal = check_sender(request))
         return tl::unexpected(std::move(*refusal));
     return identity;
+}
+
+bool Gate::is_host(const HttpRequest& header) {
+    if (check_open(header))
+        return false;
+    if (options_.token.empty())
+        return true;
+    const auto visitor = visitor_of(header);
+    return visitor && visitor->grant.empty() && !check_sender(header);
 }
 
 /// A browser says where a page that posts or opens a WebSocket comes from. Without that only the token itself will
 /// do, because the cookie goes along with other pages' requests in browsers that do not know SameSite.
 std::optional<Refusal> Gate::check_sender(const HttpRequest& request) const {
-    if (!request.all("origin").empty() || !request.all("authorization").empty())
+    const bool harmless = (request.method == "GET" || request.method == "HEAD") && !request.upgrade;
+    if (harmless || !request.all("origin").empty() || !request.all("authorization").empty())
         return std::nullopt;
     return Refusal{403, "the request says no Origin", "send the token in an Authorization header"};
 }

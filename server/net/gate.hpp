@@ -60,6 +60,9 @@ class Gate {
     /// Who comes. Without authentication everyone is a host.
     tl::expected<Visitor, Refusal> check(const HttpRequest& request);
 
+    /// Whether check() will let it in as a host, by its header; counts nothing.
+    bool is_host(const HttpRequest& header);
+
     /// Whether that is still so, for answers that took their time.
     bool still(const Visitor& visitor) const;
 

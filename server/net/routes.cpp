@@ -133,8 +133,7 @@ tl::expected<Admitted, HttpResponse> Routes::admit_upgrade(const HttpRequest& re
 std::size_t Routes::longest_body(const HttpRequest& header) {
     if (header.method != "POST" || header.path != SessionFiles::import_path)
         return limits::message_bytes;
-    const auto visitor = gate_.check(header);
-    return visitor && visitor->grant.empty() ? limits::session_file_bytes : limits::message_bytes;
+    return gate_.is_host(header) ? limits::session_file_bytes : limits::message_bytes;
 }
 
 void Routes::handle(const HttpRequest& request,

@@ -216,6 +216,25 @@ TEST_F(GateTest, LimitsWrongTokensButNeverTheRightOne) {
     EXPECT_EQ(attempt("wrong"), 401u);
 }
 
+TEST_F(GateTest, KnowsAHostByTheHeaderAndCountsNothing) {
+    const auto host = [&](std::vector<std::pair<std::string, std::string>> headers) {
+        return gate.is_host(request("POST", std::move(headers)));
+    };
+    const std::pair<std::string, std::string> here{"host", "localhost"};
+    EXPECT_TRUE(host({here, {"authorization", "Bearer " + token}}));
+    EXPECT_TRUE(host({here, {"cookie", cookie()}, {"origin", "http://localhost:8080"}}));
+    EXPECT_FALSE(host({here, {"cookie", cookie()}})) << "another page's, perhaps";
+    EXPECT_FALSE(host({{"host", "evil.example"}, {"authorization", "Bearer " + token}}));
+    const auto link = grants.make("main", Role::Editor, {});
+    ASSERT_TRUE(link);
+    EXPECT_FALSE(host({here, {"authorization", "Bearer " + link->key}}));
+    for (int i = 0; i < 1000; ++i) {
+        EXPECT_FALSE(host({here, {"authorization", "Bearer wrong"}}));
+        EXPECT_FALSE(host({here}));
+    }
+    EXPECT_EQ(status(request("POST", {here, {"authorization", "Bearer wrong"}})), 401u);
+}
+
 TEST_F(GateTest, LimitsWhatAnAddressAsksForWithoutAToken) {
     std::size_t answered = 0;
     for (int i = 0; i < 10000; ++i)

@@ -164,6 +164,23 @@ TEST_F(Http, LimitsWrongTokensAndStillLetsTheRightOneIn) {
     EXPECT_EQ(get("/openrpc.json", server_->bearer()).status, 200);
 }
 
+TEST(HttpWrongTokens, CountOnceOnEachPath) {
+    for (const std::string path : {"/rpc", "/api/v1/sessions"}) {
+        const ServerProcess server({"flow:lamb-oseen"});
+        int limited = 0;
+        for (int i = 0; i < 100; ++i)
+            limited += http(server.port(), "POST", path, {{"Authorization", "Bearer wrong"}}, "{}")
+                                   .status == 429
+                           ? 1
+                           : 0;
+        EXPECT_GT(limited, 0) << path;
+        const std::string counted = http(server.port(), "GET", "/metrics", server.bearer()).body;
+        const std::string line =
+            R"(wakesurf_over_budget_total{kind="wrong_tokens"} )" + std::to_string(limited) + "\n";
+        EXPECT_NE(counted.find(line), std::string::npos) << path << ": " << line << counted;
+    }
+}
+
 TEST_F(Http, TellsItsHealthUnderItsOwnNamesOnly) {
     EXPECT_EQ(get("/healthz", {{"Host", "localhost"}}).body, "ok");
     EXPECT_EQ(get("/healthz", {{"Host", "rebound.example"}}).status, 403);
