@@ -1,4 +1,5 @@
 // $/cancelRequest and $/progress against the real program: who waits can stop waiting, and is told how far the work is.
+#include "server/limits.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 
@@ -30,7 +31,7 @@ class Cancel : public testing::Test {
     }
 
     int wait_for(const std::string& surface, const json& more = json::object()) {
-        json parameters{{"surface", surface}, {"timeoutMs", 60000}};
+        json parameters{{"surface", surface}, {"timeoutMs", server::limits::wait_ms}};
         parameters.update(more);
         const int id = client.next_id();
         client.send(
@@ -122,11 +123,13 @@ TEST_F(Cancel, ProgressBeginsReportsAndEndsBeforeTheAnswer) {
                                                               {"from", 0},
                                                               {"to", 8},
                                                               {"separation", 0.02}})["surface"];
-    client.send(
-        {{"jsonrpc", "2.0"},
-         {"id", "w"},
-         {"method", "surface.wait"},
-         {"params", {{"surface", surface}, {"timeoutMs", 60000}, {"workDoneToken", "t1"}}}});
+    client.send({{"jsonrpc", "2.0"},
+                 {"id", "w"},
+                 {"method", "surface.wait"},
+                 {"params",
+                  {{"surface", surface},
+                   {"timeoutMs", server::limits::wait_ms},
+                   {"workDoneToken", "t1"}}}});
     std::vector<json> told;
     json answer;
     const auto start = std::chrono::steady_clock::now();
@@ -172,7 +175,9 @@ TEST_F(Cancel, NoProgressIsToldOfANotificationWhichNothingCouldStop) {
         from.send({{"jsonrpc", "2.0"},
                    {"method", "surface.wait"},
                    {"params",
-                    {{"surface", surface}, {"timeoutMs", 60000}, {"workDoneToken", "unheard"}}}});
+                    {{"surface", surface},
+                     {"timeoutMs", server::limits::wait_ms},
+                     {"workDoneToken", "unheard"}}}});
     };
     {
         WebSocketClient eve(server);

@@ -1,4 +1,5 @@
 // dataset.open against the real program: several wait for one import, and the last who does not want it any more ends it.
+#include "server/limits.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/slow_series.hpp"
@@ -35,7 +36,8 @@ class DatasetOpen : public testing::Test {
         return client.result("dataset.list")["datasets"][0];
     }
 
-    /// Until the import has some time-steps, and not all.
+    /// Until the import has some time-steps, and not all. Others connect after it: a client that waits for one connection reads no
+    /// other, and the server ends one whose pings no one answers for 40 s.
     static void wait_for_some(WebSocketClient& client) {
         json now = entry(client);
         while (now["state"] == "importing" && now["steps"]["ready"] == 0)
@@ -53,15 +55,16 @@ class DatasetOpen : public testing::Test {
     ServerProcess server{
         {write_slow_series(folder.path()), "flow:abc", "--store", folder / "cache"}};
     WebSocketClient ada{server};
-    WebSocketClient bob{server};
 };
 
 } // namespace
 
 TEST_F(DatasetOpen, TheLastWhoCancelsStopsTheImportAndWhoOpensItAgainHasItGoOn) {
     const int first = open(ada);
-    const int second = open(bob);
     wait_for_some(ada);
+    WebSocketClient bob(server);
+    const int second = open(bob);
+    bob.result("server.ping"); // he waits now
     cancel(ada, first);
     EXPECT_EQ(ada.answer(first)["error"]["code"], -32800);
     EXPECT_EQ(entry(ada)["state"], "importing") << "Bob still waits";
@@ -79,8 +82,8 @@ TEST_F(DatasetOpen, TheLastWhoCancelsStopsTheImportAndWhoOpensItAgainHasItGoOn) 
     const json surface = ada.result(
         "surface.set",
         {{"rake", rake["rake"]}, {"kind", "stream"}, {"dataset", "abc"}, {"from", 0}, {"to", 1}});
-    EXPECT_EQ(ada.result("surface.wait",
-                         {{"surface", surface["surface"]}, {"timeoutMs", 60000}})["complete"],
+    EXPECT_EQ(ada.result("surface.wait", {{"surface", surface["surface"]},
+                                          {"timeoutMs", server::limits::wait_ms}})["complete"],
               true);
     const json whole = ada.result("dataset.open", {{"dataset", "u_00"}});
     EXPECT_EQ(whole["state"], "ready");
@@ -90,8 +93,10 @@ TEST_F(DatasetOpen, TheLastWhoCancelsStopsTheImportAndWhoOpensItAgainHasItGoOn) 
 
 TEST_F(DatasetOpen, WhoStillWaitsGetsTheDatasetAndIsToldHowFarItIs) {
     const int first = open(ada);
-    const int second = open(bob, {{"workDoneToken", "bar"}});
     wait_for_some(ada);
+    WebSocketClient bob(server);
+    const int second = open(bob, {{"workDoneToken", "bar"}});
+    bob.result("server.ping");
     cancel(ada, first);
     double newest = 0;
     for (json told = bob.notification("$/progress");; told = bob.notification("$/progress")) {
@@ -115,15 +120,15 @@ TEST_F(DatasetOpen, ALostConnectionStopsNothing) {
         eve.result("server.ping");
         eve.socket().reset();
     }
-    EXPECT_EQ(bob.result("dataset.open", {{"dataset", "u_00"}})["state"], "ready");
+    EXPECT_EQ(ada.result("dataset.open", {{"dataset", "u_00"}})["state"], "ready");
 }
 
 TEST_F(DatasetOpen, AViewerOfALinkWaitsButNeitherStopsNorStarts) {
     const json link = ada.result("session.share", {{"session", "main"}, {"role", "viewer"}});
     const std::string key = link["key"];
+    wait_for_some(ada);
     WebSocketClient viewer(server, "main", {{"Authorization", "Bearer " + key}});
     const int id = open(viewer);
-    wait_for_some(ada);
     cancel(viewer, id);
     EXPECT_EQ(viewer.answer(id)["error"]["code"], -32800);
     EXPECT_EQ(entry(ada)["state"], "importing");
@@ -150,6 +155,7 @@ TEST_F(DatasetOpen, ANotificationGoesOnWithAnImportButNeitherWaitsNorIsToldOfIt)
     cancel(ada, mine);
     ada.answer(mine);
     ASSERT_EQ(entry(ada)["state"], "stopped");
+    WebSocketClient bob(server);
     bob.send({{"jsonrpc", "2.0"},
               {"method", "dataset.open"},
               {"params", {{"dataset", "u_00"}, {"workDoneToken", "unheard"}}}});
