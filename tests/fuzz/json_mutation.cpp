@@ -28,7 +28,8 @@ std::optional<Place> place_of_json(std::string_view text, Random& random) {
     std::vector<Place> lines;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        if (const std::size_t open = text.find_first_of("{[", begin); open < end)
+        const std::size_t open = std::min(text.find('{', begin), text.find('[', begin));
+        if (open < end)
             lines.push_back({open, end});
         begin = end + 1;
     }
