@@ -55,6 +55,7 @@ class Follower : public nlohmann::json_sax<json> {
                      const std::string&,
                      const nlohmann::detail::exception& error) override {
         position_ = position;
+        in_text_ = std::string_view(error.what()).find("invalid string") != std::string_view::npos;
         too_large_ = error.id == 406; // of the library: a number that overflows
         return false;
     }
@@ -62,6 +63,9 @@ class Follower : public nlohmann::json_sax<json> {
     std::size_t position() const { return position_; }
 
     bool too_large() const { return too_large_; }
+
+    /// It ends amid a text in quotes.
+    bool in_text() const { return in_text_; }
 
     /// `points[3][1]`; of a call's parameters without what leads to them.
     std::string place() const {
@@ -103,6 +107,7 @@ class Follower : public nlohmann::json_sax<json> {
     std::vector<Level> at_;
     std::size_t position_ = 0;
     bool too_large_ = false;
+    bool in_text_ = false;
 };
 
 /// Follows it to a member whose object has had it already.
@@ -146,7 +151,7 @@ JsonFault json_fault(std::string_view text) {
     const std::string where = place.empty() ? std::string("the text") : "`" + place + "`";
     if (follower.too_large())
         return {where + " is beyond 1.8e308, the largest number there is", "send a finite number"};
-    if (const auto word = no_number(text, position); !word.empty())
+    if (const auto word = no_number(text, position); !word.empty() && !follower.in_text())
         return {fmt::format("{} is {}, which is no number in JSON", where, word),
                 "send a finite number, or leave it out where there is none"};
     return {fmt::format("the text is not valid JSON from byte {} on{}", position,

@@ -36,6 +36,13 @@ TEST(JsonFault, NamesTheParameterThatIsNoNumberInJson) {
     EXPECT_EQ(fault("NaN"), "the text is NaN, which is no number in JSON");
 }
 
+TEST(JsonFault, TakesTheStartOfATextInQuotesForNoNumber) {
+    for (const std::string word : {"inf", "is NaN"})
+        EXPECT_EQ(fault(R"({"params":{"to":1,")" + word), "the text is not valid JSON from byte " +
+                                                              std::to_string(19 + word.size()) +
+                                                              " on, in `to`");
+}
+
 TEST(JsonFault, SaysWhereOtherTextsEndToBeJson) {
     const std::string text = call(R"("to":nothing)");
     EXPECT_EQ(fault(text), "the text is not valid JSON from byte " +

@@ -47,6 +47,17 @@ MeshFrame sample(std::uint8_t flags = FrameHeader::key | FrameHeader::lossless) 
     return frame;
 }
 
+/// Why bytes are refused; empty where they are read.
+std::string refusal(std::span<const std::byte> bytes) {
+    const auto read = read_frame(bytes);
+    return read ? std::string() : read.error().message;
+}
+
+const std::string no_frame = "a binary message is not a mesh frame";
+const std::string wrong_checksum = "a mesh frame does not match its checksum";
+const std::string unknown = "a mesh frame has flags or a phase that this version does not know";
+const std::string contradiction = "a mesh frame's header contradicts itself";
+
 /// With the checksum made right again, so that the other checks are reached.
 Bytes with(Bytes bytes, std::size_t offset, std::uint64_t value, std::size_t size = 4) {
     std::memcpy(bytes.data() + offset, &value, size);
@@ -91,42 +102,52 @@ TEST(MeshFrame, IsRefusedWhenAnySingleBitFlips) {
     for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
         Bytes flipped = bytes;
         flipped[bit / 8] ^= std::byte{1} << (bit % 8);
-        EXPECT_FALSE(read_frame(flipped).has_value()) << "bit " << bit;
+        if (bit / 8 < 2)
+            EXPECT_EQ(refusal(flipped), no_frame) << "bit " << bit;
+        else if (bit / 8 == 2)
+            EXPECT_EQ(read_frame(flipped).error().code, core::Error::Code::Unsupported);
+        else
+            EXPECT_EQ(refusal(flipped), wrong_checksum) << "bit " << bit;
     }
 }
 
 TEST(MeshFrame, IsRefusedWhenCutOffOrFollowedByMore) {
     Bytes bytes = write_frame(sample());
     for (std::size_t size = 0; size < bytes.size(); ++size)
-        EXPECT_FALSE(read_frame(std::span(bytes).first(size)).has_value()) << size;
+        EXPECT_EQ(refusal(std::span(bytes).first(size)), size < 3 ? no_frame : wrong_checksum)
+            << size;
     bytes.push_back(std::byte{0});
-    EXPECT_FALSE(read_frame(bytes).has_value());
-    EXPECT_FALSE(read_frame(with(bytes, 4, 1)).has_value()) << "with a matching checksum";
+    EXPECT_EQ(refusal(bytes), wrong_checksum);
+    EXPECT_EQ(refusal(with(bytes, 4, 1)), "a mesh frame of 92 bytes announces 91");
 }
 
 TEST(MeshFrame, IsRefusedWhenItsHeaderCannotBeTrue) {
     const Bytes good = write_frame(sample());
-    ASSERT_TRUE(read_frame(with(good, 4, 1)).has_value());
+    ASSERT_EQ(refusal(with(good, 4, 1)), "");
     EXPECT_EQ(read_frame(with(good, 2, 1, 1)).error().code, core::Error::Code::Unsupported);
-    EXPECT_FALSE(read_frame(with(good, 3, 8 + 1, 1)).has_value()) << "unknown flag";
-    EXPECT_FALSE(read_frame(with(good, 12, 4)).has_value()) << "a KEY on another state";
+    EXPECT_EQ(refusal(with(good, 3, 8 + 1, 1)), unknown) << "flag";
+    EXPECT_EQ(refusal(with(good, 12, 4)), contradiction) << "a KEY on another state";
     const Bytes delta = write_frame(sample(0));
-    EXPECT_FALSE(read_frame(with(delta, 16, 3)).has_value()) << "a DELTA on its own state";
-    EXPECT_FALSE(read_frame(with(delta, 3, 4, 1)).has_value()) << "a DELTA with history";
-    EXPECT_FALSE(read_frame(with(good, 20, 2, 2)).has_value()) << "frame 2 of 2";
-    EXPECT_FALSE(read_frame(with(good, 22, 0, 2)).has_value()) << "no frames";
-    EXPECT_FALSE(read_frame(with(good, 24, 4, 1)).has_value()) << "phase";
-    EXPECT_FALSE(read_frame(with(good, 25, 0, 1)).has_value()) << "lattice bits";
-    EXPECT_FALSE(read_frame(with(good, 25, 21, 1)).has_value()) << "lattice bits";
-    EXPECT_FALSE(read_frame(with(good, 26, 3, 1)).has_value()) << "attributes";
-    EXPECT_FALSE(read_frame(with(good, 27, 1, 1)).has_value()) << "reserved";
+    EXPECT_EQ(refusal(with(delta, 16, 3)), contradiction) << "a DELTA on its own state";
+    EXPECT_EQ(refusal(with(delta, 3, 4, 1)), unknown) << "a DELTA with history";
+    EXPECT_EQ(refusal(with(good, 20, 2, 2)), "a mesh frame of 91 bytes announces 75")
+        << "frame 2 of 2, which has no ranges";
+    EXPECT_EQ(refusal(with(delta, 20, 2, 2)), contradiction) << "frame 2 of 2";
+    EXPECT_EQ(refusal(with(good, 22, 0, 2)), contradiction) << "no frames";
+    EXPECT_EQ(refusal(with(good, 24, 4, 1)), unknown) << "phase";
+    EXPECT_EQ(refusal(with(good, 25, 0, 1)), contradiction) << "lattice bits";
+    EXPECT_EQ(refusal(with(good, 25, 21, 1)), contradiction) << "lattice bits";
+    EXPECT_EQ(refusal(with(good, 26, 3, 1)), "a mesh frame of 91 bytes announces 99")
+        << "attributes";
+    EXPECT_EQ(refusal(with(good, 27, 1, 1)), unknown) << "reserved";
     for (const std::size_t count : {28u, 32u})
         EXPECT_EQ(read_frame(with(good, count, 0xffffffffu)).error().code,
                   core::Error::Code::OverLimit);
-    EXPECT_FALSE(read_frame(with(good, 36, 4)).has_value()) << "less topology than here";
-    EXPECT_FALSE(read_frame(with(good, 40, 0x7ff0000000000000u, 8)).has_value()) << "time";
-    EXPECT_FALSE(read_frame(with(good, 48, 6)).has_value()) << "topology bytes";
-    EXPECT_FALSE(read_frame(with(good, 52, 0xffffffffu)).has_value()) << "points bytes";
+    EXPECT_EQ(refusal(with(good, 36, 4)), contradiction) << "less topology than here";
+    EXPECT_EQ(refusal(with(good, 40, 0x7ff0000000000000u, 8)), contradiction) << "time";
+    EXPECT_EQ(refusal(with(good, 48, 6)), "a mesh frame of 91 bytes announces 92") << "topology";
+    EXPECT_EQ(refusal(with(good, 52, 0xffffffffu)), "a mesh frame of 91 bytes announces 4294967380")
+        << "points";
 }
 
 TEST(MeshFrame, IsRefusedWithoutUsableRanges) {
@@ -135,7 +156,7 @@ TEST(MeshFrame, IsRefusedWithoutUsableRanges) {
           AttributeRange{std::numeric_limits<float>::quiet_NaN(), 1.f}}) {
         MeshFrame frame = sample();
         frame.ranges[1] = range;
-        EXPECT_FALSE(read_frame(write_frame(frame)).has_value());
+        EXPECT_EQ(refusal(write_frame(frame)), "a mesh frame has an attribute without a range");
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <random>
+#include <string>
 
 namespace wakesurf::protocol {
 namespace {
@@ -60,6 +61,23 @@ RandomEdit random_edit(std::uint32_t seed) {
     return r;
 }
 
+/// Why an edit is refused; empty where it is read.
+std::string refusal(std::span<const std::byte> bytes, const EditedFrom& before, MeshSize after) {
+    const auto read = read_edit(bytes, before, after);
+    return read ? std::string() : read.error().message;
+}
+
+std::string leads_to_other_than(MeshSize size) {
+    return "a mesh update leads to another number of vertices or cells than " +
+           std::to_string(size.vertices) + " and " + std::to_string(size.cells);
+}
+
+/// In its numbers, or in the code of its cells behind them.
+bool is_damaged(const std::string& message) {
+    return message == "the topology of a mesh update is damaged" ||
+           message.starts_with("the cells of a mesh frame are damaged near cell ");
+}
+
 TEST(WireEdit, ReadsBackWhatItWrote) {
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
         const RandomEdit r = random_edit(seed);
@@ -77,12 +95,13 @@ TEST(WireEdit, IsRefusedWhenItLeadsToAnotherMeshOrIsDamaged) {
         const Bytes good = write_edit(r.edit, r.kept);
         MeshSize other = r.after;
         ++other.vertices;
-        EXPECT_FALSE(read_edit(good, r.before(), other).has_value());
+        EXPECT_EQ(refusal(good, r.before(), other), leads_to_other_than(other));
         other = r.after;
         ++other.cells;
-        EXPECT_FALSE(read_edit(good, r.before(), other).has_value());
+        EXPECT_EQ(refusal(good, r.before(), other), leads_to_other_than(other));
         for (std::size_t size = 0; size < good.size(); ++size)
-            EXPECT_FALSE(read_edit(std::span(good).first(size), r.before(), r.after).has_value());
+            EXPECT_TRUE(is_damaged(refusal(std::span(good).first(size), r.before(), r.after)))
+                << size;
         for (int i = 0; i < 200; ++i) {
             Bytes bad = good;
             bad[random() % bad.size()] ^= static_cast<std::byte>(1 + random() % 255);
@@ -105,8 +124,8 @@ TEST(WireEdit, AnnouncingMoreThanThereIsAllocatesNothing) {
     Bytes huge(5);
     append_varint(huge, 1u << 24); // cells, and a code that ends at once
     huge.insert(huge.end(), 4, std::byte{0});
-    EXPECT_FALSE(read_edit(huge, {}, {0, 1u << 24}).has_value());
-    EXPECT_FALSE(read_edit(huge, {}, {0, 1}).has_value());
+    EXPECT_TRUE(is_damaged(refusal(huge, {}, {0, 1u << 24})));
+    EXPECT_EQ(refusal(huge, {}, {0, 1}), leads_to_other_than({0, 1}));
 }
 
 TEST(KeptCells, HaveNewNumbersAndTellWhichVerticesHaveLostSomething) {
@@ -137,7 +156,7 @@ TEST(WireEdit, IsRefusedWhenItTakesACornerFromACellThatStaysUnlessItReplacesTheC
         kept.leave_out(edit.replaced_cells);
         return read_edit(write_edit(edit, kept), {4, before}, {4, 1});
     };
-    EXPECT_FALSE(read().has_value());
+    EXPECT_EQ(read().error().message, "a mesh update takes a corner from a cell that stays");
     edit.replaced_cells.take(0);
     edit.cells = {cell};
     const auto replaced = read();

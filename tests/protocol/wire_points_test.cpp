@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <string>
 
 namespace wakesurf::protocol {
 namespace {
@@ -34,6 +35,19 @@ random_residuals(std::uint32_t seed, std::uint32_t count, PointKind kind, std::u
         }
     return residuals;
 }
+
+/// Why a block is refused; empty where it is read.
+std::string refusal(std::span<const std::byte> bytes,
+                    std::size_t& at,
+                    std::uint32_t most,
+                    std::uint8_t attributes = 3) {
+    const auto read = read_block(bytes, at, attributes, most);
+    return read ? std::string() : read.error().message;
+}
+
+const std::string unknown_or_too_long =
+    "a block of points in a mesh frame is of an unknown kind or too long";
+const std::string damaged = "a block of points in a mesh frame is damaged";
 
 constexpr PointKind kinds[] = {PointKind::Moved, PointKind::Added, PointKind::Change};
 
@@ -73,24 +87,24 @@ TEST(WirePoints, StandSideBySideAndAreHeldToTheVerticesLeft) {
     const Bytes second = *write_block(residuals, 100, 300);
     both.insert(both.end(), second.begin(), second.end());
     std::size_t at = 0;
-    EXPECT_FALSE(read_block(both, at, 3, 99).has_value());
+    EXPECT_EQ(refusal(both, at, 99), unknown_or_too_long);
     EXPECT_EQ(at, 0u);
     ASSERT_TRUE(read_block(both, at, 3, 300).has_value());
     EXPECT_EQ(read_block(both, at, 3, 200)->count, 200u);
     EXPECT_EQ(at, both.size());
     at = 0;
-    EXPECT_FALSE(read_block(both, at, 2, 300).has_value()) << "another number of attributes";
+    EXPECT_EQ(refusal(both, at, 300, 2), unknown_or_too_long) << "another number of attributes";
 }
 
 TEST(WirePoints, AreRefusedCutOffAndNeverReadBeyondTheirEnd) {
     for (const PointKind kind : kinds) {
         const Bytes good = *write_block(random_residuals(5, 200, kind, 30), 0, 200);
+        // kind, count in two bytes, channels, a predictor of each, and their tolerances in seven
+        const std::size_t head = kind == PointKind::Change ? 5 : 15;
         for (std::size_t size = 0; size < good.size(); ++size) {
             std::size_t at = 0;
-            EXPECT_FALSE(
-                read_block(Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size)),
-                           at, 3, 200)
-                    .has_value())
+            EXPECT_EQ(refusal(std::span(good).first(size), at, 200),
+                      size < head ? unknown_or_too_long : damaged)
                 << size;
         }
     }
@@ -105,7 +119,7 @@ TEST(WirePoints, RefuseUnknownKindsPredictorsAndChannels) {
         if (at == 1)
             bad[2] = std::byte{0}; // no vertices
         std::size_t begin = 0;
-        EXPECT_FALSE(read_block(bad, begin, 3, 200).has_value()) << at;
+        EXPECT_EQ(refusal(bad, begin, 200), unknown_or_too_long) << at;
     }
 }
 

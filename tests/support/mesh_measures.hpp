@@ -3,9 +3,13 @@
 
 #include "core/surface/quad_complex.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <utility>
+#include <vector>
 
 namespace wakesurf::test {
 
@@ -50,6 +54,29 @@ inline int boundary_loops(const core::QuadComplex& mesh) {
     for (const auto& [v, up] : parent)
         loops += v == up;
     return loops;
+}
+
+/// Of a cell's corners, in degrees.
+inline double smallest_angle(const core::QuadComplex& mesh, const core::Cell& cell) {
+    double smallest = 180.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const core::Vec3& here = mesh.position[cell.corner[i]];
+        const core::Vec3 a = mesh.position[cell.corner[(i + 1) % 4]] - here;
+        const core::Vec3 b = mesh.position[cell.corner[(i + 3) % 4]] - here;
+        smallest = std::min(smallest, std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) *
+                                          180.0 / std::numbers::pi);
+    }
+    return smallest;
+}
+
+/// The median of all cells' smallest angles, in degrees.
+inline double median_smallest_angle(const core::QuadComplex& mesh) {
+    std::vector<double> angles;
+    for (const core::Cell& cell : mesh.cells)
+        angles.push_back(smallest_angle(mesh, cell));
+    const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
+    std::nth_element(angles.begin(), middle, angles.end());
+    return *middle;
 }
 
 /// Sum of cell areas, each cell as a fan from its centre.

@@ -351,11 +351,17 @@ TEST(TimeStepCache, AStepOutlivesItsCacheAloneOfAll) {
     EXPECT_EQ(source->alive(), 0u);
 }
 
-TEST(TimeStepCache, EndsWhileALoadIsRunning) {
-    Bench bench(10, 4);
-    bench.source->close();
-    bench.cache.prefetch(0, +1);
-    bench.source->wait_for_loads(1);
+TEST(TimeStepCache, EndsTheLoadThatIsRunningWhenItGoes) {
+    const auto source = std::make_shared<GatedSource>(10);
+    source->close();
+    {
+        TimeStepCache cache(source, {4 * step_bytes, 1});
+        cache.prefetch(0, +1);
+        source->wait_for_loads(1);
+        EXPECT_EQ(source->alive(), 1u);
+    }
+    EXPECT_EQ(source->alive(), 0u); // though the gate never opened
+    EXPECT_EQ(source->order().size(), 1u);
 }
 
 TEST(TimeStepCache, AResidentStepCostsLessThanAMicrosecond) {

@@ -1,3 +1,5 @@
+#include "core/base/disk.hpp"
+#include "protocol/store_manifest.hpp"
 #include "server/catalogue/dataset_catalogue.hpp"
 #include "server/catalogue/import_process.hpp"
 #include "tests/support/places.hpp"
@@ -6,6 +8,7 @@
 #include "tests/support/vti_text.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <condition_variable>
 #include <mutex>
@@ -138,19 +141,20 @@ TEST(DatasetCatalogue, AnImportThatIsStoppedKeepsWhatItHasAndGoesOnFromThere) {
     const auto begun = bench.wait_until(
         "u_00", [](const DatasetStatus& status) { return status.steps_ready > 0; });
     ASSERT_EQ(begun.state, DatasetState::Importing);
+    const auto first = bench.catalogue->find("u_00").value();
     EXPECT_TRUE(bench.catalogue->stop_import("u_00"));
     const auto stopped = bench.catalogue->status("u_00").value();
     EXPECT_EQ(stopped.state, DatasetState::Stopped);
     EXPECT_LT(stopped.steps_ready, stopped.steps_total);
     EXPECT_FALSE(bench.catalogue->stop_import("u_00"));
     EXPECT_TRUE(bench.tidies_up());
-    for (int i = 0; i < 10; ++i) { // also once what there is has been opened
-        const auto later = bench.catalogue->status("u_00").value();
-        EXPECT_EQ(later.state, DatasetState::Stopped);
-        EXPECT_LT(later.progress, 1.0);
-        EXPECT_NEAR(later.progress, static_cast<double>(later.steps_ready) / 40.0, 1e-12);
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
+    // Once what there is has been opened anew:
+    const auto later = bench.wait_until("u_00", [&](const DatasetStatus&) {
+        return bench.catalogue->find("u_00").value() != first;
+    });
+    EXPECT_EQ(later.state, DatasetState::Stopped);
+    EXPECT_LT(later.progress, 1.0);
+    EXPECT_NEAR(later.progress, static_cast<double>(later.steps_ready) / 40.0, 1e-12);
     const auto open = bench.catalogue->find("u_00").value();
     EXPECT_EQ(open->cache->acquire(0).value()->velocity()[0], 0.5f);
     EXPECT_TRUE(bench.catalogue->start_import("u_00"));
@@ -220,9 +224,31 @@ TEST(DatasetCatalogue, StoppedAndStartedAtAnyMomentAnImportComesToTheSame) {
     EXPECT_GT(stops, 4u);
 }
 
-TEST(DatasetCatalogue, EndsWhileItImports) {
-    Bench bench({bundled});
-    (void)bench.catalogue->list();
+bool has_child_processes() {
+    siginfo_t ignored{};
+    return waitid(P_ALL, 0, &ignored, WEXITED | WNOHANG | WNOWAIT) == 0;
+}
+
+TEST(DatasetCatalogue, EndsTheImportThatIsRunningWhenItGoes) {
+    const TemporaryFolder folder;
+    const auto source = write_slow_series(folder.path());
+    Bench bench({source}, folder / "stores");
+    const auto amid = bench.wait_until(
+        "u_00", [](const DatasetStatus& status) { return status.steps_ready > 0; });
+    ASSERT_EQ(amid.state, DatasetState::Importing);
+    ASSERT_TRUE(has_child_processes());
+    bench.catalogue.reset();
+    EXPECT_FALSE(has_child_processes());
+    EXPECT_EQ(unfinished_files(folder / "stores"), 0u);
+    std::size_t manifests = 0;
+    for (const auto& each : std::filesystem::recursive_directory_iterator(folder / "stores"))
+        if (each.path().filename() == protocol::manifest_file_name) {
+            ++manifests;
+            const auto kept =
+                protocol::read_store_manifest(each.path().parent_path(), core::PosixDisk());
+            EXPECT_FALSE(kept.value().complete) << "it was waited for";
+        }
+    EXPECT_EQ(manifests, 1u);
 }
 
 TEST(DatasetCatalogue, NoticesTheTimeStepsOfARunningSimulation) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <ctime>
 #include <future>
 #include <string>
 #include <vector>
@@ -47,6 +48,22 @@ SurfaceJob large_surface() {
     job.lattice = protocol::lattice_over(core::describe_analytic_flow("abc")->bounds);
     return job;
 }
+
+/// Time by the clock, and of the processor by all threads of this process.
+struct Spent {
+    std::chrono::nanoseconds wall, processor;
+
+    static Spent now() {
+        timespec used{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+        return {std::chrono::steady_clock::now().time_since_epoch(),
+                std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec)};
+    }
+
+    Spent operator-(const Spent& earlier) const {
+        return {wall - earlier.wall, processor - earlier.processor};
+    }
+};
 
 int own_priority() {
     return getpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)));
@@ -125,28 +142,29 @@ TEST(ComputePool, RunsLongJobsAtALowerPriority) {
     EXPECT_GT(priority.get_future().get(), own_priority());
 }
 
-TEST(ComputePool, LetsGoOfAStoppedJobWithin50Milliseconds) {
-    const auto build_and_stop = [] {
+TEST(ComputePool, LetsGoOfEveryStoppedJobWithin50Milliseconds) {
+    std::vector<Spent> spent;
+    for (const int rounds : {2, 3, 4, 5, 6, 7, 8}) {
         ComputePool pool(2);
-        TellingClock clock(8);
+        TellingClock clock(rounds);
         auto amid = clock.there();
         SurfaceBuild build(large_surface(), clock);
         std::stop_source stop;
         std::promise<core::Result<Update>> ended;
         pool.run("a", Pace::Long, [&] { ended.set_value(build.run({}, stop.get_token())); });
-        EXPECT_EQ(amid.wait_for(std::chrono::minutes(1)), std::future_status::ready);
-        const auto start = std::chrono::steady_clock::now();
+        ASSERT_EQ(amid.wait_for(std::chrono::minutes(1)), std::future_status::ready);
+        const Spent before = Spent::now();
         stop.request_stop();
         const auto result = ended.get_future().get();
-        EXPECT_FALSE(result);
+        spent.push_back(Spent::now() - before);
+        ASSERT_FALSE(result);
         EXPECT_EQ(result.error().code, core::Error::Code::Cancelled);
-        return std::chrono::steady_clock::now() - start;
-    };
-    // The best of several: other programs take the processor away as they please.
-    auto best = build_and_stop();
-    for (int i = 0; i < 6; ++i)
-        best = std::min(best, build_and_stop());
-    EXPECT_LT(best, std::chrono::milliseconds(50));
+        // Whatever else the machine does: none computes on for longer, on both of its threads together.
+        EXPECT_LT(spent.back().processor, 2 * std::chrono::milliseconds(50)) << rounds;
+    }
+    // By the clock other programs may hold some of them up.
+    std::ranges::sort(spent, {}, &Spent::wall);
+    EXPECT_LT(spent[spent.size() / 2].wall, std::chrono::milliseconds(50));
 }
 
 TEST(ComputePool, RunsJobsByHandInTheOrderOfTurns) {
