@@ -58,7 +58,7 @@ double JsonMembers::number(std::string_view name) {
 
 std::uint64_t JsonMembers::count(std::string_view name, std::uint64_t most) {
     const json* value = find(name);
-    // Text gives unsigned numbers, C++ code signed ones.
+    // Text holds unsigned numbers, C++ code signed ones.
     const bool whole = value != nullptr && value->is_number_integer() &&
                        (value->is_number_unsigned() || value->get<std::int64_t>() >= 0);
     if (whole && value->get<std::uint64_t>() <= most)

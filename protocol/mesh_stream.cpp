@@ -263,7 +263,7 @@ core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
     const AttributeValues values = held.attributes
                                        ? AttributeValues(mesh.mesh, empty ? without_values : fields)
                                        : AttributeValues();
-    // What has nothing to do with the mesh before is coded as if that had never been: the same surface gives the same state.
+    // What has nothing to do with the mesh before is coded as if that had never been: the same surface leads to the same state.
     const bool anew = !held.started || options.unrelated;
     std::vector<AttributeRange> ranges;
     if (held.attributes)

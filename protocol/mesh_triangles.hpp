@@ -13,7 +13,7 @@ namespace wakesurf::protocol {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Those of one cell, 2 to 6, counter-clockwise like the cell: of all ways to cut it, the one whose flattest triangle is
-/// least flat (area over the sum of the squared sides), so that a hanging node on a straight side gives no sliver where
+/// least flat (area over the sum of the squared sides), so that a hanging node on a straight side makes no sliver where
 /// that can be helped. Same input, same triangles.
 void append_triangles(const core::QuadComplex& mesh,
                       const core::Cell& cell,

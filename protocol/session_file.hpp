@@ -44,7 +44,7 @@ struct SessionFile {
 
 nlohmann::json session_file_json(const SessionFile& file);
 
-/// Inverse of session_file_json, from its text. What the records say is not looked at: that is for whoever keeps them. Error:
+/// Inverse of session_file_json, from its text. What the records say is not looked at: that is for those who keep them. Error:
 /// Unsupported (a newer wakesurf's), OverLimit, Corrupt, naming what is wrong.
 core::Result<SessionFile> read_session_file(std::string_view text, std::size_t most_bytes);
 

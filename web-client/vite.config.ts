@@ -4,7 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 import { thirdPartyNotices } from './tools/third_party_notices.ts';
 
-/** The client for Python lies beside the page, so that whoever copies a script from it can fetch what the script needs. */
+/** The client for Python lies beside the page, so that someone who copies a script from it can fetch what the script needs. */
 const pythonClient: Plugin = {
     name: 'python-client',
     apply: 'build',

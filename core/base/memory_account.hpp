@@ -52,7 +52,7 @@ class MemoryAccount {
     /// @param budget  bytes of all shares together
     explicit MemoryAccount(std::size_t budget);
 
-    /// Counts what the process holds beyond its shares as `Other`, seen anew whenever another 1/256 of the budget has been taken.
+    /// Counts what the process holds beyond its shares as `Other`, measured again whenever another 1/256 of the budget has been taken.
     /// @param resident  bytes of the process, without importers; called from any thread with the account's lock
     void watch(std::function<std::size_t()> resident) const;
 

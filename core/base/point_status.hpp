@@ -1,4 +1,4 @@
-// Where a point is: the three answers every field gives before anything is sampled there.
+// Where a point is: the three answers every field returns before anything is sampled there.
 #pragma once
 
 #include <cstdint>

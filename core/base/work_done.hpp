@@ -1,4 +1,4 @@
-// How far a piece of work is, as a fraction: told by the threads that work, read by whoever waits. And what memory it takes, told
+// How far a piece of work is, as a fraction: told by the threads that work, read by those who wait. And what memory it takes, told
 // by the same.
 #pragma once
 
@@ -28,12 +28,12 @@ class WorkDone {
     std::atomic<double> fraction_{0.0};
 };
 
-/// Part of a piece of work; a default one tells nobody and may take all memory. A value.
+/// Part of a piece of work; a default one tells no one and may take all memory. A value.
 class WorkPart {
   public:
     WorkPart() = default;
 
-    /// The whole of it; null: nobody waits; nobody counts its memory.
+    /// The whole of it; null: no one waits; no one counts its memory.
     WorkPart(WorkDone* done, WorkMemory* memory = nullptr) : done_(done), memory_(memory) {}
 
     /// The `i`-th of `parts` equal ones of this one.
@@ -50,7 +50,7 @@ class WorkPart {
             done_->reached(from_ + share_ * std::clamp(fraction, 0.0, 1.0));
     }
 
-    /// Null: nobody counts.
+    /// Null: no one counts.
     WorkMemory* memory() const { return memory_; }
 
     /// It will hold so many bytes by itself, besides what above() names. False: they are not there, and the work should end.
@@ -61,7 +61,7 @@ class WorkPart {
     /// So many bytes more. False as above.
     bool takes(std::size_t bytes) const { return memory_ == nullptr || memory_->grow(bytes); }
 
-    /// The same memory, and nobody is told how far it is.
+    /// The same memory, and no one is told how far it is.
     WorkPart quietly() const {
         WorkPart out = *this;
         out.done_ = nullptr;

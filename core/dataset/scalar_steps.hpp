@@ -21,7 +21,7 @@ class ScalarSteps {
     /// @param most  kept at a time; those in use may be more
     explicit ScalarSteps(std::size_t most) : most_(most) {}
 
-    /// Of a scalar at a time-step. Where it is not there, the one not asked for longest goes, and `read` gives it. Error: as `read`.
+    /// Of a scalar at a time-step. Where it is not there, the one not asked for longest goes, and `read` returns it. Error: as `read`.
     Result<Values>
     get(std::size_t scalar, std::size_t step, const std::function<Result<Slab>()>& read);
 

@@ -1,5 +1,5 @@
 // Anonymous memory in huge pages for one time-step: 35-75 % faster advection than 4 KiB pages on
-// 300 MB steps (performance.md 3.2), and read() into it never faults the way a mapped file can.
+// 300 MB steps (docs/measurements.md, Pages), and read() into it never faults the way a mapped file can.
 #pragma once
 
 #include <cstddef>

@@ -36,7 +36,7 @@ struct StepJob {
 };
 
 /// Every change of a step's state happens in a load thread; acquire() only asks and waits. A step's
-/// memory counts from the moment its load is picked until it is evicted, and only steps that nobody
+/// memory counts from the moment its load is picked until it is evicted, and only steps that no one
 /// holds are evicted: that is what makes the budget hard.
 struct StepWindow {
     static constexpr std::size_t left_free =

@@ -36,7 +36,7 @@ class TimeStepSource {
     virtual Result<std::shared_ptr<const TimeStep>> load(std::size_t index,
                                                          std::stop_token stop) const = 0;
 
-    /// Gives memory that it keeps for the next load back to the system.
+    /// Returns the memory that it keeps for the next load to the system.
     virtual void let_go() const {}
 };
 

@@ -40,7 +40,7 @@ StoredPair stored_pair(const GridSampler<UniformGrid>& field, const AdvanceOptio
 }
 
 /// Particles of one range in the lanes of a batch. A particle takes a lane, all its steps there, and leaves the lane to
-/// the next: those that have more steps to go than others hold nobody up.
+/// the next: those that have more steps to go than others hold no one up.
 class Passage {
   public:
     Passage(const GridSampler<UniformGrid>& field,

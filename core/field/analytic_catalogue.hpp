@@ -1,4 +1,4 @@
-// The built-in flows of contract.md: names, parameters with their defaults, domains.
+// The built-in flows: names, parameters with their defaults, domains.
 #pragma once
 
 #include "core/field/flow.hpp"

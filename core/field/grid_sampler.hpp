@@ -1,5 +1,5 @@
 // Trilinear in space, linear in time: the stored field between its nodes, on a uniform or a rectilinear grid. A pair of
-// time-steps, or one for a frozen field. Mirrors what vtkProbeFilter gives on image data and rectilinear grids.
+// time-steps, or one for a frozen field. Mirrors what vtkProbeFilter returns on image data and rectilinear grids.
 #pragma once
 
 #include "core/base/point_status.hpp"

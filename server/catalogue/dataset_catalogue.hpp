@@ -18,7 +18,7 @@
 
 namespace wakesurf::server {
 
-/// Stopped: by whoever waited for the import; the time-steps until then can be used. Incomplete: it ended before the last time-step,
+/// Stopped: by the last client that waited for the import; the time-steps until then can be used. Incomplete: it ended before the last time-step,
 /// as on a full disk; those there can be used, and `error` says why and what to do.
 enum class DatasetState { Importing, Ready, Failed, Stopped, Incomplete };
 
@@ -37,7 +37,7 @@ struct DatasetStatus {
 /// Thread safety: every call may come from any thread.
 class DatasetCatalogue {
   public:
-    /// Told that a dataset's status changed, without the catalogue's lock: from the import thread, or whoever stops or starts.
+    /// Told that a dataset's status changed, without the catalogue's lock: from the import thread, or the thread that stops or starts it.
     using Listener = std::function<void(const std::string& dataset)>;
 
     /// Resolves the arguments and starts to import what needs it, one source after the other; after that sources are looked at
@@ -80,7 +80,7 @@ class DatasetCatalogue {
         std::chrono::steady_clock::time_point rests_until{}; ///< it is not looked at before
     };
 
-    /// Of an import. Stopped: whoever stops and starts it says how the dataset stands.
+    /// Of an import. Stopped: the caller that stops and starts it says how the dataset stands.
     enum class Ending { Whole, Stopped };
 
     DatasetCatalogue(OpenOptions options, Listener listener)

@@ -1,4 +1,4 @@
-// How far an import is: one line of JSON between wakesurf-import and whoever started it, or text for people.
+// How far an import is: one line of JSON between wakesurf-import and the program that started it, or text for people.
 #pragma once
 
 #include <cstddef>

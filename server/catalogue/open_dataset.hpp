@@ -22,7 +22,7 @@ struct LoadedDataset {
     std::shared_ptr<const core::Flow> flow;
     std::shared_ptr<core::TimeStepCache> cache;     ///< null for a built-in flow
     std::shared_ptr<const core::StoreReader> store; ///< behind the cache; null for a built-in flow
-    std::shared_ptr<core::MemoryAccount::Share> memory{}; ///< of its grid; null where nobody counts
+    std::shared_ptr<core::MemoryAccount::Share> memory{}; ///< of its grid; null where no one counts
 };
 
 struct OpenOptions {

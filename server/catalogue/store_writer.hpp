@@ -15,7 +15,7 @@
 
 namespace wakesurf::server {
 
-/// The next bytes of a file, valid until the next call; none at its end. An error gives the file up.
+/// The next bytes of a file, valid until the next call; none at its end. After an error the file is abandoned.
 using NextPiece = std::function<core::Result<std::span<const std::byte>>()>;
 
 class StoreWriter {
@@ -31,7 +31,7 @@ class StoreWriter {
     /// Removes everything a writer wrote, the manifest first.
     core::Result<void> clear();
 
-    /// Gives the file's CRC-32C. Error: Io, a full disk for example; nothing is left of the file then.
+    /// Returns the file's CRC-32C. Error: Io, a full disk for example; nothing is left of the file then.
     core::Result<std::uint32_t> write(const std::string& name, std::span<const std::byte> bytes);
 
     /// The same for a file that need not be in memory as a whole. Error: Io, or what `next` reports.

@@ -13,7 +13,7 @@ std::shared_ptr<const core::StoreReader> open_store(const protocol::StoreManifes
     return reader ? *reader : nullptr;
 }
 
-// Its files have their sizes, and nobody has written to them since the manifest, which comes last. Where somebody has,
+// Its files have their sizes, and no one has written to them since the manifest, which comes last. Where somebody has,
 // and in a store that was not finished, checksums are looked at.
 bool whole_step(const StoreWriter& writer,
                 const protocol::StoreManifest& manifest,

@@ -21,7 +21,7 @@ struct EarlierImport {
     std::vector<bool> kept; ///< by time-step of the plan: its files are whole
 };
 
-/// None where the store must be made anew. The grid's files are checked by their checksums, time-steps by their sizes.
+/// None where the store must be made again. The grid's files are checked by their checksums, time-steps by their sizes.
 std::optional<EarlierImport> earlier_import(const StoreWriter& writer, const ImportPlan& plan);
 
 /// What a kept time-step tells, read back. None where a file is not as it was written: the time-step must be converted again.

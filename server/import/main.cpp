@@ -1,5 +1,5 @@
 // wakesurf-import: anything VTK reads -> a store, in a process of its own, so that a hostile or damaged file
-// hurts nobody else.
+// hurts no one else.
 #include "protocol/dataset_json.hpp"
 #include "protocol/json_text.hpp"
 #include "server/catalogue/store_writer.hpp"
@@ -96,7 +96,7 @@ int read_and_convert(const Wish& wish) {
         rights.store = wish.store;
     if (auto limited = server::limit_rights(rights); !limited)
         return failed(out.errors, wish, limited.error());
-    // Every time-step needs as much memory as the one before: what is freed is kept, not given back and cleared anew.
+    // Every time-step needs as much memory as the one before: what is freed is kept, not given back and cleared again.
     ::mallopt(M_MMAP_MAX, 0);
     ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
     try {

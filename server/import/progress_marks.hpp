@@ -16,7 +16,7 @@ struct ProgressMarks {
 /// Of this process and those it forks after the first call.
 ProgressMarks& progress_marks();
 
-/// A file was surveyed, a time-step converted, or another import is waited for: time limits begin anew.
+/// A file was surveyed, a time-step converted, or another import is waited for: time limits start again.
 void made_progress();
 
 } // namespace wakesurf::server

@@ -31,7 +31,7 @@ struct SourceDescription {
 struct WallFaces {
     vtkSmartPointer<vtkPolyData>
         faces;            ///< points have exactly the coordinates they have in the blocks
-    bool no_slip = false; ///< the velocity is zero on them, whatever averaging gives
+    bool no_slip = false; ///< the velocity is zero on them, whatever averaging says
 };
 
 struct SourceStep {

@@ -87,7 +87,7 @@ class Metrics {
     void over_budget(Budgeted kind);
     /// A call was answered with a JSON-RPC error.
     void error(int code);
-    /// Whether edits reach the disk; without a state folder nobody says.
+    /// Whether edits reach the disk; without a state folder no one says.
     void durable(bool yes);
 
     /// Prometheus text, version 0.0.4.

@@ -61,7 +61,7 @@ struct ByteStream::State : std::enable_shared_from_this<State> {
         deadline.expires_after(delay);
         deadline.async_wait([weak = weak_from_this()](error_code error) {
             const auto self = weak.lock();
-            // One that is set anew too late to be cancelled must not act.
+            // One that is set again too late to be cancelled must not act.
             if (error || !self || self->deadline.expiry() > asio::steady_timer::clock_type::now())
                 return;
             self->timed_out = true;
@@ -83,7 +83,7 @@ struct ByteStream::State : std::enable_shared_from_this<State> {
     asio::steady_timer deadline;
     std::optional<ssl::stream<tcp::socket&>> tls;
     std::string put_back;         ///< read already, to be read again
-    std::array<char, 512> rest{}; ///< what comes after the end, and is nobody's
+    std::array<char, 512> rest{}; ///< what comes after the end, and is no one's
     bool timed_out = false;
     bool writing = false;               ///< something that must not be interrupted
     std::vector<AnyHandler> next_write; ///< begin what waits for that

@@ -66,7 +66,7 @@ class Gate {
     /// Whether that is still so, for answers that took their time.
     bool still(const Visitor& visitor) const;
 
-    /// Whoever shows the token or the key of a share link gets the value of Set-Cookie: the cookie that came with the request
+    /// A client that shows the token or the key of a share link gets the value of Set-Cookie: the cookie that came with the request
     /// if it is good for the same, else a new one, and the one that came ends.
     tl::expected<std::string, Refusal> login(const HttpRequest& request, std::string_view token);
 

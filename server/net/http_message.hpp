@@ -19,7 +19,7 @@ struct HttpRequest {
     std::vector<std::pair<std::string, std::string>> headers; ///< names in lower case
     std::string body;
     bool upgrade = false; ///< to a WebSocket
-    std::stop_token gone; ///< fires on the loop's thread when nobody takes the answer any more
+    std::stop_token gone; ///< fires on the loop's thread when no one takes the answer any more
     std::string from;     ///< the address group of who asks: see admission
 
     /// The values of a header, in order.

@@ -20,7 +20,7 @@ File counted_file(std::string bytes, core::MemoryAccount::Share share);
 /// Thread safety: all of it.
 class KeptFiles {
   public:
-    /// @param account  may be null: nobody needs the memory back
+    /// @param account  may be null: no one needs the memory back
     /// @param bytes    of all files together, and how many there may be; those not used for longest go
     KeptFiles(const core::MemoryAccount* account, std::size_t bytes, std::size_t count);
 

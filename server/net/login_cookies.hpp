@@ -1,4 +1,4 @@
-// The cookies browsers got for the token or the key of a share link. Each login has its own, random; kept are digests. Nobody's login
+// The cookies browsers got for the token or the key of a share link. Each login has its own, random; kept are digests. No one's login
 // makes room for somebody else's: who logs in too often is refused.
 #pragma once
 
@@ -32,7 +32,7 @@ class LoginCookies {
     /// Error: OverLimit where there is none. Who has the server's own token always gets one, before others who do.
     core::Result<std::string> make(const std::string& grant, const std::string& from);
 
-    /// Whose a cookie is; that is a use of it. Digests are looked up, and nobody can aim at a digest: the time tells nothing.
+    /// Whose a cookie is; that is a use of it. Digests are looked up, and no one can aim at a digest: the time tells nothing.
     std::optional<Login> find(std::string_view cookie);
 
     /// Ends a login; what it was, if it was one.

@@ -30,7 +30,7 @@ struct Admitted {
 /// Loop thread only. Everything it refers to outlives it.
 class Routes {
   public:
-    /// @param metrics     gives the text of /metrics
+    /// @param metrics     returns the text of /metrics
     /// @param logged_out  a person's login has ended: their sockets go
     Routes(Gate& gate,
            Budgets& budgets,

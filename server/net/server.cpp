@@ -118,7 +118,7 @@ struct Server::Parts {
         return out;
     }
 
-    /// What nobody asked the account for is noticed, and others give back.
+    /// What no one asked the account for is noticed, and others give back.
     void watch_memory() {
         if (memory.too_much())
             pool.run([account = memory.account()] { account.make_room(0); });

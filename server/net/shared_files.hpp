@@ -27,7 +27,7 @@ class SharedFiles {
     /// All outlive it. @param account  may be null
     SharedFiles(Loop& loop, ComputePool& pool, const core::MemoryAccount* account);
 
-    /// Stops what is being made; nobody is told.
+    /// Stops what is being made; no one is told.
     ~SharedFiles();
     SharedFiles(const SharedFiles&) = delete;
     SharedFiles& operator=(const SharedFiles&) = delete;

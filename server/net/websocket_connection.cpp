@@ -254,7 +254,7 @@ void WebSocketConnection::write_turn() {
     write();
 }
 
-/// One batch: whoever has more waits for another turn.
+/// One batch: a connection that has more waits for another turn.
 void WebSocketConnection::write() {
     if (busy_ || !open_)
         return;

@@ -1,5 +1,5 @@
 // One WebSocket: text is JSON-RPC, binary is frames and goes one way only. Writes what the outbox holds, one message
-// at a time, so a slow client delays nobody else.
+// at a time, so a slow client delays no one else.
 #pragma once
 
 #include "server/net/byte_stream.hpp"

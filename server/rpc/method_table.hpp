@@ -1,4 +1,4 @@
-// Every method of the API, by noun. contract.md is the binding list; this is the code it is generated from.
+// Every method of the API, by noun.
 #pragma once
 
 #include "server/rpc/method.hpp"

@@ -15,7 +15,7 @@
 
 namespace wakesurf::server {
 
-/// Runs `work` in the pool and hands its result to `done` on the loop; work that runs out of memory gives OverLimit.
+/// Runs `work` in the pool and hands its result to `done` on the loop; work that runs out of memory returns OverLimit.
 /// REQUIRES: loop and pool outlive the work.
 /// @param line  whose turn it takes, see ComputePool::run; work of one line runs one after the other
 template <class T>

@@ -1,5 +1,5 @@
 // The colours of participants and rakes: those Okabe and Ito chose so that colour-blind people tell them apart ("Color Universal
-// Design", 2008), without black, which is nobody's.
+// Design", 2008), without black, which is no one's.
 #pragma once
 
 #include "protocol/colour_text.hpp"

@@ -1,6 +1,6 @@
 // The threads surfaces are computed on, apart from the network thread, which never computes. Passes that are over at once
 // and passes that take long have threads of their own, sessions take turns in both. The long ones, and the quick ones of sessions that
-// have many (quick_lanes), run at lower priorities: the kernel slices them, so that nobody's surfaces freeze another session.
+// have many (quick_lanes), run at lower priorities: the kernel slices them, so that no one's surfaces freeze another session.
 #pragma once
 
 #include <functional>

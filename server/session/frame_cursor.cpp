@@ -24,7 +24,7 @@ FrameCursor::FrameCursor(std::shared_ptr<UpdateRing> ring,
 
 FrameCursor::Frame FrameCursor::next() {
     if (sending_ && (sending_->wire.epoch != ring_->epoch() || ring_->newest() == nullptr))
-        stop(); // nobody wants the rest of another epoch's, or of a surface that has gone
+        stop(); // no one wants the rest of another epoch's, or of a surface that has gone
     if (!sending_)
         start(choose());
     if (!sending_)

@@ -1,5 +1,5 @@
 // What surfaces give back when others need memory: first the updates that only those who have fallen behind would read, then whole
-// surfaces nobody looks at, which rest as parameters until somebody does.
+// surfaces no one looks at, which rest as parameters until somebody does.
 #pragma once
 
 #include "core/base/memory_account.hpp"

@@ -1,5 +1,5 @@
 // Share links: keys that let people into one session, in one role, until they expire or are taken back. A key is told
-// once, to whoever asked for it; kept is only its digest, here and in the journal.
+// once, to the client that asked for it; kept is only its digest, here and in the journal.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -44,7 +44,7 @@ struct Grant {
     Role newcomers() const;
 };
 
-/// Whoever came in by a share link and is to go when it ends.
+/// A client that came in by a share link and is to go when it ends.
 class GrantHolder {
   public:
     virtual ~GrantHolder() = default;
@@ -125,7 +125,7 @@ class Grants {
     /// The session is gone for good.
     void forget(const std::string& session);
 
-    /// The session is in the trash: its links let nobody in until it is back; holders are told that theirs has ended.
+    /// The session is in the trash: its links let no one in until it is back; holders are told that theirs has ended.
     void suspend(const std::string& session);
     void resume(const std::string& session);
 

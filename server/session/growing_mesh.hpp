@@ -23,7 +23,7 @@ class GrowingMesh {
     /// together. Cost: O(what is shown).
     core::KeyedMesh at(double age) const;
 
-    /// Of the vertices that at() gives.
+    /// Of the vertices that at() returns.
     protocol::MeshFields fields_at(double age) const;
 
     /// What it takes.

@@ -1,6 +1,6 @@
 // What each author of a session can take back, and do again: their own edits as records before and after. An edit may
 // only be turned while its records are still as it left them, so every step knows the revision it left; turning an
-// edit gives a record a new revision, which the author's neighbouring edits are told. The edits of one gesture (a slider
+// edit sets a new revision of a record, which the author's neighbouring edits are told. The edits of one gesture (a slider
 // that moves, a rake that is dragged, a button that makes two records) are one edit here.
 #pragma once
 

@@ -109,7 +109,7 @@ HistoryBudget::Place::~Place() {
     state_->count();
 }
 
-// Of what nobody uses at the moment at most half, so that something is left for whoever comes meanwhile.
+// Of what no one uses at the moment at most half, so that something is left for those who come meanwhile.
 std::size_t HistoryBudget::Place::begin(Time now) {
     const std::lock_guard lock(state_->mutex);
     const std::size_t free = state_->total - state_->taken(true);

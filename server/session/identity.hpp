@@ -1,4 +1,4 @@
-// Who makes a call: the role its token gives, and the session a share link is good for. Decided once, at the gate; asked
+// Who makes a call: the role its token has, and the session a share link is good for. Decided once, at the gate; asked
 // before every method.
 #pragma once
 

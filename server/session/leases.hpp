@@ -1,5 +1,5 @@
 // Who drags which rake just now. A lease is soft: it ends by itself a few seconds after its holder's last edit, so that
-// nobody has to wait for somebody who is gone.
+// no one has to wait for somebody who is gone.
 #pragma once
 
 #include "server/session/author.hpp"

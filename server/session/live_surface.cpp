@@ -12,7 +12,7 @@ namespace wakesurf::server {
 
 namespace {
 
-/// A job for a time that nobody wants any more may be this long at work before it is given up: scrubbing shows something on the way.
+/// A job for a time that no one wants any more may be this long at work before it is given up: scrubbing shows something on the way.
 constexpr std::chrono::milliseconds patience_with_stale{150};
 constexpr std::chrono::milliseconds patience_for_key{100}; ///< until others have given memory back
 constexpr std::size_t quick_key = 30'000;                  ///< vertices encoded within some 15 ms
@@ -140,7 +140,7 @@ bool LiveSurface::stop(core::Error reason) {
     if (error_ || !busy())
         return false;
     stop_jobs();
-    building_ = held_ = false; // what the running jobs still give is nobody's
+    building_ = held_ = false; // what the running jobs still give is no one's
     error_ = std::move(reason);
     conclude();
     return true;
@@ -377,7 +377,7 @@ double LiveSurface::fraction_done() const {
 void LiveSurface::retire() {
     stop_jobs();
     building_ = held_ = false;
-    ++epoch_; // what the running jobs still give is nobody's
+    ++epoch_; // what the running jobs still give is no one's
     ring_->close();
     waiters_->answer(std::numeric_limits<std::uint32_t>::max(),
                      core::fail(core::Error::Code::NotFound, "surface " + id_ + " was deleted",

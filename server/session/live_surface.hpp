@@ -75,7 +75,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::chrono::steady_clock::time_point asked_for() const { return asked_for_; }
 
     /// There is nothing to build just now: an epoch whose outcome is `error`, told from the loop. Returns the epoch.
-    /// @param rest  nobody has asked for it yet
+    /// @param rest  no one has asked for it yet
     std::uint32_t refuse(core::SurfaceKind kind, core::Error error, bool rest = false);
 
     /// Computes no further; what is there by now stays, and `reason` (Cancelled) is the outcome until it is rebuilt. False when

@@ -91,7 +91,7 @@ core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observ
         place.name = "guest " + place.id.substr(1);
         place.colour = free_colour();
     }
-    // The role of a place is for whoever came by that link, not for another who learnt the resume token.
+    // The role of a place is for the person who came by that link, not for another who learnt the resume token.
     if (!joined.returned || place.grant != arrival.identity.grant) {
         place.role = arrival.identity.role;
         place.role_set = false;
@@ -213,8 +213,8 @@ void Participants::hide(const std::string& id) {
     news_.left(id);
 }
 
-/// Those who left too long ago, and of too many the oldest of the link by which most came, first of those nobody sees any more: who
-/// comes and goes by one link all day takes nobody else's place.
+/// Those who left too long ago, and of too many the oldest of the link by which most came, first of those no one sees any more: who
+/// comes and goes by one link all day takes no one else's place.
 void Participants::trim() {
     const std::int64_t expired = unix_time_() - limits::place_kept.count();
     while (!absent_.empty() && absent_.front().left < expired)
@@ -331,7 +331,7 @@ std::vector<protocol::ParticipantRecord> Participants::shown() const {
     return out;
 }
 
-/// Nobody is told of themselves here.
+/// No one is told of themselves here.
 std::size_t Participants::tell(const PresenceNews::Batch& batch) const {
     std::vector<std::string> ids;
     std::vector<std::string> entries;

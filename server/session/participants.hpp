@@ -34,7 +34,7 @@ struct Participant {
     SecretDigest token{};  ///< of its resume token
     /// Of the token before, from an earlier life of the server, as long as the answer with the new one may have been lost.
     std::optional<SecretDigest> former;
-    bool restored = false;        ///< nobody has come back to it since the server started
+    bool restored = false;        ///< no one has come back to it since the server started
     Observer* observer = nullptr; ///< nothing: its connection is lost
     protocol::Presence presence;
 };
@@ -91,7 +91,7 @@ class Participants {
     /// The places as the journal has them.
     std::vector<JournalEntry> entries() const;
 
-    /// A place out of the journal. One that nobody has come back to for too long is struck from it. Error: Corrupt.
+    /// A place out of the journal. One that no one has come back to for too long is struck from it. Error: Corrupt.
     core::Result<void> restore(const std::string& id, std::string_view record);
 
     /// Those connected.

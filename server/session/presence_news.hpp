@@ -21,7 +21,7 @@ class PresenceNews {
         std::vector<std::string> left;
     };
 
-    /// Tells a batch; gives how many bytes that took over all who were told.
+    /// Tells a batch; returns how many bytes that took over all who were told.
     using Tell = std::function<std::size_t(const Batch&)>;
 
     /// Of how many participants may be told at a time; at least 1.

@@ -84,7 +84,7 @@ probe(const OpenDataset& dataset, const ProbeRequest& request, const std::stop_t
     }
     for (const core::Vec3& point : request.points)
         result.inside.push_back(dataset.flow->status(point) == core::PointStatus::Inside);
-    // A flow answers everywhere, outside with what it has at the nearest place; that is nobody's measurement.
+    // A flow answers everywhere, outside with what it has at the nearest place; that is no one's measurement.
     for (ProbeField& field : result.fields)
         for (std::size_t i = 0; i < field.vectors.size(); ++i)
             if (!result.inside[i])

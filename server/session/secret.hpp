@@ -1,5 +1,5 @@
 // Secrets as the server keeps them: only their SHA-256. The secrets themselves are random, 256 bits, so that no table of
-// likely ones helps whoever gets to see a digest.
+// likely ones helps anyone who gets to see a digest.
 #pragma once
 
 #include <array>

@@ -48,7 +48,7 @@ struct TurnResult {
     History::Depth left;
 };
 
-/// Loop thread only. An author may be left out: then it is the server's own doing, which nobody can undo.
+/// Loop thread only. An author may be left out: then it is the server's own doing, which no one can undo.
 class Session {
   public:
     Session(std::string id, std::string name, SessionServices services, std::uint32_t& next_number);
@@ -70,7 +70,7 @@ class Session {
     /// Since when it is there, who was in it, whether anybody edited it.
     const protocol::SessionProfile& profile() const { return profile_.value(); }
 
-    /// The picture that a list shows, in base64; empty: nobody has sent one.
+    /// The picture that a list shows, in base64; empty: no one has sent one.
     const std::string& thumbnail() const { return thumbnail_; }
 
     SessionClock& clock() { return clock_; }

@@ -22,7 +22,7 @@ namespace {
 constexpr std::string_view id_start = "session-";
 constexpr std::string_view main_id = "main";
 
-/// Of an id that add_new gives, else 0.
+/// Of an id that add_new returns, else 0.
 std::size_t number_of(std::string_view id) {
     std::size_t number = 0;
     if (id.starts_with(id_start))
@@ -34,7 +34,7 @@ void log_event(const char* event, const std::string& id) {
     spdlog::info("event={} session={}", event, log_value(id));
 }
 
-/// Nobody would miss it: only the page's default scene is in it, or nothing.
+/// No one would miss it: only the page's default scene is in it, or nothing.
 bool may_go(const Session& session) {
     return session.id() != main_id && !session.profile().edited && !session.profile().on_purpose &&
            session.participants().present().empty();

@@ -1,5 +1,5 @@
 // All sessions of the server, and those in the trash. One, `main`, is there from the start, so that a page and a script meet
-// without arranging anything. The server deletes nobody's work: where there are too many sessions it refuses to make more.
+// without arranging anything. The server deletes no one's work: where there are too many sessions it refuses to make more.
 #pragma once
 
 #include "server/session/giving_back.hpp"
@@ -22,7 +22,7 @@ class SessionDirectory {
   public:
     explicit SessionDirectory(SessionServices services);
 
-    /// Where there are too many, the one unused for longest goes that nobody edited, named or shared and nobody is in. Error: OverLimit
+    /// Where there are too many, the one unused for longest goes that no one edited, named or shared and no one is in. Error: OverLimit
     /// when there is none of those.
     core::Result<std::shared_ptr<Session>> create(std::string name);
 
@@ -42,7 +42,7 @@ class SessionDirectory {
     /// How many more can be made, those counted that would go for them.
     std::size_t remaining() const;
 
-    /// Moves a session to the trash; its people are sent away. Gives the second since 1970 until which it can be brought back.
+    /// Moves a session to the trash; its people are sent away. Returns the second since 1970 until which it can be brought back.
     /// Error: NotFound, InvalidArgument (main), OverLimit (full trash).
     core::Result<std::int64_t> remove(const std::string& id);
 

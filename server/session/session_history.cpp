@@ -1,4 +1,4 @@
-// Undo and redo: an author's own edits, turned where nobody has touched their records since.
+// Undo and redo: an author's own edits, turned where no one has touched their records since.
 #include "server/session/session.hpp"
 
 #include <algorithm>

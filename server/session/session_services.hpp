@@ -24,11 +24,11 @@ struct SessionServices {
     ComputePool& pool;
     const Datasets& datasets;
     Entropy& entropy;
-    Metrics* metrics = nullptr;         ///< nobody counts without
+    Metrics* metrics = nullptr;         ///< no one counts without
     Journal* journal = nullptr;         ///< nothing is kept without
     const core::Clock* clock = nullptr; ///< the machine's without
     UnixTime unix_time = unix_seconds;
-    const core::MemoryAccount* memory = nullptr; ///< nobody counts without
+    const core::MemoryAccount* memory = nullptr; ///< no one counts without
     const core::Error* withheld =
         nullptr; ///< why restored surfaces are not computed; they are without
     const HistoryBudget* histories = nullptr; ///< each surface has its own without

@@ -25,7 +25,7 @@ void Session::lose(const Observer& observer) {
     somebody_went();
 }
 
-/// A clock that nobody looks at would have surfaces computed for ever; whoever only reloads the page finds it running.
+/// A clock that no one looks at would have surfaces computed for ever; someone who only reloads the page finds it running.
 void Session::somebody_went() {
     profile_.used();
     keep_profile();

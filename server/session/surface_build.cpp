@@ -263,7 +263,7 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
         if (!started)
             return tl::unexpected(started.error());
         played_ = std::move(*started);
-        last_ = Source::Nothing; // ids begin anew
+        last_ = Source::Nothing; // ids start again
         played_load_ = 0.0;
     }
     auto shown = played_->at(age, stop, work);

@@ -29,7 +29,7 @@ struct SurfacePass {
 /// How long before `time` a surface was (first) released, within its integration time; nothing: at its end.
 double age_at(const core::SurfaceParameters& parameters, std::optional<double> time);
 
-/// What a build's memory is counted by. Both outlive it; without, nobody counts.
+/// What a build's memory is counted by. Both outlive it; without, no one counts.
 struct BuildMemory {
     const core::MemoryAccount* account = nullptr;
     const HistoryBudget* histories = nullptr; ///< to step back; of its own without
@@ -47,9 +47,9 @@ class SurfaceBuild {
                  const Memory& memory = {},
                  std::uint32_t first_seq = 0);
 
-    /// Builds and encodes. Never throws. Once it has begun to encode it gives the update even if `stop` has fired: the next
+    /// Builds and encodes. Never throws. Once it has begun to encode it returns the update even if `stop` has fired: the next
     /// one is based on it. Error: Cancelled; OverLimit out of memory; what the engine and the encoder report.
-    /// @param work  told how far the pass is; null: nobody waits
+    /// @param work  told how far the pass is; null: no one waits
     core::Result<Update> run(const SurfacePass& pass,
                              const std::stop_token& stop,
                              core::WorkDone* work = nullptr) noexcept;

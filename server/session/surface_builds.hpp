@@ -42,7 +42,7 @@ class SurfaceBuilds {
     /// OutOfTime, InvalidArgument.
     core::Result<SurfaceJob> job_for(const protocol::SurfaceRecord& record) const;
 
-    /// Begins a build and gives its epoch, which is above the record's. Where there is nothing to build now, the outcome
+    /// Begins a build and returns its epoch, which is above the record's. Where there is nothing to build now, the outcome
     /// says why, and it is tried again when data come.
     /// @param rest  it is restored: see LiveSurface::rebuild
     std::uint32_t build(const protocol::SurfaceRecord& record, bool rest = false);

@@ -1,4 +1,4 @@
-// A rate with room for bursts: tokens come at a steady rate up to a most, and whoever has none waits.
+// A rate with room for bursts: tokens come at a steady rate up to a most, and a caller without one waits.
 #pragma once
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 
 namespace wakesurf::server {
 
-/// Gives seconds since 1970.
+/// Returns seconds since 1970.
 using UnixTime = std::function<std::int64_t()>;
 
 /// The machine's.

@@ -34,7 +34,7 @@ struct Update {
 
 using SharedUpdate = std::shared_ptr<const Update>;
 
-/// The share of an update's frames. @param account  null: nobody counts
+/// The share of an update's frames. @param account  null: no one counts
 std::shared_ptr<core::MemoryAccount::Share> counted(const core::MemoryAccount* account,
                                                     std::size_t bytes);
 
@@ -68,7 +68,7 @@ class UpdateRing {
     /// Drops all but the newest: those who are not there yet get a key.
     void keep_newest();
 
-    /// Nobody will add anything more; readers have nothing to read.
+    /// No one will add anything more; readers have nothing to read.
     void close();
 
     /// Null before the epoch's first.
@@ -86,7 +86,7 @@ class UpdateRing {
     /// What the holder of the state `seq` reads next: the newest key after it, else the update based on it. Null: not held.
     SharedUpdate after(std::uint32_t seq) const;
 
-    /// Whether whoever holds the state `seq` is better served by a keyframe than by all that came since.
+    /// Whether a reader that holds the state `seq` is better served by a keyframe than by all that came since.
     bool far_behind(std::uint32_t seq) const;
 
     /// A key from which it is not far to the newest state, for who holds the state `after_seq` or none. Null: one is asked for

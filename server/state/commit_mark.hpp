@@ -30,7 +30,7 @@ class CommitMark {
 
     void write(const Value& value);
 
-    /// Opens the file anew before the next write: it may have been taken away.
+    /// Opens the file again before the next write: it may have been taken away.
     void close();
 
   private:

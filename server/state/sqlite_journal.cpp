@@ -141,7 +141,7 @@ void SqliteJournal::work() {
     }
 }
 
-// With the lock held, so that nobody is told of a later state before an earlier one.
+// With the lock held, so that no one is told of a later state before an earlier one.
 void SqliteJournal::tell(PendingWrites tried, const core::Result<void>& outcome, Waiting waited) {
     // The disk takes writes again, but edits came meanwhile that were answered as not durable: they go first.
     const bool behind = outcome && refusal_ && !changes_.empty();

@@ -96,7 +96,7 @@ core::Result<void> copy_of_running(const fs::path& folder, const fs::path& to) {
                 "see the server's log");
 }
 
-/// Of a folder as it is now, whoever uses it.
+/// Of a folder as it is now, even if a server uses it.
 core::Result<void> copy_of(const fs::path& folder, const fs::path& to) {
     const auto held = StateFolder::hold_existing(folder);
     if (held)
@@ -106,7 +106,7 @@ core::Result<void> copy_of(const fs::path& folder, const fs::path& to) {
     return copy_of_running(folder, to);
 }
 
-/// Of a copy nobody else has open. What is in its log becomes part of it.
+/// Of a copy no one else has open. What is in its log becomes part of it.
 core::Result<Database> open_copy(const fs::path& copy) {
     return Database::open(copy.string(), nullptr).and_then([](Database&& database) {
         return database.run("PRAGMA locking_mode=EXCLUSIVE; PRAGMA journal_mode=DELETE").map([&] {

@@ -1,4 +1,4 @@
-// The folder of `--state`: one server at a time, and nobody else's business.
+// The folder of `--state`: one server at a time, and no one else's business.
 #pragma once
 
 #include "core/base/result.hpp"

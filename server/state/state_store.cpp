@@ -117,7 +117,7 @@ core::Result<void> StateStore::put_back() {
 }
 
 // After a sync that failed, or was never made, what the log shows may not be on the disk, nor what is appended to it be
-// found there: everything moves to the file itself, and the log begins anew.
+// found there: everything moves to the file itself, and the log starts again.
 core::Result<void> StateStore::begin_log() {
     auto begun = database_->run("PRAGMA wal_checkpoint(TRUNCATE)");
     log_is_new_ = begun.has_value();

@@ -35,7 +35,7 @@ class StateStore {
     /// What open() has read; once.
     Loaded take_loaded() { return std::move(loaded_); }
 
-    /// All of it or, with an error (Io, Corrupt), none. After an error the next call opens the file anew; deletions that are needless have
+    /// All of it or, with an error (Io, Corrupt), none. After an error the next call opens the file again; deletions that are needless have
     /// been dropped from `changes` then. A change reported as failed may be found on the disk all the same.
     core::Result<void> apply(PendingWrites& changes);
 

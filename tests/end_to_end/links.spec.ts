@@ -58,7 +58,7 @@ describe('a link', () => {
             ['Both', 0],
         ] as const) {
             const { grant } = await linkWithChild();
-            // The list is asked for anew with every look at it.
+            // The list is asked for again with every look at it.
             await host.getByRole('tab', { name: 'View' }).click();
             await host.getByRole('tab', { name: 'Share' }).click();
             const item = host.locator(`[data-grant="${grant}"]`);

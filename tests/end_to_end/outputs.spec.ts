@@ -228,7 +228,7 @@ describe('a film', () => {
 });
 
 describe('a mesh', () => {
-    it('is downloaded byte for byte as the server gives it, in every format', async () => {
+    it('is downloaded byte for byte as the server sends it, in every format', async () => {
         await toExport();
         const session = await ask(page, (hook) => hook.session);
         const { surface } = await ask(page, (hook) => hook.displayed!);
@@ -270,7 +270,7 @@ describe('a script', () => {
         expect(text).not.toContain(stand.server.token);
         return text;
     };
-    /** Without what the server gives to each record. */
+    /** Without what the server adds to each record. */
     const asked = ({ surface: _surface, rake: _rake, rev: _rev, epoch: _epoch, ...rest }: SurfaceRecord) => rest;
     const placed = ({ rake: _rake, rev: _rev, author: _author, ...rest }: RakeRecord) => rest;
 

@@ -135,7 +135,7 @@ describe('the others in the picture', () => {
         await expect.poll(together).toBe(true);
         await guest.getByRole('button', { name: 'Fit the whole domain' }).click();
         await expect.poll(together).toBe(true);
-        // Whoever moves the camera has it to themselves again.
+        // Someone who moves the camera has it to themselves again.
         await host.mouse.move(300, 420);
         await host.mouse.down();
         await host.mouse.move(350, 412, { steps: 3 });

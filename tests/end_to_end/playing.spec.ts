@@ -17,7 +17,7 @@ beforeEach(async () => {
     await finalSurface(page);
     await page.getByRole('radio', { name: 'Streak' }).check();
     await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
-    // Half a minute from the end, where the loop begins anew with nothing to be seen.
+    // Half a minute from the end, where the loop starts again with nothing to be seen.
     await page.locator('#speed').selectOption('0.25');
     await page.locator('#go-to').fill('11');
     await page.keyboard.press('Enter');
@@ -68,7 +68,7 @@ describe('a streak surface', () => {
         allowLostConnections();
         await page.getByRole('button', { name: 'Play' }).click();
         await page.waitForFunction(() => window.wakesurf?.phase === 'live');
-        // What was missed is kept for five seconds, and a loop begins anew. Where the machine is so busy that one of them came
+        // What was missed is kept for five seconds, and a loop starts again. Where the machine is so busy that one of them came
         // between, it was no short cut.
         for (let tries = 1, short = false; !short; ++tries) {
             expect(tries).toBeLessThan(6);

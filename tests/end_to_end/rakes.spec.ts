@@ -46,7 +46,7 @@ function shown(): Promise<Vec3[]> {
     return ask(page, (hook) => hook.rakePoints);
 }
 
-/** What is on the screen of the chosen rake is in its record, whoever dragged it has let go, and it is not what it was. */
+/** What is on the screen of the chosen rake is in its record, the person who dragged it has let go, and it is not what it was. */
 async function recorded(index = 0, was: Vec3[] = []): Promise<RakeRecord> {
     const both = async () => ({ seen: await shown(), rake: (await rakes())[index]! });
     const same = await eventually(both, ({ seen, rake }) => {

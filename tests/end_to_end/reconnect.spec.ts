@@ -68,7 +68,7 @@ describe('the connection', () => {
         await finalSurface(page);
         await banner.waitFor({ state: 'hidden' });
         const after = await ask(page, (hook) => hook.displayed);
-        // Made anew in other passes, the same surface may have its vertices in another order.
+        // Made again in other passes, the same surface may have its vertices in another order.
         expect(after).toMatchObject({ vertices: before?.vertices, cells: before?.cells });
         await expectServersMesh(server, page);
         expect((await ask(page, (hook) => hook.rakePoints))[0]?.[0]).toBe(-2);

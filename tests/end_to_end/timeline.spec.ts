@@ -182,7 +182,7 @@ describe('the timeline', () => {
         await expectServersMesh(stand.server, page);
     });
 
-    it('follows whoever else moves the clock, and lets no one play who only looks on', async () => {
+    it('follows others who move the clock, and lets no viewer play', async () => {
         await streak();
         const session = await ask(page, (hook) => hook.session);
         const { link } = (await stand.server.call('session.share', { session, role: 'viewer' })) as { link: string };

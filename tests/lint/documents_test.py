@@ -79,6 +79,9 @@ class Documents(unittest.TestCase):
     def test_have_no_paragraph_of_more_than_80_words(self):
         self.assertEqual(found(long_paragraphs), [])
 
+    def test_that_are_cited_are_in_the_repository(self):
+        self.assertEqual(found(missing_documents), [])
+
 
 class TheLinter(unittest.TestCase):
     def test_counts_the_words_of_each_block_by_itself(self):

@@ -1,4 +1,4 @@
-// Golden sequences of frames, read by this test and by web-client/src/protocol/meshDecoder.spec.ts. To write them anew after a
+// Golden sequences of frames, read by this test and by web-client/src/protocol/meshDecoder.spec.ts. To write them again after a
 // change of the wire: WAKESURF_UPDATE_FIXTURES=1 bin/protocol_test --gtest_filter='GoldenFrames.*'
 // More of the random ones, for the other decoders: WAKESURF_SEQUENCES_TO=<folder> WAKESURF_SEQUENCE_SEED=<seed>.
 #include "protocol/mesh_decoder.hpp"

@@ -17,7 +17,7 @@
 
 namespace wakesurf::simulation {
 
-/// Opens a connection to the server, or gives nothing while it is down.
+/// Opens a connection to the server, or returns nothing while it is down.
 using Dial = std::function<std::shared_ptr<Link>()>;
 
 /// An edit the server has acknowledged as durable.

@@ -8,7 +8,7 @@
 
 namespace wakesurf::simulation {
 
-/// How much happened, so that nobody takes an idle world for a good one.
+/// How much happened, so that no one takes an idle world for a good one.
 struct Story {
     std::string trouble; ///< empty: all is well
     std::uint64_t digest = 0;

@@ -1,5 +1,5 @@
-// A world of its own: virtual time, one queue of events, one source of chance. The same seed gives the same world, step for
-// step, so that a run that fails can be replayed. After FoundationDB's and TigerBeetle's simulations (reliability.md 1).
+// A world of its own: virtual time, one queue of events, one source of chance. The same seed makes the same world, step for
+// step, so that a run that fails can be replayed. After FoundationDB's and TigerBeetle's simulations (docs/measurements.md).
 #pragma once
 
 #include "core/base/clock.hpp"

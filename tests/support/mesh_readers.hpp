@@ -27,7 +27,7 @@ ReadMesh read_obj(const std::string& text);
 ReadMesh read_drc(std::string_view bytes);
 
 /// Arrays by the names of the primitive's attributes, through the extension's ids; checks the container's lengths, and
-/// that the accessors say what Draco gives.
+/// that the accessors say what Draco returns.
 ReadMesh read_glb(const std::string& bytes);
 
 /// Undirected edges and how many faces use each.

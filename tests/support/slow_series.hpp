@@ -10,7 +10,7 @@
 
 namespace wakesurf::tests {
 
-/// Writes u_00.vti, u_01.vti, ... with velocity (0.5, 0.5, 0.5); gives the first.
+/// Writes u_00.vti, u_01.vti, ... with velocity (0.5, 0.5, 0.5); returns the first.
 inline std::filesystem::path write_slow_series(const std::filesystem::path& folder,
                                                std::size_t steps = 40) {
     const auto name = [&](std::size_t step) {

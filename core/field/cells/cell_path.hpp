@@ -1,5 +1,5 @@
 // A particle's path within one cell as a Taylor series. Position and velocity are polynomials of the local coordinates, so
-// the terms of x(u(t)) and v(u(t)) follow from those of u(t), and x' = v gives the next term of u: a linear equation
+// the terms of x(u(t)) and v(u(t)) follow from those of u(t), and from x' = v follows the next term of u: a linear equation
 // with the Jacobian at the start, whatever the order. Source: Hairer, Norsett, Wanner, Solving ODEs I, I.8.
 #pragma once
 

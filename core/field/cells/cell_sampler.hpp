@@ -1,5 +1,5 @@
 // The stored field of a cell mesh between its nodes: VTK's shape functions in space, linear in time. A pair of
-// time-steps, or one for a frozen field. Mirrors what vtkProbeFilter gives.
+// time-steps, or one for a frozen field. Mirrors what vtkProbeFilter returns.
 #pragma once
 
 #include "core/field/cells/cell_cursor.hpp"
@@ -14,7 +14,7 @@ namespace wakesurf::core {
 
 class CellSamplerCursor;
 
-/// Stateless: every call finds its cell anew. Particles take a cursor. Thread safety: concurrent calls are fine.
+/// Stateless: every call finds its cell again. Particles take a cursor. Thread safety: concurrent calls are fine.
 struct CellSampler {
     const CellDomain* domain;
     const float* velocity0;

@@ -14,7 +14,7 @@ NodeShares CellSampling::shares(const Vec3& position) const {
     const MeshCell& cell = domain_.mesh.cells[place.cell()];
     shares.count = node_count(cell.shape);
     for (std::size_t i = 0; i < shares.count; ++i) {
-        // What the node's value is multiplied by is what a field gives that is one there and zero at the others.
+        // What the node's value is multiplied by is what a field returns that is one there and zero at the others.
         CellPolynomial one_here;
         one_here.fit(cell.shape, [&](std::size_t node) {
             Components value;

@@ -33,7 +33,7 @@ struct StoredPair {
 };
 
 /// Particles that take a step together, stage by stage: while one waits for its samples another computes (one at
-/// a time is 1.5-1.8 times slower, performance.md 3.1).
+/// a time is 1.5-1.8 times slower: docs/measurements.md, The limit of the kernel).
 struct Rk4Batch {
     static constexpr std::size_t most = 16;
 

@@ -1,7 +1,7 @@
 // One RK4 step of a batch of particles through stored data, trilinear in space and linear in time, written once for
 // vectors of any make: `Lanes` offers Row (8 floats: a row of two nodes), Quad (4 floats: one vector) and Wide (4
 // doubles). Every operation is the same IEEE operation in the same order whatever the make, so all give the same bits.
-// Layout and batching: measured best of 14 (performance.md 3.1): velocity as in the file, an x-pair of nodes a load.
+// Layout and batching: measured best of 14 (docs/measurements.md, The limit of the kernel): velocity as in the file, an x-pair of nodes a load.
 #pragma once
 
 #include "core/field/kernel/rk4_batch.hpp"

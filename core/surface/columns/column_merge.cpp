@@ -225,7 +225,7 @@ class ColumnMerger {
         return square > 0.0 && glm::length(glm::cross(off, side)) < outline_shift * square;
     }
 
-    /// Zips the columns on either side of rows [begin, end) anew, piece by piece between what begins or ends there.
+    /// Zips the columns on either side of rows [begin, end) again, piece by piece between what begins or ends there.
     bool join(const ColumnSpan& column, std::size_t begin, std::size_t end) {
         made_.clear();
         std::size_t first = begin;

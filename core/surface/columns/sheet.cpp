@@ -221,7 +221,7 @@ std::vector<Sheet::StripDemand> Sheet::bend_demands(const Clock& clock) {
     return demands;
 }
 
-/// Gives strips the curves and seeds they want. Returns the strips to zip again.
+/// Hands strips the curves and seeds they want. Returns the strips to zip again.
 Result<std::vector<std::size_t>> Sheet::meet(const std::vector<StripDemand>& demands,
                                              const Clock& clock,
                                              const std::stop_token& stop) {

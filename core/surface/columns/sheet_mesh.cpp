@@ -110,7 +110,7 @@ void merge(const Sheet& sheet, const ColumnNumbers& numbers, std::vector<Cell>& 
                   {sheet.rules(), 0.65 * joined, joined, std::cos(0.5 * angle), std::cos(angle)});
 }
 
-/// Appends the vertices in use and gives what each is called in the mesh.
+/// Appends the vertices in use and returns what each is called in the mesh.
 std::vector<VertexId>
 append_vertices(SheetMesh& mesh, const ColumnNumbers& numbers, const std::vector<Cell>& cells) {
     constexpr VertexId used = no_vertex - 1;

@@ -92,7 +92,7 @@ class Strip {
     /// @param rows  by node: the row, or no_row
     Demand split_bends(const StripLimits& limits, std::span<const std::uint32_t> rows);
 
-    /// Gives the curve for a seed parameter refine() asked for. Must outlive the strip.
+    /// Hands over the curve for a seed parameter refine() asked for. Must outlive the strip.
     void supply(const SeededCurve& curve);
 
     /// Accepts what cannot be zipped as torn: used when rounds or the budget run out.

@@ -63,7 +63,7 @@ class LinkedQuads {
     /// Slots of the cells the last replace() or append() made.
     std::span<const CellIndex> made() const { return made_; }
 
-    /// Gives cells and vertices the slots they have in `cells` (in order) and `vertex_slot`. For keeping memory in mesh order.
+    /// Moves cells and vertices to the slots they have in `cells` (in order) and `vertex_slot`. For keeping memory in mesh order.
     void renumber(std::span<const CellIndex> order, std::span<const VertexId> vertex_slot);
 
     std::size_t bytes() const {

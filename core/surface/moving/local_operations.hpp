@@ -54,7 +54,7 @@ class LocalOperations {
     /// The same without looking at what lies beside it: reconnected() may still be nothing. Cheaper.
     CrossEdge shifted(CellIndex cell, Reconnection how) const;
 
-    /// REQUIRES: reconnected(cell, how) gives an edge.
+    /// REQUIRES: reconnected(cell, how) returns an edge.
     void reconnect(CellIndex cell, Reconnection how);
 
     void tear(CellIndex cell);

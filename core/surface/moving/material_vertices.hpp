@@ -62,7 +62,7 @@ class MaterialVertices {
                !(role[v] == VertexRole::Attached && end[v] == CurveEnd::Time);
     }
 
-    /// Gives each vertex the slot it has in `order`, which names every used one once.
+    /// Moves each vertex to the slot it has in `order`, which names every used one once.
     void renumber(std::span<const VertexId> order);
 
     std::size_t bytes() const;

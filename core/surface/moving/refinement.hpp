@@ -63,7 +63,7 @@ class Refinement {
     bool torn_ = false;  ///< cells have been deleted: vertices may be left alone
 };
 
-/// Gives back the slots of vertices no cell uses, except attached ones.
+/// Frees the slots of vertices no cell uses, except attached ones.
 void remove_unused_vertices(MovingMesh& mesh);
 
 } // namespace wakesurf::core

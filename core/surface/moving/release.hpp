@@ -26,7 +26,7 @@ void move_attached(MovingMesh& mesh);
 void carry_on_the_dead(MovingMesh& mesh, SurfaceStatistics::Terminated& terminated);
 
 /// Puts vertices in order of row and column, and cells in that of their vertices, when more than `share` of the slots have
-/// been filled out of order: advection is three times as fast in mesh order as in random order (performance.md 3).
+/// been filled out of order: advection is three times as fast in mesh order as in random order (docs/measurements.md, The limit of the kernel).
 void sort_memory(MovingMesh& mesh, double share);
 
 } // namespace wakesurf::core

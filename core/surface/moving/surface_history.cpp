@@ -92,7 +92,7 @@ Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop, const Wo
         return fail(Error::Code::Cancelled, "there is no memory for the surface");
     if (surface_.time() == time)
         return surface_.mesh();
-    MovingSurface shown = surface_; // the last part of the way is nobody's checkpoint
+    MovingSurface shown = surface_; // the last part of the way is no one's checkpoint
     return shown.advance_to(time, stop, here.quietly().above(memory_of(mesh))).map([&] {
         return shown.mesh();
     });

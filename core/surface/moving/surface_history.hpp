@@ -13,7 +13,7 @@ namespace wakesurf::core {
 /// Thread safety: one thread at a time.
 class SurfaceHistory {
   public:
-    /// @param surface       as MovingSurface::start gives it
+    /// @param surface       as MovingSurface::start returns it
     /// @param budget_bytes  for checkpoints; when it is full, every other one is given up. The first always stays.
     SurfaceHistory(MovingSurface surface, std::size_t budget_bytes);
 

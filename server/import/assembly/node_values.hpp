@@ -21,7 +21,7 @@ struct FieldParts {
 };
 
 /// Cell data are averaged with equal weights over the cells round a node of the whole mesh, each counted once, before
-/// polyhedra are cut: within a block what vtkCellDataToPointData gives. Where blocks meet, a node has the point value of
+/// polyhedra are cut: within a block what vtkCellDataToPointData returns. Where blocks meet, a node has the point value of
 /// the first. Nodes in `still` (of the source) are 0; added nodes have the weighted mean of their parts. What is not
 /// finite, or not in single precision, is NaN. Values interleaved, in node order.
 /// Error, to be read after the file's name: NotFound, Corrupt.

@@ -10,11 +10,11 @@ namespace wakesurf::server {
 /// Blocks without their values, which may be freed then: what same_mesh needs of them.
 std::vector<vtkSmartPointer<vtkDataSet>> without_values(BlockList blocks);
 
-/// Points, cells, faces of polyhedra and what is blanked; quick where a reader gives the same arrays again.
+/// Points, cells, faces of polyhedra and what is blanked; quick where a reader returns the same arrays again.
 bool same_mesh(BlockList a, BlockList b);
 bool same_block(vtkDataSet& a, vtkDataSet& b);
 
-/// Gives `to` the arrays of `from`, which has the same mesh: its own are freed, and comparing again costs nothing.
+/// Lets `to` share the arrays of `from`, which has the same mesh: its own are freed, and comparing again costs nothing.
 void share_mesh(vtkDataSet& from, vtkDataSet& to);
 
 } // namespace wakesurf::server

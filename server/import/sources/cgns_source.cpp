@@ -51,7 +51,7 @@ void select(vtkCGNSReader& reader, const WantedArrays& wanted) {
         [&](const char* name) { reader.SetCellArrayStatus(name, 1); });
 }
 
-// VTK gives structured and unstructured zones, both with points of their own.
+// VTK returns structured and unstructured zones, both with points of their own.
 void scale_points(vtkDataSet& data, double factor) {
     auto* const points = vtkPointSet::SafeDownCast(&data);
     if (factor == 1.0 || points == nullptr)

@@ -28,7 +28,7 @@ struct EnsightVariable {
 struct EnsightTimeSet {
     int id = 0;
     std::vector<double> times;
-    std::vector<int> numbers; ///< of the files; empty where the case gives none
+    std::vector<int> numbers; ///< of the files; empty where the case names none
 };
 
 struct EnsightCase {

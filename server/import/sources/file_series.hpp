@@ -1,4 +1,4 @@
-// A source that is a list of files: which belong to which time-step, and the times the list gives them.
+// A source that is a list of files: which belong to which time-step, and the times the list has for them.
 #pragma once
 
 #include "core/base/result.hpp"

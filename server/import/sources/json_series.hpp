@@ -1,4 +1,4 @@
-// A ParaView file series (flow.vtm.series, ...): JSON that gives each file of a series its time.
+// A ParaView file series (flow.vtm.series, ...): JSON with a time for each file of a series.
 // {"file-series-version": "1.0", "files": [{"name": "flow_0.vtm", "time": 0.5}, ...]}
 #pragma once
 

@@ -1,4 +1,4 @@
-// The path of a file that another file names. Whoever writes that file must not have other files of the machine read: what
+// The path of a file that another file names. The author of that file must not have other files of the machine read: what
 // lies outside of its folder is refused.
 #pragma once
 

@@ -14,7 +14,7 @@ namespace wakesurf::server {
 
 struct FoamHeader {
     std::string type;   ///< its `class` entry: volVectorField, polyBoundaryMesh ...
-    std::string object; ///< the name the file gives itself
+    std::string object; ///< the file's name for itself
     std::string unit; ///< of its `dimensions` entry: "m/s"; empty without one, or where it has none
 };
 

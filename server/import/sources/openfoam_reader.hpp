@@ -15,7 +15,7 @@ class OpenfoamReader {
     /// `found` must outlive it.
     OpenfoamReader(const FoamCase& found, std::string part);
 
-    /// What VTK gives, copied shallowly, so that reading on does not change it: paths end in "internalMesh", or in
+    /// What VTK returns, copied shallowly, so that reading on does not change it: paths end in "internalMesh", or in
     /// "boundary" and a patch's name, behind the region's where it has one. After an error nothing is kept.
     /// Error: NotFound, Corrupt, OverLimit, Unsupported (two files of one name).
     core::Result<std::vector<Leaf>> read(const FoamTime& time,

@@ -1,4 +1,4 @@
-// A ParaView collection (.pvd): a small XML file that gives each file of a series its time. Several files of one
+// A ParaView collection (.pvd): a small XML file with a time for each file of a series. Several files of one
 // time are parts of that time-step.
 #pragma once
 

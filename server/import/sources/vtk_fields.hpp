@@ -43,7 +43,7 @@ core::Result<void> require_fields(vtkDataSet& data,
                                   const std::vector<core::FieldInfo>& fields,
                                   const std::string& file);
 
-/// Removes all arrays but `fields` and ghost marks: what a reader gives unasked.
+/// Removes all arrays but `fields` and ghost marks: what a reader returns unasked.
 void keep_only(vtkDataSet& data, const std::vector<core::FieldInfo>& fields);
 
 } // namespace wakesurf::server

@@ -21,7 +21,7 @@ bool is_vtk_file(const std::filesystem::path& path);
 /// (memory). REQUIRES: no VtkMessages lives, as of all functions here.
 core::Result<VtkFile> read_vtk_file(const ListedFile& file, const WantedArrays& wanted);
 
-/// The time the file gives itself, if any.
+/// The time that the file states, if any.
 core::Result<std::optional<double>> vtk_file_time(const ListedFile& file);
 
 /// The TimeValue (ParaView) or TIME (VisIt) of the field data.

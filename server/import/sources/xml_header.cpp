@@ -83,7 +83,7 @@ core::Result<void> check_extents(vtkXMLDataElement& primary, const std::string& 
     }
     for (std::size_t axis = 0; axis < 6; axis += 2)
         if ((*whole)[axis] >= (*whole)[axis + 1])
-            return {}; // no cells to cover; whoever needs three dimensions says so
+            return {}; // no cells to cover; code that needs three dimensions says so
     std::vector<Extent> found;
     std::uint64_t covered = 0;
     for (auto* element : pieces_of(primary)) {

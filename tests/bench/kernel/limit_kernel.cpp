@@ -13,7 +13,7 @@ bool limit_kernel_runs_here() {
 namespace {
 
 /// Stage by stage over as many particles as keep the loads of one in flight while another computes: 26 instead of
-/// 18 million vertex-steps/s (performance.md 3.1).
+/// 18 million vertex-steps/s (docs/measurements.md, The limit of the kernel).
 constexpr std::size_t batch = 8;
 
 struct Constants {

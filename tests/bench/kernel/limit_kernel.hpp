@@ -1,5 +1,5 @@
 // What one core of this machine can do at most: RK4 on two time-steps in float, hand-written for AVX2, without domain
-// checks, obstacles or tangents. The yardstick of the engine's own kernel (performance.md 3); nothing ships it.
+// checks, obstacles or tangents. The yardstick of the engine's own kernel (docs/measurements.md, Advection); nothing ships it.
 #pragma once
 
 #include "core/dataset/uniform_grid.hpp"

@@ -88,7 +88,7 @@ void HostileTenants::fill_session(LiveClient& client, const std::string& session
     const std::string rake = client.call("rake.set", rake_of(domain, number))["rake"];
     for (int i = 0; i < surfaces; ++i) {
         const std::string id = client.call("surface.set", surface_of(domain, rake, i))["surface"];
-        if (i % 4 != 3) // some are nobody's
+        if (i % 4 != 3) // some are no one's
             client.call("surface.subscribe", {{"surface", id}});
         session_[static_cast<std::size_t>(number)] =
             std::stoi(session.substr(session.rfind('-') + 1));

@@ -17,7 +17,7 @@ class MemoryGroup {
     MemoryGroup(const MemoryGroup&) = delete;
     MemoryGroup& operator=(const MemoryGroup&) = delete;
 
-    /// False: this machine lets nobody make one; why() says what was tried.
+    /// False: this machine lets no one make one; why() says what was tried.
     bool there() const { return !folder_.empty(); }
 
     const std::string& why() const { return why_; }

@@ -1,5 +1,5 @@
 // Contenders timed in turn, A B C A B C, in one process: a machine's speed drifts by 20 % within seconds, so only ratios
-// of medians taken side by side mean anything (performance.md 5). All work on one core, in the calling thread, whose CPU
+// of medians taken side by side mean anything (docs/measurements.md, How to compare two programs). All work on one core, in the calling thread, whose CPU
 // time is what counts: other programs on the machine then cost nothing but cache.
 #pragma once
 

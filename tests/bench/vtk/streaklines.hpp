@@ -8,7 +8,7 @@
 namespace wakesurf::bench {
 
 /// 200 seeds, released again at every one of 65 time-steps. The filter does two RK4 steps in each interval whatever one
-/// asks for (performance.md 1.3); both are counted.
+/// asks for (docs/measurements.md, VTK's filters); both are counted.
 class VtkStreaklines {
   public:
     explicit VtkStreaklines(const SampledFlow& flow);

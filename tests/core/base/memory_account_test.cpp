@@ -170,7 +170,7 @@ TEST(MemoryAccount, SeesWhatTheProcessHoldsBeyondItsShares) {
 TEST(MemoryAccount, WorkThatNeedsMuchLeavesTheLastPartToWhatNeedsLittle) {
     const MemoryAccount account(64 * mebi);
     std::stop_source none;
-    none.request_stop(); // nobody waits here
+    none.request_stop(); // no one waits here
     WorkMemory much(account, none.get_token());
     std::size_t taken = 0;
     while (much.grow(mebi / 4))

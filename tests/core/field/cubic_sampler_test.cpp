@@ -199,7 +199,7 @@ TEST(CubicSampler, IsTrilinearInCellsWhoseNeighboursTouchAnObstacle) {
 }
 
 TEST(SmoothSampling, ErrorsOfPathsFallWithThePower2OfTheSpacingWhenTrilinearAnd3HalfWhenTricubic) {
-    // algorithms.md 6: slopes 2.0 and 3.5-3.6.
+    // docs/measurements.md, Order of the field's interpolation: slopes 2.0 and 3.5 to 3.6.
     const AbcFlow abc{{}, std::sqrt(3.0), std::sqrt(2.0), 1.0};
     const auto velocity = [&](const Vec3& p, double t) { return abc.velocity(p, t); };
     std::vector<Vec3> seeds;

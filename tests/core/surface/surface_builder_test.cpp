@@ -66,7 +66,7 @@ Surface built(const Case& c, const SurfaceParameters& p) {
     return std::move(*surface);
 }
 
-/// Where a particle is after `time`, integrated anew and finer than any surface is.
+/// Where a particle is after `time`, integrated again and finer than any surface is.
 Vec3 retraced(const Flow& flow, const Vec3& seed, double time, SurfaceKind kind) {
     std::vector<Curve> curve(1);
     curve[0].seed = seed;

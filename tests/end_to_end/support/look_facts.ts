@@ -55,7 +55,7 @@ export interface Colouring {
     invert?: boolean;
 }
 
-/** How many of the vertices have the hue that a colouring gives them; where it gives one. */
+/** How many of the vertices have the hue that a colouring leads to, where it leads to one. */
 export function agreement(
     seen: readonly SeenVertex[],
     valueOf: (vertex: SeenVertex) => number,

@@ -8,7 +8,7 @@ import { ServerProcess, temporaryFolder } from './server_process.ts';
 export class Stand {
     server!: ServerProcess;
     browser!: Browser;
-    /** Between the server and whoever comes by `networkLink`. */
+    /** Between the server and those who come by `networkLink`. */
     network!: NetworkProxy;
     private readonly contexts: BrowserContext[] = [];
 

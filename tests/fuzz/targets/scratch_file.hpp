@@ -1,4 +1,4 @@
-// Files for readers that take paths: one folder a process, written anew for each input.
+// Files for readers that take paths: one folder a process, written again for each input.
 #pragma once
 
 #include "tests/fuzz/target.hpp"

@@ -1,4 +1,4 @@
-// EnSight Gold cases made here: what the source gives of them, and what it refuses.
+// EnSight Gold cases made here: what the source returns of them, and what it refuses.
 #include "server/import/sources/ensight_case.hpp"
 #include "server/import/sources/ensight_source.hpp"
 #include "tests/support/ensight_text.hpp"

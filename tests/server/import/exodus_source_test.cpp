@@ -1,4 +1,4 @@
-// Exodus II files written by VTK: what the source gives of them, and what it refuses.
+// Exodus II files written by VTK: what the source returns of them, and what it refuses.
 #include "server/import/sources/exodus_source.hpp"
 #include "tests/support/temporary_folder.hpp"
 

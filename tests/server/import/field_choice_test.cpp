@@ -76,7 +76,7 @@ TEST(FieldChoice, KeepsAScalarThatIsNamedAsTheMagnitudeOfAVector) {
                            "left out, since a store holds one vector: F");
     const auto named = choose_fields(fields, {"U", "F"}).value();
     ASSERT_EQ(named.scalars.size(), 1u);
-    EXPECT_EQ(named.scalars[0].field.name, "F") << "whoever names the vector means it";
+    EXPECT_EQ(named.scalars[0].field.name, "F") << "someone who names the vector means it";
 }
 
 TEST(FieldChoice, JoinsThreeComponentsInTheirOrder) {
@@ -117,7 +117,7 @@ TEST(FieldChoice, ListsTheCandidatesWhereItIsNotClear) {
         << refusal;
     EXPECT_EQ(velocity({point("wind", 3), point("B", 3)}, {"B"}), "B");
     EXPECT_NE(velocity({point("vorticity", 3)}).find("there is vorticity"), std::string::npos);
-    EXPECT_EQ(velocity({point("vorticity", 3)}, {"vorticity"}), "vorticity"); // whoever says so
+    EXPECT_EQ(velocity({point("vorticity", 3)}, {"vorticity"}), "vorticity"); // someone says so
     EXPECT_EQ(velocity({point("a", 1), point("b", 1), point("c", 1)}, {"b", "c", "a"}), "b, c, a");
 }
 

@@ -66,7 +66,7 @@ class ImportProbe : public Import {
         return places;
     }
 
-    // `sample` gives nothing outside of the domain, and so must VTK then.
+    // `sample` returns nothing outside of the domain, and so must VTK then.
     template <class Sample>
     static void expect_vtk(vtkDataSet& data, const Sample& sample) {
         const auto places = places_in(data);

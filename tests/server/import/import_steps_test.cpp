@@ -161,7 +161,7 @@ TEST_F(ImportSteps, AreNotReadFromOutsideOfTheCollectionsFolder) {
     put("n_0.vti", sample_vti().text());
     fs::create_symlink(elsewhere / "secret.vti", folder_ / "n_1.vti");
     expect_refusal("n_0.vti", "the series of n_0.vti names n_1.vti, which lies outside");
-    EXPECT_EQ(run("link.vti").status, 0); // whoever names a link knows where it leads
+    EXPECT_EQ(run("link.vti").status, 0); // someone who names a link knows where it leads
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// OpenFOAM cases made here, cell by cell: what the source gives of them, and what it refuses.
+// OpenFOAM cases made here, cell by cell: what the source returns of them, and what it refuses.
 #include "server/import/sources/openfoam_source.hpp"
 #include "tests/support/foam_files.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,4 +1,4 @@
-// HTTP as nobody should send it: smuggled bodies, endless headers, paths out of the folder. Each gets a short answer or a
+// HTTP as no one should send it: smuggled bodies, endless headers, paths out of the folder. Each gets a short answer or a
 // closed connection at once, and never two answers where a proxy saw one request.
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,4 +1,4 @@
-// HTTP and WebSockets over TLS: the same service, cookies that stay inside, and nobody who does not speak TLS 1.2.
+// HTTP and WebSockets over TLS: the same service, cookies that stay inside, and no one who does not speak TLS 1.2.
 #include "tests/support/server/self_signed.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/tls_socket.hpp"

@@ -136,7 +136,7 @@ TEST_F(GrantsTest, ComesBackFromTheJournalWhichNeverHoldsAKey) {
         for (const std::string& key : {forever->key, an_hour->key, a_minute->key})
             EXPECT_EQ(record.find(key), std::string::npos) << id;
     const auto kept = disk.records;
-    wall += 600; // the server was down, and its steady clock starts anew
+    wall += 600; // the server was down, and its steady clock starts again
     Grants after(services());
     for (const auto& [id, record] : kept)
         EXPECT_TRUE(after.restore("main", id, record)) << record;

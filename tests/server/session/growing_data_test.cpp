@@ -48,7 +48,7 @@ TEST(GrowingData, ASurfaceThatEndedForWantOfATimeStepIsBuiltAgainOnceItIsThere) 
     EXPECT_EQ(done["epoch"], set["epoch"]);
     const auto before = done["stats"]["quads"].get<int>();
     write_file(folder / "u_2.vti", whole);
-    done = client.notification("surface.done"); // nobody asked for it
+    done = client.notification("surface.done"); // no one asked for it
     EXPECT_FALSE(done["stats"].contains("stopped")) << done;
     EXPECT_GT(done["epoch"].get<int>(), set["epoch"].get<int>());
     EXPECT_GT(done["stats"]["quads"].get<int>(), before);

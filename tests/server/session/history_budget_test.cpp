@@ -99,7 +99,7 @@ TEST(HistoryBudget, IsNeverExceededWhateverIsUsedAtOnce) {
             running.erase(in_use);
         } else if (running.size() < 6) {
             const std::size_t most = one.place.begin(now);
-            ASSERT_GT(most, 0u) << "whoever comes gets something";
+            ASSERT_GT(most, 0u) << "each newcomer gets something";
             ASSERT_LE(most, 300u);
             running.push_back({&one, most});
         } else if (random() % 4 == 0) {

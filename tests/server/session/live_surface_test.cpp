@@ -116,7 +116,7 @@ TEST_F(LiveSurfaceTest, ShowsACoarseARefinedAndAFinalStateWhereTheFinalOneIsLong
 TEST_F(LiveSurfaceTest, SaysWhatEachPassTookFromTheEditOn) {
     wall.each = std::chrono::milliseconds(10);
     surface->rebuild(job_of(core::SurfaceKind::Stream, 0.05));
-    wall.time += std::chrono::milliseconds(250); // nobody takes the job so long
+    wall.time += std::chrono::milliseconds(250); // no one takes the job so long
     settle();
     ASSERT_EQ(took.size(), 3U);
     EXPECT_GE(took[0].queue, 0.25);

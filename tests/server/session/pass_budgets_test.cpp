@@ -11,7 +11,7 @@ namespace {
 
 using Phase = PassBudgets::Phase;
 
-/// A surface of area 1: quads are 1 / separation^2, built anew in steps of 1.25 where they are too many.
+/// A surface of area 1: quads are 1 / separation^2, rebuilt in steps of 1.25 where they are too many.
 struct Machine {
     double seconds_a_quad;
     double asked = 0.001; ///< separation

@@ -47,7 +47,7 @@ bool shows(const protocol::MeshDecoder& decoder, std::uint32_t epoch, protocol::
     return state && state->header.epoch == epoch && state->header.phase == phase;
 }
 
-/// Folds frames until the final state of `epoch` is there; gives the epochs seen.
+/// Folds frames until the final state of `epoch` is there; returns the epochs seen.
 std::set<std::uint32_t>
 fold_until(WebSocketClient& client, protocol::MeshDecoder& decoder, std::uint32_t epoch) {
     std::set<std::uint32_t> epochs;

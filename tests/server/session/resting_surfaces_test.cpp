@@ -1,4 +1,4 @@
-// Surfaces that nobody looks at: those a restarted server brought back, and those whose memory others needed, rest as parameters.
+// Surfaces that no one looks at: those a restarted server brought back, and those whose memory others needed, rest as parameters.
 #include "core/field/analytic_flow.hpp"
 #include "protocol/json_text.hpp"
 #include "server/session/session_directory.hpp"
@@ -216,7 +216,7 @@ TEST(IdleSurface, FallsBackToItsParametersWhenOthersNeedMemoryAndIsBuiltAgainBit
     EXPECT_TRUE(life.outcome(id).complete);
     EXPECT_EQ(life.outcome(id).crc, built.crc);
     EXPECT_EQ(life.outcome(id).epoch, built.epoch) << "nothing was edited";
-    ASSERT_TRUE(life.live(id)->ring()->first()) << "whoever looks begins with a key";
+    ASSERT_TRUE(life.live(id)->ring()->first()) << "a new reader begins with a keyframe";
 }
 
 TEST(IdleSurface, GoesOnAboveTheUpdatesThatWereSentBefore) {
@@ -230,7 +230,7 @@ TEST(IdleSurface, GoesOnAboveTheUpdatesThatWereSentBefore) {
     EXPECT_GT(life.live(id)->newest()->wire.seq, before);
     const SharedUpdate next = life.live(id)->ring()->after(before);
     ASSERT_TRUE(next);
-    EXPECT_TRUE(next->wire.key) << "whoever holds the state of before";
+    EXPECT_TRUE(next->wire.key) << "for a reader that holds the state of before";
 }
 
 TEST(IdleSurface, OfATimeThatTheClockHasLeftIsBuiltForTheNewOne) {

@@ -1,4 +1,4 @@
-// Which sessions there are: nobody's work goes away by itself, what is deleted can be brought back, and limits are refusals.
+// Which sessions there are: no one's work goes away by itself, what is deleted can be brought back, and limits are refusals.
 #include "server/limits.hpp"
 #include "server/session/grants.hpp"
 #include "server/session/session_restoring.hpp"

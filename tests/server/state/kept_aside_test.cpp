@@ -1,4 +1,4 @@
-// Records that a start cannot use: they are kept, nobody works with them unawares, and people are told.
+// Records that a start cannot use: they are kept, no one works with them unawares, and people are told.
 #include "server/catalogue/child_process.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/server/server_process.hpp"

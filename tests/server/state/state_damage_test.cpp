@@ -1,4 +1,4 @@
-// A file that was damaged on the disk, in some hundred ways: nobody starts with fewer records without being told which, or
+// A file that was damaged on the disk, in some hundred ways: no one starts with fewer records without being told which, or
 // that they are gone.
 #include "server/state/state_store.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,5 +1,5 @@
 // A TCP proxy that makes loopback behave like a distant or bad line: delay, limited rate, stalls, cuts. `tc netem` is not
-// in every kernel, and a browser's own throttling does not reach WebSockets (reliability.md F7).
+// in every kernel, and a browser's own throttling does not reach WebSockets (docs/measurements.md, Broken networks).
 #pragma once
 
 #include <chrono>

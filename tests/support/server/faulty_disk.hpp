@@ -27,7 +27,7 @@ class FaultyDisk {
     /// For sqlite3_open_v2.
     const char* name() const { return name_.c_str(); }
 
-    /// The `at`-th write, truncation, sync or deletion from now on (1: the next) gives SQLite's error `code`, a write having done half
+    /// The `at`-th write, truncation, sync or deletion from now on (1: the next) returns SQLite's error `code`, a write having done half
     /// of its work; what a refused sync should have brought to the disk never gets there. `for_good`: and all after it.
     void refuse(int at, int code, bool for_good);
 

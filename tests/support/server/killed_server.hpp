@@ -12,7 +12,7 @@ namespace wakesurf::tests {
 struct KillReport {
     int kills = 0;
     std::size_t answered = 0;       ///< edits
-    std::vector<std::string> wrong; ///< answered edits that were lost, and what nobody made
+    std::vector<std::string> wrong; ///< answered edits that were lost, and what no one made
     std::vector<double>
         ready_ms; ///< from the start of the program to the answer that has every record
 };

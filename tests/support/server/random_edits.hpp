@@ -1,4 +1,4 @@
-// Any edits by three people, one after the other: the same seed gives the same ones.
+// Any edits by three people, one after the other: the same seed makes the same ones.
 #pragma once
 
 #include "tests/support/server/session_bench.hpp"

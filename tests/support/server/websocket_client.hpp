@@ -46,7 +46,7 @@ class WebSocketClient {
     nlohmann::json call(const std::string& method,
                         nlohmann::json parameters = nlohmann::json::object());
 
-    /// As call(), but gives the result and throws for an error.
+    /// As call(), but returns the result and throws for an error.
     nlohmann::json result(const std::string& method,
                           nlohmann::json parameters = nlohmann::json::object());
 

@@ -1,5 +1,5 @@
 // A socket that stays: it connects, notices silence, and connects again by itself until stopped.
-// A network that drops packets closes nothing (client.md section 2), so only a heartbeat can tell:
+// A network that drops packets closes nothing (docs/measurements.md, Broken networks), so only a heartbeat can tell:
 // a ping every 4 s must keep messages coming, and 10 s without any message count as down.
 import { BackOff } from './backOff.ts';
 import type { Clock, Timer } from './clock.ts';

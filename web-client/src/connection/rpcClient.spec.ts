@@ -8,7 +8,7 @@ function answer(client: RpcClient, text: string): void {
 }
 
 describe('RpcClient', () => {
-    it('gives each caller its own answer, in whatever order they come', async () => {
+    it('hands each caller its own answer, in whatever order they come', async () => {
         const client = new RpcClient(() => true);
         const first = client.call('session.create', {});
         const second = client.call('session.create', {});

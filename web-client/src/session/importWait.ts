@@ -68,7 +68,7 @@ export class ImportWait {
 
     private follow({ dataset, state }: DatasetEntry): void {
         if (state === 'stopped') this.seenStopped = true;
-        // Of a dataset that becomes ready, whoever has seen to it, there is nothing left to wait for.
+        // Of a dataset that becomes ready, by whatever means, there is nothing left to wait for.
         if (state === 'ready' || state === 'incomplete') {
             this.left.value = false;
             this.own = false;

@@ -47,7 +47,7 @@ export class SessionController {
     private readonly dataset: OpenDataset;
     private readonly arrival: Arrival;
     private readonly news: ServerNews;
-    /** Counts connections, and beginnings anew in one; what an earlier one began must not go on in the next. */
+    /** Counts connections, and new beginnings in one; what an earlier one began must not go on in the next. */
     private beginning = 0;
     /** The page has shown this session. */
     private shown = false;
@@ -219,7 +219,7 @@ export class SessionController {
         if (isEmpty(joined.snapshot) === isEmpty(there)) {
             const surfaces = lost.surfaces.filter((each) => each.dataset === dataset);
             const made = await makeAnew(worker, { ...lost, surfaces }, there);
-            // An edit of meanwhile lies below what was made anew, for the server.
+            // An edit of meanwhile lies below what was made again, for the server.
             edits.history.clear();
             views.madeAnew(made);
             if (made.missing !== null) state.notices.say('made again', made.missing);

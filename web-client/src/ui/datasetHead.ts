@@ -51,7 +51,7 @@ export class DatasetHead extends SignalElement {
     private name(shown: string, name: string): TemplateResult | typeof nothing {
         const { datasets, role } = this.model.state;
         const others = datasets.value.filter(({ dataset }) => dataset !== shown);
-        // Whoever was invited was so to this session.
+        // An invitation is to this session.
         if (others.length === 0 || role.value !== 'host') return name === '' ? nothing : html`<p>${name}</p>`;
         const chosen = this.chosen.value ?? shown;
         return html`<div>

@@ -80,7 +80,7 @@ function play(still: boolean, seed: number, check: (screen: Screen, update: Appl
 }
 
 describe('DisplayArrays', () => {
-    it('gives changes that add up to the whole, while vertices stay where they are', () => {
+    it('returns changes that add up to the whole, while vertices stay where they are', () => {
         const partial = play(true, 31, (screen, update) => {
             expect(screen.picture).toEqual(whole(update).picture);
         });
@@ -111,7 +111,7 @@ describe('DisplayArrays', () => {
         });
     });
 
-    it('gives an attribute whole when it is asked for, and afterwards only where it may have changed', () => {
+    it('returns an attribute whole when it is asked for, and afterwards only where it may have changed', () => {
         const decoder = new MeshDecoder(points, lattice, ranges.length);
         const shown = display();
         const updates = randomUpdates(34, 40, true).flatMap(({ frames }) => frames.map((frame) => decoder.fold(frame)));

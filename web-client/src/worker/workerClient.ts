@@ -79,7 +79,7 @@ export class WorkerClient {
         this.worker.terminate();
     }
 
-    /** It connects and joins anew, each time later than before. */
+    /** It connects and joins again, each time later than before. */
     private replaceWorker(): void {
         this.worker.terminate();
         const retryInMs = firstPauseMs * 2 ** this.hangs++;

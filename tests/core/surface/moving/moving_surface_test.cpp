@@ -86,7 +86,7 @@ QuadComplex finished(const Case& c, const SurfaceParameters& p) {
     return surface.mesh().mesh;
 }
 
-/// Distance of every vertex from where its own particle is, traced anew and finer than any surface is.
+/// Distance of every vertex from where its own particle is, traced again and finer than any surface is.
 struct RetraceErrors {
     double traced = 0.0, approximated = 0.0;
 };

@@ -16,7 +16,7 @@ export class Labels {
         this.layer = layer;
     }
 
-    /** All are placed anew. */
+    /** All are placed again. */
     begin(): void {
         this.used = 0;
     }

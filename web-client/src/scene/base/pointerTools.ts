@@ -20,7 +20,7 @@ export interface PointerTool {
     click?(pointer: Pointer): boolean;
     /** The pointer passes over the canvas (null: it left): how the cursor should look here, if this tool cares. */
     hover?(pointer: Pointer | null): string | null;
-    /** Held or passing, whoever has the pointer. */
+    /** Held or passing, whichever tool has the pointer. */
     watch?(pointer: Pointer | null): void;
 }
 

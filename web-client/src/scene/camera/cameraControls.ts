@@ -76,7 +76,7 @@ export class CameraControls {
         return { position: position.toArray(), target, orthographic: this.orthographic };
     }
 
-    /** Starts to listen; whoever must see a press first has to listen before. */
+    /** Starts to listen; a tool that must see a press first has to listen before. */
     connect(canvas: HTMLCanvasElement): void {
         this.orbit.connect(canvas);
     }

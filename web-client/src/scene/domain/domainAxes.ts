@@ -1,4 +1,4 @@
-// Which edges of the domain box carry the numbers, chosen anew for every view: for each axis one of
+// Which edges of the domain box carry the numbers, chosen again for every view: for each axis one of
 // the four parallel edges that lie on the outline of the box as seen, so that no number covers the
 // inside. Pure geometry; domainOutline.ts draws.
 import type { Vec3 } from '../../protocol/messages.ts';

@@ -76,7 +76,7 @@ export class PeopleLayer implements Layer {
         this.labels = new Labels(layer);
     }
 
-    /** All but whoever looks at this page, and whose view it takes: their camera would fill the picture. */
+    /** All but the person at this page, and the one whose view it takes: their camera would fill the picture. */
     set(people: readonly Participant[]): void {
         const here = new Set(people.map(({ participant }) => participant));
         for (const [id, figure] of this.figures) {

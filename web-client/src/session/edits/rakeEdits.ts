@@ -119,7 +119,7 @@ export class RakeEdits {
         state.rakeShape.value = record ?? { kind: 'line', points: [] };
     }
 
-    /** A new connection, perhaps to a server that counts anew. */
+    /** A new connection, perhaps to a server that counts from the start. */
     reconnected(): void {
         for (const one of this.edited.values()) one.answeredRev = 0;
     }

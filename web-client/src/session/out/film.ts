@@ -108,7 +108,7 @@ export class FilmMaker {
 
     cancel(): void {
         this.cancelled = true;
-        // Wakes whoever waits for a surface.
+        // Wakes those who wait for a surface.
         if (this.progress.value.state === 'recording') this.progress.value = { ...this.progress.value };
     }
 

@@ -1,4 +1,4 @@
-// What the panels show, as the steps of a script that makes the same records anew.
+// What the panels show, as the steps of a script that makes the same records again.
 import type { RakeRecord, Vec3 } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';

@@ -57,7 +57,7 @@ export class Thumbnails {
         });
     }
 
-    /** Records have changed, by whoever. */
+    /** Someone has changed records. */
     patched(): void {
         this.any = this.now();
     }

@@ -1,7 +1,7 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { VideoEncoding } from './videoEncoding.ts';
 
-/** An encoder that takes pictures and gives nothing back, until it fails. */
+/** An encoder that takes pictures and returns nothing, until it fails. */
 class StuckEncoder extends EventTarget {
     static last: StuckEncoder;
     static isConfigSupported = () => Promise.resolve({ supported: true });

@@ -58,7 +58,7 @@ export class People {
         for (const id of left) people.delete(id);
         state.participants.value = people;
         if (left.includes(view.following.value ?? '')) view.following.value = null;
-        // Whoever comes to someone who was alone has been told nothing of them.
+        // A newcomer to someone who was alone has been told nothing of them.
         if (alone && people.size > 1) {
             this.told = {};
             this.cameraMoved();

@@ -36,7 +36,7 @@ export class SurfaceFeed {
             this.subscribed.delete(surface);
             throw error;
         });
-        // What is on the screen is of an epoch that the server may number anew.
+        // What is on the screen is of an epoch that the server may number again.
         if (resumed !== true) state.displayed.value = withoutEntry(state.displayed.value, surface);
     }
 

@@ -56,7 +56,7 @@ describe('SurfaceProgress', () => {
         expect(state.progress.value).toBeNull();
     });
 
-    it('begins anew with every edit', () => {
+    it('starts again with every edit', () => {
         const { state, asked, progress } = bench();
         vi.advanceTimersByTime(600);
         const former = asked[0]!.params.workDoneToken!;

@@ -188,7 +188,7 @@ export class Playback {
             await this.playClock();
             return;
         }
-        // From here on the record says it, whoever changes it.
+        // From here on the record says it, also if others change it.
         this.chosenFactor.value = null;
         this.chosenLoop.value = null;
     }

@@ -18,7 +18,7 @@ export class Measuring implements PointerTool {
         this.options = options;
     }
 
-    /** The first click sets one end, the second the other, the third begins anew. */
+    /** The first click sets one end, the second the other, the third starts again. */
     click({ at }: Pointer): boolean {
         const { state, pageView } = this.options;
         const bounds = state.dataset.value?.bounds;

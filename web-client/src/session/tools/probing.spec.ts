@@ -116,7 +116,7 @@ describe('Probing', () => {
 });
 
 describe('Measuring', () => {
-    it('takes two ends, and begins anew with the third click', () => {
+    it('takes two ends, and starts again with the third click', () => {
         const { measuring, pageView } = bench();
         expect(measuring.click(at(10))).toBe(false);
         pageView.tool.value = 'measure';

@@ -49,7 +49,7 @@ const former = {
     surfaces: [surface('s1', 'r1'), surface('s2', 'r2', { session: 'another', hostile: true })],
 };
 
-describe('a session made anew', () => {
+describe('a session made again', () => {
     it('has all that the server takes, says what is missing, and knows the new names', async () => {
         const { asked, worker } = serverThat(refused);
         const made = await makeAnew(worker, former);

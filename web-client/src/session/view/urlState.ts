@@ -39,7 +39,7 @@ export function showFragment(fragment: string): void {
     if (!leaving) history.replaceState(null, '', location.pathname + location.search + fragment);
 }
 
-/** Begins anew at another fragment; the browser's Back leads here again. */
+/** Starts again at another fragment; the browser's Back leads here again. */
 export function openFragment(fragment: string): void {
     leaving = true;
     history.pushState(null, '', location.pathname + location.search + fragment);

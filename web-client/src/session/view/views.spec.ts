@@ -6,7 +6,7 @@ import { ViewState } from '../../state/viewState.ts';
 import type { UrlState } from './urlState.ts';
 import { Views, type ViewsOptions } from './views.ts';
 
-describe('the view of a session that is made anew', () => {
+describe('the view of a session that is made again', () => {
     it('goes on with the new names of its surfaces, here and in the link, and forgets those that are missing', () => {
         const [state, view] = [new AppState(), new ViewState()];
         const looks = { s4: { opacity: 0.4 }, s7: { opacity: 0.7 } };

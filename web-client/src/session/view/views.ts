@@ -154,7 +154,7 @@ export class Views {
     private changed(): void {
         const { state, url } = this.options;
         if (state.session.value !== this.written) {
-            // At once: whoever reloads the page must come back to the session.
+            // At once: someone who reloads the page must come back to the session.
             this.written = state.session.value;
             const former = url.state === null ? null : encodeLinkState(url.state);
             if (!this.restored) showFragment(writeFragment(this.written, url.dataset, former));

@@ -188,7 +188,7 @@ export class LinksPanel extends SignalElement {
         if (made === null) return;
         this.copied.value = false;
         const state = new URLSearchParams(new URL(this.model.views.link()).hash.slice(1)).get('state') ?? '';
-        // Whoever comes by it sees what is seen here.
+        // Those who come by it see what is seen here.
         this.made.value = { link: `${new URL(made.link, location.href).href}&state=${state}`, role, expires: made.expires };
         await this.list();
     }

@@ -12,7 +12,7 @@ describe('timeKey', () => {
         ]);
     });
 
-    it('leaves keys to whoever wants them', () => {
+    it('leaves keys to the elements that want them', () => {
         expect(timeKey(press(' '), true)).toBeNull();
         expect(timeKey(press('.'), true)).toBe('forward');
         expect(timeKey(press(' ', { ctrlKey: true }), false)).toBeNull();
