@@ -54,6 +54,10 @@ void given_back(void* piece) noexcept {
 
 } // namespace
 
+std::size_t held_on_heap() {
+    return live;
+}
+
 CountedHeap::CountedHeap(const core::MemoryAccount& account) {
     at_start = live.load();
     most_held = most_beyond = most_in_account = 0;

@@ -8,6 +8,9 @@
 
 namespace wakesurf::tests {
 
+/// Bytes that are held now.
+std::size_t held_on_heap();
+
 /// From the start to the end; one at a time.
 class CountedHeap {
   public:
