@@ -13,7 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 using core::SurfaceKind;
 
-/// Somebody makes a session, edits, plays, takes back, and deletes it for good.
+/// A person makes a session, edits, takes an edit back, and deletes the session for good.
 void use_a_session(SessionBench& bench) {
     const auto session = *bench.sessions.create("used");
     const std::string id = session->id();
