@@ -17,7 +17,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int version = 1;
 constexpr std::array<std::pair<const char*, const char*>, 4> groups{{
     {"rakes", "rake"},
     {"surfaces", "surface"},
@@ -26,8 +25,8 @@ constexpr std::array<std::pair<const char*, const char*>, 4> groups{{
 }};
 
 tl::unexpected<Error> corrupt(const std::string& what) {
-    return fail(Error::Code::Corrupt, "this is no session file: " + what,
-                "take one that session.export or session.json wrote");
+    return fail(Error::Code::Corrupt, "this is not a session file: " + what,
+                "use a file that session.export or session.json wrote");
 }
 
 json mark_json(const DatasetMark& mark) {
@@ -104,9 +103,12 @@ json session_file_json(const SessionFile& file) {
     json datasets = json::array();
     for (const DatasetMark& each : file.datasets)
         datasets.push_back(mark_json(each));
-    return {{"wakesurfSession", version},    {"name", file.name},
-            {"exported", file.exported},     {"wakesurf", file.wakesurf},
-            {"records", std::move(records)}, {"datasets", std::move(datasets)}};
+    return {{"wakesurfSession", session_file_version},
+            {"name", file.name},
+            {"exported", file.exported},
+            {"wakesurf", file.wakesurf},
+            {"records", std::move(records)},
+            {"datasets", std::move(datasets)}};
 }
 
 core::Result<SessionFile> read_session_file(std::string_view text, std::size_t most_bytes) {
@@ -118,10 +120,10 @@ core::Result<SessionFile> read_session_file(std::string_view text, std::size_t m
     if (!value.is_object() || !value.contains("wakesurfSession") ||
         !value["wakesurfSession"].is_number_integer())
         return corrupt("`wakesurfSession` is missing");
-    if (value["wakesurfSession"] != version)
+    if (value["wakesurfSession"] != session_file_version)
         return fail(Error::Code::Unsupported,
                     "the session file is of version " + value["wakesurfSession"].dump() +
-                        ", this wakesurf reads " + std::to_string(version),
+                        ", this wakesurf reads " + std::to_string(session_file_version),
                     "import it with the wakesurf that wrote it, or a newer one");
     const auto records = value.find("records");
     if (records == value.end() || !records->is_object())

@@ -16,6 +16,9 @@
 
 namespace wakesurf::protocol {
 
+/// Raised whenever a file of before can no longer be read.
+inline constexpr int session_file_version = 1;
+
 /// A dataset as a surface's record names it, and how to tell whether another server's is the same.
 struct DatasetMark {
     std::string dataset; ///< id

@@ -15,7 +15,6 @@ using nlohmann::json;
 namespace {
 
 constexpr std::string_view format_name = "wakesurf-store";
-constexpr std::uint64_t format_version = 2;
 constexpr JsonLimits limits{std::size_t{64} << 20, 16};
 
 json files_json(const std::vector<SourceFile>& files) {
@@ -89,8 +88,10 @@ core::Result<StoreManifest> parse(const json& value) {
     JsonMembers members(value);
     if (members.text("format") != format_name)
         return core::fail(Error::Code::Corrupt, "it is not the manifest of a wakesurf store");
-    if (members.count("version") != format_version)
-        return core::fail(Error::Code::Unsupported, "its version is not one this program knows",
+    if (members.count("version") != store_format_version)
+        return core::fail(Error::Code::Unsupported,
+                          "it is of another version than " + std::to_string(store_format_version) +
+                              ", which this wakesurf reads",
                           "import the dataset again");
     StoreManifest manifest;
     manifest.complete = members.flag("complete");
@@ -111,7 +112,7 @@ core::Result<StoreManifest> parse(const json& value) {
 std::string store_manifest_text(const StoreManifest& manifest) {
     json out = store_layout_json(manifest.layout);
     out["format"] = format_name;
-    out["version"] = format_version;
+    out["version"] = store_format_version;
     out["complete"] = manifest.complete;
     out["source"] = source_json(manifest.source);
     out["info"] = dataset_json(manifest.info);

@@ -18,6 +18,9 @@ namespace wakesurf::protocol {
 
 inline constexpr std::string_view manifest_file_name = "store.json";
 
+/// Stores of any other version are refused: importing again is cheaper than reading all versions.
+inline constexpr std::uint64_t store_format_version = 2;
+
 struct SourceFile {
     std::string name; ///< as the series names it, without the folder of the series
     std::uint64_t size = 0;
@@ -47,7 +50,7 @@ struct StoreManifest {
 
 std::string store_manifest_text(const StoreManifest& manifest);
 
-/// Error: Corrupt or OverLimit for text that is no manifest, Unsupported for a newer version, and Corrupt where
+/// Error: Corrupt or OverLimit for text that is no manifest, Unsupported for another version, and Corrupt where
 /// its parts disagree: times, dimensions, bounds and sizes must match each other.
 core::Result<StoreManifest> parse_store_manifest(std::string_view text);
 

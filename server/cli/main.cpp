@@ -8,6 +8,7 @@
 #include "server/cli/sessions_command.hpp"
 #include "server/cli/state_command.hpp"
 #include "server/cli/surface_command.hpp"
+#include "server/cli/version_text.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -30,12 +31,12 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
         .add_option("--precision", options.precision,
                     "single, or half: half the size, rounded by 2^-11 of each value")
         ->check(CLI::IsMember({"single", "half"}));
-    command.add_option("--jobs", options.jobs, "Processes at once (default: one a core)")
+    command.add_option("--jobs", options.jobs, "Number of processes (default: one per core)")
         ->check(CLI::Range(1, 256));
     command
         .add_option("--memory", options.memory,
-                    "Of all its processes, 4GiB for example (default: a quarter of the machine or "
-                    "of the control group)")
+                    "Memory for all its processes, for example 4GiB (default: a quarter of the "
+                    "memory of the machine or control group)")
         ->transform(as_memory_size());
     command
         .add_option("--fields", options.fields,
@@ -47,7 +48,7 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
 
 int run(int argc, char** argv) {
     CLI::App app{"Integral surfaces of unsteady flow, interactively.", "wakesurf"};
-    app.set_version_flag("--version", std::string("wakesurf ") + WAKESURF_VERSION);
+    app.set_version_flag("--version", version_text());
     app.require_subcommand(1);
     std::function<int()> chosen;
     const auto command = [&](const char* name, const char* about, std::function<int()> action) {
@@ -71,16 +72,17 @@ int run(int argc, char** argv) {
                         surface);
     InfoOptions info;
     auto* const info_command =
-        command("info", "Say what a dataset is", [&] { return run_info(info); });
+        command("info", "Describe a dataset", [&] { return run_info(info); });
     info_command
         ->add_option("DATASET", info.dataset,
                      "A file or folder of simulation results, a store, or flow:NAME[?k=v,...]")
         ->required();
-    info_command->add_flag("--json", info.json, "As JSON");
+    info_command->add_flag("--json", info.json, "Print JSON");
     info_command
-        ->add_option("--memory", info.memory,
-                     "Of what reads the files (default: a quarter of the machine or of the control "
-                     "group)")
+        ->add_option(
+            "--memory", info.memory,
+            "Memory for reading the files (default: a quarter of the memory of the machine "
+            "or control group)")
         ->transform(as_memory_size());
     ImportOptions import;
     add_import_options(
@@ -91,11 +93,13 @@ int run(int argc, char** argv) {
                                   [&] { return run_generate(generate); }),
                          generate);
     StateCommandOptions state;
-    add_state_commands(*app.add_subcommand("state", "Check, back up or restore the sessions a "
-                                                    "server keeps, or print what it could not use"),
+    add_state_commands(*app.add_subcommand("state",
+                                           "Check, back up or restore the sessions a "
+                                           "server keeps, or print records it could not use"),
                        state, chosen);
     BenchOptions bench;
-    add_bench_options(*command("bench", "Measure this machine", [&] { return run_bench(bench); }),
+    add_bench_options(*command("bench", "Measure how fast wakesurf is on this machine",
+                               [&] { return run_bench(bench); }),
                       bench);
 
     try {

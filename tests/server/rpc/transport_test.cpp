@@ -1,4 +1,5 @@
 // The JSON-RPC envelope over both transports: the answers a script gets are the same over POST /rpc and the WebSocket.
+#include "protocol/api_level.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 
@@ -141,7 +142,7 @@ TEST_F(Transport, TellsWhatTheServerIs) {
     const json info =
         json::parse(server_->rpc(R"({"jsonrpc":"2.0","method":"server.info","id":1})"))["result"];
     EXPECT_EQ(info["name"], "wakesurf");
-    EXPECT_EQ(info["apiLevel"], 3);
+    EXPECT_EQ(info["apiLevel"], protocol::api_level);
     EXPECT_EQ(info["limits"]["messageBytes"], 65536);
     const json dataset = json::parse(server_->rpc(
         R"({"jsonrpc":"2.0","method":"dataset.describe","params":{"dataset":"lamb-oseen"},"id":1})"))

@@ -1,0 +1,24 @@
+#include "server/cli/version_text.hpp"
+
+#include "protocol/api_level.hpp"
+#include "protocol/mesh_frame.hpp"
+#include "protocol/session_file.hpp"
+#include "protocol/store_manifest.hpp"
+#include "server/state/state_layout.hpp"
+
+#include <fmt/format.h>
+
+namespace wakesurf::server {
+
+std::string version_text() {
+    return fmt::format("wakesurf {}\n"
+                       "API level {}\n"
+                       "store format {}\n"
+                       "journal schema {}\n"
+                       "session file {}\n"
+                       "mesh frame {}",
+                       WAKESURF_VERSION, protocol::api_level, protocol::store_format_version,
+                       state_layout, protocol::session_file_version, protocol::frame_version);
+}
+
+} // namespace wakesurf::server
