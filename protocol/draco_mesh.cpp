@@ -230,8 +230,8 @@ core::Result<DracoMesh> encode_triangles(const core::QuadComplex& mesh,
                                          const MeshMetadata* metadata) try {
     if (triangles.empty())
         return core::fail(Error::Code::InvalidArgument,
-                          "the surface has no cells, and Draco cannot say so",
-                          "move the rake to where the flow is, or write another format");
+                          "the surface has no cells, and Draco cannot store an empty mesh",
+                          "move the rake into the flow, or write another format");
     const auto positions = narrowed_positions(mesh);
     if (!positions)
         return tl::unexpected(positions.error());

@@ -152,7 +152,7 @@ JsonFault json_fault(std::string_view text) {
     if (follower.too_large())
         return {where + " is beyond 1.8e308, the largest number there is", "send a finite number"};
     if (const auto word = no_number(text, position); !word.empty() && !follower.in_text())
-        return {fmt::format("{} is {}, which is no number in JSON", where, word),
+        return {fmt::format("{} is {}, which JSON cannot represent", where, word),
                 "send a finite number, or leave it out where there is none"};
     return {fmt::format("the text is not valid JSON from byte {} on{}", position,
                         place.empty() ? "" : ", in " + where),
@@ -162,7 +162,7 @@ JsonFault json_fault(std::string_view text) {
 JsonFault member_twice(std::string_view text) {
     TwiceFinder finder;
     json::sax_parse(text, &finder);
-    return {fmt::format("`{}` is there twice", finder.place()), "send each member once"};
+    return {fmt::format("`{}` appears twice", finder.place()), "send each member once"};
 }
 
 } // namespace wakesurf::protocol

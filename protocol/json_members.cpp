@@ -17,7 +17,7 @@ const json empty_object = json::object();
 
 JsonMembers::JsonMembers(const json& object) : object_(object) {
     if (!object.is_object())
-        fault_ = "an object is expected";
+        fault_ = "it must be an object";
 }
 
 const json* JsonMembers::find(std::string_view name) {

@@ -17,9 +17,9 @@ constexpr std::array<std::string_view, memory_uses> names{
     "timeSteps", "meshes",    "builds",  "surfaces", "rings", "histories",
     "downloads", "importers", "records", "messages", "other"};
 
-constexpr const char* refusal_hint =
-    "ask for fewer quads or a larger separation, close what no one looks at, or start the server "
-    "with more --memory";
+constexpr const char* refusal_hint = "ask for fewer quads or a larger separation, close surfaces "
+                                     "that no one is viewing, or start the server "
+                                     "with more --memory";
 
 std::size_t index(MemoryUse use) {
     return static_cast<std::size_t>(use);
@@ -282,8 +282,8 @@ void MemoryAccount::make_room(std::size_t bytes) const {
 
 Error MemoryAccount::refusal(std::string_view what, std::size_t bytes) const {
     return {Error::Code::OverLimit,
-            std::string(what) + " needs " + mebibytes(bytes) + " of memory, and of the " +
-                mebibytes(budget()) + " of --memory " + mebibytes(free()) + " are free",
+            std::string(what) + " needs " + mebibytes(bytes) + " of memory, but of the " +
+                mebibytes(budget()) + " of --memory only " + mebibytes(free()) + " are free",
             refusal_hint,
             {},
             budget()};
@@ -291,9 +291,9 @@ Error MemoryAccount::refusal(std::string_view what, std::size_t bytes) const {
 
 Error MemoryAccount::gave_way(std::string_view what, std::size_t bytes) const {
     return {Error::Code::OverLimit,
-            std::string(what) + " ended when it held " + mebibytes(bytes) +
+            std::string(what) + " was stopped when it held " + mebibytes(bytes) +
                 " of memory: all of the " + mebibytes(budget()) +
-                " of --memory were in use, and smaller surfaces go first",
+                " of --memory were in use, and smaller surfaces take precedence",
             refusal_hint,
             {},
             budget()};

@@ -133,7 +133,7 @@ void connect_cells(CellMesh& mesh) {
             MeshCell& cell = mesh.cells[i];
             for (std::size_t k = 0; k < node_count(cell.shape); ++k)
                 if (cell.node[k] >= mesh.points.size())
-                    throw std::out_of_range("a cell's node has no point");
+                    throw std::out_of_range("a cell names a node that does not exist");
             cell.beyond.fill(beyond_domain);
         }
     });

@@ -52,7 +52,7 @@ Result<Grid> read_rectilinear(const StoreLayout& layout, const Disk& disk) {
             std::adjacent_find(along->begin(), along->end(),
                                [](double a, double b) { return !(a < b); }) == along->end();
         if (!sound)
-            return damaged(std::string(axis_files[axis]) + " does not hold rising coordinates");
+            return damaged(std::string(axis_files[axis]) + " does not hold increasing coordinates");
         grid.coordinates[axis] = std::move(*along);
     }
     return grid;
@@ -84,19 +84,19 @@ Result<Grid> read_cells(const StoreLayout& layout, const Disk& disk) {
         mesh.points[i] = {(*coordinates)[3 * i], (*coordinates)[3 * i + 1],
                           (*coordinates)[3 * i + 2]};
         if (!finite(mesh.points[i]))
-            return damaged(std::string(points_file) + " holds coordinates that are no numbers");
+            return damaged(std::string(points_file) + " holds coordinates that are not numbers");
     }
     mesh.cells.resize(cells);
     for (std::size_t i = 0; i < cells; ++i) {
         MeshCell& cell = mesh.cells[i];
         if ((*shapes)[i] > static_cast<std::uint8_t>(CellShape::Hexahedron))
-            return damaged(std::string(shapes_file) + " holds shapes there are none of");
+            return damaged(std::string(shapes_file) + " names shapes that do not exist");
         cell.shape = static_cast<CellShape>((*shapes)[i]);
         std::copy_n(nodes->begin() + static_cast<std::ptrdiff_t>(8 * i), 8, cell.node.begin());
         std::copy_n(beyond->begin() + static_cast<std::ptrdiff_t>(6 * i), 6, cell.beyond.begin());
         if (!sound(cell, points, cells))
             return damaged("cell " + std::to_string(i) +
-                           " has nodes or neighbours there are none of");
+                           " names nodes or neighbours that do not exist");
     }
     return mesh;
 }
@@ -186,7 +186,7 @@ Result<std::vector<std::byte>> read_fixed_file(const StoreLayout& layout,
     if (auto read = disk.read(file, 0, bytes); !read)
         return tl::unexpected(read.error());
     if (checksum->second != crc32c(bytes))
-        return damaged(name + " is not as it was written: its checksum differs");
+        return damaged(name + " has changed since it was written: its checksum differs");
     return bytes;
 }
 

@@ -181,7 +181,8 @@ Result<bool> StoreReader::read(std::size_t column,
         return tl::unexpected(expected.error());
     if (*expected != sum)
         return fail(Error::Code::Corrupt,
-                    step_name(index, name) + " is not as it was written: its checksum differs",
+                    step_name(index, name) +
+                        " has changed since it was written: its checksum differs",
                     "delete that file from the store, then " + std::string(again));
     const std::scoped_lock lock(mutex_);
     seen_[index * columns() + column] = Seen{*after, gaps};
@@ -242,7 +243,7 @@ Result<WallGeometry> StoreReader::load_walls() const {
     for (const auto& triangle : walls.triangles)
         for (const std::uint32_t point : triangle)
             if (point >= walls.points.size())
-                return fail(Error::Code::Corrupt, "walls.u32 names points there are none of",
+                return fail(Error::Code::Corrupt, "walls.u32 names points that do not exist",
                             again);
     return walls;
 }

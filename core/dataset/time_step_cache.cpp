@@ -68,7 +68,7 @@ Result<std::shared_ptr<const TimeStep>> TimeStepCache::State::load(const StepJob
         return source->load(job.index, job.stop);
     } catch (const std::bad_alloc&) {
         return fail(Error::Code::OverLimit,
-                    "there is no memory for time-step " + std::to_string(job.index) + " (" +
+                    "there is not enough memory for time-step " + std::to_string(job.index) + " (" +
                         std::to_string(step_bytes) + " bytes)",
                     "start with a smaller --memory");
     } catch (const std::exception& problem) {

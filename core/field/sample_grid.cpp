@@ -21,7 +21,7 @@ Error not_finite(const Vec3& p, double time) {
     return {Error::Code::InvalidArgument,
             "the velocity at " + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " +
                 std::to_string(p.z) + " at time " + std::to_string(time) +
-                " is no finite 32 bit number",
+                " is not a finite 32-bit number",
             "choose other parameters, or a grid without a node there"};
 }
 

@@ -20,7 +20,7 @@ constexpr std::size_t mesh_bytes =
     300; ///< a quad, while its vertices and what they carry are put together
 
 tl::unexpected<Error> no_memory() {
-    return fail(Error::Code::Cancelled, "there is no memory for the surface");
+    return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
 }
 
 std::set<double> first_seeds(const Rake& rake, double separation) {

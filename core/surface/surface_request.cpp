@@ -80,7 +80,7 @@ Result<void> check_request(const SurfaceParameters& p) {
                     "leave it out for the dataset's finest spacing");
     if (!(p.merge >= 0.0 && p.merge <= 0.5))
         return fail(Error::Code::InvalidArgument, "'merge' must lie between 0 and 0.5",
-                    "it is a part of the separation; 0 never merges");
+                    "it is a fraction of the separation; 0 never merges");
     if (!(p.angle > 0.0 && p.angle <= 180.0))
         return fail(Error::Code::InvalidArgument, "'angle' must lie between 0 and 180 degrees",
                     "leave it out for 20");

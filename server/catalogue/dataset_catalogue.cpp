@@ -53,7 +53,7 @@ Error incomplete(std::size_t ready, std::size_t total) {
     return {Error::Code::Io,
             "only " + std::to_string(ready) + " of " + std::to_string(total) +
                 " time-steps are stored",
-            "import it again into the same store: that goes on where the last import ended"};
+            "import it again into the same store: the import resumes where the last one ended"};
 }
 
 double share(std::size_t part, std::size_t whole) {
@@ -293,8 +293,8 @@ void DatasetCatalogue::give_up(Entry& entry,
         return;
     entry.status.error = error;
     if (entry.status.error->hint.empty())
-        entry.status.error->hint =
-            "the other time-steps can be used; mend the cause, and the import goes on by itself";
+        entry.status.error->hint = "the other time-steps can be used; once the cause is fixed, the "
+                                   "import resumes by itself";
 }
 
 bool DatasetCatalogue::show(Entry& entry,

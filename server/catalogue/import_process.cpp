@@ -70,7 +70,7 @@ std::string own_words(const std::string& errors) {
 core::Result<void> judge(const ChildOutcome& outcome, const std::stop_token& stop) {
     if (stop.stop_requested())
         return core::fail(Error::Code::Cancelled, "the import was interrupted",
-                          "the next import of this source goes on where it ended");
+                          "the next import of this source resumes where it ended");
     if (outcome.signal != 0)
         return core::fail(Error::Code::Io,
                           "the importer ended unexpectedly (signal " +
@@ -81,7 +81,7 @@ core::Result<void> judge(const ChildOutcome& outcome, const std::stop_token& sto
     const std::string words = own_words(outcome.errors);
     return core::fail(outcome.exit_status == 2 ? Error::Code::InvalidArgument
                                                : Error::Code::Corrupt,
-                      words.empty() ? "the importer failed without saying why" : words);
+                      words.empty() ? "the importer failed and did not say why" : words);
 }
 
 core::Result<void> run(const ImportCommand& command,

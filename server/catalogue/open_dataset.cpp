@@ -45,7 +45,7 @@ core::Result<std::size_t> cache_budget(const core::StoreReader& reader, std::siz
         budget,
         fmt::format(
             "the dataset needs at least {:.0f} MiB of memory, for {} time-steps of {:.1f} MiB "
-            "and its grid, and is given {:.0f} MiB",
+            "and its grid, but may use only {:.0f} MiB",
             up(fixed + steps), steps / reader.bytes_per_step(),
             static_cast<double>(reader.bytes_per_step()) / mebi,
             std::floor(static_cast<double>(budget) / mebi)),
@@ -70,7 +70,7 @@ counted(const core::StoreReader& reader, const core::MemoryAccount& account) {
         account.budget(),
         fmt::format(
             "the dataset needs at least {:.0f} MiB of memory, for {} time-steps of {:.1f} MiB "
-            "and its grid, and of the {:.0f} MiB of --memory {:.0f} MiB are free",
+            "and its grid, but of the {:.0f} MiB of --memory only {:.0f} MiB are free",
             up(fixed + steps), steps / reader.bytes_per_step(),
             static_cast<double>(reader.bytes_per_step()) / mebi,
             std::floor(static_cast<double>(account.budget()) / mebi),

@@ -111,8 +111,9 @@ class Generation {
         if (!before && before.error().code == Error::Code::NotFound)
             return std::nullopt;
         return core::fail(Error::Code::InvalidArgument,
-                          before ? "the folder holds another store, of " + before->info.reader
-                                 : "the folder's " + before.error().message,
+                          before
+                              ? "the folder holds a different store, made by " + before->info.reader
+                              : "the folder's " + before.error().message,
                           "give a new or empty folder, or delete this one first");
     }
 
@@ -145,11 +146,12 @@ class Generation {
         const auto space = fs::space(there, error);
         if (error || wanted + spare_bytes <= space.available)
             return {}; // an unknown disk says so when it is full
-        return core::fail(Error::Code::OverLimit,
-                          fmt::format("the store takes {:.1f} GB more and the disk has {:.1f} GB",
-                                      static_cast<double>(wanted) * 1e-9,
-                                      static_cast<double>(space.available) * 1e-9),
-                          "choose a coarser --grid, fewer --times or another disk");
+        return core::fail(
+            Error::Code::OverLimit,
+            fmt::format("the store needs {:.1f} GB more, but the disk has {:.1f} GB free",
+                        static_cast<double>(wanted) * 1e-9,
+                        static_cast<double>(space.available) * 1e-9),
+            "choose a coarser --grid, fewer --times or another disk");
     }
 
     core::Result<void> write_all(StoreWriter& writer) {
@@ -250,7 +252,7 @@ class Generation {
 
     static tl::unexpected<Error> interrupted() {
         return core::fail(Error::Code::Cancelled, "generating the store was interrupted",
-                          "the same command goes on where this one ended");
+                          "run the same command again to resume");
     }
 
     using Bytes = std::span<const std::byte>;

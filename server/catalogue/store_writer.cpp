@@ -84,7 +84,8 @@ core::Result<void> check_contents(const fs::path& folder) {
         const std::string name = entry.path().filename().string();
         if (name != lock_name && !of_a_store(name))
             return core::fail(Error::Code::InvalidArgument,
-                              "the store folder holds something that is not of a store: " + name,
+                              "the store folder holds something that does not belong to a store: " +
+                                  name,
                               "give a new or empty folder");
     }
     if (error)
@@ -96,7 +97,7 @@ core::Result<void> cannot_write(const std::string& name) {
     const bool full = errno == ENOSPC || errno == EDQUOT;
     auto error = failure("cannot write " + name);
     if (full)
-        error.value().hint = "make room; the same command goes on where this one ended";
+        error.value().hint = "free some disk space, then run the same command again to resume";
     return error;
 }
 
@@ -130,7 +131,7 @@ core::Result<StoreWriter> StoreWriter::open(const fs::path& folder,
     std::error_code error;
     fs::create_directories(folder, error);
     if (error || !fs::is_directory(folder))
-        return core::fail(Error::Code::Io, "cannot make the store folder: " + error.message());
+        return core::fail(Error::Code::Io, "cannot create the store folder: " + error.message());
     if (auto ours = check_contents(folder); !ours)
         return tl::unexpected(ours.error());
     const fs::path name = folder / lock_name;

@@ -35,7 +35,7 @@ core::Result<void> check_fields(const LoadedDataset& dataset,
             return core::fail(core::Error::Code::Unsupported,
                               "a built-in flow has no scalar field " + name,
                               "speed, velocity and deformation are written at every vertex; "
-                              "vorticity and q_criterion if they are named");
+                              "vorticity and q_criterion are written if you name them");
         if (const auto found = core::find_scalar(dataset.store->layout(), name); !found)
             return tl::unexpected(found.error());
     }

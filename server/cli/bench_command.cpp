@@ -41,12 +41,12 @@ int run_bench(const BenchOptions& options, std::filesystem::path program) {
     const int why = errno;
     if (why == ENOENT)
         return report_failure({core::Error::Code::NotFound,
-                               "the benchmarks' program is not at " + program.string(),
+                               "the benchmark program is not at " + program.string(),
                                "./check builds it, and so does cmake with -DWAKESURF_TESTS=ON"});
     return report_failure(
         {core::Error::Code::Io,
          "cannot start " + program.string() + ": " + std::generic_category().message(why),
-         "see that it may be executed, or build it again with ./check"});
+         "check that it is executable, or rebuild it with ./check"});
 }
 
 } // namespace wakesurf::server

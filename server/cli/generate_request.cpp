@@ -77,7 +77,7 @@ core::Result<std::vector<double>> times_of(const std::string& text) {
         times.push_back(i + 1 == *count ? *last : *first + (*last - *first) * part);
         if (!(times[i - 1] < times[i]))
             return core::fail(Code::InvalidArgument,
-                              "--times: '" + text + "' has time-steps too close to tell apart",
+                              "--times: '" + text + "' has time-steps that are too close together",
                               "choose fewer");
     }
     return times;

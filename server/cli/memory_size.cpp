@@ -37,7 +37,7 @@ core::Result<std::uint64_t> parse_memory_size(std::string_view text) {
     const double bytes = number * bytes_of_unit(std::string(unit));
     if (error != std::errc() || !(bytes >= 1.0 && bytes < 0x1p64))
         return core::fail(core::Error::Code::InvalidArgument,
-                          "'" + std::string(text) + "' is not a size of memory",
+                          "'" + std::string(text) + "' is not a memory size",
                           "write it like 4GiB, 1.5GiB or 800MB");
     return static_cast<std::uint64_t>(bytes);
 }

@@ -63,7 +63,7 @@ class RunningServer final : public SessionServer {
 
 tl::unexpected<Error> RunningServer::no_answer(error_code why) const {
     return fail(Error::Code::Io, "no answer from " + address_.authority() + ": " + why.message(),
-                "see that the server runs there");
+                "check that the server is running there");
 }
 
 /// Begins something asynchronous, whose end it waits for, because only such operations have a time limit.
@@ -126,8 +126,9 @@ core::Result<SessionServer::Answer> RunningServer::exchange_encrypted(beast::tcp
     });
     if (error)
         return fail(Error::Code::Io,
-                    "no encrypted connection to " + address_.authority() + ": " + error.message(),
-                    "give --ca the certificate of who signed the server's");
+                    "cannot open an encrypted connection to " + address_.authority() + ": " +
+                        error.message(),
+                    "give --ca the certificate of the authority that signed the server's");
     return exchange_over(stream, request);
 }
 

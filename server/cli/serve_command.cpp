@@ -111,10 +111,11 @@ core::Result<void> check_folders(const ServeOptions& options, const ServerOption
         if (auto kept = check_writable(options.state, "--state"); !kept)
             return kept;
     if (const auto store = check_writable(server.store_root, "--store"); !store)
-        spdlog::warn("event=store_read_only message=\"the folder for imported data cannot be "
-                     "written: only what is imported already can be served\" hint=\"give it to "
-                     "user {}, or name another with --store\"",
-                     ::geteuid());
+        spdlog::warn(
+            "event=store_read_only message=\"the folder for imported data cannot be "
+            "written: only data that were imported before can be served\" hint=\"give it to "
+            "user {}, or name another with --store\"",
+            ::geteuid());
     return {};
 }
 
@@ -163,8 +164,9 @@ core::Result<void> serve(const ServerOptions& options) {
         spdlog::info("event=no_tls message=\"this port speaks plain HTTP\" hint=\"publish it on "
                      "127.0.0.1 only, or put TLS in front of it\"");
     else if (!tls && !is_loopback(options.host))
-        spdlog::warn("event=no_tls message=\"everyone on the way can read the token and the data\" "
-                     "hint=\"give --tls-cert and --tls-key\"");
+        spdlog::warn(
+            "event=no_tls message=\"anyone on the network path can read the token and the data\" "
+            "hint=\"give --tls-cert and --tls-key\"");
     (*running)->run();
     return {};
 }
@@ -180,33 +182,40 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
                        "$WAKESURF_DATASET, or the bundled simulation)");
     command
         .add_option("--listen", options.listen,
-                    "HOST:PORT; port 0 picks a free one (default also by $WAKESURF_LISTEN)")
+                    "address to listen on, HOST:PORT; port 0 picks a free one; $WAKESURF_LISTEN "
+                    "also sets it")
         ->capture_default_str();
+    command.add_option("--store", options.store,
+                       "folder for imported data (default: $WAKESURF_STORE, or ~/.cache/wakesurf)");
     command.add_option(
-        "--store", options.store,
-        "folder imports are kept in (default: $WAKESURF_STORE, or ~/.cache/wakesurf)");
-    command.add_option("--state", options.state,
-                       "folder sessions are kept in (default: $WAKESURF_STATE, or none: they end "
-                       "with the server)");
+        "--state", options.state,
+        "folder for sessions (default: $WAKESURF_STATE; without one, sessions end with "
+        "the server)");
     command
-        .add_option("--memory", options.memory,
-                    "of the whole server and its importers, for example 4GiB (default: 60 % of the "
-                    "machine's or the control group's)")
+        .add_option(
+            "--memory", options.memory,
+            "memory for the whole server and its importers, for example 4GiB (default: 60 % "
+            "of the memory of the machine or control group)")
         ->transform(as_memory_size());
-    command.add_option("--threads", options.threads, "that compute (default: one a core)")
+    command
+        .add_option("--threads", options.threads,
+                    "number of compute threads (default: one per core)")
         ->check(CLI::Range(1, 1024));
-    auto* const file = command.add_option("--token-file", options.token_file,
-                                          "take the token from this file; made if it is not there "
-                                          "(default: $WAKESURF_TOKEN_FILE, or a fresh token)");
-    command.add_flag("--no-auth", options.no_auth, "no token; only on a loopback address")
+    auto* const file =
+        command.add_option("--token-file", options.token_file,
+                           "take the token from this file, which is created if missing "
+                           "(default: $WAKESURF_TOKEN_FILE, or a new token)");
+    command
+        .add_flag("--no-auth", options.no_auth,
+                  "ask for no token; allowed only on a loopback address")
         ->excludes(file);
     command.add_option("--origin", options.origins,
-                       "a further page address that may connect, exactly as in the browser");
+                       "another page origin that may connect, written exactly as in the browser");
     command.add_option(
         "--trusted-proxy", options.trusted_proxies,
-        "ADDR or ADDR/BITS: believe this proxy who asks (X-Forwarded-For, PROXY protocol)");
-    auto* const certificate =
-        command.add_option("--tls-cert", options.certificate, "speak TLS: PEM certificate chain");
+        "ADDR or ADDR/BITS: trust this proxy's client addresses (X-Forwarded-For, PROXY protocol)");
+    auto* const certificate = command.add_option("--tls-cert", options.certificate,
+                                                 "enable TLS with this PEM certificate chain");
     auto* const key = command.add_option("--tls-key", options.key, "PEM key of the certificate");
     certificate->needs(key);
     key->needs(certificate);

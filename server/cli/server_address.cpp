@@ -28,7 +28,7 @@ std::string ServerAddress::authority() const {
 
 core::Result<ServerAddress> parse_server_address(const std::string& url) {
     const auto wrong =
-        core::fail(core::Error::Code::InvalidArgument, "this is no address of a server",
+        core::fail(core::Error::Code::InvalidArgument, "this is not the address of a server",
                    "give the one it printed: http://HOST:PORT/#token=...");
     ServerAddress out;
     std::string_view rest = url;

@@ -40,8 +40,8 @@ core::Result<std::unique_ptr<SessionServer>> find_server(const SessionsOptions& 
         return server_at(url, options.authority);
     if (const std::string state = from_environment("WAKESURF_STATE"); !state.empty())
         return sessions_in(state, changes);
-    return fail(Error::Code::InvalidArgument, "whose sessions?",
-                "give --url (or WAKESURF_URL) with the address of a server that runs, "
+    return fail(Error::Code::InvalidArgument, "which server's sessions?",
+                "give --url (or WAKESURF_URL) with the address of a running server, "
                 "http://HOST:PORT/#token=..., or --state with a folder that no server uses");
 }
 
@@ -56,7 +56,7 @@ tl::unexpected<Error> fault_of(const json& answer, unsigned status) {
     const json data = error.is_object() && error.contains("data") ? error["data"] : json();
     std::string message = text(error, "message");
     if (message.empty())
-        message = fmt::format("the answer, of status {}, is not one of wakesurf's", status);
+        message = fmt::format("the answer (status {}) did not come from wakesurf", status);
     return fail(Error::Code::Io, std::move(message), text(data, "hint"));
 }
 
@@ -125,8 +125,8 @@ core::Result<void> export_session(SessionServer& server, const SessionsOptions& 
     const std::string file = options.file.empty() ? id + ".session.json" : options.file;
     std::error_code ignored;
     if (!options.overwrite && std::filesystem::exists(file, ignored))
-        return fail(Error::Code::InvalidArgument, file + " is there already",
-                    "name another with -o, or give --overwrite");
+        return fail(Error::Code::InvalidArgument, file + " already exists",
+                    "name another file with -o, or give --overwrite");
     auto answer = server.ask("GET", "/api/v1/sessions/" + id + "/session.json", "");
     if (const auto sound = parsed(answer); !sound)
         return tl::unexpected(sound.error());
@@ -177,7 +177,7 @@ core::Result<void> restore(SessionServer& server, const SessionsOptions& options
 void add_sessions_options(CLI::App& command, SessionsOptions& options) {
     command.require_subcommand(1);
     auto* const url = command.add_option(
-        "--url", options.url, "server that runs, as it printed it (default: $WAKESURF_URL)");
+        "--url", options.url, "address that a running server printed (default: $WAKESURF_URL)");
     command
         .add_option("--state", options.state,
                     "or: folder of sessions that no server uses "
@@ -185,7 +185,8 @@ void add_sessions_options(CLI::App& command, SessionsOptions& options) {
         ->excludes(url);
     command
         .add_option("--ca", options.authority,
-                    "PEM certificate of who signed the server's, where the system does not know")
+                    "PEM certificate of the authority that signed the server's, if the system does "
+                    "not trust it")
         ->check(CLI::ExistingFile);
     const auto action = [&](const char* name, const char* about) {
         CLI::App* const added = command.add_subcommand(name, about);
@@ -198,21 +199,22 @@ void add_sessions_options(CLI::App& command, SessionsOptions& options) {
         added->add_option("SESSION", options.session, "its id, from `list`")->required();
         return added;
     };
-    auto* const listing = action("list", "Which there are, who was in them, when");
-    listing->add_flag("--trash", options.trash, "those that were deleted");
-    listing->add_flag("--json", options.json, "as session.list answers");
-    on_session("rename", "Give one another name")
-        ->add_option("NAME", options.name, "for people")
+    auto* const listing = action("list", "List the sessions: who used them, and when");
+    listing->add_flag("--trash", options.trash, "list the deleted ones");
+    listing->add_flag("--json", options.json, "print the result of session.list");
+    on_session("rename", "Rename a session")
+        ->add_option("NAME", options.name, "its new name")
         ->required();
-    auto* const saving = on_session("export", "Write one to a file");
-    saving->add_option("-o,--output", options.file, "(default: SESSION.session.json)");
-    saving->add_flag("--overwrite", options.overwrite, "although the file is there");
-    auto* const reading = action("import", "Make a new one of such a file");
-    reading->add_option("FILE", options.file, "that `export` wrote")->required();
-    reading->add_option("--name", options.name, "(default: the file's)");
-    on_session("delete", "Move one to the trash, for 30 days")
-        ->add_flag("--forever", options.forever, "out of the trash, for good");
-    on_session("restore", "Bring one back from the trash");
+    auto* const saving = on_session("export", "Save a session to a file");
+    saving->add_option("-o,--output", options.file,
+                       "file to write (default: SESSION.session.json)");
+    saving->add_flag("--overwrite", options.overwrite, "replace an existing file");
+    auto* const reading = action("import", "Create a session from a saved file");
+    reading->add_option("FILE", options.file, "a file that `export` wrote")->required();
+    reading->add_option("--name", options.name, "name of the session (default: the file's)");
+    on_session("delete", "Move a session to the trash for 30 days")
+        ->add_flag("--forever", options.forever, "delete it from the trash permanently");
+    on_session("restore", "Restore a session from the trash");
 }
 
 int run_sessions(const SessionsOptions& options) {

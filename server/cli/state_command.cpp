@@ -43,7 +43,7 @@ int check(const StateCommandOptions& options) {
     const StateContent& content = verdict->content;
     const std::size_t damaged = content.damaged.size();
     if (content.layout == 0 && !verdict->fault)
-        fmt::print("sound: nothing is kept there yet\n");
+        fmt::print("sound: nothing is stored there yet\n");
     else
         fmt::print("{}: {}\n",
                    verdict->fault ? "damaged; what can be read"
@@ -105,7 +105,7 @@ int restore(const StateCommandOptions& options) {
     for (const std::string& fault : content.faults)
         fmt::print("  not restored: {}\n", fault);
     if (!restored->replaced.empty())
-        fmt::print("  what was there before is {} in that folder\n", restored->replaced);
+        fmt::print("  the previous sessions are {} in that folder\n", restored->replaced);
     return sound;
 }
 
@@ -118,21 +118,20 @@ void add_state_commands(CLI::App& command,
     const auto add = [&](const char* name, const char* about,
                          int (*run)(const StateCommandOptions&)) {
         CLI::App* const added = command.add_subcommand(name, about);
-        added->add_option("STATE_DIR", options.folder, "The folder that `serve` gets with --state")
+        added->add_option("STATE_DIR", options.folder, "The folder given to `serve --state`")
             ->required();
         added->callback([&, run] { chosen = [&options, run] { return run(options); }; });
         return added;
     };
-    add("check", "Say whether all that was kept is there, and how much; changes nothing", check);
-    add("aside", "Print the records that a start could not use as JSON, also while the server runs",
-        aside);
-    add("backup", "Copy the sessions into one file, also while the server runs", backup)
-        ->add_option("FILE", options.file, "To be made; overwrites nothing")
+    add("check", "Check that everything saved is intact, and count it; changes nothing", check);
+    add("aside", "Print as JSON the records the server could not use; works while it runs", aside);
+    add("backup", "Copy the sessions to one file; works while the server runs", backup)
+        ->add_option("FILE", options.file, "File to create; an existing file is never overwritten")
         ->required();
     CLI::App* const back =
-        add("restore", "Put a backup in the place of the sessions; they stay beside it", restore);
+        add("restore", "Replace the sessions by a backup; the old ones stay beside it", restore);
     back->add_option("FILE", options.file, "A backup, or any sessions.sqlite")->required();
-    back->add_flag("--damaged", options.damaged, "Take what can be read of a damaged file");
+    back->add_flag("--damaged", options.damaged, "Restore what can be read of a damaged file");
 }
 
 } // namespace wakesurf::server

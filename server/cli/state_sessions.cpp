@@ -107,7 +107,7 @@ core::Result<std::unique_ptr<SessionServer>> sessions_in(const std::filesystem::
                     "give the folder that `wakesurf serve --state` was given");
     auto kept = KeptSessions::open(folder);
     if (!kept && kept.error().code == Error::Code::OverLimit)
-        return fail(Error::Code::OverLimit, "a server that runs has its sessions in this folder",
+        return fail(Error::Code::OverLimit, "a running server keeps its sessions in this folder",
                     "ask that server: --url with the address it printed when it started, "
                     "http://HOST:PORT/#token=...");
     if (!kept)

@@ -172,12 +172,14 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
     command.add_option("--kind", options.kind, "stream, path, streak or time")->required();
     command.add_option("--rake", options.rake, "\"x,y,z x,y,z ...\": a line, or a polyline")
         ->required();
-    command.add_option("--seeds", options.seeds, "Seeds on the rake to begin with")
+    command.add_option("--seeds", options.seeds, "Initial number of seeds on the rake")
         ->check(CLI::Range(2, 4096))
         ->capture_default_str();
     command.add_option("--from", options.from,
-                       "Time frozen at (stream), of release (path, time) or of the first (streak)");
-    command.add_option("--to", options.to, "Shown until; --to less --from is the integration time");
+                       "Time of the frozen field (stream), of release (path, time) or of the first "
+                       "release (streak)");
+    command.add_option("--to", options.to,
+                       "Last time shown; --to minus --from is the integration time");
     command.add_option("--separation", options.separation,
                        "Longest edge (default: the finest spacing)");
     command.add_option("--accuracy", options.accuracy, "fast, balanced or exact")
@@ -185,37 +187,41 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
     command.add_option("--direction", options.direction, "forward, backward or both")
         ->capture_default_str();
     command.add_option("--release-until", options.release_until,
-                       "Streak: the release stops here (default: --to)");
+                       "Streak: time at which the release stops (default: --to)");
     command.add_option("--rake2", options.rake2, "Time: the patch lies between --rake and this");
-    command.add_option("--sweep", options.sweep, "Time: or --rake is swept along x,y,z");
+    command.add_option("--sweep", options.sweep, "Time: or the patch is --rake swept along x,y,z");
     command
         .add_option("--merge", options.merge,
-                    "Cells merge below this part of the separation, 0 to 0.5")
+                    "Merge cells smaller than this fraction of the separation, 0 to 0.5")
         ->capture_default_str();
-    command.add_option("--angle", options.angle, "Cells that meet at more degrees are refined")
+    command
+        .add_option("--angle", options.angle,
+                    "Refine cells that meet at more than this angle, in degrees")
         ->capture_default_str();
     command
         .add_option(
             "--fields", options.fields,
             "Scalar fields to write at the vertices, a,b; vorticity and q_criterion are derived")
         ->delimiter(',');
-    command.add_option("--max-quads", options.max_quads, "Most quads to build")
+    command.add_option("--max-quads", options.max_quads, "Maximum number of quads")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}))
         ->capture_default_str();
     command
-        .add_option("--memory", options.memory,
-                    "Of the whole process (default: 60 % of the machine's or the control group's)")
+        .add_option(
+            "--memory", options.memory,
+            "Memory for the process (default: 60 % of the memory of the machine or control group)")
         ->transform(as_memory_size());
-    command.add_option("--threads", options.threads, "Threads (default: one a core)")
+    command.add_option("--threads", options.threads, "Number of threads (default: one per core)")
         ->check(CLI::Range(1, 1024));
     command.add_option("--store", options.store,
                        "Folder for imported data (default: ~/.cache/wakesurf)");
     command
-        .add_option("-o,--output", options.output, "FILE.vtp, .glb, .ply, .obj or .drc to write")
+        .add_option("-o,--output", options.output, "File to write: .vtp, .glb, .ply, .obj or .drc")
         ->required();
-    command.add_flag("--draco,!--no-draco", options.draco,
-                     "Compress .glb files; --no-draco: for readers that cannot, as ParaView's");
-    command.add_option("--stats", options.stats, "FILE.json to write statistics to");
+    command.add_flag(
+        "--draco,!--no-draco", options.draco,
+        "Compress .glb files with Draco; --no-draco is for readers without it, such as ParaView");
+    command.add_option("--stats", options.stats, "JSON file to write statistics to");
 }
 
 int run_surface(const SurfaceOptions& options) {

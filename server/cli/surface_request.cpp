@@ -19,16 +19,16 @@ core::Result<void> check_words(const SurfaceOptions& options, core::SurfaceParam
     const auto direction = protocol::direction(options.direction);
     if (!kind)
         return core::fail(Code::InvalidArgument,
-                          "--kind: '" + options.kind + "' is no kind of surface",
-                          "one of stream, path, streak, time");
+                          "--kind: '" + options.kind + "' is not a kind of surface",
+                          "choose stream, path, streak or time");
     if (!accuracy)
         return core::fail(Code::InvalidArgument,
-                          "--accuracy: '" + options.accuracy + "' is no accuracy",
-                          "one of fast, balanced, exact");
+                          "--accuracy: '" + options.accuracy + "' is not an accuracy",
+                          "choose fast, balanced or exact");
     if (!direction)
         return core::fail(Code::InvalidArgument,
-                          "--direction: '" + options.direction + "' is no direction",
-                          "one of forward, backward, both");
+                          "--direction: '" + options.direction + "' is not a direction",
+                          "choose forward, backward or both");
     out.kind = *kind;
     out.accuracy = *accuracy;
     out.direction = *direction;
@@ -46,14 +46,14 @@ core::Result<void> check_numbers(const SurfaceOptions& options) {
     if (!std::isfinite(options.separation))
         return refuse("--separation");
     if (options.separation < 0)
-        return core::fail(Code::InvalidArgument, "--separation is negative");
+        return core::fail(Code::InvalidArgument, "--separation must not be negative");
     if (options.release_until && !std::isfinite(*options.release_until))
         return refuse("--release-until");
     if (!(options.merge >= 0.0 && options.merge <= 0.5))
-        return core::fail(Code::InvalidArgument, "--merge is not within 0 and 0.5",
+        return core::fail(Code::InvalidArgument, "--merge must be between 0 and 0.5",
                           "0 never merges cells, 0.35 is the default");
     if (!(options.angle >= 0.0 && options.angle <= 180.0))
-        return core::fail(Code::InvalidArgument, "--angle is not within 0 and 180 degrees",
+        return core::fail(Code::InvalidArgument, "--angle must be between 0 and 180 degrees",
                           "180 never refines by angle, 20 is the default");
     return {};
 }
@@ -70,7 +70,7 @@ core::Result<void> check_output(const std::string& output, const char* option, b
     if (!std::filesystem::is_directory(folder, ignored))
         return core::fail(Code::NotFound,
                           std::string(option) + ": there is no folder " + folder.string(),
-                          "make it first");
+                          "create it first");
     return {};
 }
 
@@ -105,7 +105,7 @@ core::Result<void> read_patch(const SurfaceOptions& options, core::SurfaceParame
         if (!sweep)
             return tl::unexpected(sweep.error());
         if (*sweep == core::Vec3(0.0))
-            return usage("--sweep: '" + options.sweep + "' goes nowhere", "as in --sweep 0,1,0");
+            return usage("--sweep: '" + options.sweep + "' has no length", "as in --sweep 0,1,0");
         out.sweep = *sweep;
     }
     return {};
@@ -130,7 +130,8 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
     if (auto checked = check_output(options.output, "-o", true); !checked)
         return tl::unexpected(checked.error());
     if (!options.draco && std::filesystem::path(options.output).extension() == ".drc")
-        return core::fail(Code::InvalidArgument, "--no-draco: a .drc file is Draco's",
+        return core::fail(Code::InvalidArgument,
+                          "--no-draco cannot be used for .drc, which is always Draco",
                           "write .glb");
     if (!options.stats.empty()) {
         if (auto checked = check_output(options.stats, "--stats", false); !checked)
@@ -154,7 +155,7 @@ core::Result<void> choose_times(core::SurfaceParameters& parameters,
     parameters.to = options.to.value_or(last);
     if (parameters.to <= parameters.from)
         return core::fail(Code::InvalidArgument, "--to " + std::to_string(parameters.to) +
-                                                     " does not lie after --from " +
+                                                     " is not after --from " +
                                                      std::to_string(parameters.from));
     parameters.release_until = options.release_until;
     const double until = options.release_until.value_or(parameters.to);

@@ -48,29 +48,30 @@ void collect(const Standing& standing, Registry& registry) {
     const auto gauge = [&](const char* name, const char* help, auto value) {
         gauges(registry, name, help).Add({}).Set(static_cast<double>(value));
     };
-    gauge("wakesurf_uptime_seconds", "Since the server started.", standing.uptime);
+    gauge("wakesurf_uptime_seconds", "Time since the server started.", standing.uptime);
     gauge("wakesurf_connections", "Open connections of all kinds.", standing.connections);
     gauge("wakesurf_clients", "Open WebSockets.", standing.clients);
     gauge("wakesurf_participants", "People and scripts in sessions.", standing.participants);
     gauge("wakesurf_sessions", "Sessions.", standing.sessions);
     gauge("wakesurf_surfaces", "Surfaces in all sessions.", standing.surfaces);
     const ProcessMemory memory = process_memory();
-    gauge("process_resident_memory_bytes", "Memory in use.", memory.resident);
-    gauge("process_open_fds", "Open descriptors.", memory.descriptors);
-    gauge("wakesurf_memory_budget_bytes", "--memory, of the process and its importers.",
+    gauge("process_resident_memory_bytes", "Resident memory of the process.", memory.resident);
+    gauge("process_open_fds", "Open file descriptors.", memory.descriptors);
+    gauge("wakesurf_memory_budget_bytes", "The budget --memory, for the process and its importers.",
           standing.memory.budget);
-    gauge("wakesurf_memory_refused", "Times that something did not fit into --memory.",
+    gauge("wakesurf_memory_refused", "How often something did not fit into --memory.",
           standing.memory.refused);
-    auto& uses = gauges(registry, "wakesurf_memory_bytes", "Of --memory taken, by use.");
+    auto& uses = gauges(registry, "wakesurf_memory_bytes", "Memory taken of --memory, by use.");
     for (std::size_t i = 0; i < standing.memory.by_use.size(); ++i)
         uses.Add({{"use", std::string(core::name_of(static_cast<core::MemoryUse>(i)))}})
             .Set(static_cast<double>(standing.memory.by_use[i]));
     auto& hits = counters(registry, "wakesurf_cache_hits_total",
-                          "Time-steps asked for that were in memory.");
+                          "Requested time-steps that were already in memory.");
     auto& loads =
         counters(registry, "wakesurf_cache_loads_total", "Time-steps read from the disk.");
-    auto& bytes = gauges(registry, "wakesurf_cache_bytes", "Time-steps in memory.");
-    auto& budget = gauges(registry, "wakesurf_cache_budget_bytes", "Allowed for time-steps.");
+    auto& bytes = gauges(registry, "wakesurf_cache_bytes", "Memory that time-steps take.");
+    auto& budget =
+        gauges(registry, "wakesurf_cache_budget_bytes", "Memory that time-steps may take.");
     for (const CacheStanding& each : standing.caches) {
         const prometheus::Labels labels{{"dataset", each.dataset}};
         hits.Add(labels).Increment(static_cast<double>(each.hits));
@@ -85,18 +86,18 @@ void collect(const Standing& standing, Registry& registry) {
 struct Metrics::State {
     explicit State(const core::Clock& time) : clock(time) {
         auto& family = histograms(registry, "wakesurf_stage_seconds",
-                                  "From an edit to the socket, stage by stage.");
+                                  "Time from an edit to the socket, by stage.");
         for (std::size_t i = 0; i < stages.size(); ++i)
             stages[i] = &family.Add({{"stage", std::string(stage_names[i])}}, latencies);
         auto& reasons = counters(registry, "wakesurf_rejected_total",
-                                 "Requests and connections turned away or ended, by reason.");
+                                 "Requests and connections refused or ended, by reason.");
         for (std::size_t i = 0; i < rejected.size(); ++i)
             rejected[i] = &reasons.Add({{"reason", std::string(rejection_names[i])}});
         auto& kinds = counters(registry, "wakesurf_over_budget_total",
-                               "What was refused or put off, by the kind of budget used up.");
+                               "Requests refused or delayed, by the budget they exceeded.");
         for (std::size_t i = 0; i < over_budget.size(); ++i)
             over_budget[i] = &kinds.Add({{"kind", std::string(budgeted_names[i])}});
-        gauges(registry, "wakesurf_build_info", "Always 1; the labels tell.")
+        gauges(registry, "wakesurf_build_info", "Always 1; the label holds the version.")
             .Add({{"version", WAKESURF_VERSION}})
             .Set(1.0);
     }
@@ -106,7 +107,7 @@ struct Metrics::State {
     std::array<Histogram*, stage_names.size()> stages{};
     Histogram& edit_to_frame = histograms(registry,
                                           "wakesurf_edit_to_first_frame_seconds",
-                                          "From an edit to the first frame that shows it.")
+                                          "Time from an edit to the first frame that shows it.")
                                    .Add({}, latencies);
     Counter& frames = counter(registry, "wakesurf_frames_sent_total", "Mesh frames sent.");
     Counter& frame_bytes =
@@ -115,16 +116,17 @@ struct Metrics::State {
     Counter& message_bytes =
         counter(registry, "wakesurf_message_bytes_sent_total", "Bytes of text messages sent.");
     Counter& received =
-        counter(registry, "wakesurf_messages_received_total", "Messages of clients.");
-    Counter& received_bytes =
-        counter(registry, "wakesurf_message_bytes_received_total", "Bytes of messages of clients.");
-    Counter& keyframes = counter(registry, "wakesurf_keyframes_total", "Whole states sent.");
+        counter(registry, "wakesurf_messages_received_total", "Messages received from clients.");
+    Counter& received_bytes = counter(registry,
+                                      "wakesurf_message_bytes_received_total",
+                                      "Bytes of messages received from clients.");
+    Counter& keyframes = counter(registry, "wakesurf_keyframes_total", "Keyframes sent.");
     Counter& behind = counter(registry,
                               "wakesurf_catching_up_total",
-                              "Times a client fell behind and got a keyframe instead.");
+                              "How often a client fell behind and got a keyframe instead.");
     Counter& dropped = counter(registry,
                                "wakesurf_frames_dropped_total",
-                               "Stale frames clients were spared, by a keyframe or a newer edit.");
+                               "Stale frames not sent because of a keyframe or a newer edit.");
     Family<Counter>& errors =
         counters(registry, "wakesurf_rpc_errors_total", "Calls answered with an error, by code.");
     Family<Gauge>& durable = gauges(

@@ -36,9 +36,10 @@ core::Result<void> read_time(const std::string& text, DownloadRequest& out) {
 core::Result<void> read_draco(const std::string& text, DownloadRequest& out) {
     if (text != "true" && text != "false")
         return fail(Error::Code::InvalidArgument, "`draco` is neither true nor false",
-                    "?draco=false is a .glb that readers without Draco open");
+                    "?draco=false returns a .glb that readers without Draco can open");
     if (text == "false" && out.format == protocol::MeshFormat::Drc)
-        return fail(Error::Code::InvalidArgument, "a .drc file is Draco's", "ask for mesh.glb");
+        return fail(Error::Code::InvalidArgument, "a .drc file is always compressed with Draco",
+                    "ask for mesh.glb");
     out.glb = text == "false" ? protocol::GlbCoding::Plain : protocol::GlbCoding::Draco;
     return {};
 }
@@ -56,12 +57,12 @@ core::Result<DownloadRequest> read_download(std::string_view file,
     DownloadRequest out;
     out.format = *format;
     for (const auto& [name, value] : query) {
-        core::Result<void> read = name == "time" ? read_time(value, out)
-                                  : name == "draco"
-                                      ? read_draco(value, out)
-                                      : fail(Error::Code::InvalidArgument,
-                                             "a download has no `" + name.substr(0, 64) + "`",
-                                             "there is ?time=2.5, ?time=end and ?draco=false");
+        core::Result<void> read =
+            name == "time"    ? read_time(value, out)
+            : name == "draco" ? read_draco(value, out)
+                              : fail(Error::Code::InvalidArgument,
+                                     "a download has no parameter `" + name.substr(0, 64) + "`",
+                                     "the parameters are ?time=2.5, ?time=end and ?draco=false");
         if (!read)
             return tl::unexpected(read.error());
     }

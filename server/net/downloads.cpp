@@ -41,8 +41,8 @@ std::vector<std::string> split(std::string_view path) {
 /// What of a dataset particles stop at, to look at: the surface of the solid nodes, or the
 /// walls of the store or of a built-in flow.
 core::Result<core::QuadComplex> obstacle_of(const LoadedDataset& dataset) {
-    const auto none =
-        fail(Error::Code::NotFound, "the dataset has no obstacle", "dataset.describe says so");
+    const auto none = fail(Error::Code::NotFound, "the dataset has no obstacle",
+                           "dataset.describe says whether it has one");
     const core::StoreReader* store = dataset.store.get();
     if (store != nullptr && !store->mask().empty())
         return core::obstacle_surface(store->grid(), store->mask());
@@ -128,7 +128,8 @@ struct FileJob {
         if (share.grow_to(bytes, stop, limits::download_memory))
             return {};
         if (stop.stop_requested())
-            return core::fail(Error::Code::Cancelled, "who asked for the file is gone");
+            return core::fail(Error::Code::Cancelled,
+                              "the client that asked for the file has left");
         return tl::unexpected(account->refusal("a file of this surface", bytes));
     }
 

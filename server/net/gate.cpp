@@ -163,7 +163,8 @@ std::optional<Refusal> Gate::check_sender(const HttpRequest& request) const {
     const bool harmless = (request.method == "GET" || request.method == "HEAD") && !request.upgrade;
     if (harmless || !request.all("origin").empty() || !request.all("authorization").empty())
         return std::nullopt;
-    return Refusal{403, "the request says no Origin", "send the token in an Authorization header"};
+    return Refusal{403, "the request has no Origin header",
+                   "send the token in an Authorization header"};
 }
 
 bool Gate::still(const Visitor& visitor) const {
@@ -176,7 +177,7 @@ std::optional<Refusal> Gate::check_host(const HttpRequest& request) const {
     const auto name = values.size() == 1 ? host_name(values.front()) : std::nullopt;
     if (name && contains(hosts_, *name))
         return std::nullopt;
-    return Refusal{403, "the request is for a host this server does not go by",
+    return Refusal{403, "the request is for a host name that this server does not use",
                    "use the address wakesurf printed, or start it with --origin"};
 }
 

@@ -224,7 +224,8 @@ void HttpConnection::read_header() {
 
 void HttpConnection::read_body() {
     if (ambiguous(parser_->get()))
-        return respond(http_error(400, "the length of the body is said in more than one way",
+        return respond(http_error(400,
+                                  "the request states the length of its body in more than one way",
                                   "send one Content-Length, or one Transfer-Encoding: chunked"),
                        false, false);
     if (parser_->is_done())

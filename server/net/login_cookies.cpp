@@ -22,8 +22,8 @@ core::Result<std::string> LoginCookies::make(const std::string& grant, const std
     forget_expired();
     if (!make_room(grant, from))
         return core::over_limit(limits::logins_from_one,
-                                "there are as many logins by this link as there may be",
-                                "log out where you do not need it any more, or try again later");
+                                "this link has reached its limit of logins",
+                                "log out where you no longer need it, or try again later");
     const auto now = clock_.now();
     std::string cookie = random_hex(entropy_, 32);
     entries_.push_back({{grant, next_++}, secret_digest(cookie), from, now, now, false});

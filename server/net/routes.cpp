@@ -31,7 +31,7 @@ bool writes(const HttpRequest& request) {
 
 HttpResponse wrong_method(const char* allowed) {
     HttpResponse response =
-        http_error(405, "the path does not take this method", std::string("use ") + allowed);
+        http_error(405, "this path does not accept this method", std::string("use ") + allowed);
     response.headers.emplace_back("Allow", allowed);
     return response;
 }
@@ -91,8 +91,8 @@ bool is_shared_file(const std::string& path) {
 
 HttpResponse too_much_waits(std::size_t bytes) {
     return http_over_limit(503, bytes,
-                           "too much waits to be sent to others for this answer just now",
-                           "ask again in a few seconds, or for less at once");
+                           "the server has too much waiting to be sent to answer this now",
+                           "try again in a few seconds, or ask for less");
 }
 
 HttpResponse nothing_there() {
@@ -118,8 +118,8 @@ tl::expected<Admitted, HttpResponse> Routes::admit_upgrade(const HttpRequest& re
         return tl::unexpected(
             http_error(404, "there is no WebSocket at this path", "connect to /ws"));
     if (!speaks_our_protocol(request))
-        return tl::unexpected(http_error(400, "none of the subprotocols offered is spoken here",
-                                         "offer wakesurf.v1"));
+        return tl::unexpected(http_error(
+            400, "the server supports none of the offered subprotocols", "offer wakesurf.v1"));
     const auto keys = request.all("sec-websocket-key");
     if (keys.size() != 1 || !is_websocket_key(keys.front()))
         return tl::unexpected(http_error(400, "Sec-WebSocket-Key is not 16 bytes in base64",
@@ -235,9 +235,10 @@ void Routes::serve(const HttpRequest& request, const Visitor& visitor, Respond r
     if (request.path == "/openrpc.json")
         return respond(http_json(dispatcher_.document()));
     if (request.path == "/metrics")
-        return respond(visitor.grant.empty() ? counted(metrics_())
-                                             : http_error(403, "a share link does not open this",
-                                                          "send the token wakesurf printed"));
+        return respond(visitor.grant.empty()
+                           ? counted(metrics_())
+                           : http_error(403, "a share link does not give access to this",
+                                        "send the token wakesurf printed"));
     if (request.path == "/ws")
         return respond(http_error(426, "this path is for WebSockets",
                                   "connect with the subprotocol wakesurf.v1"));

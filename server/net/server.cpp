@@ -160,7 +160,7 @@ struct Server::Parts {
         for (const RestoredSessions::Refused& each : restored.refused)
             spdlog::warn("event=record_kept_aside session={} why=\"{}\"", each.session,
                          each.record.why);
-        spdlog::info("{} records of {} sessions brought back", restored.records, restored.sessions);
+        spdlog::info("{} records of {} sessions restored", restored.records, restored.sessions);
     }
 
     void tell_durability(const core::Result<void>& turn) {
@@ -302,7 +302,7 @@ void Server::run() {
     if (all.files.empty())
         spdlog::warn("event=no_web_client message=\"the page is not beside this program\" "
                      "hint=\"build it, as ./run "
-                     "does, or name its folder with --web; scripts can connect all the same\"");
+                     "does, or name its folder with --web; scripts can still connect\"");
     if (!all.journal)
         spdlog::info("event=sessions_not_kept hint=\"--state DIR keeps them\"");
     asio::signal_set signals(all.context, SIGINT, SIGTERM);

@@ -55,8 +55,7 @@ core::Result<std::string> thumbnail_of(const SessionDirectory& sessions, const s
 HttpResponse picture(const std::string& base64, const HttpRequest& request) {
     const auto image = read_thumbnail(base64);
     if (base64.empty() || !image)
-        return http_error(404, "no one has sent a picture of this session",
-                          "session.thumbnail sends one");
+        return http_error(404, "this session has no picture yet", "session.thumbnail sends one");
     const std::string tag = '"' + digest_text(secret_digest(image->bytes)).substr(0, 32) + '"';
     HttpResponse response{
         200,
@@ -116,12 +115,12 @@ void SessionFiles::post(const HttpRequest& request,
                         const Identity& identity,
                         const Respond& respond) {
     if (!identity.grant.empty())
-        return respond(http_error(403, "a share link is not enough to make a session",
+        return respond(http_error(403, "a share link does not allow making a session",
                                   "use the token wakesurf printed when it was started"));
     if (imports_ >= limits::session_imports)
         return respond(http_over_limit(503, limits::session_imports,
-                                       "other sessions are being imported just now",
-                                       "ask again in a second"));
+                                       "other sessions are being imported now",
+                                       "try again in a second"));
     ++imports_;
     compute<std::shared_ptr<ReadSession>>(
         loop_, pool_,

@@ -100,7 +100,7 @@ void SharedFiles::get(const std::string& tag,
                                                        : core::MemoryAccount::Share{};
                 auto file = std::make_shared<core::Result<File>>(core::fail(
                     core::Error::Code::OverLimit, "there is not enough memory for this file",
-                    "ask again later, or for a surface of fewer quads"));
+                    "try again later, or ask for a surface of fewer quads"));
                 try {
                     auto bytes = make(flight->stop.get_token(), share);
                     if (bytes)

@@ -25,7 +25,7 @@ core::Result<void> readable(const std::filesystem::path& file, const std::string
     return fail(Error::Code::Io,
                 "the file of " + option +
                     " cannot be read: " + (errno != 0 ? std::strerror(errno) : "it is empty"),
-                "give a PEM file that the user wakesurf runs as may read");
+                "give a PEM file that the user of wakesurf can read");
 }
 
 /// Forward secrecy and authenticated encryption only: no RSA key exchange, no CBC.
@@ -58,7 +58,7 @@ core::Result<std::unique_ptr<ssl::context>> context_from(const std::filesystem::
     context->use_private_key_file(key.string(), ssl::context::pem, error);
     if (error)
         return fail(Error::Code::Corrupt,
-                    "the file of --tls-key holds no usable key, or not the certificate's",
+                    "the file of --tls-key holds no usable key, or the key of another certificate",
                     "give the unencrypted PEM key the certificate was made with");
     return context;
 }

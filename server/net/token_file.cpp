@@ -21,12 +21,12 @@ core::Result<std::string> make(const std::filesystem::path& file, Entropy& entro
     const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
     if (descriptor < 0)
         return fail(Error::Code::Io,
-                    std::string("the token file cannot be made: ") + std::strerror(errno),
-                    "give --token-file a place that can be written");
+                    std::string("the token file cannot be created: ") + std::strerror(errno),
+                    "give --token-file a path that can be written");
     const bool written =
         ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size());
     if ((::close(descriptor) != 0) || !written)
-        return fail(Error::Code::Io, "the token file cannot be written", "make room on the disk");
+        return fail(Error::Code::Io, "the token file cannot be written", "free some disk space");
     return token;
 }
 
@@ -44,13 +44,13 @@ core::Result<std::string> token_from(const std::filesystem::path& file, Entropy&
     std::string token;
     if (!std::getline(stream, token))
         return fail(Error::Code::Io, "the token file is empty or cannot be read",
-                    "delete it to get a fresh one");
+                    "delete it to get a new one");
     const auto printable = [](char c) { return c > ' ' && c < 0x7f; };
     if (token.size() < 32 || token.size() > 512 ||
         !std::all_of(token.begin(), token.end(), printable))
         return fail(Error::Code::Corrupt,
-                    "the token in the token file must be 32 to 512 characters without blanks",
-                    "delete the file to get a fresh one");
+                    "the token in the token file must be 32 to 512 characters without spaces",
+                    "delete the file to get a new one");
     return token;
 }
 

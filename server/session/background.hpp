@@ -27,7 +27,7 @@ void compute(Loop& loop,
     pool.run(line, Pace::Long, [&loop, work = std::move(work), done = std::move(done)] {
         auto result = std::make_shared<core::Result<T>>(
             core::fail(core::Error::Code::OverLimit, "there is not enough memory for this",
-                       "ask for less at a time"));
+                       "ask for less at once"));
         try {
             *result = work();
         } catch (const std::bad_alloc&) { // said above

@@ -77,7 +77,7 @@ core::Result<Budgets::Place> Budgets::take(const Visitor& who, Use use) {
         refused(kind.budgeted, kind.rejection);
         const std::size_t most = account->budget->*kind.most;
         return core::over_limit(
-            most, fmt::format("{} as many {} as there may be, {}", whose, kind.words, most),
+            most, fmt::format("{} reached the limit of {}: {}", whose, kind.words, most),
             kind.hint);
     }
     auto held = std::make_shared<Held>();

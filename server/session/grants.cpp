@@ -46,7 +46,7 @@ core::Result<Grants::Made> Grants::make(const std::string& session,
         return core::over_limit(limits::grants,
                                 "a session may have at most " + std::to_string(limits::grants) +
                                     " share links",
-                                "take some back with session.unshare");
+                                "revoke some with session.unshare");
     std::vector<std::string> lineage;
     if (const Grant* parent = grant(maker.grant)) {
         lineage = parent->lineage;
@@ -54,15 +54,15 @@ core::Result<Grants::Made> Grants::make(const std::string& session,
     }
     if (lineage.size() > limits::grant_depth)
         return core::over_limit(limits::grant_depth,
-                                "links made by links made by links end after " +
+                                "a chain of links, each made by the one before, may have at most " +
                                     std::to_string(limits::grant_depth),
                                 "ask someone with the server's token for one");
     const auto longest = longest_of(maker.grant);
     if (longest && (!expires_in || *expires_in > *longest))
         return fail(Error::Code::InvalidArgument,
                     "`expiresIn` must be at most " + std::to_string(longest->count()) +
-                        ": a link cannot outlive the one it is made by",
-                    "leave it out, and it ends with yours");
+                        ": a link cannot outlive the link that made it",
+                    "leave it out, and the new link ends with yours");
     std::string key = random_hex(services_.entropy, 32);
     const std::uint64_t number = next_++;
     const std::string id = "g" + std::to_string(number);
@@ -120,7 +120,7 @@ Grants::revoke(const std::string& session, const std::string& id, bool children)
         return fail(Error::Code::NotFound,
                     "the session has no share link `" + id.substr(0, 64) + "`",
                     "list them with session.shares");
-    const char* const reason = "the share link was taken back";
+    const char* const reason = "the share link was revoked";
     if (children)
         for (const Grant& each : descendants(session, id))
             end(each.id, reason);
@@ -231,7 +231,7 @@ Grants::restore(const std::string& session, const std::string& id, std::string_v
         if (const auto set = role_named(word))
             lowered[participant] = *set;
     if (!number || !role || !digest || lowered.size() != kept->lowered.size())
-        return fail(Error::Code::Corrupt, "a share link that was kept is not one",
+        return fail(Error::Code::Corrupt, "a saved share link is damaged",
                     "make a new one with session.share");
     next_ = std::max(next_, *number + 1);
     Entry entry{{id, session, *role, kept->expires, kept->maker, kept->lineage, std::move(lowered)},

@@ -34,7 +34,7 @@ void count(Metrics& metrics,
 }
 
 core::Result<protocol::EncodedUpdate> no_room() {
-    return core::fail(core::Error::Code::OverLimit, "there is no memory for a key");
+    return core::fail(core::Error::Code::OverLimit, "there is not enough memory for a keyframe");
 }
 
 std::size_t index(Pace pace) {

@@ -74,7 +74,7 @@ core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observ
     const std::size_t most =
         limits::participants - (arrival.identity.grant.empty() ? 0 : limits::for_hosts.sockets);
     if (!here && present_.size() >= most)
-        return core::over_limit(most, "the session has as many participants as it may have",
+        return core::over_limit(most, "the session has reached its limit of participants",
                                 "wait until someone leaves, or create another session");
     Joined joined{take_place(token), arrival.resume_token, false};
     Participant& place = joined.you;
@@ -402,8 +402,8 @@ core::Result<void> Participants::restore(const std::string& id, std::string_view
     const auto former = kept->former.empty() ? std::nullopt : read_digest(kept->former);
     if (!role || !token || !number || !is_colour(kept->colour) ||
         former.has_value() == kept->former.empty())
-        return fail(Error::Code::Corrupt, "a place that was kept is not one",
-                    "join the session anew");
+        return fail(Error::Code::Corrupt, "a saved participant is damaged",
+                    "join the session again");
     next_ = std::max(next_, *number + 1);
     Participant place;
     place.id = id;

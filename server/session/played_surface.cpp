@@ -76,7 +76,8 @@ core::Result<PlayedSurface> PlayedSurface::start(const SurfaceJob& job,
         if (!moving)
             return tl::unexpected(moving.error());
         if (!work.above(played.bytes()).holds(2 * moving->state().bytes())) // its start is kept
-            return core::fail(core::Error::Code::Cancelled, "there is no memory for the surface");
+            return core::fail(core::Error::Code::Cancelled,
+                              "there is not enough memory for the surface");
         played.parts_.push_back(
             {core::SurfaceHistory(std::move(*moving), budget_bytes / parts->size()),
              part.parameters.from, part.sign});

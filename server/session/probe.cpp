@@ -32,7 +32,7 @@ core::Result<ProbeField> sample_field(const OpenDataset& dataset,
         return sample_velocity(dataset, request, times, stop);
     if (dataset.store == nullptr)
         return fail(Error::Code::NotFound, "there is no field " + name,
-                    "a built-in flow has its velocity only");
+                    "a built-in flow has only its velocity");
     const auto scalar = core::find_scalar(dataset.store->layout(), name);
     if (!scalar)
         return tl::unexpected(scalar.error());

@@ -63,7 +63,7 @@ core::Result<void> take(const RecordKey& key, const std::string& text, SessionRe
         return core::over_limit(most_records(key.type), "there are too many");
     if (const auto* surface = std::get_if<protocol::SurfaceRecord>(&*record))
         if (!into.holds_rakes_of(*surface))
-            return core::fail(Error::Code::Corrupt, "its rake is not there");
+            return core::fail(Error::Code::Corrupt, "its rake does not exist");
     into.put(*record);
     return {};
 }
@@ -151,7 +151,7 @@ RefusedEntry refused_entry(const JournalEntry& entry, Error error) {
 
 core::Result<Record> read_record(const RecordKey& key, const std::string& text) {
     if (SessionRecords::number_of(key) == 0)
-        return core::fail(Error::Code::Corrupt, "this is no id");
+        return core::fail(Error::Code::Corrupt, "this is not an id");
     auto record = parse(key.type, text);
     if (!record)
         return record;

@@ -11,7 +11,7 @@ core::Result<void> room_in_session(std::size_t bytes) {
         return {};
     return core::over_limit(
         limits::session_bytes,
-        fmt::format("the records of a session may take {} KiB together, and would take {}",
+        fmt::format("the records of a session may take {} KiB together, but would take {}",
                     limits::session_bytes / 1024, (bytes + 1023) / 1024),
         "delete some, use fewer points and shorter texts, or use another session");
 }
@@ -25,7 +25,7 @@ room_beside_others(const core::MemoryAccount* account, std::size_t bytes, std::s
         return {};
     return core::over_limit(
         most,
-        fmt::format("the records of all sessions may take an eighth of --memory, {} MiB, and do",
+        fmt::format("the records of all sessions take all they may: an eighth of --memory, {} MiB",
                     most >> 20),
         "delete sessions that are no longer needed, or start the server with a larger --memory");
 }

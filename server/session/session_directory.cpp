@@ -185,11 +185,12 @@ core::Result<void> SessionDirectory::make_room() {
             (going == nullptr || session->profile().last_used < going->profile().last_used))
             going = session.get();
     if (going == nullptr)
-        return core::over_limit(
-            limits::kept_sessions,
-            "the server keeps at most " + std::to_string(limits::kept_sessions) +
-                " sessions, and has as many",
-            "delete one that no one needs with session.delete; session.export saves it first");
+        return core::over_limit(limits::kept_sessions,
+                                "the server keeps at most " +
+                                    std::to_string(limits::kept_sessions) +
+                                    " sessions, and that many are there",
+                                "delete one that is no longer needed with session.delete; "
+                                "session.export saves it first");
     const std::string id = going->id();
     log_event("session_never_used_given_up", id);
     sessions_.erase(id);
@@ -202,14 +203,14 @@ core::Result<std::int64_t> SessionDirectory::remove(const std::string& id) {
     if (!found)
         return tl::unexpected(found.error());
     if (id == main_id)
-        return fail(
-            Error::Code::InvalidArgument, "`main` is where everyone meets and cannot be deleted",
-            "delete its rakes, which takes their surfaces along, its bookmarks and its notes");
+        return fail(Error::Code::InvalidArgument,
+                    "`main` is the session that everyone shares and cannot be deleted",
+                    "delete its rakes (which deletes their surfaces), bookmarks and notes instead");
     if (trash_.all().size() >= limits::trash)
         return core::over_limit(limits::trash,
                                 "the trash keeps at most " + std::to_string(limits::trash) +
-                                    " sessions, and has as many",
-                                "remove some for good: session.delete with forever: true");
+                                    " sessions, and that many are there",
+                                "delete some permanently: session.delete with forever: true");
     Session& session = **found;
     session.delete_at(services_.unix_time());
     TrashedSession deleted = trashed(id, session.name(), session.profile(), session.records(),

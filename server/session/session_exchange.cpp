@@ -97,8 +97,8 @@ std::vector<std::string> dataset_notes(const ReadSession& read, const Datasets& 
                 ? id
                 : id + " (" + display_name(theirs.name, limits::name_bytes) + ")";
         if (!open) {
-            notes.push_back("there is no dataset " + known + " to be used here now: " +
-                            list_of(surfaces) + " will be built when there is");
+            notes.push_back("there is no dataset " + known + " that can be used here now: " +
+                            list_of(surfaces) + " will be built when there is one");
             continue;
         }
         const protocol::DatasetMark ours = mark_of(*open);

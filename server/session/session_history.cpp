@@ -78,7 +78,7 @@ std::string Session::obstacle(const Edit& edit, const EditStep& step, Turn turn)
     if (!to && step.key.type == RecordType::Rake)
         for (const std::string& id : records_.hanging_on(step.key.id))
             if (!sets(edit, turn, {RecordType::Surface, id}, false))
-                return "surface " + id + " hangs on " + label;
+                return "surface " + id + " belongs to " + label;
     if (!to)
         return {};
     if (const auto* surface = std::get_if<protocol::SurfaceRecord>(to.get()))

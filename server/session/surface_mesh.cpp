@@ -45,7 +45,8 @@ core::Result<SurfaceMesh> surface_mesh(const SurfaceJob& job,
         return tl::unexpected(surface.error());
     if (timed) {
         if (!work.takes(2 * core::memory_of(surface->mesh)))
-            return core::fail(core::Error::Code::Cancelled, "there is no memory for the surface");
+            return core::fail(core::Error::Code::Cancelled,
+                              "there is not enough memory for the surface");
         const GrowingMesh growing(surface->mesh, std::abs(p.to - p.from));
         surface->mesh = growing.at(age).mesh;
         surface->statistics.quads = surface->mesh.cells.size();

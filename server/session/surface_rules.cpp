@@ -38,7 +38,7 @@ core::Result<void> check_kind(const protocol::SurfaceSetting& setting) {
     if (setting.rake2 == setting.rake)
         return wrong("`rake2` is the rake itself", "name another rake of the session");
     if (p.sweep == core::Vec3(0.0))
-        return wrong("`sweep` goes nowhere", "give a vector that is not zero");
+        return wrong("`sweep` has no length", "give a vector that is not zero");
     if (p.release_until) {
         const double released = *p.release_until - p.from;
         const double shown = p.to - p.from;

@@ -56,8 +56,8 @@ core::Result<Thumbnail> read_thumbnail(std::string_view base64) {
     const std::string_view type = bytes ? type_of(*bytes) : std::string_view{};
     if (type.empty())
         return fail(Error::Code::InvalidArgument,
-                    "`image` is no base64 text of a PNG, JPEG or WebP picture",
-                    "send the part of a data URL that is behind the comma");
+                    "`image` is not the base64 text of a PNG, JPEG or WebP picture",
+                    "send the part of a data URL after the comma");
     return Thumbnail{std::string(type), std::move(*bytes)};
 }
 

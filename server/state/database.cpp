@@ -12,8 +12,8 @@ using core::fail;
 const char* const Database::way_out =
     "`wakesurf state check DIR` says what is there; `wakesurf state restore DIR BACKUP` puts a "
     "backup "
-    "in its place, and with `--damaged` and the file itself what can still be read of it; to begin "
-    "anew move sessions.* away";
+    "in its place (with `--damaged` and the file itself: what can still be read of it); to start "
+    "afresh, move sessions.* away";
 
 namespace {
 
@@ -21,7 +21,7 @@ namespace {
 tl::unexpected<Error> failure(int code) {
     switch (code & 0xff) {
     case SQLITE_FULL:
-        return fail(Error::Code::Io, "the disk with the sessions is full", "make room on it");
+        return fail(Error::Code::Io, "the disk with the sessions is full", "free some space on it");
     case SQLITE_READONLY:
         return fail(Error::Code::Io, "the sessions cannot be written: read-only",
                     "make the state folder and its disk writable");
@@ -29,7 +29,7 @@ tl::unexpected<Error> failure(int code) {
     case SQLITE_PERM:
     case SQLITE_AUTH:
         return fail(Error::Code::Io, "sessions.sqlite in the state folder cannot be opened",
-                    "see that this user may read and write the folder and its files");
+                    "check that this user can read and write the folder and its files");
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
         return fail(Error::Code::Io, "another program has sessions.sqlite open",
@@ -46,7 +46,7 @@ tl::unexpected<Error> failure(int code) {
                     "give the server more");
     default:
         return fail(Error::Code::Io,
-                    std::string("the disk with the sessions fails: ") + sqlite3_errstr(code),
+                    std::string("the disk with the sessions failed: ") + sqlite3_errstr(code),
                     "see the system's log");
     }
 }

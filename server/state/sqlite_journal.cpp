@@ -15,9 +15,9 @@ constexpr std::chrono::seconds look{2};
 
 SqliteJournal::SqliteJournal(Loop& loop,
                              StateStore store,
-                             Turn turned,
+                             OnDurability changed,
                              std::chrono::milliseconds retry)
-    : loop_(loop), store_(std::move(store)), turned_(std::move(turned)), retry_(retry),
+    : loop_(loop), store_(std::move(store)), durability_changed_(std::move(changed)), retry_(retry),
       thread_([this] { work(); }) {}
 
 SqliteJournal::~SqliteJournal() {
@@ -145,7 +145,7 @@ void SqliteJournal::work() {
 void SqliteJournal::tell(PendingWrites tried, const core::Result<void>& outcome, Waiting waited) {
     // The disk takes writes again, but edits came meanwhile that were answered as not durable: they go first.
     const bool behind = outcome && refusal_ && !changes_.empty();
-    const bool turn = !behind && refusal_.has_value() == outcome.has_value();
+    const bool changed = !behind && refusal_.has_value() == outcome.has_value();
     if (outcome) {
         if (!behind)
             refusal_.reset();
@@ -156,10 +156,10 @@ void SqliteJournal::tell(PendingWrites tried, const core::Result<void>& outcome,
         std::move(waiting_.begin(), waiting_.end(), std::back_inserter(waited));
         waiting_.clear();
     }
-    if (turn || !waited.empty())
-        loop_.post([turned = turned_, turn, outcome, waited = std::move(waited)] {
-            if (turn && turned)
-                turned(outcome);
+    if (changed || !waited.empty())
+        loop_.post([told = durability_changed_, changed, outcome, waited = std::move(waited)] {
+            if (changed && told)
+                told(outcome);
             for (const auto& done : waited)
                 done(outcome);
         });

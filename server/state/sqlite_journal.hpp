@@ -23,12 +23,12 @@ namespace wakesurf::server {
 class SqliteJournal final : public Journal {
   public:
     /// Told on the loop when the disk starts to refuse (an error) and when it takes changes again.
-    using Turn = std::function<void(core::Result<void>)>;
+    using OnDurability = std::function<void(core::Result<void>)>;
 
     /// REQUIRES: the loop outlives it.
     SqliteJournal(Loop& loop,
                   StateStore store,
-                  Turn turned,
+                  OnDurability changed,
                   std::chrono::milliseconds retry = std::chrono::seconds(1));
 
     /// As finish().
@@ -64,7 +64,7 @@ class SqliteJournal final : public Journal {
 
     Loop& loop_;
     StateStore store_; ///< the thread's own
-    Turn turned_;
+    OnDurability durability_changed_;
     std::chrono::milliseconds retry_;
 
     mutable std::mutex mutex_; ///< guards all below; never held while the disk is waited for

@@ -46,7 +46,7 @@ void take_row(
         return;
     }
     const std::string why = key.type + (key.id.empty() ? "" : " " + key.id.substr(0, 64)) +
-                            ": damaged on the disk, its checksum is another";
+                            ": damaged on the disk: its checksum does not match";
     into.damaged.push_back({key.session, {key.type, key.id, why, now}, std::move(json)});
 }
 
@@ -82,7 +82,7 @@ core::Result<void> read_head(Database& database, StateContent& into) {
     if (*row)
         into.head = {query->number(0), query->number(1), query->text(2)};
     else
-        into.faults.push_back("it does not say which file it is");
+        into.faults.push_back("its head is missing");
     return {};
 }
 
@@ -114,9 +114,10 @@ void compare_sums(const std::map<std::string, RowSum>& expected, Found& found, S
         const std::string of =
             name.empty() ? "of all sessions" : "of session `" + name.substr(0, 64) + "`";
         const std::int64_t gone = wanted.records - written.records;
-        into.faults.push_back(gone > 0 ? count_text(gone, "record") + " " + of +
-                                             (gone == 1 ? " is" : " are") + " missing"
-                                       : "the records " + of + " are not those that were written");
+        into.faults.push_back(gone > 0
+                                  ? count_text(gone, "record") + " " + of +
+                                        (gone == 1 ? " is" : " are") + " missing"
+                                  : "the records " + of + " differ from those that were written");
     }
 }
 

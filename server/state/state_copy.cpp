@@ -36,7 +36,7 @@ class ScratchFolder {
         if (::mkdtemp(name.data()) == nullptr)
             return fail(Error::Code::Io,
                         "a copy cannot be made: " + std::generic_category().message(errno),
-                        "make room on the disk for another file of this size");
+                        "free disk space for another file of this size");
         return ScratchFolder(name);
     }
 
@@ -67,14 +67,14 @@ core::Result<void> copy_one(const fs::path& from, const fs::path& to) {
     if (fs::copy_file(from, to, fs::copy_options::overwrite_existing, error))
         return {};
     return fail(Error::Code::Io, "the sessions' file cannot be copied: " + error.message(),
-                "see that this user may read it, and that there is room for a copy");
+                "check that this user can read it, and that there is space for a copy");
 }
 
 /// The file, and its log where it has one.
 core::Result<void> copy_with_log(const fs::path& from, const fs::path& to) {
     std::error_code error;
     if (!fs::exists(from, error))
-        return fail(Error::Code::NotFound, "there is no such file of sessions",
+        return fail(Error::Code::NotFound, "there is no such sessions file",
                     "name a state folder's sessions.sqlite, or a backup of it");
     auto done = copy_one(from, to);
     if (done && fs::exists(with(from, "-wal"), error))
@@ -92,7 +92,7 @@ core::Result<void> copy_of_running(const fs::path& folder, const fs::path& to) {
         if (hold->finish())
             return {};
     }
-    return fail(Error::Code::Io, "the disk with the sessions fails while they are copied",
+    return fail(Error::Code::Io, "the disk with the sessions failed while they were copied",
                 "see the server's log");
 }
 
@@ -171,7 +171,7 @@ core::Result<std::string> exchange(const fs::path& folder, const fs::path& fresh
     std::error_code error;
     const bool there = fs::exists(file, error) && fs::file_size(file, error) > 0;
     if (there && fs::exists(folder / name, error))
-        return fail(Error::Code::Io, "the sessions were replaced within this second already",
+        return fail(Error::Code::Io, "the sessions were already replaced within this second",
                     "try again");
     if (there)
         fs::rename(file, folder / name, error);
@@ -181,7 +181,7 @@ core::Result<std::string> exchange(const fs::path& folder, const fs::path& fresh
         fs::rename(fresh, file, error);
     if (error)
         return fail(Error::Code::Io, "the sessions cannot be put in place: " + error.message(),
-                    "see that this user may write the state folder");
+                    "check that this user can write to the state folder");
     fs::remove(with(file, ".commits"), error);
     const int place = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     ::fsync(place);
@@ -204,8 +204,8 @@ core::Result<StateVerdict> check_state(const fs::path& folder) {
 core::Result<StateContent> back_up_state(const fs::path& folder, const fs::path& file) {
     std::error_code error;
     if (fs::exists(file, error))
-        return fail(Error::Code::InvalidArgument, "there is a file of this name already",
-                    "name another: a backup overwrites nothing");
+        return fail(Error::Code::InvalidArgument, "a file with this name already exists",
+                    "name another file: a backup never overwrites one");
     auto scratch = ScratchFolder::make(file.has_parent_path() ? file.parent_path() : fs::path("."));
     if (!scratch)
         return tl::unexpected(scratch.error());
@@ -238,7 +238,7 @@ core::Result<RestoredState>
 restore_state(const fs::path& folder, const fs::path& file, bool damaged) {
     std::error_code error;
     if (!fs::exists(file, error))
-        return fail(Error::Code::NotFound, "there is no such file of sessions",
+        return fail(Error::Code::NotFound, "there is no such sessions file",
                     "name a state folder's sessions.sqlite, or a backup of it");
     if (fs::create_directories(folder, error))
         fs::permissions(folder, fs::perms::owner_all, error);
@@ -246,7 +246,7 @@ restore_state(const fs::path& folder, const fs::path& file, bool damaged) {
     if (!held) {
         if (held.error().code == Error::Code::OverLimit)
             held.error() = {Error::Code::OverLimit,
-                            "a server keeps its sessions in this folder just now",
+                            "a running server keeps its sessions in this folder",
                             "stop it, restore, and start it again"};
         return tl::unexpected(held.error());
     }
@@ -261,7 +261,7 @@ restore_state(const fs::path& folder, const fs::path& file, bool damaged) {
     if (verdict->fault && !damaged)
         return tl::unexpected(
             Error{verdict->fault->code, "the file to restore: " + verdict->fault->message,
-                  "restore another one, or with --damaged what can be read of this"});
+                  "restore another one, or restore what can be read of this one with --damaged"});
     RestoredState out{std::move(verdict->content), {}};
     const fs::path fresh = with(scratch->file(), ".new");
     auto replaced = make_private_file(fresh.string())

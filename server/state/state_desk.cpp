@@ -135,7 +135,7 @@ void StateDesk::serve(int asker) const {
     ::setsockopt(asker, SOL_SOCKET, SO_RCVTIMEO, &patient, sizeof patient);
     ::setsockopt(asker, SOL_SOCKET, SO_SNDTIMEO, &patient, sizeof patient);
     if (read_line(asker) != "hold")
-        return send_line(asker, "error this server does not know what is asked of it\n");
+        return send_line(asker, "error this server does not know this request\n");
     const auto held = services_.hold();
     if (!held)
         return send_line(asker, "error " + held.error().message + "\n");
@@ -155,7 +155,7 @@ core::Result<StateHold> StateHold::ask(const std::filesystem::path& folder) {
         ::connect(hold.socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
         return fail(Error::Code::NotFound,
                     "the server that keeps its sessions there does not answer",
-                    "be the user it runs as, or stop it first");
+                    "run this command as the server's user, or stop the server first");
     const timeval patient{30, 0};
     ::setsockopt(hold.socket_, SOL_SOCKET, SO_RCVTIMEO, &patient, sizeof patient);
     send_line(hold.socket_, "hold\n");

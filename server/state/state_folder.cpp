@@ -18,7 +18,7 @@ namespace {
 tl::unexpected<Error> unusable(int error) {
     return fail(Error::Code::Io,
                 "--state: the folder cannot be used: " + std::generic_category().message(error),
-                "name one this user may make or write to");
+                "name one that this user can create or write to");
 }
 
 } // namespace
@@ -28,7 +28,7 @@ core::Result<void> make_private_file(const std::string& path) {
     if (made < 0)
         return fail(Error::Code::Io,
                     "a file cannot be made there: " + std::generic_category().message(errno),
-                    "make room on the disk, and the folder writable for this user");
+                    "free some disk space, and make the folder writable for this user");
     ::close(made);
     return {};
 }
@@ -65,8 +65,8 @@ core::Result<StateFolder> StateFolder::hold(const std::filesystem::path& folder)
 core::Result<StateFolder> StateFolder::hold_existing(const std::filesystem::path& folder) {
     std::error_code error;
     if (!std::filesystem::is_directory(folder, error))
-        return fail(Error::Code::NotFound, "there is no state folder of this name",
-                    "give the folder that `serve` gets with --state");
+        return fail(Error::Code::NotFound, "there is no state folder with this name",
+                    "give the folder given to `serve --state`");
     return lock(folder);
 }
 

@@ -53,8 +53,8 @@ core::Result<int> layout_of(Database& database) {
     if (*version < 1 || *version > state_layout)
         return fail(Error::Code::Unsupported,
                     "sessions.sqlite in the state folder has layout " + std::to_string(*version) +
-                        ", this wakesurf knows 1 to " + std::to_string(state_layout),
-                    "use the newer wakesurf that wrote it, put a copy of before back with "
+                        ", this wakesurf reads 1 to " + std::to_string(state_layout),
+                    "use the newer wakesurf that wrote it, put back an older copy with "
                     "`wakesurf state restore`, or give another folder with --state");
     return static_cast<int>(*version);
 }

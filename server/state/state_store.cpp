@@ -84,9 +84,10 @@ core::Result<void> StateStore::put_back() {
     const fs::path path(options_.file);
     const auto there = identity_of(options_.file);
     if (there && there != identity_)
-        return fail(Error::Code::Io, "another file was put in the place of the sessions' file",
-                    "stop the server to use that one, or take it away to have this one's sessions "
-                    "kept again");
+        return fail(
+            Error::Code::Io, "another file was put in place of the sessions' file",
+            "stop the server to use that file, or remove it to have the sessions of this server "
+            "saved again");
     if (!there) {
         std::error_code error;
         if (!fs::exists(path.parent_path(), error)) {
@@ -127,7 +128,7 @@ core::Result<void> StateStore::begin_log() {
 
 core::Result<void> StateStore::hold() {
     if (!database_ || lost_)
-        return fail(Error::Code::Io, "the sessions cannot be written just now", "try again");
+        return fail(Error::Code::Io, "the sessions cannot be written at the moment", "try again");
     auto held = database_->run("PRAGMA wal_autocheckpoint=0; PRAGMA wal_checkpoint(TRUNCATE)");
     held_ = held.has_value();
     return held;

@@ -116,7 +116,7 @@ describe('a link for looking on', () => {
         const { grant, link } = await share('viewer');
         const viewer = await visit(link);
         await stand.server.call('session.unshare', { session, grant });
-        await expectEnded(viewer, /share link was taken back/);
+        await expectEnded(viewer, /share link was revoked/);
         await screenshot(viewer, 'link-ended');
         expect(await ask(page, (hook) => hook.connection)).toBe('open');
     });

@@ -25,15 +25,15 @@ std::string call(const std::string& parameters) {
 TEST(JsonFault, NamesTheParameterThatIsNoNumberInJson) {
     for (const std::string word : {"NaN", "Infinity", "-Infinity", "nan", "inf", "-inf"}) {
         EXPECT_EQ(fault(call(R"("points":[[0,1,2],[3,)" + word + "]]")),
-                  "`points[1][1]` is " + word + ", which is no number in JSON");
+                  "`points[1][1]` is " + word + ", which JSON cannot represent");
         EXPECT_EQ(fault(call(R"("seeds":9,"to":)" + word)),
-                  "`to` is " + word + ", which is no number in JSON");
+                  "`to` is " + word + ", which JSON cannot represent");
     }
     EXPECT_EQ(fault(call(R"("view":{"camera":[1,NaN]})")),
-              "`view.camera[1]` is NaN, which is no number in JSON");
+              "`view.camera[1]` is NaN, which JSON cannot represent");
     EXPECT_EQ(fault("[" + call(R"("a":1)") + "," + call(R"("to":NaN)") + "]"),
-              "`to` is NaN, which is no number in JSON");
-    EXPECT_EQ(fault("NaN"), "the text is NaN, which is no number in JSON");
+              "`to` is NaN, which JSON cannot represent");
+    EXPECT_EQ(fault("NaN"), "the text is NaN, which JSON cannot represent");
 }
 
 TEST(JsonFault, TakesTheStartOfATextInQuotesForNoNumber) {
@@ -70,13 +70,13 @@ TEST(JsonFault, NamesAMemberThatIsThereTwice) {
         return message.calls.at(0).refused->message;
     };
     EXPECT_EQ(twice(R"({"jsonrpc":"2.0","id":1,"method":"server.ping","method":"session.create"})"),
-              "`method` is there twice");
-    EXPECT_EQ(twice(call(R"("seeds":8,"seeds":9)")), "`seeds` is there twice");
+              "`method` appears twice");
+    EXPECT_EQ(twice(call(R"("seeds":8,"seeds":9)")), "`seeds` appears twice");
     EXPECT_EQ(twice(call(R"("view":{"a":{":":1}},"list":[{"x":1},{"x":2,"y":[],"x":3}])")),
-              "`list[1].x` is there twice");
-    EXPECT_EQ(twice(call(R"("seeds":8,"\u0073eeds":9)")), "`seeds` is there twice")
+              "`list[1].x` appears twice");
+    EXPECT_EQ(twice(call(R"("seeds":8,"\u0073eeds":9)")), "`seeds` appears twice")
         << "the same name in other letters";
-    EXPECT_EQ(twice("[" + call("") + "," + call(R"("a":1,"a":1)") + "]"), "`a` is there twice");
+    EXPECT_EQ(twice("[" + call("") + "," + call(R"("a":1,"a":1)") + "]"), "`a` appears twice");
     EXPECT_FALSE(
         parse_rpc(call(R"("a":{"a":":\":"},"b":{"a":1},"c":[{"a":1},{"a":1}])"), {65536, 32, 64})
             .calls.at(0)

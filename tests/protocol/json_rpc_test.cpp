@@ -67,7 +67,7 @@ TEST(JsonRpc, RefusesWhatIsNoRequest) {
     EXPECT_EQ(refusal(R"({"id":1,"method":"m"})"), -32600);
     EXPECT_EQ(refusal(call(R"("id":1,"method":"m")")), 0);
     EXPECT_EQ(refusal(call(R"("id":1,"id":2,"method":"m")")), -32600)
-        << "readers would take different ones of a member that is there twice";
+        << "readers would take different ones of a member that appears twice";
 }
 
 TEST(JsonRpc, BoundsLengthDepthAndBatch) {

@@ -31,7 +31,7 @@ def faults(document):
 def _faults(document):
     names = [method["name"] for method in document["methods"]]
     for name in {name for name in names if names.count(name) > 1}:
-        yield f"{name} is there twice"
+        yield f"{name} appears twice"
     for reference in references(document):
         try:
             if not re.match(r"#/components/", reference):
@@ -42,7 +42,7 @@ def _faults(document):
     for method in document["methods"]:
         given = [each["name"] for each in method["params"]]
         if len(set(given)) != len(given):
-            yield f"{method['name']}: a parameter is there twice"
+            yield f"{method['name']}: a parameter appears twice"
         required = [bool(each.get("required")) for each in method["params"]]
         if required != sorted(required, reverse=True):
             yield f"{method['name']}: a required parameter comes after an optional one"

@@ -175,7 +175,7 @@ class SessionsTest(unittest.TestCase):
                 (["list", "--state", self.state], 1, "--url"),
                 (["list", "--state", self.path("none")], 1, "there are no sessions"),
                 (["list", "--url", "nonsense"], 2, "http://HOST:PORT"),
-                (["list", "--url", "http://127.0.0.1:9/#token=s3cret"], 1, "see that the server runs"),
+                (["list", "--url", "http://127.0.0.1:9/#token=s3cret"], 1, "check that the server is running"),
                 (["list", "--url", self.server.url[:-4] + "0000"], 1, "token"),
                 (["restore", "session-77", "--url", self.server.url], 1, "in the trash"),
                 (["delete", "main", "--url", self.server.url], 1, "cannot be deleted"),

@@ -86,7 +86,7 @@ Result<void> Sheet::hold(std::size_t quads, std::size_t& counted, const WorkPart
     const std::size_t more = quads - std::min(quads, counted);
     counted += more;
     if (work.memory() != nullptr && !work.memory()->grow(more * strip_bytes))
-        return fail(Error::Code::Cancelled, "there is no memory for the surface");
+        return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
     return {};
 }
 

@@ -18,7 +18,7 @@ struct Face {
 
 /// The cells of a strip, as far as their neighbours across a column need to know them.
 struct StripFaces {
-    struct Place {
+    struct CellOfNode {
         std::int32_t node;
         std::uint32_t row;
     };
@@ -27,7 +27,7 @@ struct StripFaces {
     std::vector<const Vec3*> position; ///< by column
     std::vector<std::uint32_t> offset; ///< by node: of its first cell in `faces`
     std::vector<Face> faces;
-    std::vector<Place> bent;
+    std::vector<CellOfNode> bent;
 
     const Vec3& at(const StripVertex& v) const { return position[v.column][v.index]; }
 

@@ -78,7 +78,7 @@ Result<Surface> build_moving_surface(const Flow& flow,
             return tl::unexpected(moved.error());
         if (!here.holds(memory_while_moving(moving->state().mesh) +
                         shown_bytes * moving->state().mesh.vertices.slots()))
-            return fail(Error::Code::Cancelled, "there is no memory for the surface");
+            return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
         if (part.backward())
             surface.first_backward = static_cast<VertexId>(surface.mesh.vertices());
         append(surface.mesh, moving->mesh().mesh, part.backward());

@@ -166,7 +166,7 @@ Result<void> MovingSurface::begin(const std::stop_token& stop, const WorkPart& w
         mesh.lattice.last_row = rows;
         const double bytes = patch_bytes * plan_->columns.count * rows;
         if (!work.holds(static_cast<std::size_t>(std::min(bytes, 1e15))))
-            return fail(Error::Code::Cancelled, "there is no memory for the surface");
+            return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
         if (auto laid = lay_patch(mesh, plan_->origin, *flow_, plan_->columns, rows,
                                   plan_->rules.max_quads, stop);
             !laid)

@@ -150,7 +150,7 @@ Result<bool> Refinement::cut_pass(MovingMesh& mesh,
         std::copy_if(dirty.begin(), dirty.end(), std::back_inserter(wanted), decide);
     }
     if (!work.holds(memory_while_moving(mesh, wanted.size())))
-        return fail(Error::Code::Cancelled, "there is no memory for the surface");
+        return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
     operations.touched().clear();
     to_retrace_.clear();
     moved_ = false;

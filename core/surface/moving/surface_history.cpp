@@ -89,7 +89,7 @@ Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop, const Wo
         return tl::unexpected(there.error());
     const MovingMesh& mesh = surface_.state().mesh;
     if (!here.holds(2 * memory_while_moving(mesh) + shown_bytes * mesh.vertices.slots()))
-        return fail(Error::Code::Cancelled, "there is no memory for the surface");
+        return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
     if (surface_.time() == time)
         return surface_.mesh();
     MovingSurface shown = surface_; // the last part of the way is no one's checkpoint

@@ -203,7 +203,7 @@ TEST(MemoryAccount, LargeWorkGivesWayToSmallWorkAndSaysSo) {
     EXPECT_TRUE(little.grow(mebi));
     works.request_stop();
     works.join();
-    EXPECT_NE(why.find("smaller surfaces go first"), std::string::npos) << why;
+    EXPECT_NE(why.find("smaller surfaces take precedence"), std::string::npos) << why;
 }
 
 TEST(MemoryAccount, WorkThatIsRefusedOnceSaysSoAndEndsForAllThreads) {
@@ -292,8 +292,8 @@ TEST(MemoryAccount, ARefusalNamesTheLimitWhatWasWantedWhatIsFreeAndACure) {
     EXPECT_EQ(error.code, Error::Code::OverLimit);
     EXPECT_EQ(error.limit, 300 * mebi);
     EXPECT_EQ(error.message,
-              "a surface of 4000000 quads needs 1800 MiB of memory, and of the 300 MiB of "
-              "--memory 50.0 MiB are free");
+              "a surface of 4000000 quads needs 1800 MiB of memory, but of the 300 MiB of "
+              "--memory only 50.0 MiB are free");
     EXPECT_NE(error.hint.find("--memory"), std::string::npos);
 }
 

@@ -41,14 +41,14 @@ double extent(const QuadComplex& mesh, const Cell& cell, bool along) {
     return glm::length(glm::cross(c - a, d - b)) / glm::length(c - b + d - a);
 }
 
-struct Turn {
+struct Bend {
     double degrees;
     bool along;    ///< between cells that follow one another along the columns
-    double extent; ///< the larger of the two cells' in the direction of the turn
+    double extent; ///< the larger of the two cells' in the direction of the bend
 };
 
 /// One entry for every two cells that share an edge.
-std::vector<Turn> turns(const QuadComplex& mesh) {
+std::vector<Bend> bends(const QuadComplex& mesh) {
     struct Use {
         std::uint32_t cell;
         bool front;
@@ -69,7 +69,7 @@ std::vector<Turn> turns(const QuadComplex& mesh) {
                 use(m, b);
             }
         }
-    std::vector<Turn> all;
+    std::vector<Bend> all;
     for (const auto& [edge, by] : uses)
         if (by.size() == 2) {
             const Cell& a = mesh.cells[by[0].cell];
@@ -82,15 +82,15 @@ std::vector<Turn> turns(const QuadComplex& mesh) {
     return all;
 }
 
-/// Degrees of the largest turn at which at least one cell could still be made smaller.
+/// Degrees of the largest bend at which at least one cell could still be made smaller.
 double largest_turn(const Surface& surface, bool along) {
     // Strips and the segments of columns are halved down to an eighth of the separation and of the spacing: a cell below
     // twice that, whose side may have two segments, cannot be.
     const double floor = (along ? 0.75 : 1.0) * 2.0 * surface.statistics.separation / 8.0;
     double largest = 0.0;
-    for (const Turn& turn : turns(surface.mesh))
-        if (turn.along == along && turn.extent > floor * 1.001)
-            largest = std::max(largest, turn.degrees);
+    for (const Bend& bend : bends(surface.mesh))
+        if (bend.along == along && bend.extent > floor * 1.001)
+            largest = std::max(largest, bend.degrees);
     return largest;
 }
 
@@ -143,9 +143,9 @@ TEST(SurfaceAngle, AlongTheFlowFewCellsThatCouldBeShorterTurnByMore) {
     for (const Case& c : bent()) {
         const auto share = [&](double angle) {
             std::size_t all = 0, over = 0;
-            for (const Turn& turn : turns(built(c, angle).mesh)) {
-                all += turn.along;
-                over += turn.along && turn.degrees > 20.0;
+            for (const Bend& bend : bends(built(c, angle).mesh)) {
+                all += bend.along;
+                over += bend.along && bend.degrees > 20.0;
             }
             return static_cast<double>(over) / static_cast<double>(all);
         };

@@ -33,7 +33,7 @@ TEST_F(ImportProcess, TellsTheImportersSentenceAndNothingThatLibrariesPrint) {
     EXPECT_EQ(failed.error().code, Error::Code::Corrupt);
     const auto silent = run_import_process(with("echo 'HDF5-DIAG: Error detected' >&2; exit 1"),
                                            [](const ImportProgress&) {});
-    EXPECT_EQ(silent.error().message, "the importer failed without saying why");
+    EXPECT_EQ(silent.error().message, "the importer failed and did not say why");
 }
 
 TEST_F(ImportProcess, PassesItsShareOfMemoryOn) {

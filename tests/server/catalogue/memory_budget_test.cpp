@@ -25,7 +25,7 @@ TEST(MemoryBudget, OfADatasetHoldsFourTimeStepsOrItIsRefusedWithBothNumbers) {
     EXPECT_EQ(refused.error().code, core::Error::Code::OverLimit);
     EXPECT_EQ(refused.error().message,
               "the dataset needs at least 46 MiB of memory, for 4 time-steps of 11.4 MiB and its "
-              "grid, and is given 40 MiB");
+              "grid, but may use only 40 MiB");
     EXPECT_NE(refused.error().hint.find("--memory 46MiB"), std::string::npos);
     const auto opened = open_store(folder / "s", {46 * mebi, 1});
     ASSERT_TRUE(opened) << opened.error().message;

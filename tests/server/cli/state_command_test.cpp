@@ -83,7 +83,7 @@ TEST_F(StateCommand, BacksUpAServerThatRunsWhileEditsGoOnAndPutsThatBack) {
         EXPECT_GT(edits, 0);
         before = rakes(server);
         const Said again = state({"backup", kept, file});
-        EXPECT_EQ(again.status, 1) << "a backup overwrites nothing";
+        EXPECT_EQ(again.status, 1) << "a backup never overwrites one";
         const Said restored = state({"restore", kept, file});
         EXPECT_EQ(restored.status, 1);
         EXPECT_NE(restored.errors.find("stop it"), std::string::npos) << restored.errors;

@@ -93,7 +93,7 @@ TEST_F(BadInput, WithAMemberTwiceIsRefusedByName) {
     const json fault =
         error(R"({"jsonrpc":"2.0","id":1,"method":"server.ping","method":"session.create"})");
     EXPECT_EQ(fault["code"], -32600);
-    EXPECT_EQ(fault["message"], "`method` is there twice");
+    EXPECT_EQ(fault["message"], "`method` appears twice");
 }
 
 TEST_F(BadInput, OfRakesThatAreNoneIsRefused) {

@@ -76,7 +76,7 @@ TEST_F(BudgetsTest, SayWhoseLimitItIsAndWhatToDo) {
     ASSERT_FALSE(mine);
     EXPECT_EQ(mine.error().code, core::Error::Code::OverLimit);
     EXPECT_EQ(mine.error().limit, limits::person.downloads);
-    EXPECT_EQ(mine.error().message, "you have as many downloads under way as there may be, 8");
+    EXPECT_EQ(mine.error().message, "you have reached the limit of downloads under way: 8");
     EXPECT_FALSE(mine.error().hint.empty());
     taken(by_link("g1", "b"), Use::Download, 100);
     const auto ours = budgets.take(by_link("g1", "c"), Use::Download);

@@ -105,7 +105,7 @@ TEST_F(GrantsTest, TakesALinkBackForItsOwnSessionOnly) {
     EXPECT_EQ(grants.revoke("session-1", made->grant.id).error().code, core::Error::Code::NotFound);
     EXPECT_TRUE(grants.find(made->key));
     EXPECT_TRUE(grants.revoke("main", made->grant.id));
-    EXPECT_EQ(holder.reasons, std::vector<std::string>{"the share link was taken back"});
+    EXPECT_EQ(holder.reasons, std::vector<std::string>{"the share link was revoked"});
     EXPECT_EQ(grants.find(made->key), std::nullopt);
     EXPECT_TRUE(grants.find(other->key));
     EXPECT_FALSE(grants.revoke("main", made->grant.id));
