@@ -17,7 +17,7 @@ Error error_of(const std::exception& thrown, const std::string& what) {
         return {Error::Code::Io, "cannot read " + what + ": " + file->code().message(), {}};
     // What the standard library throws of a size or a place that no container has: its text names the container only.
     if (dynamic_cast<const std::logic_error*>(&thrown) != nullptr)
-        return {Error::Code::Corrupt, what + " holds a size or a number that is impossible",
+        return {Error::Code::Corrupt, what + " contains an impossible size or number",
                 "it is probably damaged; copy or write it again"};
     const std::string words = sentence_of_library(thrown.what());
     return {Error::Code::Io, "cannot read " + what + (words.empty() ? "" : " (" + words + ")"),

@@ -17,11 +17,11 @@ core::Result<void> check_times(const std::vector<double>& times) {
     for (std::size_t i = 0; i < times.size(); ++i) {
         if (!std::isfinite(times[i]))
             return core::fail(Error::Code::Corrupt, "the time of time-step " + std::to_string(i) +
-                                                        " is no finite number");
+                                                        " is not a finite number");
         if (i > 0 && !(times[i - 1] < times[i]))
             return core::fail(Error::Code::Corrupt,
-                              "times do not rise: time-step " + std::to_string(i - 1) + " is at " +
-                                  std::to_string(times[i - 1]) + ", the next at " +
+                              "times do not increase: time-step " + std::to_string(i - 1) +
+                                  " is at " + std::to_string(times[i - 1]) + ", the next at " +
                                   std::to_string(times[i]));
     }
     return {};

@@ -69,8 +69,8 @@ core::Result<void> cannot(const char* what, int error) {
     return core::fail(Error::Code::Io,
                       std::string("cannot give up rights before reading files (") + what + ": " +
                           std::generic_category().message(error) + ")",
-                      "run it where seccomp filters and Landlock are allowed; files of strangers "
-                      "are not read without");
+                      "run it where seccomp filters and Landlock are allowed; untrusted files are "
+                      "not read without them");
 }
 
 core::Result<void> limit_system_calls() {

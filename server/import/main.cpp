@@ -74,9 +74,10 @@ int run(const Wish& wish, const server::OwnOutput& out) {
     const auto show = [&](server::ImportProgress progress) {
         server::made_progress();
         if (!std::exchange(rights_told, true))
-            progress.note += (progress.note.empty() ? "" : "; ") +
-                             std::string("this kernel has no Landlock: what reads the files could "
-                                         "write wherever you may");
+            progress.note +=
+                (progress.note.empty() ? "" : "; ") +
+                std::string("this kernel has no Landlock: the process that reads the files could "
+                            "write wherever you can");
         if (::isatty(::fileno(out.results)) != 0)
             server::show_progress(progress, out.results);
         else
@@ -112,12 +113,13 @@ void add_bounds(CLI::App& app, server::ImportBounds& bounds) {
                name, [&value](unsigned count) { value = std::chrono::seconds(count); }, about)
             ->default_str(std::to_string(value.count()));
     };
-    seconds("--stall", bounds.stall, "seconds without progress after which to give up; 0: never");
+    seconds("--stall", bounds.stall, "give up after this many seconds without progress; 0: never");
     seconds("--survey", bounds.survey,
-            "the same until it is clear what SOURCE holds, for each of its files");
+            "the same while SOURCE is examined, for each of its files; 0: never");
     app.add_option("--memory", bounds.memory,
-                   "of all processes together, 4GiB for example; default: a quarter of the machine "
-                   "or of the control group")
+                   "memory for all processes together, for example 4GiB (default: a quarter of the "
+                   "memory of "
+                   "the machine or control group)")
         ->transform(server::as_memory_size());
 }
 
@@ -134,22 +136,25 @@ int main(int argc, char** argv) {
     app.add_option("SOURCE", source,
                    "a file, a collection, the first of a numbered series, a case folder")
         ->required();
-    auto* folder = app.add_option("STORE_DIR", wish.store, "the store's folder, made when missing");
+    auto* folder =
+        app.add_option("STORE_DIR", wish.store, "the store's folder, created if missing");
     app.add_option("--fields", wish.request.fields,
                    "names of the velocity (or of its parts), of scalars, and of vectors to keep "
                    "the magnitudes of")
         ->delimiter(',');
-    app.add_option("--times", times, "T0:T1[:EVERY], both included; every EVERY-th time-step");
+    app.add_option(
+        "--times", times,
+        "T0:T1[:EVERY]: times from T0 to T1, both included; only every EVERY-th time-step");
     app.add_option("--precision", precision, "single, or half: half the size, rounded to 2^-11")
         ->check(CLI::IsMember({"single", "half"}));
     app.add_option("--jobs", wish.request.jobs,
-                   "processes that convert time-steps at once; default: one a core")
+                   "number of processes that convert time-steps (default: one per core)")
         ->check(CLI::Range(1, 256));
     add_bounds(app, wish.bounds);
     app.add_flag("--library-output", wish.show_libraries,
-                 "show what the libraries that read files print, on standard error");
-    auto* describe =
-        app.add_flag("--describe", describe_only, "print what SOURCE is as JSON, write nothing");
+                 "show on standard error what the file libraries print");
+    auto* describe = app.add_flag("--describe", describe_only,
+                                  "print a description of SOURCE as JSON; write nothing");
     try {
         app.parse(argc, argv);
         if (folder->count() == describe->count())

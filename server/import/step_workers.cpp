@@ -63,7 +63,7 @@ Error how_it_ended(int status, const std::string& step) {
     const std::string how =
         WIFSIGNALED(status) ? " (signal " + std::to_string(WTERMSIG(status)) + ")" : "";
     return {Error::Code::Corrupt, "the library that reads " + step + " crashed" + how,
-            "the file is damaged, or holds something that the library cannot take"};
+            "the file is damaged, or holds something that the library cannot handle"};
 }
 
 class Workers {

@@ -189,7 +189,7 @@ class Choice {
 
     Found spoken_of(FieldInfo::Source source) const {
         return vector(source, speaks_of_velocity,
-                      "the only 3-component field whose name speaks of a velocity");
+                      "the only 3-component field whose name suggests a velocity");
     }
 
     Found momentum(FieldInfo::Source source) const {
@@ -243,7 +243,7 @@ core::Result<VelocityChoice> choose_velocity(const Fields& fields,
             return std::move(**choice);
         if (std::any_of(asked.begin(), asked.end(), is_momentum))
             return core::fail(Error::Code::Unsupported,
-                              "a momentum is no velocity; there is " + listed(fields),
+                              "momentum is not velocity; the fields are " + listed(fields),
                               "name its density as well: --fields MOMENTUM,DENSITY");
     }
     auto choice = Choice(fields, false).run();

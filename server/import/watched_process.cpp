@@ -124,7 +124,7 @@ class Watch {
         return core::fail(Error::Code::Corrupt,
                           "the library that reads " + source_ + " crashed (signal " +
                               std::to_string(WTERMSIG(status)) + ")",
-                          "the file is damaged, or holds something that the library cannot take; "
+                          "the file is damaged, or holds something that the library cannot handle; "
                           "try to convert it with another program first");
     }
 
@@ -134,8 +134,8 @@ class Watch {
         const auto begun = Clock::now();
         while (!reap() && Clock::now() - begun < patience)
             ::usleep(2000);
-        return tl::unexpected(give_up({Error::Code::Cancelled, "interrupted",
-                                       "the same command goes on where this one ended"}));
+        return tl::unexpected(give_up(
+            {Error::Code::Cancelled, "interrupted", "run the same command again to resume"}));
     }
 
     Error too_large() const {
@@ -177,12 +177,12 @@ class Watch {
         const std::string seconds = std::to_string(most.count()) + " s";
         if (!surveyed)
             return core::fail(Error::Code::Io,
-                              "what " + source_ + " holds was not clear after " + seconds,
+                              "the contents of " + source_ + " were not clear after " + seconds,
                               "it is probably damaged; wakesurf-import --survey SECONDS allows "
                               "more for a slow disk");
         return core::fail(Error::Code::Io,
                           "no progress for " + seconds + ", longer than --stall allows",
-                          "the same command goes on where this one ended");
+                          "run the same command again to resume");
     }
 
     bool over_bound() {
@@ -219,7 +219,7 @@ Error with_memory_bound(Error error, std::uint64_t bound) {
     error.message += ": an import may take " + size_text(bound);
     error.hint =
         "import it with --memory SIZE for more, or with fewer --jobs; a small file that needs "
-        "so much is damaged" +
+        "that much is damaged" +
         (error.hint.empty() ? "" : "; " + error.hint);
     error.limit = bound;
     return error;

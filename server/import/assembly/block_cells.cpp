@@ -182,10 +182,10 @@ core::Result<void> BlockCells::read_standard(std::size_t index, BlockCell& cell)
     const vtkIdType* ids = nullptr;
     grid_->GetCells()->GetCellAtId(static_cast<vtkIdType>(index), count, ids);
     if (static_cast<std::size_t>(count) != core::node_count(cell.shape))
-        return damaged(index, "has not as many points as its type");
+        return damaged(index, "does not have as many points as its type requires");
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         if (ids[i] < 0 || static_cast<std::size_t>(ids[i]) >= points_)
-            return damaged(index, "has points there are none of");
+            return damaged(index, "names points that do not exist");
         cell.point[i] = static_cast<std::uint32_t>(ids[i]);
     }
     if (type == VTK_VOXEL) {
@@ -210,7 +210,7 @@ core::Result<void> BlockCells::read_polyhedron(std::size_t index, BlockCell& cel
         face.clear();
         for (vtkIdType i = 0; i < corners; ++i, ++stream) {
             if (*stream < 0 || static_cast<std::size_t>(*stream) >= points_)
-                return damaged(index, "has points there are none of");
+                return damaged(index, "names points that do not exist");
             face.push_back(static_cast<std::uint32_t>(*stream));
         }
     }
@@ -227,7 +227,7 @@ core::Result<void> BlockCells::read_prism(std::size_t index, BlockCell& cell) {
             return id >= 0 && static_cast<std::size_t>(id) < points_;
         });
     if (!sound)
-        return damaged(index, "has points there are none of");
+        return damaged(index, "names points that do not exist");
     const auto sides = static_cast<std::size_t>(count) / 2;
     const auto point = [&](std::size_t i) { return static_cast<std::uint32_t>(ids[i]); };
     cell.faces.assign(2, {});

@@ -73,8 +73,9 @@ class MeshAssembly {
         if (auto built = build_cells(); !built)
             return tl::unexpected(built.error());
         if (mesh_.cells.empty())
-            return core::fail(Error::Code::Unsupported, "has no three-dimensional cells",
-                              "surfaces need a flow in space; extrude plane data by one cell");
+            return core::fail(
+                Error::Code::Unsupported, "has no three-dimensional cells",
+                "surfaces need a three-dimensional flow; extrude plane data by one cell");
         core::connect_cells(mesh_);
         out_.grid = std::move(mesh_);
         if (auto walled = wall_off_solids(); !walled)
@@ -308,14 +309,14 @@ class MeshAssembly {
             add(counted(flat_, "cell without volume was left out",
                         "cells without volume were left out"));
         if (twice_ > 0)
-            add(counted(twice_, "cell that two blocks share was taken once",
-                        "cells that two blocks share were taken once"));
+            add(counted(twice_, "cell shared by two blocks was stored once",
+                        "cells shared by two blocks were stored once"));
         if (cut_ > 0)
             add(counted(cut_, "polyhedron was cut", "polyhedra were cut") +
                 " into pyramids and tetrahedra");
         if (overlapping_ > 0)
-            add(counted(overlapping_, "of them is so bent that its parts overlap",
-                        "of them are so bent that their parts overlap"));
+            add(counted(overlapping_, "of them is so distorted that its parts overlap",
+                        "of them are so distorted that their parts overlap"));
     }
 
     const AssemblyRequest& request_;

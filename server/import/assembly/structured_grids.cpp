@@ -74,7 +74,7 @@ core::Result<core::RectilinearGrid> rectilinear_grid(vtkRectilinearGrid& data) {
                                [](double a, double b) { return !(a < b); }) == along.end();
         if (!rising)
             return core::fail(Error::Code::Corrupt, std::string("has coordinates along ") +
-                                                        "xyz"[axis] + " that do not rise");
+                                                        "xyz"[axis] + " that do not increase");
     }
     return grid;
 }

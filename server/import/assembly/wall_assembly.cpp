@@ -21,7 +21,7 @@ using core::Vec3;
 
 namespace {
 
-struct HashOfPlace {
+struct HashOfPoint {
     std::size_t operator()(const std::array<double, 3>& p) const {
         std::size_t hash = 0;
         for (const double x : p)
@@ -31,13 +31,13 @@ struct HashOfPlace {
 };
 
 // Boundary nodes by their exact coordinates: one number for both sides of a baffle.
-class Places {
+class NumberedPoints {
   public:
-    explicit Places(const CellMesh& mesh, const std::vector<BoundaryFace>& boundary) {
+    explicit NumberedPoints(const CellMesh& mesh, const std::vector<BoundaryFace>& boundary) {
         for (const auto& [cell, face] : boundary)
             for (const std::uint32_t node : core::face_nodes(mesh.cells[cell], face))
                 if (node != no_node)
-                    of_node_.emplace(node, place(mesh.points[node]));
+                    of_node_.emplace(node, number_of(mesh.points[node]));
     }
 
     std::uint32_t of_node(std::uint32_t node) const {
@@ -53,11 +53,11 @@ class Places {
   private:
     static std::array<double, 3> key(const Vec3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
 
-    std::uint32_t place(const Vec3& p) {
+    std::uint32_t number_of(const Vec3& p) {
         return number_.emplace(key(p), static_cast<std::uint32_t>(number_.size())).first->second;
     }
 
-    std::unordered_map<std::array<double, 3>, std::uint32_t, HashOfPlace> number_;
+    std::unordered_map<std::array<double, 3>, std::uint32_t, HashOfPoint> number_;
     std::unordered_map<std::uint32_t, std::uint32_t> of_node_;
 };
 
@@ -70,7 +70,8 @@ Polygon sorted(Polygon nodes) {
 }
 
 // The polygons of a reader's walls by place; true: no slip. A polygon with a point no boundary node has is left out.
-std::map<Polygon, bool> polygons_of(const std::vector<WallFaces>& walls, const Places& places) {
+std::map<Polygon, bool> polygons_of(const std::vector<WallFaces>& walls,
+                                    const NumberedPoints& numbered) {
     std::map<Polygon, bool> polygons;
     const auto ids = vtkSmartPointer<vtkIdList>::New();
     for (const auto& wall : walls)
@@ -80,7 +81,7 @@ std::map<Polygon, bool> polygons_of(const std::vector<WallFaces>& walls, const P
             for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) {
                 double p[3];
                 wall.faces->GetPoint(ids->GetId(k), p);
-                polygon.push_back(places.at({p[0], p[1], p[2]}));
+                polygon.push_back(numbered.at({p[0], p[1], p[2]}));
             }
             bool& no_slip = polygons[sorted(std::move(polygon))];
             no_slip = no_slip || wall.no_slip;
@@ -178,7 +179,7 @@ class Triangles {
         return found->second;
     }
 
-    std::unordered_map<std::array<double, 3>, std::uint32_t, HashOfPlace> number_;
+    std::unordered_map<std::array<double, 3>, std::uint32_t, HashOfPoint> number_;
 };
 
 core::Box box_of(const CellMesh& mesh) {
@@ -239,8 +240,8 @@ Walls find_walls(GridAssembly& assembly, const SourceStep& step) {
     if (mesh == nullptr)
         return found;
     const auto boundary = core::boundary_faces(*mesh);
-    const Places places(*mesh, boundary);
-    const auto polygons = polygons_of(step.walls, places);
+    const NumberedPoints numbered(*mesh, boundary);
+    const auto polygons = polygons_of(step.walls, numbered);
     std::set<Polygon> matched;
     for (const auto& [cell, face] : boundary) {
         if (polygons.empty())
@@ -248,7 +249,7 @@ Walls find_walls(GridAssembly& assembly, const SourceStep& step) {
         const Polygon nodes = source_polygon(assembly, mesh->cells[cell], face);
         Polygon key;
         for (const std::uint32_t node : nodes)
-            key.push_back(places.of_node(node));
+            key.push_back(numbered.of_node(node));
         const auto wall = polygons.find(sorted(std::move(key)));
         if (wall == polygons.end())
             continue;

@@ -45,7 +45,7 @@ core::Result<vtkSmartPointer<vtkXMLDataParser>> parse_xml(std::istream& in,
         return core::fail(core::Error::Code::Corrupt,
                           file + " has elements nested more than " + std::to_string(deepest) +
                               " deep",
-                          "it is probably damaged; write it again, with fewer blocks in blocks");
+                          "it is probably damaged; write it again, with fewer nested blocks");
     if (!parsed)
         return vtkSmartPointer<vtkXMLDataParser>::New();
     return vtkSmartPointer<vtkXMLDataParser>(parser);

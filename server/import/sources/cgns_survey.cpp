@@ -162,7 +162,7 @@ class Survey {
                 return core::fail(Error::Code::Unsupported,
                                   name_ + " has several solutions at one place, " + other->second +
                                       " and " + name.data() + ", without saying when",
-                                  "write FlowSolutionPointers for them, or one solution a file");
+                                  "write FlowSolutionPointers for them, or one solution per file");
         }
         return {};
     }

@@ -54,7 +54,7 @@ class Expansion {
         if (const auto there = core::PosixDisk().size(file.path); !there) {
             if (there.error().code == Error::Code::NotFound && !named_by.empty())
                 return core::fail(Error::Code::NotFound,
-                                  named_by + " names " + file.name + ", which is not there");
+                                  named_by + " names " + file.name + ", which does not exist");
             return tl::unexpected(there.error());
         }
         if (depth > deepest)

@@ -152,7 +152,7 @@ core::Result<EnsightFile> file_of(const Line& line, std::size_t names, const std
     if (sets > 1 && number(line.words[1], id))
         return core::fail(Error::Code::Unsupported,
                           name + " keeps several time-steps in one file, which cannot be read",
-                          "write one file a time-step");
+                          "write one file per time-step");
     if (out.pattern.size() > 1 && out.pattern.front() == '"' && out.pattern.back() == '"')
         out.pattern = out.pattern.substr(1, out.pattern.size() - 2);
     return out;
@@ -269,7 +269,7 @@ parse_ensight_case(std::istream& in, const fs::path& folder, const std::string& 
     const auto& format = sections["FORMAT"];
     if (format.empty() || format[0].key != "type" || format[0].words.empty() ||
         format[0].words[0] != "ensight")
-        return core::fail(Error::Code::Corrupt, found.name + " is no EnSight case file");
+        return core::fail(Error::Code::Corrupt, found.name + " is not an EnSight case file");
     if (format[0].words.size() < 2 || format[0].words[1] != "gold")
         return core::fail(Error::Code::Unsupported, found.name + " is in the format of EnSight 6",
                           "write EnSight Gold");
@@ -277,7 +277,7 @@ parse_ensight_case(std::istream& in, const fs::path& folder, const std::string& 
         return core::fail(Error::Code::Unsupported,
                           found.name +
                               " keeps several time-steps in one file, which cannot be read",
-                          "write one file a time-step");
+                          "write one file per time-step");
     auto sets = time_sets_of(sections["TIME"], found.name);
     if (!sets)
         return tl::unexpected(sets.error());

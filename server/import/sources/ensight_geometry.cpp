@@ -79,7 +79,7 @@ class GeometryReader {
             if (!part)
                 return tl::unexpected(part.error());
             if (!out.parts.emplace(*number, std::move(*part)).second)
-                return in_.damaged("part " + std::to_string(*number) + " is there twice");
+                return in_.damaged("part " + std::to_string(*number) + " appears twice");
         }
         out.swapped = in_.swapped();
         return out;
@@ -181,12 +181,12 @@ class GeometryReader {
                                   ", which cannot be read",
                               "write linear elements");
         if (kind == nullptr)
-            return in_.damaged("'" + type + "' is no type of element");
+            return in_.damaged("'" + type + "' is not a type of element");
         const auto count = in_.count();
         if (!count)
             return tl::unexpected(count.error());
         if (*count > in_.size())
-            return in_.damaged("it has fewer elements than it says");
+            return in_.damaged("it has fewer elements than it declares");
         if (element_numbers_)
             if (auto skipped = in_.integers(*count); !skipped)
                 return tl::unexpected(skipped.error());
@@ -198,7 +198,7 @@ class GeometryReader {
         for (const auto number : faces_of)
             loops += static_cast<std::size_t>(number);
         if (loops > in_.size())
-            return in_.damaged("it has fewer faces than it says");
+            return in_.damaged("it has fewer faces than it declares");
         std::vector<std::int32_t> sizes(kind->nodes == 0 ? 0 : loops,
                                         static_cast<std::int32_t>(kind->nodes));
         if (kind->nodes == 0)

@@ -145,24 +145,24 @@ class EnsightSource final : public Source {
         if (!same_geometry(geometry_, *now))
             return core::fail(Error::Code::Unsupported,
                               "the mesh changes: " + file->name + " differs from " + geometry_file_,
-                              "only meshes that stand still can be read");
+                              "only meshes that do not move can be read");
         return {};
     }
 
     void find_faces_on_blocks() {
-        using Place = std::array<double, 3>;
-        std::set<Place> wanted;
+        using Point = std::array<double, 3>;
+        std::set<Point> wanted;
         for (const auto& [number, part] : geometry_.parts)
             if (part.faces != nullptr)
                 for (vtkIdType i = 0; i < part.faces->GetNumberOfPoints(); ++i) {
                     const double* at = part.faces->GetPoint(i);
                     wanted.insert({at[0], at[1], at[2]});
                 }
-        std::set<Place> there;
+        std::set<Point> there;
         for (const auto& [number, part] : geometry_.parts)
             if (part.volume != nullptr && !wanted.empty())
                 for (vtkIdType i = 0; i < part.volume->GetNumberOfPoints(); ++i) {
-                    Place at{};
+                    Point at{};
                     part.volume->GetPoint(i, at.data());
                     if (wanted.contains(at))
                         there.insert(at);

@@ -158,7 +158,7 @@ core::Result<std::vector<T>> EnsightStream::values(std::size_t count) {
             found->find("E-") == std::string_view::npos)
             return damaged("'" + std::string(*found) + "' is out of range");
         if (end != found->data() + found->size())
-            return damaged("'" + std::string(*found) + "' is no number");
+            return damaged("'" + std::string(*found) + "' is not a number");
         if (error == std::errc::result_out_of_range)
             value = T{};
     }

@@ -77,7 +77,7 @@ read_values(EnsightStream& in, const EnsightPart& part, const FieldInfo& field) 
             section = std::find_if(section, part.sections.end(),
                                    [&](const EnsightSection& one) { return one.type == *type; });
             if (section == part.sections.end())
-                return in.damaged("'" + *type + "' is no type of element of part " + part.name);
+                return in.damaged("'" + *type + "' is not a type of element of part " + part.name);
             count = section->count;
             target = section->dimension == 3   ? out.volume
                      : section->dimension == 2 ? out.faces

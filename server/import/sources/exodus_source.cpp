@@ -106,7 +106,7 @@ class ExodusSource final : public Source {
         reader_ = vtkSmartPointer<vtkExodusIIReader>::New();
         if (reader_->CanReadFile(file_.path.c_str()) == 0)
             return core::fail(Error::Code::Corrupt,
-                              file_.name + " is no Exodus II file, or is damaged");
+                              file_.name + " is not an Exodus II file, or is damaged");
         reader_->SetFileName(file_.path.c_str());
         reader_->SetApplyDisplacements(0);
         reader_->SetGenerateObjectIdCellArray(0);

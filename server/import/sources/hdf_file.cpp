@@ -55,7 +55,7 @@ core::Result<void> check_layout(const ListedFile& file) {
     if (H5Lexists(group, "Steps", H5P_DEFAULT) > 0)
         return core::fail(
             Error::Code::Unsupported, file.name + " holds several time-steps in one file",
-            "write one .vtkhdf a time-step, numbered, or a .pvd of .vtu or .vti files");
+            "write one .vtkhdf per time-step, numbered, or a .pvd of .vtu or .vti files");
     return {};
 }
 

@@ -29,7 +29,7 @@ read_entry(const json& element, const std::filesystem::path& folder, const std::
         if (!time->is_number() || !std::isfinite(time->get<double>()))
             return core::fail(Error::Code::Corrupt, series + " gives " + file + " the time '" +
                                                         time->dump() +
-                                                        "', which is no finite number");
+                                                        "', which is not a finite number");
         entry.time = time->get<double>();
     }
     return entry;

@@ -6,7 +6,7 @@
 
 namespace wakesurf::server {
 
-/// Entries in the order of the file. Error: Io, Corrupt (not JSON, no files, a time that is no finite number).
+/// Entries in the order of the file. Error: Io, Corrupt (not JSON, no files, a time that is not a finite number).
 core::Result<FileSeries> read_json_series(const std::filesystem::path& file);
 
 } // namespace wakesurf::server

@@ -75,7 +75,7 @@ bool all_finite(vtkDataArray* values) {
 
 core::Result<void> check_points(vtkPoints* points, vtkIdType wanted, const std::string& file) {
     if (points == nullptr || points->GetNumberOfPoints() != wanted)
-        return core::fail(Error::Code::Corrupt, file + " does not have the nodes it says it has");
+        return core::fail(Error::Code::Corrupt, file + " does not have the nodes that it declares");
     if (!all_finite(points->GetData()))
         return core::fail(Error::Code::Corrupt,
                           file + " has a node whose coordinates are not finite numbers");
@@ -162,7 +162,7 @@ core::Result<void> check_axis(vtkDataArray* axis, char name, int nodes, const st
         if (!(axis->GetTuple1(i - 1) < axis->GetTuple1(i)))
             return core::fail(Error::Code::Corrupt,
                               file + " has coordinates along " + std::string(1, name) +
-                                  " that do not rise at node " + std::to_string(i));
+                                  " that do not increase at node " + std::to_string(i));
     return {};
 }
 

@@ -17,7 +17,7 @@ named_path(const fs::path& folder, const std::string& name, const std::string& n
         return core::fail(core::Error::Code::Unsupported,
                           named_by + " names " + fs::path(name).filename().string() +
                               ", which lies outside of its folder",
-                          "put the files together, without links that lead out of the folder");
+                          "put the files into one folder, without links that lead out of it");
     return path;
 }
 

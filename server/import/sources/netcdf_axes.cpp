@@ -224,7 +224,7 @@ core::Result<NetcdfAxis> read_axis(const NetcdfFile& file, int dimension) {
         if (!std::isfinite(axis.nodes[i]) || (i > 0 && !(axis.nodes[i - 1] < axis.nodes[i])))
             return core::fail(Error::Code::Corrupt,
                               file.name() + " has coordinates along " + name +
-                                  " that neither rise nor fall, or are missing");
+                                  " that neither increase nor decrease, or are missing");
     return axis;
 }
 

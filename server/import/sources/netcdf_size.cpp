@@ -196,7 +196,7 @@ core::Result<void> check_netcdf_size(const NamedFile& file) {
     const bool classic = start.size() > 3 && start.starts_with("CDF") &&
                          (start[3] == 1 || start[3] == 2 || start[3] == 5);
     if (!classic && start != "\x89HDF\r\n\x1a\n")
-        return core::fail(Error::Code::Corrupt, file.name + " is no NetCDF file");
+        return core::fail(Error::Code::Corrupt, file.name + " is not a NetCDF file");
     in.seekg(classic ? 4 : 8);
     Header header(in, start[3]);
     const auto wanted = classic ? header.end_of_data() : size_by_superblock(in);
@@ -204,14 +204,14 @@ core::Result<void> check_netcdf_size(const NamedFile& file) {
         return core::fail(Error::Code::Unsupported,
                           file.name + " does not say how many time-steps it has: it was streamed, "
                                       "or is still being written",
-                          "write it to a disk, to its end");
+                          "write the whole file to a disk");
     if (!wanted)
         return core::fail(Error::Code::Corrupt,
                           file.name + " ends within its header, or its header is damaged");
     if (*size < *wanted)
         return core::fail(Error::Code::Corrupt,
                           file.name + " ends too early: it has " + std::to_string(*size) +
-                              " bytes, its header says " + std::to_string(*wanted),
+                              " bytes, but its header says " + std::to_string(*wanted),
                           "copy it again");
     return {};
 }

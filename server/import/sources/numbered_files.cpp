@@ -91,7 +91,7 @@ core::Result<NumberedFiles> find(const fs::path& given, const Shape& shape) {
                           twice->second.filename().string() + " and " +
                               std::next(twice)->second.filename().string() +
                               " have the same number",
-                          "take one of them away, or name the series by a pattern");
+                          "remove one of them, or name the series by a pattern");
     NumberedFiles out{tidy_name(shape.prefix), {}};
     for (auto& [number, path] : found) {
         // The file that was asked for may be a link to anywhere; those found beside it may not.
@@ -118,7 +118,7 @@ core::Result<NumberedFiles> numbered_files(const fs::path& path) {
         const auto [at, length] = *place;
         if (wildcard(name, at + length))
             return core::fail(Error::Code::InvalidArgument, name + " holds more than one pattern",
-                              "give one * or %d, where the number of the file stands");
+                              "use one * or %d in place of the file's number");
         auto series = find(path, {name.substr(0, at), name.substr(at + length)});
         if (series && series->files.empty())
             return core::fail(Error::Code::NotFound, "no file matches " + name,

@@ -72,16 +72,17 @@ core::Result<void> check_directions(const std::vector<FoamPatch>& patches,
         if (patch.faces == 0)
             continue; // what blockMesh leaves of its defaultFaces
         if (patch.type == "empty")
-            return core::fail(Error::Code::Unsupported,
-                              file + " is not three-dimensional: its patch " + patch.name +
-                                  " is of the type empty, so the flow is computed in a plane",
-                              "surfaces need a flow in space: compute it in three dimensions");
+            return core::fail(
+                Error::Code::Unsupported,
+                file + " is not three-dimensional: its patch " + patch.name +
+                    " is of the type empty, so the flow is computed in a plane",
+                "surfaces need a three-dimensional flow: compute it in three dimensions");
         if (patch.type == "wedge")
             return core::fail(
                 Error::Code::Unsupported,
                 file + " is not three-dimensional: its patch " + patch.name +
                     " is a wedge, so the flow is computed in a plane through the axis",
-                "surfaces need a flow in space: compute it in three dimensions");
+                "surfaces need a three-dimensional flow: compute it in three dimensions");
     }
     return {};
 }
@@ -95,7 +96,7 @@ core::Result<std::vector<FoamRegion>> find_regions(const FoamCase& found) {
             return core::fail(Error::Code::Corrupt,
                               part + " of " + found.file + " has other meshes than " +
                                   found.parts.front() + ", or none",
-                              "decompose the case again, or copy it completely");
+                              "decompose the case again, or copy the whole case");
     for (const auto& name : first) {
         FoamRegion region{name, false, {}};
         for (const auto& part : found.parts) {
@@ -162,7 +163,7 @@ core::Result<FoamCase> scan_parts(FoamCase found, std::vector<std::string> parts
     if (found.regions.empty())
         return core::fail(Error::Code::NotFound,
                           found.file + " has no mesh: constant/polyMesh/faces is not there",
-                          "copy the case's constant folder, too");
+                          "also copy the case's constant folder");
     if (auto times = find_foam_times(found); !times)
         return tl::unexpected(times.error());
     return found;

@@ -116,7 +116,7 @@ core::Result<std::vector<FoamPatch>> read_foam_patches(const fs::path& file,
     if (!text)
         return core::fail(Error::Code::Io, name + " cannot be read");
     const auto tokens = tokens_of(std::string_view(*text).substr(behind_header(*text)));
-    const auto damaged = core::fail(Error::Code::Corrupt, name + " is no list of patches");
+    const auto damaged = core::fail(Error::Code::Corrupt, name + " is not a list of patches");
     const auto begin = std::find(tokens.begin(), tokens.end(), "(");
     if (begin == tokens.end() || tokens.back() != ")")
         return damaged;

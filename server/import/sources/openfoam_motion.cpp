@@ -28,7 +28,7 @@ core::Result<void> check_foam_mesh_stands_still(const FoamCase& found) {
                         return core::fail(Error::Code::Unsupported,
                                           "the mesh moves: " + here + " of " + found.file +
                                               " differs from " + in_use,
-                                          "only meshes that stand still can be read");
+                                          "only meshes that do not move can be read");
                     in_use = here;
                 }
             }

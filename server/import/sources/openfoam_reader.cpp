@@ -35,7 +35,7 @@ core::Result<void> OpenfoamReader::check_files(const FoamTime& time,
                                   "leave the field or the time out, or restore the file");
             if (!header)
                 return core::fail(Error::Code::Corrupt,
-                                  file.name + " of " + found_.file + " is no OpenFOAM file");
+                                  file.name + " of " + found_.file + " is not an OpenFOAM file");
             if (header->object != field.name)
                 return core::fail(Error::Code::Unsupported,
                                   file.name + " of " + found_.file + " says it is the field '" +

@@ -97,7 +97,7 @@ core::Result<void> check_processors(const FoamCase& found,
                               without + " of " + found.file + " has no " +
                                   found.relative("", time, region.name, velocity) + ", " + with +
                                   " has",
-                              "all processors must have the same times: copy the case completely, "
+                              "all processors must have the same times: copy the whole case, "
                               "or remove the time "
                               "from all of them");
         };

@@ -112,8 +112,8 @@ core::Result<Plot3dFiles> read_meta(const fs::path& file) {
         Plot3dStep step{{*grid_path, grid, {}}, {*solution_path, solution, {}}, std::nullopt};
         if (entry.contains("time")) {
             if (!entry["time"].is_number() || !std::isfinite(entry["time"].get<double>()))
-                return core::fail(Error::Code::Corrupt,
-                                  name + " gives " + solution + " a time that is no finite number");
+                return core::fail(Error::Code::Corrupt, name + " gives " + solution +
+                                                            " a time that is not a finite number");
             step.time = entry["time"].get<double>();
         }
         out.steps.push_back(std::move(step));

@@ -241,7 +241,7 @@ check_text_solution(std::ifstream& in, const std::string& name, const Plot3dLayo
         same = tokens.first[(grid.several ? 1 : 0) + i] == grid.blocks[i / 3][i % 3];
     if (!same)
         return core::fail(Error::Code::Corrupt,
-                          name + " is truncated or no solution on the grid: it has " +
+                          name + " is truncated or not a solution on the grid: it has " +
                               std::to_string(tokens.count) + " of " + std::to_string(wanted) +
                               " numbers");
     return tokens.first[header + 3];
@@ -261,11 +261,11 @@ core::Result<Plot3dLayout> grid_layout(const ListedFile& grid) {
         return core::fail(Error::Code::Unsupported,
                           grid.name + " is not three-dimensional: it is a Plot3D grid in the plane",
                           "extrude it by two cells or more first");
-    return core::fail(Error::Code::Corrupt,
-                      grid.name +
-                          " is truncated or no Plot3D grid: no layout of the format has its length",
-                      "known are ascii and binary grids, single or several, with or without "
-                      "Fortran records and iblank");
+    return core::fail(
+        Error::Code::Corrupt,
+        grid.name + " is truncated or not a Plot3D grid: no layout of the format has its length",
+        "known are ascii and binary grids, single or several, with or without "
+        "Fortran records and iblank");
 }
 
 core::Result<double> check_solution(const ListedFile& solution, const Plot3dLayout& grid) {
@@ -281,12 +281,12 @@ core::Result<double> check_solution(const ListedFile& solution, const Plot3dLayo
         return check_text_solution(in, solution.name, grid);
     if (size != solution_bytes(grid))
         return core::fail(Error::Code::Corrupt,
-                          solution.name + " is truncated or no solution on the grid: it has " +
+                          solution.name + " is truncated or not a solution on the grid: it has " +
                               std::to_string(size) + " of " + std::to_string(solution_bytes(grid)) +
                               " bytes");
     if (read_blocks(in, grid, 3) != grid.blocks)
         return core::fail(Error::Code::Corrupt,
-                          solution.name + " has other numbers of nodes than the grid");
+                          solution.name + " does not have the same numbers of nodes as the grid");
     Bytes bytes(in, grid.big_endian);
     if (grid.records && bytes.integer() != (grid.doubles ? 32 : 16))
         return core::fail(Error::Code::Corrupt, solution.name + " has a damaged record");

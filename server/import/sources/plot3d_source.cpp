@@ -123,7 +123,7 @@ class Plot3dSource final : public Source {
             return tl::unexpected(settled.error());
         description_.times = std::move(settled->times);
         if (!listed && !rising)
-            description_.note = "the times in the solutions do not rise: 0, 1, 2, ... are used";
+            description_.note = "the times in the solutions do not increase: 0, 1, 2, ... are used";
         return {};
     }
 
@@ -157,7 +157,7 @@ class Plot3dSource final : public Source {
         }
         if (blocks.size() != layout->blocks.size())
             return core::fail(Error::Code::Corrupt,
-                              grid.name + " does not have the grids it says it has");
+                              grid.name + " does not have the grids that it declares");
         if (auto thick = check_thickness(blocks, grid.name); !thick)
             return tl::unexpected(thick.error());
         return blocks;

@@ -49,7 +49,7 @@ core::Result<DataSetElement> read_element(vtkXMLDataElement& element,
     out.time = finite_number(time);
     if (!out.time)
         return core::fail(Error::Code::Corrupt, pvd + " gives " + file + " the time '" + time +
-                                                    "', which is no finite number");
+                                                    "', which is not a finite number");
     return out;
 }
 

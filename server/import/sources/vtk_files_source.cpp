@@ -154,7 +154,7 @@ class VtkFilesSource final : public Source {
                 if (!size && !series_.index.empty() && size.error().code == Error::Code::NotFound)
                     return core::fail(Error::Code::NotFound,
                                       series_.index.front().filename().string() + " names " +
-                                          part.name + ", which is not there");
+                                          part.name + ", which does not exist");
                 if (!size)
                     return tl::unexpected(size.error());
                 // One behind the first may be about to be written: it fails when it is its turn.

@@ -132,7 +132,7 @@ class ArraySizes {
                 return core::fail(Error::Code::Corrupt,
                                   name_ +
                                       " is damaged: " + (name.empty() ? std::string(kind) : name) +
-                                      " is stored with another size than the file says");
+                                      " does not have the size that the file declares");
         }
         return {};
     }

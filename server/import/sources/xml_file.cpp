@@ -87,7 +87,7 @@ core::Result<VtkFile> load(const ListedFile& file, const WantedArrays& wanted) {
     const auto reader = reader_of(header->type);
     if (!reader)
         return core::fail(Error::Code::Unsupported,
-                          file.name + " holds " + header->type + ", which is no grid");
+                          file.name + " holds " + header->type + ", which is not a grid");
     reader->SetFileName(file.path.c_str());
     if (reader->CanReadFile(file.path.c_str()) == 0)
         return core::fail(Error::Code::Corrupt, file.name + " is not what its type says it is");

@@ -131,7 +131,7 @@ core::Result<void> check_counts(vtkXMLDataElement& primary, const std::string& n
                 continue;
             if (piece->GetScalarAttribute(attribute, count) == 0 || count < 0 || count > most_nodes)
                 return core::fail(Error::Code::Corrupt,
-                                  name + " has a piece whose " + attribute + " is no count");
+                                  name + " has a piece whose " + attribute + " is not a count");
         }
     return {};
 }
@@ -163,7 +163,7 @@ core::Result<void> check_xml_header(const XmlHeader& header, const std::string& 
     auto& primary = *header.primary;
     if (primary.GetAttribute("TimeValues") != nullptr)
         return core::fail(Error::Code::Unsupported, name + " holds several time-steps in one file",
-                          "write one file a time-step and a .pvd that lists them");
+                          "write one file per time-step and a .pvd that lists them");
     const bool parallel = header.type.starts_with("P") && header.type != "PolyData";
     const std::string serial = parallel ? header.type.substr(1) : header.type;
     if (serial == "ImageData")

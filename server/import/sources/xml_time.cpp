@@ -70,7 +70,7 @@ core::Result<std::optional<double>> xml_time(const ListedFile& file) {
     if (!time || !std::isfinite(*time) ||
         (type != nullptr && !std::string_view(type).starts_with("Float")))
         return core::fail(Error::Code::Corrupt,
-                          file.name + " has a TimeValue that is no finite number");
+                          file.name + " has a TimeValue that is not a finite number");
     return time;
 }
 

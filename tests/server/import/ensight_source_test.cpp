@@ -405,7 +405,7 @@ TEST_F(EnsightSource, RefusesWhatItCannotRead) {
         EXPECT_NE(refused.error().message.find(words), std::string::npos)
             << refused.error().message;
     };
-    expect_refusal("", "no EnSight case file");
+    expect_refusal("", "not an EnSight case file");
     expect_refusal("FORMAT\ntype: ensight\n", "EnSight 6");
     expect_refusal("FORMAT\ntype: ensight gold\nFILE\nfile set: 1\n",
                    "several time-steps in one file");

@@ -103,7 +103,7 @@ TEST(FieldChoice, NeverTakesAMomentumForAVelocity) {
     EXPECT_EQ(velocity({point("Momentum", 3), point("Density", 1), point("Velocity", 3)}),
               "Velocity");
     EXPECT_NE(velocity({point("Momentum", 3)}).find("no field is a velocity"), std::string::npos);
-    EXPECT_NE(velocity({point("Momentum", 3)}, {"Momentum"}).find("a momentum is no velocity"),
+    EXPECT_NE(velocity({point("Momentum", 3)}, {"Momentum"}).find("momentum is not velocity"),
               std::string::npos);
     EXPECT_EQ(velocity({point("Momentum", 3), point("Density", 1), point("B", 3)},
                        {"Momentum", "Density"}),

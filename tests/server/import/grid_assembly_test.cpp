@@ -215,7 +215,7 @@ TEST(GridAssembly, TakesACellOnceThatTwoBlocksHold) {
         assemble({brick({0, 0, 0}, 1.0, {3, 1, 1}), brick({2, 0, 0}, 1.0, {3, 1, 1})});
     EXPECT_EQ(assembly.source_cells, 5u);
     EXPECT_NEAR(volume(mesh_of(assembly)), 5.0, 1e-13);
-    EXPECT_NE(assembly.note.find("taken once"), std::string::npos) << assembly.note;
+    EXPECT_NE(assembly.note.find("stored once"), std::string::npos) << assembly.note;
 }
 
 TEST(GridAssembly, LeavesOutBlankedCellsAndPointsNobodyUses) {

@@ -125,12 +125,12 @@ TEST_F(Import, RefusesASeriesWhosePartsDisagree) {
     put("grid.pvd", pvd_text({{"0", "a.vti"}, {"1", "b.vti"}}));
     expect_refusal("grid.pvd", "b.vti (time-step 1) has another mesh than a.vti");
     put("gone.pvd", pvd_text({{"0", "a.vti"}, {"1", "gone.vti"}}));
-    expect_refusal("gone.pvd", "gone.pvd names gone.vti, which is not there");
+    expect_refusal("gone.pvd", "gone.pvd names gone.vti, which does not exist");
     put("twice.pvd", pvd_text({{"1", "a.vti"}, {"1", "b.vti"}}));
     expect_refusal("twice.pvd", "the same time");
     for (const char* time : {"soon", "nan", "1e999"}) {
         put("time.pvd", pvd_text({{time, "a.vti"}}));
-        expect_refusal("time.pvd", "no finite number");
+        expect_refusal("time.pvd", "not a finite number");
     }
     VtiText renamed;
     renamed.points = vti_array("V", 3, renamed.point_count(), [](std::size_t) { return 1.0; });

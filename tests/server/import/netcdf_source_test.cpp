@@ -236,7 +236,7 @@ TEST_F(NetcdfSource, RefusesWhatIsNotAGridInSpace) {
     expect_failure(open_source(write(flow)), Error::Code::Unsupported, "has 1 nodes along z");
     flow = {};
     flow.axes["y"] = {0, 1, 3, 2, 4};
-    expect_failure(open_source(write(flow)), Error::Code::Corrupt, "neither rise nor fall");
+    expect_failure(open_source(write(flow)), Error::Code::Corrupt, "neither increase nor decrease");
 }
 
 TEST_F(NetcdfSource, RefusesStaggeredAndCurvilinearGrids) {
@@ -285,7 +285,7 @@ TEST_F(NetcdfSource, RefusesEveryTruncation) {
     }
     write_file(folder_ / "text.nc", "no NetCDF");
     expect_failure(open_source(folder_ / "text.nc"), Error::Code::Corrupt,
-                   "text.nc is no NetCDF file");
+                   "text.nc is not a NetCDF file");
 }
 
 TEST_F(NetcdfSource, DoesNotGiveAnEarlierStepForADamagedOne) {

@@ -266,7 +266,7 @@ TEST_F(Plot3dSource, CountsTheStepsWhereTheirTimesDoNotRise) {
     put_flow("flow", {}, {0, 0, 0});
     const auto source = open_source(folder_ / "flow.xyz");
     expect_steps(source, {0, 1, 2});
-    EXPECT_NE((*source)->description().note.find("do not rise"), std::string::npos);
+    EXPECT_NE((*source)->description().note.find("do not increase"), std::string::npos);
 }
 
 TEST_F(Plot3dSource, RefusesEveryTruncation) {
@@ -299,7 +299,7 @@ TEST_F(Plot3dSource, RefusesFilesThatDoNotBelongTogether) {
     single.several = false;
     put("flow.q", solution_text(single, 0, 1));
     expect_failure(open_source(folder_ / "flow.xyz"), Error::Code::Corrupt,
-                   "flow.q is truncated or no solution on the grid");
+                   "flow.q is truncated or not a solution on the grid");
     fs::remove(folder_ / "flow.xyz");
     expect_failure(open_source(folder_ / "flow.q"), Error::Code::NotFound, "no grid beside flow.q");
     put("a.g", grid_text({}));

@@ -57,7 +57,7 @@ TEST(FailureWords, AreSentencesAboutTheFile) {
     } catch (const std::exception& error) {
         unexpected = error_of(error, "a.vtu").message;
     }
-    EXPECT_EQ(unexpected, "a.vtu holds a size or a number that is impossible");
+    EXPECT_EQ(unexpected, "a.vtu contains an impossible size or number");
     EXPECT_EQ(error_of(std::bad_alloc(), "a.vtu").code, core::Error::Code::OverLimit);
     EXPECT_EQ(error_of(std::bad_alloc(), "a.vtu").message,
               "there is not enough memory to read a.vtu");

@@ -154,7 +154,7 @@ TEST_F(DamagedVtkFiles, RefusesFilesThatAreNotWhatTheySay) {
     expect_failure(open_source(put("mesh.stl", "solid")), Error::Code::Unsupported,
                    "mesh.stl is of a format that cannot be read");
     expect_failure(open_source(put("j.vtm.series", R"({"files":[{"name":"a.vtm","time":"x"}]})")),
-                   Error::Code::Corrupt, "no finite number");
+                   Error::Code::Corrupt, "not a finite number");
     expect_failure(open_source(put("j.vtm.series", R"({"files":[]})")), Error::Code::Corrupt,
                    "names no files");
     put("self.vtm", "<VTKFile type='vtkMultiBlockDataSet'><vtkMultiBlockDataSet>"

@@ -178,9 +178,9 @@ TEST_F(VtkFilesSource, SortsACollectionByTimeAndRefusesTimesThatAreNone) {
                    Error::Code::Corrupt, "t.pvd gives a.vtu and b.vtu the same time, 1");
     for (const std::string time : {"soon", "nan", "1e999"})
         expect_failure(open_source(put("t.pvd", pvd_text({{time, "a.vtu"}}))), Error::Code::Corrupt,
-                       "no finite number");
+                       "not a finite number");
     expect_failure(open_source(put("t.pvd", pvd_text({{"1", "gone.vtu"}}))), Error::Code::NotFound,
-                   "t.pvd names gone.vtu, which is not there");
+                   "t.pvd names gone.vtu, which does not exist");
     expect_failure(open_source(put("t.pvd", pvd_text({}))), Error::Code::Corrupt, "names no files");
     expect_failure(open_source(put("t.pvd", "no XML")), Error::Code::Corrupt, "t.pvd");
     expect_failure(open_source(put("t.pvd", sample_vti().text())), Error::Code::Corrupt,
@@ -269,7 +269,7 @@ TEST_F(VtkFilesSource, ReadsMultiBlockSeriesWithTheirWalls) {
               "vtkXMLUnstructuredGridReader (vtm.series)");
     fs::remove(folder_ / "f1" / "b.vts");
     expect_failure((*open_source(folder_ / "flow.vtm.series"))->read(1, known_fields()),
-                   Error::Code::NotFound, "flow_1.vtm names f1/b.vts, which is not there");
+                   Error::Code::NotFound, "flow_1.vtm names f1/b.vts, which does not exist");
 }
 
 TEST_F(VtkFilesSource, ReadsSurfacesWithValuesOfTheirFaces) {
@@ -366,7 +366,7 @@ TEST_F(VtkFilesSource, ReadsParallelFilesAndMissesNoPiece) {
         EXPECT_FALSE((*source)->read(0, known_fields()).has_value()) << name;
         fs::remove(folder_ / piece);
         expect_failure((*source)->read(0, known_fields()), Error::Code::NotFound,
-                       name + " names " + piece + ", which is not there");
+                       name + " names " + piece + ", which does not exist");
     };
     check("i.pvti", *sample_image(), 1);
     check("r.pvtr", *sample_rectilinear(), 1);

@@ -156,7 +156,7 @@ TEST(WatchedProcess, EndsASurveyThatHangs) {
         wait_to_be_ended();
         return 0;
     });
-    EXPECT_EQ(ended.error().message, "what a.vti holds was not clear after 1 s");
+    EXPECT_EQ(ended.error().message, "the contents of a.vti were not clear after 1 s");
     EXPECT_NE(ended.error().hint.find("--survey"), std::string::npos);
 }
 

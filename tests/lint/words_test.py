@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+"""Keeps the words of docs/glossary.md to their meanings.
+
+A rule is a function of (path, text) that yields messages; BAD and GOOD hold for each rule what it must and must not flag.
+Standard library only. Run it alone with: python3 tests/lint/words_test.py
+"""
+import os
+import re
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from documents_test import files, text_of  # noqa: E402
+
+# `color` where others' interfaces have it: names of three.js and of the DOM, and contexts in which they are used.
+THEIR_NAMES = {"Color", "setClearColor", "getClearColor", "SRGBColorSpace", "colorSpace", "vertexColors", "colorScheme",
+               "backgroundColor", "borderColor", "borderTopColor", "borderLeftColor", "currentColor", "gl_FragColor",
+               "colorspace_fragment", "colorspace"}
+THEIR_CONTEXT = re.compile(
+    r"type=.color|\[type=.color|\bmaterial\.color\b|\bstyle\.color\b|state\.buffers|\bcolor\.set(Mask|Locked)\b|setAttribute\('color'|"
+    r"[\w-]+-color\b|\bcolor-|\bcolor: (0x|colour\b|var\(|light-dark|rgb|#|inherit|transparent)|color: rgb")
+COLOR = re.compile(r"\b\w*[cC]olor\w*\b")
+
+# Types named by a word with a home: the word, and the product's files that may declare one.
+HOMES = {
+    "Turn": ("server/session/fair_queue.hpp", "server/session/history.hpp"),
+    "Lane": ("server/session/quick_lanes.hpp", "server/session/long_lanes.hpp", "server/session/compute_pool.cpp",
+             "core/field/advance_stored.cpp"),
+    "Place": ("server/net/admission.hpp", "server/net/downloads.hpp", "server/session/budgets.hpp",
+              "server/session/history_budget.hpp", "server/session/change_log.hpp", "core/field/cells/box_tree.hpp"),
+    "Places": ("protocol/wire_match.hpp",),
+    "History": ("server/session/history.hpp",),
+    "Cell": ("core/surface/quad_complex.hpp",),
+    "Sample": ("core/field/kernel/rk4_kernel.hpp",),
+}
+DECLARED = re.compile(r"^[ \t]*(?:struct|class|enum class|enum|using)[ \t]+(\w+)(?=[ \t]*(?:\{|;|:|=|final\b|$))", re.MULTILINE)
+
+
+def line_of(text, offset):
+    return text.count("\n", 0, offset) + 1
+
+
+def spelt_color(path, text):
+    """Our names say colour."""
+    if not re.match(r"(web-client/(src|tools)|tests/(end_to_end|fuzz))/.*\.ts$", path):
+        return
+    for number, line in enumerate(text.split("\n"), 1):
+        if THEIR_CONTEXT.search(line):
+            continue
+        for match in COLOR.finditer(re.sub(r"^\s*(//|\*|/\*\*).*", "", line)):
+            if match.group() not in THEIR_NAMES:
+                yield f"{path}:{number}: {match.group()}: our own names say colour"
+
+
+def word_away_from_home(path, text):
+    """A type with a word of the glossary for its name, where the word means something else."""
+    if not re.match(r"(core|protocol|server)/.*\.(hpp|cpp)$", path):
+        return
+    for match in DECLARED.finditer(text):
+        homes = HOMES.get(match.group(1))
+        if homes is not None and path not in homes:
+            yield (f"{path}:{line_of(text, match.start())}: a type {match.group(1)}: docs/glossary.md has another meaning for "
+                   "this word; choose one that says what this is")
+
+
+RULES = [spelt_color, word_away_from_home]
+
+BAD = [
+    (spelt_color, "web-client/src/a.ts", "const rakeColor = 1;\n"),
+    (spelt_color, "web-client/src/a.ts", "interface A {\n    color: string;\n}\n"),
+    (spelt_color, "tests/end_to_end/a.spec.ts", "expectColor(a);\n"),
+    (word_away_from_home, "server/net/a.hpp", "    struct Place {\n"),
+    (word_away_from_home, "core/a.cpp", "using Turn = std::function<void()>;\n"),
+    (word_away_from_home, "server/session/a.hpp", "enum class Lane { A, B };\n"),
+]
+GOOD = [
+    (spelt_color, "web-client/src/a.ts", "import { Color } from 'three';\nmesh.material.color.set(colour);\n"),
+    (spelt_color, "web-client/src/a.ts", "    color: var(--quiet);\n    border-left-color: red;\n"),
+    (spelt_color, "web-client/src/a.ts", "new LineBasicMaterial({ color: 0xb4bcc9 });\n// the color of it\n"),
+    (spelt_color, "server/a.ts", "const color = 1;\n"),
+    (word_away_from_home, "server/session/fair_queue.hpp", "    struct Turn {\n"),
+    (word_away_from_home, "server/net/a.cpp", "Admission::Place place;\nstruct PlaceOfMine {};\n"),
+    (word_away_from_home, "tests/core/a.cpp", "struct Turn {\n"),
+]
+
+
+class Words(unittest.TestCase):
+    maxDiff = None
+
+
+def rule_test(rule):
+    def test(self):
+        self.assertEqual([each for path in files() if path.endswith((".ts", ".hpp", ".cpp")) for each in rule(path, text_of(path))], [])
+    return test
+
+
+for each in RULES:
+    setattr(Words, "test_" + each.__name__, rule_test(each))
+
+
+class TheLinter(unittest.TestCase):
+    def test_flags_every_bad_sample(self):
+        for rule, path, text in BAD:
+            with self.subTest(rule=rule.__name__, text=text):
+                self.assertTrue(list(rule(path, text)))
+
+    def test_leaves_every_good_sample_alone(self):
+        for rule, path, text in GOOD:
+            with self.subTest(rule=rule.__name__, text=text):
+                self.assertEqual(list(rule(path, text)), [])
+
+    def test_knows_only_homes_that_there_are(self):
+        for word, homes in HOMES.items():
+            for home in homes:
+                with self.subTest(word=word, home=home):
+                    self.assertIn(word, DECLARED.findall(text_of(home)))
+
+    def test_finds_each_of_its_words_in_the_glossary(self):
+        glossary = text_of("docs/glossary.md").lower()
+        for word in HOMES:
+            self.assertIn(f"**{word.lower().rstrip('s')}", glossary)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]] + sys.argv[1:])
