@@ -262,7 +262,9 @@ describe('how many sessions there can be', () => {
         await page.getByLabel('Name of the new session').fill('One too many');
         await page.getByRole('button', { name: 'New session' }).click();
         await page
-            .getByText('The server keeps at most 3 sessions, and that many are there. Export the sessions that are no longer needed')
+            .getByText(
+                'The server keeps at most 3 sessions, and that many are there. Export the sessions that are no longer needed',
+            )
             .waitFor();
         await screenshot(page, 'sessions-limit');
         expect(await sessionOf(page)).toBe('main');

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Sourced by ../../run and ../../check. Puts a node that is new enough first in PATH: the machine's own
 # if it is, else the one pinned here, installed from the lock file. The npm of Debian 12 (9.2 on node 18)
 # suffices for that, but would skip the native parts of Vite as made for another node, and does not link

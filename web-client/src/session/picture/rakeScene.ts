@@ -39,5 +39,5 @@ export function holderOf(state: AppState, record: RakeRecord): RakeHolder | null
     if (participant === undefined) return { name: by.startsWith('script') ? 'A script' : 'Someone', colour: ofNobody };
     const { name, colour, dragging } = participant;
     const points = dragging?.rake === record.rake ? { points: dragging.points } : {};
-    return { name, colour: colour, ...points };
+    return { name, colour, ...points };
 }
