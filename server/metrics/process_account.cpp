@@ -24,7 +24,6 @@ ProcessAccount::ProcessAccount(std::size_t budget)
     : account_(budget == 0 ? default_memory() : budget),
       spare_heap_(account_.on_need(core::GiveBack::SpareHeap,
                                    [](std::size_t) { give_back_spare_heap(); })) {
-    make_allocator_frugal();
     account_.watch([] { return static_cast<std::size_t>(core::resident_memory()); });
 }
 

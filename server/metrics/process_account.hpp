@@ -1,5 +1,5 @@
-// The account of this process's memory: how large it is, what the process is seen to hold beside its shares, and how the allocator is
-// made to give freed memory back.
+// The account of this process's memory: how large it is, what the process is seen to hold beside its shares, and who gives memory back
+// first: the allocator.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -15,7 +15,7 @@ std::size_t default_memory();
 
 class ProcessAccount {
   public:
-    /// @param budget  `--memory`, in bytes; 0: default_memory(). Changes how the allocator works, for the whole process.
+    /// @param budget  `--memory`, in bytes; 0: default_memory().
     explicit ProcessAccount(std::size_t budget);
 
     const core::MemoryAccount& account() const { return account_; }

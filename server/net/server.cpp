@@ -3,7 +3,6 @@
 #include "protocol/json_rpc.hpp"
 #include "server/limits.hpp"
 #include "server/metrics/process_account.hpp"
-#include "server/metrics/spare_heap.hpp"
 #include "server/net/http_connection.hpp"
 #include "server/net/io_loop.hpp"
 #include "server/net/listener.hpp"
@@ -119,11 +118,8 @@ struct Server::Parts {
         return out;
     }
 
-    /// What no one asked the account for is noticed, and others give back. Once the process rests, what it has freed goes back.
+    /// What no one asked the account for is noticed, and others give back.
     void watch_memory() {
-        const bool computing = memory.account().used(core::MemoryUse::Builds) > 0;
-        if (heap_rest.due(processor_seconds(), computing, clock.now()))
-            pool.run("\nheap", Pace::Quick, give_back_spare_heap); // no session is called like that
         if (memory.too_much())
             pool.run([account = memory.account()] { account.make_room(0); });
         watching = loop.after(limits::memory_look, [this] { watch_memory(); });
@@ -210,7 +206,6 @@ struct Server::Parts {
     }
 
     ProcessAccount memory;
-    HeapRest heap_rest;
     std::optional<KeptSessions> kept;
     std::optional<StartGuard> starts; ///< with `--state`
     std::optional<core::Error> withheld_surfaces;

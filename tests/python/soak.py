@@ -20,7 +20,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import wakesurf
 
 PEOPLE, EVERY = 3, 60.0
-PAUSE = 8.0  # HeapRest::quiet_for, and some
+PAUSE = 8.0  # s, for the allocator to return what was freed
 
 
 def use(url, stop, going, idle, counts, seed):
