@@ -9,7 +9,6 @@
 #include "server/state/kept_sessions.hpp"
 #include "server/state/sqlite_journal.hpp"
 
-#include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <nlohmann/json.hpp>
 
@@ -84,8 +83,6 @@ class StateSessions final : public SessionServer {
     SystemEntropy entropy_;
     core::SteadyClock clock_;
     boost::asio::io_context context_{1};
-    boost::asio::executor_work_guard<boost::asio::io_context::executor_type> alive_{
-        context_.get_executor()};
     IoLoop loop_{context_};
     NoDatasets datasets_;
     ComputePool pool_{1};

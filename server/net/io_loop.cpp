@@ -1,12 +1,55 @@
 #include "server/net/io_loop.hpp"
 
-#include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <system_error>
+#include <utility>
 
 namespace wakesurf::server {
 
+namespace {
+
+int waking_descriptor() {
+    const int descriptor = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+    if (descriptor < 0)
+        throw std::system_error(errno, std::generic_category(), "eventfd");
+    return descriptor;
+}
+
+} // namespace
+
+IoLoop::IoLoop(boost::asio::io_context& context)
+    : context_(context), woken_(context, waking_descriptor()) {
+    wait();
+}
+
+/// Each poster wakes, not only the first of several: that one may be set aside between the two steps.
 void IoLoop::post(std::function<void()> task) {
-    boost::asio::post(context_, std::move(task));
+    posted_.push(std::move(task));
+    const std::uint64_t one = 1;
+    // Fails only where 2^64 - 2 wait to be seen.
+    [[maybe_unused]] const auto written = ::write(woken_.native_handle(), &one, sizeof one);
+}
+
+void IoLoop::wait() {
+    woken_.async_wait(boost::asio::posix::descriptor_base::wait_read,
+                      [this](boost::system::error_code error) {
+                          if (!error) // else the loop has gone
+                              run_posted();
+                      });
+}
+
+/// What these post in turn comes after others who wait for the context.
+void IoLoop::run_posted() {
+    std::uint64_t times = 0;
+    [[maybe_unused]] const auto got = ::read(woken_.native_handle(), &times, sizeof times);
+    wait();
+    for (auto& task : posted_.take())
+        std::exchange(task, nullptr)(); // what it holds goes before the next begins
 }
 
 std::shared_ptr<void> IoLoop::after(std::chrono::milliseconds delay, std::function<void()> task) {

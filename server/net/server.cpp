@@ -15,6 +15,7 @@
 #include "server/session/catalogue_datasets.hpp"
 #include "server/session/log_text.hpp"
 #include "server/session/session_restoring.hpp"
+#include "server/session/thread_priority.hpp"
 #include "server/state/kept_sessions.hpp"
 #include "server/state/sqlite_journal.hpp"
 #include "server/state/start_guard.hpp"
@@ -322,6 +323,7 @@ void Server::run() {
         if (all.starts)
             all.starts->good();
     });
+    ask_for_short_slices();
     all.context.run();
     // The sockets' handlers hold the connections; they must run while there are sessions to leave.
     all.connections.abandon();

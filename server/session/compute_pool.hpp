@@ -27,12 +27,16 @@ class ComputePool {
     ComputePool(const ComputePool&) = delete;
     ComputePool& operator=(const ComputePool&) = delete;
 
-    /// Queues a job of a session. Quick ones run on one thread each; one session never has all threads of full priority. Of the long ones of a session one runs at a time; its parallel
-    /// loops use all cores. A job must not throw.
+    /// Queues a job of a session, and waits for no other thread. Quick ones run on one thread each; one session never has all threads of
+    /// full priority. Of the long ones of a session one runs at a time; its parallel loops use all cores. A job must not throw.
     void run(const std::string& session, Pace pace, std::function<void()> job);
 
     /// Queues a long job that belongs to no session: it has turns like a session of its own.
     void run(std::function<void()> job);
+
+    /// What is large and no longer needed is freed on a thread that no one waits for: the network thread would stand still for
+    /// milliseconds. By hand: at once.
+    void let_go(std::shared_ptr<const void> thing);
 
     /// By hand: runs the job whose turn it is, quick ones first, on the caller's thread. False when there is none.
     bool turn();

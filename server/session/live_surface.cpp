@@ -53,6 +53,12 @@ LiveSurface::LiveSurface(
 LiveSurface::~LiveSurface() {
     stop_jobs();
     ring_->close();
+    let_go_of_build();
+}
+
+/// What it keeps may be hundreds of megabytes, or be in use by another thread that wants memory.
+void LiveSurface::let_go_of_build() {
+    services_.pool.let_go(std::exchange(build_, nullptr));
 }
 
 void LiveSurface::stop_jobs() {
@@ -76,7 +82,7 @@ void LiveSurface::begin_build() {
     if (const SharedUpdate newest = ring_->newest())
         next_seq_ = newest->wire.seq + 1;
     ring_->begin(epoch_);
-    build_.reset();
+    let_go_of_build();
     full_.reset();
     coarse_done_ = refined_done_ = false;
     overtake_.reset();
@@ -241,30 +247,30 @@ void LiveSurface::start(Pace pace, const SurfacePass& pass) {
     if (!build_)
         build_ =
             std::make_shared<SurfaceBuild>(wanted_, services_.clock, services_.memory, next_seq_);
-    else if (build_->job().flow != wanted_.flow)
-        build_->renew_data(wanted_.flow, wanted_.store);
     const bool early = pass.phase == Phase::Coarse || pass.phase == Phase::Refined;
     Running& running = lanes_[index(pace)].emplace(
         Running{epoch_, pass, std::stop_source(), services_.clock.now(), pass_wanted_,
                 early ? nullptr : std::make_shared<core::WorkDone>(), build_});
-    services_.pool.run(session_, pace,
-                       [build = build_, pass, pace, stop = running.stop.get_token(),
-                        weak = weak_from_this(), services = services_, first = !full_,
-                        queued = running.since, wanted = running.wanted, work = running.work] {
-                           const auto start = services.clock.now();
-                           auto result = std::make_shared<core::Result<Update>>(
-                               build->run(pass, stop, work.get()));
-                           const std::chrono::duration<double> taken = services.clock.now() - start;
-                           if (*result)
-                               (*result)->took.queue =
-                                   std::chrono::duration<double>(start - wanted).count();
-                           if (services.metrics != nullptr)
-                               count(*services.metrics, start - queued, *result, first);
-                           services.loop.post([weak, pace, result, seconds = taken.count()] {
-                               if (const auto self = weak.lock())
-                                   self->finished(pace, std::move(*result), seconds);
-                           });
-                       });
+    services_.pool.run(
+        session_, pace,
+        [build = build_, pass, pace, stop = running.stop.get_token(), weak = weak_from_this(),
+         services = services_, first = !full_, queued = running.since, wanted = running.wanted,
+         work = running.work, flow = wanted_.flow, store = wanted_.store] {
+            const auto start = services.clock.now();
+            if (build->job().flow != flow)
+                build->renew_data(flow, store);
+            auto result =
+                std::make_shared<core::Result<Update>>(build->run(pass, stop, work.get()));
+            const std::chrono::duration<double> taken = services.clock.now() - start;
+            if (*result)
+                (*result)->took.queue = std::chrono::duration<double>(start - wanted).count();
+            if (services.metrics != nullptr)
+                count(*services.metrics, start - queued, *result, first);
+            services.loop.post([weak, pace, result, seconds = taken.count()] {
+                if (const auto self = weak.lock())
+                    self->finished(pace, std::move(*result), seconds);
+            });
+        });
 }
 
 void LiveSurface::finished(Pace pace, core::Result<Update> result, double seconds) {
@@ -316,7 +322,7 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
     }
     const bool more = next_pass().has_value();
     if (!more && !moves(wanted_.parameters))
-        build_.reset(); // nothing will follow from it
+        let_go_of_build(); // nothing will follow from it
     if (pass.phase != Phase::Final || !more)
         events_.progress({id_, epoch_, pass.phase, ring_->newest()->took});
     if (!more)
@@ -339,7 +345,7 @@ void LiveSurface::failed(const SurfacePass& pass, core::Error error, double seco
 /// The epoch has ended, as things are.
 void LiveSurface::conclude() {
     if (error_)
-        build_.reset();
+        let_go_of_build();
     events_.done(outcome());
     if (error_)
         waiters_->answer(epoch_, tl::unexpected(*error_));

@@ -17,7 +17,8 @@ bool LongLanes::room(Time now) const {
     return static_cast<std::size_t>(young) < light_jobs;
 }
 
-void LongLanes::push_lone(const std::string& name, FairQueue::Job job) {
+void LongLanes::push_lone(FairQueue::Job job) {
+    const std::string name = "\n" + std::to_string(next_lone_++); // no session is called like that
     lone_.insert(name);
     queue_.push(name, std::move(job));
 }

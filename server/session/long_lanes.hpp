@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -35,8 +36,8 @@ class LongLanes {
         queue_.push(session, std::move(job));
     }
 
-    /// A job that belongs to no session, and is never light. `name` is no session's.
-    void push_lone(const std::string& name, FairQueue::Job job);
+    /// A job that belongs to no session, and is never light.
+    void push_lone(FairQueue::Job job);
 
     /// Nothing when none waits for that lane. Of a session one job runs at a time.
     std::optional<FairQueue::Turn> pop(Lane lane, Time now);
@@ -55,7 +56,8 @@ class LongLanes {
 
     FairQueue queue_{true};
     RecentUse use_{memory};
-    std::set<std::string> lone_;
+    std::set<std::string> lone_; ///< stand for sessions
+    std::uint64_t next_lone_ = 0;
     std::map<std::string, Time> running_; ///< light jobs, and when they began
 };
 

@@ -44,13 +44,10 @@ SurfaceBuild::SurfaceBuild(SurfaceJob job,
                            const core::Clock& clock,
                            const Memory& memory,
                            std::uint32_t first_seq)
-    : job_(std::move(job)), clock_(clock), account_(memory.account),
+    : job_(std::move(job)), clock_(clock), account_(memory.account), histories_(memory.histories),
       stream_(job_.number, job_.epoch, job_.lattice, true, first_seq) {
     if (account_ != nullptr)
         kept_ = account_->open(core::MemoryUse::Surfaces);
-    if (memory.histories != nullptr)
-        place_ = std::make_unique<HistoryBudget::Place>(
-            *memory.histories, [this](std::size_t bytes) { return shrink_history(bytes); });
 }
 
 std::size_t SurfaceBuild::shrink_history(std::size_t bytes) {
@@ -236,8 +233,11 @@ SurfaceBuild::grow(double age, const std::stop_token& stop, const Work& work) {
 
 core::Result<SurfaceBuild::Shown>
 SurfaceBuild::play(double age, const std::stop_token& stop, const Work& work) {
-    if (!place_)
+    if (histories_ == nullptr)
         return play_within(limits::history_bytes, age, stop, work);
+    if (!place_)
+        place_ = std::make_unique<HistoryBudget::Place>(
+            *histories_, [this](std::size_t bytes) { return shrink_history(bytes); });
 
     struct Use {
         explicit Use(SurfaceBuild& of) : build(of), bytes(of.place_->begin(of.clock_.now())) {}

@@ -56,7 +56,7 @@ class SurfaceBuild {
 
     const SurfaceJob& job() const { return job_; }
 
-    /// The same data, opened again.
+    /// The same data, opened again. Frees what was made from the old: not for the network thread.
     void renew_data(std::shared_ptr<const core::Flow> flow,
                     std::shared_ptr<const core::StoreReader> store);
 
@@ -96,6 +96,7 @@ class SurfaceBuild {
     SurfaceJob job_;
     const core::Clock& clock_;
     const core::MemoryAccount* account_;
+    const HistoryBudget* histories_;
     core::MemoryAccount::Share kept_; ///< between passes, but for `played_`
     protocol::MeshStream stream_;
     Source last_ = Source::Nothing;
@@ -103,7 +104,7 @@ class SurfaceBuild {
     core::SurfaceStatistics grown_statistics_;
     std::optional<PlayedSurface> played_;         ///< while not in use, others may shrink or end it
     double played_load_ = 0.0;                    ///< s it has waited for time-steps so far
-    std::unique_ptr<HistoryBudget::Place> place_; ///< of `played_`
+    std::unique_ptr<HistoryBudget::Place> place_; ///< of `played_`, once there was one
 };
 
 } // namespace wakesurf::server

@@ -24,7 +24,7 @@ COLOR = re.compile(r"\b\w*[cC]olor\w*\b")
 # Types named by a word with a home: the word, and the product's files that may declare one.
 HOMES = {
     "Turn": ("server/session/fair_queue.hpp", "server/session/history.hpp"),
-    "Lane": ("server/session/quick_lanes.hpp", "server/session/long_lanes.hpp", "server/session/compute_pool.cpp",
+    "Lane": ("server/session/quick_lanes.hpp", "server/session/long_lanes.hpp",
              "core/field/advance_stored.cpp"),
     "Place": ("server/net/admission.hpp", "server/net/downloads.hpp", "server/session/budgets.hpp",
               "server/session/history_budget.hpp", "server/session/change_log.hpp", "core/field/cells/box_tree.hpp"),

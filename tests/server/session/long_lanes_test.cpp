@@ -60,10 +60,11 @@ TEST(LongLanes, DoNotLetNewSessionsKeepTheNextOneWaiting) {
 
 TEST(LongLanes, TakeJobsOfNoSessionOnlyInTheirTurn) {
     LongLanes lanes;
-    lanes.push_lone("download", [] {});
+    lanes.push_lone([] {});
     EXPECT_EQ(next(lanes, Lane::Light, start), "");
-    EXPECT_EQ(next(lanes, Lane::Any, start), "download");
-    lanes.done("download", 1.0, start);
+    const std::string lone = next(lanes, Lane::Any, start);
+    EXPECT_NE(lone, "");
+    lanes.done(lone, 1.0, start);
     EXPECT_EQ(lanes.waiting(), 0U);
 }
 
