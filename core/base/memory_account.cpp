@@ -56,14 +56,19 @@ struct MemoryAccount::State {
     std::size_t refused = 0;
     std::function<std::size_t()> resident;
     std::size_t unseen = 0; ///< bytes taken since the last look
+    std::mutex looking;     ///< guards `resident`; held before `mutex`
 
+    /// Without the account's lock: asking the system takes some time, in which the kernel may set this thread aside. One at a time, so that
+    /// an older look does not replace a newer one.
     void look() {
-        unseen = 0;
-        if (!resident)
+        const std::unique_lock one_at_a_time(looking, std::try_to_lock);
+        if (!one_at_a_time || !resident)
             return;
+        const std::size_t seen = resident();
+        const std::lock_guard lock(mutex);
+        unseen = 0;
         std::size_t& other = by_use[index(MemoryUse::Other)];
         const std::size_t here = used - other - by_use[index(MemoryUse::Importers)];
-        const std::size_t seen = resident();
         used -= other;
         other = seen - std::min(seen, here);
         used += other;
@@ -71,19 +76,21 @@ struct MemoryAccount::State {
 
     bool fits(std::size_t more) const { return used <= budget && more <= budget - used; }
 
+    /// With the lock.
     void change(MemoryUse use, std::size_t from, std::size_t to) {
         by_use[index(use)] += to - from; // modulo 2^64: right for both directions
         used += to - from;
-        if (to < from)
-            given_back.notify_all();
     }
 
     bool try_change(MemoryUse use, std::size_t from, std::size_t to, std::size_t leave) {
-        const std::lock_guard lock(mutex);
+        std::unique_lock lock(mutex);
         const std::size_t more = to - from;
         unseen += std::min(more, budget);
-        if (unseen > budget / 256)
+        if (unseen > budget / 256) {
+            lock.unlock();
             look();
+            lock.lock();
+        }
         if (!fits(more > SIZE_MAX - leave ? SIZE_MAX : more + leave))
             return false;
         change(use, from, to);
@@ -99,9 +106,9 @@ struct MemoryAccount::State {
         }
         for (const auto& giver : all) {
             std::size_t wanted = 0;
+            look();
             {
                 const std::lock_guard lock(mutex);
-                look();
                 if (fits(more))
                     return true;
                 wanted = more > SIZE_MAX - used ? SIZE_MAX : more + used - budget;
@@ -115,8 +122,8 @@ struct MemoryAccount::State {
             if (build) // it takes a moment to end
                 break;
         }
-        const std::lock_guard lock(mutex);
         look();
+        const std::lock_guard lock(mutex);
         return fits(more);
     }
 };
@@ -197,8 +204,12 @@ void MemoryAccount::Share::shrink_to(std::size_t bytes) {
 
 void MemoryAccount::Share::set(std::size_t bytes) {
     if (state_) {
-        const std::lock_guard lock(state_->mutex);
-        state_->change(use_, bytes_, bytes);
+        {
+            const std::lock_guard lock(state_->mutex);
+            state_->change(use_, bytes_, bytes);
+        }
+        if (bytes < bytes_) // without the lock: those who wait take it
+            state_->given_back.notify_all();
     }
     bytes_ = bytes;
 }
@@ -215,13 +226,14 @@ void MemoryAccount::Share::join(Share&& other) {
 }
 
 void MemoryAccount::watch(std::function<std::size_t()> resident) const {
-    const std::lock_guard lock(state_->mutex);
-    state_->resident = std::move(resident);
+    {
+        const std::lock_guard lock(state_->looking);
+        state_->resident = std::move(resident);
+    }
     state_->look();
 }
 
 void MemoryAccount::look() const {
-    const std::lock_guard lock(state_->mutex);
     state_->look();
 }
 

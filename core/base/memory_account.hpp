@@ -53,7 +53,7 @@ class MemoryAccount {
     explicit MemoryAccount(std::size_t budget);
 
     /// Counts what the process holds beyond its shares as `Other`, measured again whenever another 1/256 of the budget has been taken.
-    /// @param resident  bytes of the process, without importers; called from any thread with the account's lock
+    /// @param resident  bytes of the process, without importers; called from any thread, one at a time
     void watch(std::function<std::size_t()> resident) const;
 
     /// Looks now.
