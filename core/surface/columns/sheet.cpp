@@ -23,8 +23,9 @@ constexpr int most_rounds = 128;
 constexpr double bend_width =
     1.0 / 8.0; // of the separation: no strip becomes narrower because the sheet bends
 constexpr int most_bend_rounds = 32;
-constexpr std::size_t strip_bytes =
-    160; // a quad: its cell, its columns' vertices, its part of the tree
+// A quad: its cell in a vector that grows by doubling, its columns' vertices, its part of the tree. With 160 a large sheet was seen to hold a
+// quarter more than it had told.
+constexpr std::size_t strip_bytes = 200;
 
 /// Of a column from one vertex to the next. A quad's side may take two segments, and cells meet at the turn of a whole side.
 double most_turn(double angle) {

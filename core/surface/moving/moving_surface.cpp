@@ -339,8 +339,8 @@ std::string MovingSurface::validate() const {
     return violation(state_.mesh);
 }
 
-void MovingSurface::restore(MovingState state) {
-    state_ = std::move(state);
+void MovingSurface::restore(const MovingState& state) {
+    state_ = state; // into the memory it has
 }
 
 SurfaceStatistics MovingSurface::statistics() const {

@@ -63,7 +63,7 @@ class MovingSurface {
     const MovingState& state() const { return state_; }
 
     /// Goes back, or forward, to a state this surface had. Stepping on from there leads to the same bytes again.
-    void restore(MovingState state);
+    void restore(const MovingState& state);
 
     /// The mesh as it is now, without dead vertices.
     KeyedMesh mesh() const;

@@ -60,14 +60,15 @@ void SurfaceHistory::thin() {
 Result<void> SurfaceHistory::go_to(double time, const std::stop_token& stop, const WorkPart& work) {
     const auto after = checkpoints_.upper_bound(since_start(time));
     const MovingState& nearest = std::prev(after)->second;
-    if (since_start(surface_.time()) > since_start(time) ||
+    if (torn_ || since_start(surface_.time()) > since_start(time) ||
         since_start(nearest.mesh.time) > since_start(surface_.time()))
         surface_.restore(nearest);
+    torn_ = false;
     const double from = surface_.time();
     while (since_start(surface_.next_time(surface_.end_time())) <= since_start(time) &&
            surface_.time() != surface_.end_time()) {
         if (auto stepped = surface_.step(surface_.end_time(), stop, work); !stepped) {
-            surface_.restore(checkpoints_.begin()->second);
+            torn_ = true; // nothing is copied now: there may be no memory for it
             return stepped;
         }
         keep();

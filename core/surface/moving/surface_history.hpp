@@ -41,6 +41,7 @@ class SurfaceHistory {
     Result<void> go_to(double time, const std::stop_token& stop, const WorkPart& work);
 
     MovingSurface surface_;
+    bool torn_ = false; ///< it ended amid a step: a checkpoint takes its place first
     double start_;
     double direction_;
     std::size_t budget_;

@@ -1,6 +1,8 @@
 // What a pass of a surface tells the account of memory against what the heap really holds meanwhile: the budget of the process is kept
 // only as far as the two agree.
+#include "core/base/work_memory.hpp"
 #include "core/field/analytic_flow.hpp"
+#include "core/surface/moving/surface_history.hpp"
 #include "server/session/surface_build.hpp"
 #include "tests/support/server/counted_heap.hpp"
 
@@ -70,6 +72,32 @@ TEST_P(PassMemory, IsToldToTheAccountBeforeItIsTaken) {
     EXPECT_GT(quads, 4'000u);
 }
 
+TEST_P(PassMemory, TakesNoMoreOnceItHasBeenRefused) {
+    const Case& what = GetParam();
+    const core::SteadyClock clock;
+    const SurfaceJob job = large(what.kind, what.fields);
+    const SurfacePass whole{Phase::Final, 0, what.time, 0.0};
+    std::size_t needed = 0;
+    {
+        const core::MemoryAccount account(budget);
+        const HistoryBudget histories(0, 0, &account);
+        SurfaceBuild build(job, clock, {&account, &histories});
+        const tests::CountedHeap heap(account);
+        ASSERT_TRUE(build.run(whole, {}));
+        needed = heap.most_told();
+    }
+    for (const double part : {0.7, 0.4}) {
+        const core::MemoryAccount account(static_cast<std::size_t>(part * double(needed)));
+        const HistoryBudget histories(0, 0, &account);
+        SurfaceBuild build(job, clock, {&account, &histories});
+        const tests::CountedHeap heap(account);
+        const auto update = build.run(whole, {});
+        ASSERT_FALSE(update) << part;
+        EXPECT_EQ(update.error().code, core::Error::Code::OverLimit);
+        EXPECT_LT(heap.most_untold(), slack + heap.most() / 8) << part;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(OfEachKind,
                          PassMemory,
                          testing::Values(Case{"Stream", SurfaceKind::Stream, 0, {}},
@@ -82,5 +110,21 @@ INSTANTIATE_TEST_SUITE_P(OfEachKind,
                                          Case{"Time", SurfaceKind::Time, 0, {}},
                                          Case{"TimeWithFieldsAtATime", SurfaceKind::Time, 4, 3.0}),
                          [](const auto& each) { return each.param.name; });
+
+TEST(SurfaceHistoryMemory, IsNotTakenByAStepThatFindsNone) {
+    const SurfaceJob job = large(SurfaceKind::Time, 0);
+    const core::SteadyClock clock;
+    auto moving = core::MovingSurface::start(*job.flow, job.rake, job.parameters, {}, clock);
+    ASSERT_TRUE(moving);
+    const std::size_t size = moving->state().bytes();
+    core::SurfaceHistory history(std::move(*moving), 0);
+    const core::MemoryAccount account(1);
+    core::WorkMemory memory(account, {}, std::chrono::milliseconds(0));
+    const tests::CountedHeap heap(account);
+    ASSERT_FALSE(history.at(3.0, {}, {nullptr, &memory}));
+    EXPECT_TRUE(memory.exhausted());
+    EXPECT_LT(heap.most(), size / 4);
+    EXPECT_TRUE(history.at(3.0, {})) << "it goes on from its beginning";
+}
 
 } // namespace wakesurf::server
