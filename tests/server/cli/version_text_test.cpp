@@ -77,7 +77,7 @@ TEST(Version, OfTheApiIsTheOneThePageExpects) {
 
 TEST(Version, OfEveryFormatIsExplained) {
     const std::string table = text_of("docs/versions.md");
-    for (const std::string row :
+    for (const std::string& row :
          {"API level | " + std::to_string(protocol::api_level),
           "store format | " + std::to_string(protocol::store_format_version),
           "journal schema | " + std::to_string(server::state_layout),

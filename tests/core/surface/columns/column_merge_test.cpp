@@ -108,9 +108,10 @@ TEST(ColumnMerge, TheSheetStaysWatertightAndWithinTheSeparation) {
         for (const double merge : {0.2, 0.35, 0.5}) {
             const Surface whole = built(c, 0.0);
             const Surface merged = built(c, merge);
-            if (merge == 0.35)
+            if (merge == 0.35) {
                 EXPECT_EQ(merged.mesh.cells.size() < whole.mesh.cells.size(), c.converges)
                     << c.flow << " " << merge;
+            }
             EXPECT_EQ(merged.mesh.validate(), "") << c.flow << " " << merge;
             EXPECT_EQ(euler_characteristic(merged.mesh), euler_characteristic(whole.mesh))
                 << c.flow;
