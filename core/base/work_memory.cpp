@@ -11,6 +11,9 @@ constexpr std::size_t least_part = std::size_t{64} << 10;
 constexpr std::size_t largest_part = std::size_t{4} << 20;
 constexpr std::size_t most = std::size_t{1} << 50; ///< that sums of them do not wrap round
 
+// Small work waits so much longer: large work that is asked to end runs at low priority, and was seen to take over a second.
+constexpr int small_patience = 5;
+
 } // namespace
 
 bool WorkMemory::grow(std::size_t bytes) {
@@ -33,8 +36,10 @@ bool WorkMemory::reserve(std::size_t bytes) {
         give_way_from_now_on();
     const std::size_t ahead = std::clamp(bytes / 16, least_part, largest_part);
     const std::size_t leave = bytes > account_.small() ? account_.kept_for_small() : 0;
-    if (gives_way_ || (!share_.grow_within_free(bytes + ahead, leave) &&
-                       !share_.grow_to(bytes, end_.get_token(), patience_, leave))) {
+    if (gives_way_ ||
+        (!share_.grow_within_free(bytes + ahead, leave) &&
+         !share_.grow_to(bytes, end_.get_token(),
+                         leave == 0 ? small_patience * patience_ : patience_, leave))) {
         wanted_ = bytes;
         exhausted_ = !stop_.stop_requested();
         return false;
