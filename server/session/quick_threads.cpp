@@ -90,6 +90,8 @@ void QuickThreads::serve(Worker& self) {
         lock.lock();
         lanes_.done(self.lane, turn->session, processor_seconds() - before, Clock::now());
     }
+    // It may have been woken for a job after another took its place.
+    bell(self.lane).ring_all();
     self.ended = true;
 }
 
