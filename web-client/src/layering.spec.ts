@@ -7,13 +7,14 @@ import { describe, expect, it } from 'vitest';
 const root = fileURLToPath(new URL('./', import.meta.url));
 
 const allowed: Record<string, readonly string[]> = {
+    mesh: [],
     protocol: [],
     connection: ['protocol'],
-    scene: ['protocol'],
-    state: ['protocol', 'connection'],
-    worker: ['protocol', 'connection'],
-    session: ['protocol', 'connection', 'scene', 'state', 'worker'],
-    ui: ['protocol', 'connection', 'scene', 'state', 'worker', 'session'],
+    scene: ['mesh', 'protocol'],
+    state: ['mesh', 'protocol', 'connection'],
+    worker: ['mesh', 'protocol', 'connection'],
+    session: ['mesh', 'protocol', 'connection', 'scene', 'state', 'worker'],
+    ui: ['mesh', 'protocol', 'connection', 'scene', 'state', 'worker', 'session'],
 };
 
 function sourcesOf(folder: string): string[] {
@@ -63,6 +64,22 @@ describe('imports', () => {
         };
         expect(leadsTo.size).toBeGreaterThan(3);
         for (const folder of leadsTo.keys()) follow(folder, []);
+    });
+
+    // Of types alone as well: a circle is read as a whole or not at all.
+    it.each(Object.keys(allowed).filter((room) => room !== 'protocol'))('between the files of %s/ lead in no circle', (room) => {
+        const done = new Set<string>();
+        const follow = (file: string, way: readonly string[]): void => {
+            expect(way, [...way, file].map((each) => relative(root, each)).join(' → ')).not.toContain(file);
+            if (done.has(file)) return;
+            for (const [, imported] of readFileSync(file, 'utf8').matchAll(/(?:from|import) '(\.[^']+)'/g)) {
+                if (roomOf(file, imported!) === room) follow(join(dirname(file), imported!), [...way, file]);
+            }
+            done.add(file);
+        };
+        const files = sourcesOf(room);
+        for (const file of files) follow(file, []);
+        expect(done.size).toBeGreaterThanOrEqual(files.length);
     });
 
     it('never build markup from text', () => {

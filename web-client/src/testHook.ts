@@ -3,10 +3,10 @@
 import type { Vec3 } from './protocol/messages.ts';
 import type { FlowScene } from './scene/scene.ts';
 import type { ScreenPoint, ScreenSize } from './scene/base/view.ts';
-import type { PickGrid, PickHit } from './scene/surface/surfacePick.ts';
+import type { PickGrid, PickHit } from './scene/surface/pickHit.ts';
 import type { SurfaceVertex } from './scene/surface/surfaceMesh.ts';
 import type { Handle } from './scene/rake/rakeHandles.ts';
-import type { DrawnRake } from './scene/rake/rakeLayer.ts';
+import type { DrawnRake } from './scene/rake/drawnRake.ts';
 import type { Figure } from './session/out/figure.ts';
 import type { AppState, DisplayedSurface } from './state/appState.ts';
 import type { LatencyLog, LatencySample } from './state/latency.ts';

@@ -2,7 +2,7 @@
 // thread until the frame is submitted. The GPU finishes each frame before the next is measured.
 import { PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { SurfaceLayer } from '../../../web-client/src/scene/surface/surfaceLayer.ts';
-import type { MeshChange } from '../../../web-client/src/scene/surface/surfaceMesh.ts';
+import type { TimedMeshChange } from '../../../web-client/src/mesh/meshChange.ts';
 
 /** Medians, in milliseconds. */
 export interface UploadCosts {
@@ -22,7 +22,7 @@ const columns = 250;
 const rounds = 15;
 
 /** Rows of a wavy sheet from one row to another, as a state brings them. */
-function sheet(fromRow: number, toRow: number, moved: number): MeshChange {
+function sheet(fromRow: number, toRow: number, moved: number): TimedMeshChange {
     const count = (toRow - fromRow) * columns;
     const [positions, normals, seeds] = [new Float32Array(3 * count), new Float32Array(3 * count), new Float32Array(2 * count)];
     const values = new Float32Array(count);
@@ -54,7 +54,7 @@ function sheet(fromRow: number, toRow: number, moved: number): MeshChange {
 }
 
 /** All vertices move; cells, s and t stay. */
-function moved(rows: number, by: number): MeshChange {
+function moved(rows: number, by: number): TimedMeshChange {
     const change = sheet(0, rows, by);
     return {
         ...change,
@@ -77,7 +77,7 @@ class Bench {
         this.camera.position.set(0.5, 0.3, 2);
     }
 
-    take(change: MeshChange | null): number {
+    take(change: TimedMeshChange | null): number {
         const start = performance.now();
         if (change !== null) this.layer.set('s', change);
         this.renderer.render(this.scene, this.camera);
@@ -99,7 +99,7 @@ function median(values: number[]): number {
 }
 
 /** Of states that are made before they are measured. */
-async function measure(first: MeshChange, next: (round: number) => MeshChange | null): Promise<number> {
+async function measure(first: TimedMeshChange, next: (round: number) => TimedMeshChange | null): Promise<number> {
     const bench = new Bench();
     bench.take(first);
     const spent: number[] = [];

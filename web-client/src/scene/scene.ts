@@ -1,6 +1,7 @@
 // The picture: surfaces, rake, domain and body, drawn on demand. Knows nothing of the server; session/ feeds it and listens
 // to it.
 import { type BufferGeometry, type Color, type Material, type Mesh, Scene, WebGLRenderer } from 'three';
+import type { TimedMeshChange } from '../mesh/meshChange.ts';
 import type { Vec3 } from '../protocol/messages.ts';
 import { CameraControls } from './camera/cameraControls.ts';
 import type { Bounds } from './domain/domainAxes.ts';
@@ -16,8 +17,8 @@ import { RakeLayer } from './rake/rakeLayer.ts';
 import { Stillness } from './stillness.ts';
 import { clipMaterial } from './surface/bodyClip.ts';
 import { SurfaceLayer } from './surface/surfaceLayer.ts';
-import type { MeshChange } from './surface/surfaceMesh.ts';
-import { type PickGrid, type PickHit, type PickOptions, SurfacePick } from './surface/surfacePick.ts';
+import type { PickGrid, PickHit, PickOptions } from './surface/pickHit.ts';
+import { SurfacePick } from './surface/surfacePick.ts';
 import { pictureColours } from './theme.ts';
 import type { Part } from './tiles.ts';
 import { type Layer, type ScreenPoint, type ScreenSize, View } from './base/view.ts';
@@ -188,7 +189,7 @@ export class FlowScene {
     }
 
     /** Shows what is new in a surface. */
-    setSurface(id: string, change: MeshChange): void {
+    setSurface(id: string, change: TimedMeshChange): void {
         this.surfaces.set(id, change);
         this.loop.request();
     }

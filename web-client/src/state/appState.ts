@@ -2,6 +2,7 @@
 // session/, read by ui/.
 import { computed, signal } from '@preact/signals-core';
 import type { ConnectionState } from '../connection/liveSocket.ts';
+import type { SurfacePart } from '../mesh/meshChange.ts';
 import type { Phase } from '../protocol/meshFrame.ts';
 import type {
     AnnotationRecord,
@@ -39,14 +40,6 @@ export interface DisplayedSurface {
 export interface ShownRake {
     kind: RakeKind;
     points: readonly Vec3[];
-}
-
-/** A connected part of a surface. */
-export interface SurfacePart {
-    cells: number;
-    /** s and t of a place on it. */
-    seed: readonly [number, number];
-    hidden: boolean;
 }
 
 /** `gone`: connected, but the session is not there (any more). */

@@ -1,4 +1,5 @@
 import { beforeAll, describe, expect, it } from 'vitest';
+import type { MeshChange } from '../mesh/meshChange.ts';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { type AppliedUpdate, MeshDecoder } from '../protocol/meshDecoder.ts';
 import { dracoPoints } from '../protocol/testing/golden.ts';
@@ -7,7 +8,6 @@ import { ranges } from '../protocol/testing/randomSurface.ts';
 import { lattice, randomUpdates } from '../protocol/testing/randomUpdates.ts';
 import { DisplayArrays } from './displayArrays.ts';
 import { addNormals } from './normals.ts';
-import type { MeshChange } from './workerMessages.ts';
 
 let points: DracoPoints;
 beforeAll(async () => {

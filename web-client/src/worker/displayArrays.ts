@@ -1,13 +1,14 @@
 // The state of a surface as the GPU takes it: float32 positions, normals, s and t, the attributes that are shown, triangles.
 // Keeps what it has made, so that a surface that only grows costs what has grown.
 import { cellStride } from '../protocol/cell.ts';
+import type { MeshChange, PartsFound, ScalarChange } from '../mesh/meshChange.ts';
 import { dequantise, type Lattice } from '../protocol/lattice.ts';
 import type { AppliedUpdate } from '../protocol/meshDecoder.ts';
 import { triangleCount, triangulate } from '../protocol/triangulate.ts';
 import { lastCode, type WireMesh } from '../protocol/wireMesh.ts';
 import { addNormals } from './normals.ts';
 import { findParts } from './parts.ts';
-import type { MeshChange, PartsFound, PartsWish, ScalarChange } from './workerMessages.ts';
+import type { PartsWish } from './workerMessages.ts';
 
 export class DisplayArrays {
     private readonly lattice: Lattice;

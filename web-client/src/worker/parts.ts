@@ -1,7 +1,8 @@
 // Connected parts of a surface: a tear leaves several. Found by joining the vertices of each cell (disjoint sets with path
 // halving, Tarjan and van Leeuwen 1984).
 import { cellStride, noVertex } from '../protocol/cell.ts';
-import type { Part, PartsFound, PartsWish } from './workerMessages.ts';
+import type { PartsFound, SurfacePart } from '../mesh/meshChange.ts';
+import type { PartsWish } from './workerMessages.ts';
 
 /** Of each vertex, the first vertex of its part. */
 export function rootsOf(cells: Int32Array, vertices: number): Int32Array {
@@ -38,7 +39,7 @@ export function findParts(cells: Int32Array, vertices: number, seeds: Float32Arr
         cellsOf.set(root, (cellsOf.get(root) ?? 0) + 1);
     }
     const hiddenRoots = new Set(wish.hidden.map((place) => roots[nearest(seeds, place)] ?? -1));
-    const parts: Part[] = [...cellsOf]
+    const parts: SurfacePart[] = [...cellsOf]
         .sort(([a], [b]) => a - b)
         .map(([root, count]) => ({
             cells: count,

@@ -1,15 +1,8 @@
 // The page's end of the worker: calls as promises, events as callbacks. A worker that hangs is replaced.
 import { systemClock } from '../connection/clock.ts';
+import type { Lattice } from '../protocol/lattice.ts';
 import { errorWords, type MethodName, type ParamsOf, type ResultOf } from '../protocol/messages.ts';
-import type {
-    CallFailure,
-    FromWorker,
-    GeometryArrays,
-    LatticeMessage,
-    MessageOf,
-    PartsWish,
-    ToWorker,
-} from './workerMessages.ts';
+import type { CallFailure, FromWorker, GeometryArrays, MessageOf, PartsWish, ToWorker } from './workerMessages.ts';
 import { Watchdog } from './watchdog.ts';
 
 /** A call that the server refused or that no connection carried. */
@@ -125,7 +118,7 @@ export class WorkerClient {
         });
     }
 
-    obstacle(dataset: string, lattice: LatticeMessage): Promise<GeometryArrays | null> {
+    obstacle(dataset: string, lattice: Lattice): Promise<GeometryArrays | null> {
         return this.ask((id) => ({ type: 'obstacle', id, dataset, lattice }));
     }
 

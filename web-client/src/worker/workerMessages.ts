@@ -1,5 +1,7 @@
 // Everything the page and its worker say to each other, one table for each direction.
 import type { ConnectionState } from '../connection/liveSocket.ts';
+import type { TimedMeshChange } from '../mesh/meshChange.ts';
+import type { Lattice } from '../protocol/lattice.ts';
 import type { Phase } from '../protocol/meshFrame.ts';
 import type { Notification } from '../protocol/messages.ts';
 
@@ -11,7 +13,7 @@ export interface ToWorker {
     cancel: { id: number };
     /** To the server; nothing is answered. */
     notify: { method: 'presence.update'; params: object };
-    obstacle: { id: number; dataset: string; lattice: LatticeMessage };
+    obstacle: { id: number; dataset: string; lattice: Lattice };
     /** A state of this surface is on the screen: the next one may come. */
     taken: { surface: string };
     /** Of the surface's attributes, the page wants these; of its parts, what is asked here. */
@@ -37,12 +39,6 @@ export interface FromWorker {
     roundTrip: { ms: number };
 }
 
-export interface LatticeMessage {
-    origin: [number, number, number];
-    step: number;
-    bits: number;
-}
-
 export interface CallFailure {
     kind: 'rpc' | 'disconnected';
     code: number;
@@ -51,12 +47,10 @@ export interface CallFailure {
 }
 
 /** One complete state of a surface: what is new in it since the state sent before, ready for the GPU. */
-export interface SurfaceState extends MeshChange {
+export interface SurfaceState extends TimedMeshChange {
     surface: string;
     epoch: number;
     phase: Phase;
-    /** Simulation time. */
-    time: number;
     stateCrc: number;
     cells: number;
     /** Updates applied so far: whole states, and changes of the state before. */
@@ -66,47 +60,9 @@ export interface SurfaceState extends MeshChange {
     decodeMs: number;
 }
 
-/** Every array holds what is new: from some vertex, or some index, to the last; what is before is as it was. */
-export interface MeshChange {
-    vertices: number;
-    triangles: number;
-    fromVertex: number;
-    positions: Float32Array;
-    fromNormal: number;
-    normals: Float32Array;
-    /** s and t, which do not change once a vertex is there. */
-    fromSeed: number;
-    seeds: Float32Array;
-    scalars: ScalarChange[];
-    fromIndex: number;
-    indices: Uint32Array;
-    /** Null: as before, or not asked for. */
-    parts: PartsFound | null;
-}
-
-export interface ScalarChange {
-    name: string;
-    fromVertex: number;
-    values: Float32Array;
-}
-
 /** Those parts are hidden that hold the vertex nearest to one of these places, [s, t]. */
 export interface PartsWish {
     hidden: readonly (readonly [number, number])[];
-}
-
-/** Connected parts of a surface, in the order of their first vertices. */
-export interface PartsFound {
-    /** 1 for each vertex of a hidden part. */
-    hidden: Uint8Array;
-    parts: Part[];
-}
-
-export interface Part {
-    cells: number;
-    /** Of its first vertex, which names the part. */
-    seed: [number, number];
-    hidden: boolean;
 }
 
 export interface GeometryArrays {

@@ -2,28 +2,13 @@
 import { Group } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { Layer, ScreenPoint, View } from '../base/view.ts';
+import type { DrawnRake, HeldHandle } from './drawnRake.ts';
 import { RakeCurve } from './rakeCurve.ts';
 import { axisLine, curveUnder, type Handle, handleUnder, labelPlace, positionOf } from './rakeHandles.ts';
 import type { RakeShape } from './rakeShape.ts';
 import { RakeLabels } from './rakeLabels.ts';
-import { type HeldHandle, RakeWidget } from './rakeWidget.ts';
+import { RakeWidget } from './rakeWidget.ts';
 import type { Axis } from './snapping.ts';
-
-/** Someone else who moves a rake just now. */
-export interface RakeHolder {
-    name: string;
-    colour: string;
-    /** Where they have it, if they say so. */
-    points?: readonly Vec3[];
-}
-
-export interface DrawnRake {
-    rake: string;
-    shape: RakeShape;
-    colour: string;
-    chosen: boolean;
-    holder: RakeHolder | null;
-}
 
 /** What is shown while a handle is moved. */
 export interface Guide {

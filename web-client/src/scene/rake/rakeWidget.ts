@@ -2,11 +2,11 @@
 import { Group } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { View } from '../base/view.ts';
+import type { DrawnRake, HeldHandle } from './drawnRake.ts';
 import { HandleSprites, type HandleSprite, markOf } from './handleSprites.ts';
 import { RakeCurve } from './rakeCurve.ts';
 import { type Handle, handlesOf, hasPointHandles, positionOf } from './rakeHandles.ts';
 import { curveOf, middleOf, type RakeShape } from './rakeShape.ts';
-import type { DrawnRake } from './rakeLayer.ts';
 
 const handleRadiusPx = 11;
 const smallRadiusPx = 9;
@@ -18,12 +18,6 @@ const mostDots = 64;
 /** White on both sides, so that it stands out whatever its colour is. */
 const chosenStyle = { widthPx: 8, opacity: 1, haloPx: 1.1 };
 const otherStyle = { widthPx: 4.5, opacity: 0.9, haloPx: 0 };
-
-/** A handle that is not where the shape has it, because it is held. */
-export interface HeldHandle {
-    handle: Handle;
-    at: Vec3;
-}
 
 export class RakeWidget {
     readonly object = new Group();

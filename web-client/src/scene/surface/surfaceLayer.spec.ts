@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { maskSize } from './maskCode.ts';
-import type { MeshChange } from './surfaceMesh.ts';
+import type { TimedMeshChange } from '../../mesh/meshChange.ts';
 import { SurfaceLayer } from './surfaceLayer.ts';
 import { plainStyle } from './surfaceStyle.ts';
 
 /** A strip of so many vertices, t from 0 to 1. */
-function meshOf(vertices: number): MeshChange {
+function meshOf(vertices: number): TimedMeshChange {
     const t = Array.from({ length: vertices }, (_, i) => i / Math.max(1, vertices - 1));
     return {
         ...{ time: 0, vertices, triangles: 0, fromVertex: 0, fromNormal: 0, fromSeed: 0, fromIndex: 0, parts: null },

@@ -1,8 +1,9 @@
 // All surfaces of the session in the scene: their meshes, materials, looks and what the painter has left of them.
 import { Group, type Scene, type Vector4, WebGLRenderTarget } from 'three';
+import type { TimedMeshChange } from '../../mesh/meshChange.ts';
 import { decodeMask } from './maskCode.ts';
 import { SurfaceMask, type BrushPrint } from './surfaceMask.ts';
-import { SurfaceMesh, type MeshChange, type SurfaceVertex } from './surfaceMesh.ts';
+import { SurfaceMesh, type SurfaceVertex } from './surfaceMesh.ts';
 import { noPlanes, sharedUniforms, SurfaceMaterials } from './surfaceMaterial.ts';
 import { isPlain, isTransparent, plainStyle, type SurfaceStyle } from './surfaceStyle.ts';
 import { SurfaceTextures } from './surfaceTextures.ts';
@@ -87,7 +88,7 @@ export class SurfaceLayer {
     }
 
     /** Takes what is new in a surface. */
-    set(id: string, change: MeshChange): void {
+    set(id: string, change: TimedMeshChange): void {
         let surface = this.surfaces.get(id);
         if (surface === undefined) {
             const materials = new SurfaceMaterials(this.textures, this.shared);

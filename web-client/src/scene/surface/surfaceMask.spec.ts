@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { decodeMask, maskSize } from './maskCode.ts';
 import { SurfaceMask } from './surfaceMask.ts';
-import type { PickHit } from './surfacePick.ts';
+import type { PickHit } from './pickHit.ts';
 
 function hit(s: number, t: number, surface = 'a'): PickHit {
     return { surface, point: [s, t, 0], s, t, scalar: 0, distance: 1 };

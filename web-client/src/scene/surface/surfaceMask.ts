@@ -2,7 +2,7 @@
 // or goes on. (The surface painter of McLoughlin, Laramee and Zhang, 2009.)
 import { DataTexture, LinearFilter, RedFormat, UnsignedByteType } from 'three';
 import { encodeMask, type MaskContent, maskSize } from './maskCode.ts';
-import type { PickHit } from './surfacePick.ts';
+import type { PickHit } from './pickHit.ts';
 
 /** Neighbouring pixels further apart than this lie on different folds, and nothing between them is meant. */
 const farthestTexels = 64;

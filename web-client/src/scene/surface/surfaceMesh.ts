@@ -1,26 +1,8 @@
 // One surface in the scene. Its buffers are larger than the mesh and are refilled in place, so that
 // a stream of new states costs one upload each and no allocation.
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, type ShaderMaterial, Sphere, type TypedArray } from 'three';
+import type { TimedMeshChange } from '../../mesh/meshChange.ts';
 import type { Vec3 } from '../../protocol/messages.ts';
-
-/** What is new in a mesh: of each array, everything from some vertex or some index on. */
-export interface MeshChange {
-    /** Simulation time of the state. */
-    time: number;
-    vertices: number;
-    triangles: number;
-    fromVertex: number;
-    positions: Float32Array;
-    fromNormal: number;
-    normals: Float32Array;
-    /** s and t. */
-    fromSeed: number;
-    seeds: Float32Array;
-    scalars: readonly { name: string; fromVertex: number; values: Float32Array }[];
-    fromIndex: number;
-    indices: Uint32Array;
-    parts: { hidden: Uint8Array } | null;
-}
 
 /** A vertex as it is drawn; `scalar` is what the surface is coloured by, if that comes from the server. */
 export interface SurfaceVertex {
@@ -75,7 +57,7 @@ export class SurfaceMesh {
         return this.used.has('stretch');
     }
 
-    update(change: MeshChange): void {
+    update(change: TimedMeshChange): void {
         const { vertices, triangles, fromVertex, fromSeed, positions, normals, seeds, parts } = change;
         this.reserve(vertices, 3 * triangles);
         this.time = change.time;

@@ -17,32 +17,8 @@ import {
 } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { isOrthographic, type ScreenPoint, type View } from '../base/view.ts';
+import type { PickGrid, PickHit, PickOptions } from './pickHit.ts';
 import type { SurfaceLayer } from './surfaceLayer.ts';
-
-export interface PickHit {
-    /** Null: the body. */
-    surface: string | null;
-    point: Vec3;
-    s: number;
-    t: number;
-    /** What the surface is coloured by. */
-    scalar: number;
-    /** From the eye; without perspective, from the plane of the camera. */
-    distance: number;
-}
-
-export interface PickOptions {
-    /** Also what the painter has hidden. */
-    throughPaint?: boolean;
-}
-
-/** All hits of a square, by rows from its top left; null where there is nothing. */
-export interface PickGrid {
-    /** Canvas position of the centre of the first. */
-    corner: ScreenPoint;
-    size: number;
-    hits: (PickHit | null)[];
-}
 
 const bodyId = 1;
 const firstSurfaceId = 2;

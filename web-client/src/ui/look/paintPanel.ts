@@ -1,6 +1,6 @@
 // The painter: nothing of the selected surface is shown but what a brush reveals; and its connected parts, which can be hidden.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import type { SurfacePart } from '../../state/appState.ts';
+import type { SurfacePart } from '../../mesh/meshChange.ts';
 import { partsAtMost, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { Brush } from '../../state/viewState.ts';
 import type { AppModel } from '../base/appModel.ts';

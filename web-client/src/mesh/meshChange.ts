@@ -1,0 +1,49 @@
+// What the worker hands to the scene of a surface: arrays for the GPU, only what is new in them. Declared here because neither
+// of the two knows the other; session/ carries it from the one to the other.
+
+/** What is new since the change before: each array from some vertex, or some index, to the last; what is before is as it was. */
+export interface MeshChange {
+    vertices: number;
+    triangles: number;
+    fromVertex: number;
+    /** xyz. */
+    positions: Float32Array;
+    fromNormal: number;
+    /** xyz, of length 1. */
+    normals: Float32Array;
+    /** s and t, which do not change once a vertex is there. */
+    fromSeed: number;
+    seeds: Float32Array;
+    scalars: readonly ScalarChange[];
+    fromIndex: number;
+    /** Three a triangle. */
+    indices: Uint32Array;
+    /** Null: as before, or not asked for. */
+    parts: PartsFound | null;
+}
+
+/** The same, of one simulation time. */
+export interface TimedMeshChange extends MeshChange {
+    time: number;
+}
+
+export interface ScalarChange {
+    name: string;
+    fromVertex: number;
+    values: Float32Array;
+}
+
+/** Connected parts of a surface, in the order of their first vertices. */
+export interface PartsFound {
+    /** 1 for each vertex of a hidden part. */
+    hidden: Uint8Array;
+    parts: readonly SurfacePart[];
+}
+
+/** A connected part of a surface. */
+export interface SurfacePart {
+    cells: number;
+    /** s and t of its first vertex, which names the part. */
+    seed: readonly [number, number];
+    hidden: boolean;
+}
