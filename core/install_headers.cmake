@@ -2,7 +2,7 @@
 # Run by `cmake --install`, with SOURCES, the root of the repository.
 cmake_policy(VERSION 3.25)
 set(waiting
-    core/dataset/store_reader.hpp
+    core/dataset/scalar_source.hpp
     core/dataset/time_step_cache.hpp
     core/field/analytic_flow.hpp
     core/field/sample_grid.hpp
@@ -12,6 +12,7 @@ set(waiting
     core/surface/contour_lines.hpp
     core/surface/keyed_mesh.hpp
     core/surface/obstacle_surface.hpp
+    core/surface/playback/surface_at.hpp
     core/surface/rake_check.hpp
     core/surface/surface_builder.hpp
     core/surface/vertex_times.hpp)

@@ -1,5 +1,5 @@
 // What a dataset is, as `info --json` and `dataset.describe` tell it. Values only; the JSON text of it
-// lives in protocol/dataset_json.hpp.
+// lives in protocol/api/dataset_json.hpp.
 #pragma once
 
 #include "core/base/box.hpp"

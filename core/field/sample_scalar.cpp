@@ -32,14 +32,14 @@ Moment moment_of(const std::vector<double>& times, double time) {
 // The two time-steps last asked for: in order of time that is all it takes.
 class TwoSteps {
   public:
-    TwoSteps(const StoreReader& store, std::size_t scalar, const std::stop_token& stop)
-        : store_(store), scalar_(scalar), stop_(stop) {}
+    TwoSteps(const ScalarSource& source, std::size_t scalar, const std::stop_token& stop)
+        : source_(source), scalar_(scalar), stop_(stop) {}
 
     Result<const float*> values(std::size_t step) {
         Held& held = held_[step % 2];
         if (!held.slab || held.step != step) {
             held.slab.reset(); // before the next is read: never three in memory
-            auto loaded = store_.scalar_values(scalar_, step, stop_);
+            auto loaded = source_.scalar_values(scalar_, step, stop_);
             if (!loaded)
                 return tl::unexpected(loaded.error());
             held.slab = std::move(*loaded);
@@ -54,7 +54,7 @@ class TwoSteps {
         std::shared_ptr<const Slab> slab;
     };
 
-    const StoreReader& store_;
+    const ScalarSource& source_;
     std::size_t scalar_;
     const std::stop_token& stop_;
     std::array<Held, 2> held_;
@@ -89,19 +89,8 @@ double weighed(const NodeShares& shares, const float* values) {
 
 } // namespace
 
-Result<std::size_t> find_scalar(const StoreLayout& layout, std::string_view name) {
-    std::string all;
-    for (std::size_t i = 0; i < layout.scalars.size(); ++i) {
-        if (layout.scalars[i].name == name)
-            return i;
-        all += (all.empty() ? "" : ", ") + layout.scalars[i].name;
-    }
-    return fail(Error::Code::NotFound, "there is no scalar field " + std::string(name),
-                all.empty() ? "the dataset holds no scalar fields" : "there is " + all);
-}
-
 Result<std::vector<float>> sample_scalar(const Flow& flow,
-                                         const StoreReader& store,
+                                         const ScalarSource& source,
                                          std::size_t scalar,
                                          std::span<const Vec3> positions,
                                          std::span<const double> times,
@@ -111,15 +100,15 @@ Result<std::vector<float>> sample_scalar(const Flow& flow,
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(),
                      [&](auto a, auto b) { return times[a] < times[b]; });
-    TwoSteps steps(store, scalar, stop);
+    TwoSteps steps(source, scalar, stop);
     std::vector<NodeShares> shares;
     std::vector<double> part;
     for (std::size_t begin = 0; begin < order.size();) {
         // The points of one interval of time, but not too many: their shares are kept from one end of it to the other.
-        const std::size_t step = moment_of(store.times(), times[order[begin]]).step;
+        const std::size_t step = moment_of(source.times(), times[order[begin]]).step;
         part.clear();
         while (part.size() < most_at_once && begin + part.size() < order.size()) {
-            const Moment moment = moment_of(store.times(), times[order[begin + part.size()]]);
+            const Moment moment = moment_of(source.times(), times[order[begin + part.size()]]);
             if (moment.step != step)
                 break;
             part.push_back(moment.part);

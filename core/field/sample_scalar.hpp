@@ -3,26 +3,22 @@
 
 #include "core/base/result.hpp"
 #include "core/base/vec3.hpp"
-#include "core/dataset/store_reader.hpp"
+#include "core/dataset/scalar_source.hpp"
 #include "core/field/flow.hpp"
 
 #include <span>
 #include <stop_token>
-#include <string_view>
 #include <vector>
 
 namespace wakesurf::core {
 
-/// Index into the layout's scalars. Error: NotFound, listing what there is.
-Result<std::size_t> find_scalar(const StoreLayout& layout, std::string_view name);
-
 /// One value a point, each at its own time: interpolated as the velocity is, linear in time; NaN outside the domain, in
 /// obstacles and where the field has no finite value. Times are clamped to the series. Every time-step needed is read once, if it is not
-/// among the store's last ones.
-/// @param flow  over the grid of `store`
+/// among the source's last ones.
+/// @param flow  over the grid of `source`
 /// Error: Cancelled, or what reading reports. Thread safety: concurrent calls are fine.
 Result<std::vector<float>> sample_scalar(const Flow& flow,
-                                         const StoreReader& store,
+                                         const ScalarSource& source,
                                          std::size_t scalar,
                                          std::span<const Vec3> positions,
                                          std::span<const double> times,

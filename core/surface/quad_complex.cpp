@@ -80,6 +80,12 @@ std::string QuadComplex::validate() const {
     return first_twin(*this);
 }
 
+Cell mirror(const Cell& cell) {
+    const auto& [a, b, c, d] = cell.corner;
+    const auto& [ab, bc, cd, da] = cell.mid;
+    return {{b, a, d, c}, {ab, da, cd, bc}};
+}
+
 void label_components(QuadComplex& complex) {
     // Union-find over the vertices of each cell; parts meet only where cells share vertices.
     std::vector<VertexId> parent(complex.vertices());

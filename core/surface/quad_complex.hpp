@@ -33,6 +33,9 @@ struct CellPolygon {
 
 CellPolygon polygon(const Cell& cell);
 
+/// The same cell, facing the other way: its first side keeps its place and is run through backward.
+Cell mirror(const Cell& cell);
+
 /// Structure of arrays; every vertex array has one entry a vertex.
 struct QuadComplex {
     std::vector<Vec3> position;

@@ -14,7 +14,7 @@
 Everything goes over HTTP (urllib). Only `Surface.watch` needs a WebSocket, and for it the package `websocket-client`
 (Debian: python3-websocket). What live frames carry is compressed with Draco, which this file does not decode: `watch`
 tells *that* a surface changed and how, and `mesh` fetches it, in full precision. The protocol itself is described in
-protocol/README.md and, machine readable, by the server at /openrpc.json.
+protocol/api/README.md and, machine readable, by the server at /openrpc.json.
 
 Failures are subclasses of `WakesurfError`; each has `code`, `kind`, `hint` and `data` as the server gave them.
 Objects may be used by one thread at a time.
@@ -792,7 +792,7 @@ class _Socket:
 
 
 def _header(frame: bytes) -> Optional[Json]:
-    """What a mesh frame says about its update, see Frame in protocol/README.md; None for what is none."""
+    """What a mesh frame says about its update, see Frame in protocol/wire/README.md; None for what is none."""
     if len(frame) < 64 or frame[:2] != b"WS":
         return None
     if frame[2] != 3:

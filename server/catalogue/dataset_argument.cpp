@@ -1,6 +1,6 @@
 #include "server/catalogue/dataset_argument.hpp"
 
-#include "protocol/store_manifest.hpp"
+#include "store/store_manifest.hpp"
 
 #include <cstdint>
 #include <cstdlib>
@@ -22,10 +22,10 @@ bool is_pattern(const std::string& name) {
 DatasetArgument resolve_path(const fs::path& path) {
     DatasetArgument out;
     out.path = path;
-    if (fs::is_directory(path) && fs::exists(path / protocol::manifest_file_name)) {
+    if (fs::is_directory(path) && fs::exists(path / store::manifest_file_name)) {
         out.kind = DatasetArgument::Kind::Store;
         out.name = path.filename().string();
-    } else if (path.filename() == protocol::manifest_file_name) {
+    } else if (path.filename() == store::manifest_file_name) {
         return resolve_path(path.parent_path());
     } else if (fs::is_directory(path)) {
         out.name = path.filename().string();

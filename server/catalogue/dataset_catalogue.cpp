@@ -1,8 +1,8 @@
 #include "server/catalogue/dataset_catalogue.hpp"
 
-#include "protocol/store_manifest.hpp"
 #include "server/catalogue/import_process.hpp"
 #include "server/catalogue/source_stamp.hpp"
+#include "store/store_manifest.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -217,7 +217,7 @@ core::Result<void> DatasetCatalogue::run_import(Entry& entry,
     const auto memory = import_memory(options_, source.get_token());
     if (!memory)
         return tl::unexpected(memory.error());
-    const auto listener = [&](const ImportProgress& progress) {
+    const auto listener = [&](const store::ImportProgress& progress) {
         if (show(entry, progress, folder))
             listener_(entry.status.dataset);
     };
@@ -270,7 +270,7 @@ bool DatasetCatalogue::start_import(std::string_view dataset) {
 core::Result<LoadedDataset> DatasetCatalogue::reopened(const Entry& entry,
                                                        const std::filesystem::path& folder) const {
     if (entry.open) {
-        const auto manifest = protocol::read_store_manifest(folder, core::PosixDisk());
+        const auto manifest = store::read_store_manifest(folder, core::PosixDisk());
         if (manifest && manifest->layout.times == entry.open->store->times() &&
             manifest->layout.checksums == entry.open->store->layout().checksums) {
             auto whole = *entry.open;
@@ -298,7 +298,7 @@ void DatasetCatalogue::give_up(Entry& entry,
 }
 
 bool DatasetCatalogue::show(Entry& entry,
-                            const ImportProgress& progress,
+                            const store::ImportProgress& progress,
                             const std::filesystem::path& folder) {
     if (settled(state_of(entry)))
         return false;

@@ -101,7 +101,8 @@ class DatasetCatalogue {
     core::Result<LoadedDataset> reopened(const Entry& entry,
                                          const std::filesystem::path& folder) const;
     void give_up(Entry& entry, const std::filesystem::path& folder, const core::Error& error);
-    bool show(Entry& entry, const ImportProgress& progress, const std::filesystem::path& folder);
+    bool
+    show(Entry& entry, const store::ImportProgress& progress, const std::filesystem::path& folder);
     void finish(Entry& entry, core::Result<LoadedDataset> opened, Ending how = Ending::Whole);
 
     OpenOptions options_;

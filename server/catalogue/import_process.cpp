@@ -1,8 +1,8 @@
 #include "server/catalogue/import_process.hpp"
 
 #include "core/base/machine_memory.hpp"
-#include "protocol/dataset_json.hpp"
-#include "protocol/json_text.hpp"
+#include "protocol/api/dataset_json.hpp"
+#include "protocol/api/json_text.hpp"
 #include "server/catalogue/child_process.hpp"
 #include "server/catalogue/shipped_files.hpp"
 
@@ -101,11 +101,12 @@ core::Result<void> run(const ImportCommand& command,
 
 } // namespace
 
-core::Result<void> run_import_process(const ImportCommand& command,
-                                      const std::function<void(const ImportProgress&)>& listener,
-                                      std::stop_token stop) {
+core::Result<void>
+run_import_process(const ImportCommand& command,
+                   const std::function<void(const store::ImportProgress&)>& listener,
+                   std::stop_token stop) {
     const auto line = [&](std::string_view text) {
-        if (const auto progress = parse_progress_line(text))
+        if (const auto progress = store::parse_progress_line(text))
             listener(*progress);
     };
     return run(command, false, line, stop);

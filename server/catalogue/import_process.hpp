@@ -4,7 +4,7 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
-#include "server/catalogue/import_progress.hpp"
+#include "store/import_progress.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -28,9 +28,10 @@ struct ImportCommand {
 /// Runs an import to its end in the calling thread; `listener` hears of every step, in this thread. When `stop`
 /// fires the importer is ended; the store stays usable and a later import goes on there.
 /// Error: the importer's own sentence (Corrupt), Cancelled, Io when it cannot be started or crashed.
-core::Result<void> run_import_process(const ImportCommand& command,
-                                      const std::function<void(const ImportProgress&)>& listener,
-                                      std::stop_token stop = {});
+core::Result<void>
+run_import_process(const ImportCommand& command,
+                   const std::function<void(const store::ImportProgress&)>& listener,
+                   std::stop_token stop = {});
 
 /// What a source is, without converting it: runs the importer with --describe. Error: as above.
 core::Result<core::DatasetInfo> describe_with_import_process(const ImportCommand& command,

@@ -2,8 +2,8 @@
 
 #include "core/field/analytic_flow.hpp"
 #include "core/field/stored_flow.hpp"
-#include "protocol/store_manifest.hpp"
 #include "server/catalogue/import_process.hpp"
+#include "store/store_manifest.hpp"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ constexpr double mebi = 1024.0 * 1024.0;
 
 /// What stays in memory beside the velocity's time-steps: the grid, what finds cells in a mesh, the solid mask by node and by cell; and
 /// what sampling a scalar takes.
-std::size_t fixed_bytes(const core::StoreReader& reader) {
+std::size_t fixed_bytes(const store::StoreReader& reader) {
     const auto* mesh = std::get_if<core::CellMesh>(&reader.grid());
     constexpr std::size_t locator_bytes =
         37; // a cell: core/field/cells/cell_locator.hpp, cell_walls.hpp
@@ -35,7 +35,7 @@ std::size_t fixed_bytes(const core::StoreReader& reader) {
 }
 
 /// What of the budget is left for time-steps. Error: OverLimit where that is too little to follow a particle.
-core::Result<std::size_t> cache_budget(const core::StoreReader& reader, std::size_t budget) {
+core::Result<std::size_t> cache_budget(const store::StoreReader& reader, std::size_t budget) {
     const std::size_t fixed = fixed_bytes(reader);
     const std::size_t steps = core::TimeStepCache::smallest_budget(reader);
     if (budget >= fixed && budget - fixed >= steps)
@@ -55,7 +55,7 @@ core::Result<std::size_t> cache_budget(const core::StoreReader& reader, std::siz
 
 /// The same of the account, which then counts the grid, and has room for the time-steps.
 core::Result<std::shared_ptr<core::MemoryAccount::Share>>
-counted(const core::StoreReader& reader, const core::MemoryAccount& account) {
+counted(const store::StoreReader& reader, const core::MemoryAccount& account) {
     const std::size_t fixed = fixed_bytes(reader);
     const std::size_t steps = core::TimeStepCache::smallest_budget(reader);
     auto share =
@@ -94,10 +94,10 @@ core::Result<LoadedDataset> open_flow(const DatasetArgument& argument) {
 core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
                                        const core::TimeStepCache::Options& options) {
     const auto disk = std::make_shared<core::PosixDisk>();
-    auto manifest = protocol::read_store_manifest(folder, *disk);
+    auto manifest = store::read_store_manifest(folder, *disk);
     if (!manifest)
         return tl::unexpected(manifest.error());
-    auto reader = core::StoreReader::open(protocol::store_layout(*manifest, folder), disk);
+    auto reader = store::StoreReader::open(store::store_layout(*manifest, folder), disk);
     if (!reader)
         return tl::unexpected(reader.error());
     core::TimeStepCache::Options cached = options;
@@ -118,10 +118,11 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
                          std::move(memory)};
 }
 
-core::Result<LoadedDataset> open_dataset(const DatasetArgument& argument,
-                                         const OpenOptions& options,
-                                         const std::function<void(const ImportProgress&)>& listener,
-                                         std::stop_token stop) {
+core::Result<LoadedDataset>
+open_dataset(const DatasetArgument& argument,
+             const OpenOptions& options,
+             const std::function<void(const store::ImportProgress&)>& listener,
+             std::stop_token stop) {
     if (argument.kind == DatasetArgument::Kind::Flow)
         return open_flow(argument);
     if (argument.kind == DatasetArgument::Kind::Store)

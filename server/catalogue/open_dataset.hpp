@@ -3,11 +3,11 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
-#include "core/dataset/store_reader.hpp"
 #include "core/dataset/time_step_cache.hpp"
 #include "core/field/flow.hpp"
 #include "server/catalogue/dataset_argument.hpp"
-#include "server/catalogue/import_progress.hpp"
+#include "store/import_progress.hpp"
+#include "store/store_reader.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -20,8 +20,8 @@ namespace wakesurf::server {
 struct LoadedDataset {
     core::DatasetInfo info;
     std::shared_ptr<const core::Flow> flow;
-    std::shared_ptr<core::TimeStepCache> cache;     ///< null for a built-in flow
-    std::shared_ptr<const core::StoreReader> store; ///< behind the cache; null for a built-in flow
+    std::shared_ptr<core::TimeStepCache> cache;      ///< null for a built-in flow
+    std::shared_ptr<const store::StoreReader> store; ///< behind the cache; null for a built-in flow
     std::shared_ptr<core::MemoryAccount::Share> memory{}; ///< of its grid; null where no one counts
 };
 
@@ -42,9 +42,10 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
 
 /// Whatever the argument names, imported first where that is needed: blocks until the import is complete.
 /// Error: what importing and opening report; Cancelled.
-core::Result<LoadedDataset> open_dataset(const DatasetArgument& argument,
-                                         const OpenOptions& options,
-                                         const std::function<void(const ImportProgress&)>& listener,
-                                         std::stop_token stop = {});
+core::Result<LoadedDataset>
+open_dataset(const DatasetArgument& argument,
+             const OpenOptions& options,
+             const std::function<void(const store::ImportProgress&)>& listener,
+             std::stop_token stop = {});
 
 } // namespace wakesurf::server

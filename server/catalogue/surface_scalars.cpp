@@ -9,7 +9,7 @@ namespace wakesurf::server {
 namespace {
 
 bool stored(const LoadedDataset& dataset, const std::string& name) {
-    return dataset.store != nullptr && core::find_scalar(dataset.store->layout(), name);
+    return dataset.store != nullptr && store::find_scalar(dataset.store->layout(), name);
 }
 
 /// Every export has it anyhow, unless the dataset has a field of that name.
@@ -36,7 +36,7 @@ core::Result<void> check_fields(const LoadedDataset& dataset,
                               "a built-in flow has no scalar field " + name,
                               "speed, velocity and deformation are written at every vertex; "
                               "vorticity and q_criterion are written if you name them");
-        if (const auto found = core::find_scalar(dataset.store->layout(), name); !found)
+        if (const auto found = store::find_scalar(dataset.store->layout(), name); !found)
             return tl::unexpected(found.error());
     }
     return {};
@@ -61,7 +61,7 @@ core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset
             continue;
         }
         auto values = core::sample_scalar(*dataset.flow, *dataset.store,
-                                          *core::find_scalar(dataset.store->layout(), name),
+                                          *store::find_scalar(dataset.store->layout(), name),
                                           mesh.position, times, stop);
         if (!values)
             return tl::unexpected(values.error());

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
-#include "protocol/mesh_metadata.hpp"
+#include "protocol/files/mesh_metadata.hpp"
 #include "server/catalogue/open_dataset.hpp"
 
 #include <stop_token>

@@ -30,10 +30,10 @@ int run_generate(const GenerateOptions& options) {
         return request.error().code == core::Error::Code::InvalidArgument ? 2 : status;
     }
     const StopOnSignal signals;
-    const auto show = [](const ImportProgress& progress) {
-        show_progress(progress, stdout, "generate");
+    const auto show = [](const store::ImportProgress& progress) {
+        store::show_progress(progress, stdout, "generate");
     };
-    const auto generated = generate_store(*request, options.folder, show, signals.token());
+    const auto generated = store::generate_store(*request, options.folder, show, signals.token());
     if (!generated) {
         if (::isatty(STDOUT_FILENO) != 0)
             std::puts(""); // ends the line of the bar
@@ -42,7 +42,7 @@ int run_generate(const GenerateOptions& options) {
     const auto& d = request->grid.dimensions;
     fmt::print("{}: {} time-step{} of {} x {} x {} nodes, {:.1f} MB\n", options.folder,
                request->times.size(), request->times.size() == 1 ? "" : "s", d[0], d[1], d[2],
-               static_cast<double>(*generated_bytes(*request)) * 1e-6);
+               static_cast<double>(*store::generated_bytes(*request)) * 1e-6);
     return 0;
 }
 

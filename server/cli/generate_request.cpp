@@ -1,7 +1,7 @@
 #include "server/cli/generate_request.hpp"
 
-#include "core/dataset/store_grid.hpp"
 #include "core/field/analytic_flow.hpp"
+#include "store/store_grid.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -53,7 +53,7 @@ core::Result<core::UniformGrid> grid_over(const core::Box& box, const std::strin
     const auto& d = grid.dimensions;
     grid.origin = box.lo;
     grid.spacing = box.extent() / core::Vec3(d[0] - 1.0, d[1] - 1.0, d[2] - 1.0);
-    if (auto size = core::check_grid(core::stored_grid(grid)); !size)
+    if (auto size = store::check_grid(store::stored_grid(grid)); !size)
         return core::fail(Code::InvalidArgument, "--grid: " + size.error().message);
     return grid;
 }
@@ -94,8 +94,8 @@ std::string specification(const GenerateOptions& options) {
 
 } // namespace
 
-core::Result<GenerateRequest> check_generate_options(const GenerateOptions& options) {
-    GenerateRequest request;
+core::Result<store::GenerateRequest> check_generate_options(const GenerateOptions& options) {
+    store::GenerateRequest request;
     request.flow = specification(options);
     const auto info = core::describe_analytic_flow(request.flow);
     if (!info)

@@ -24,7 +24,8 @@ int run_import(const ImportOptions& options) {
          options.precision,
          options.jobs,
          options.memory},
-        [](const ImportProgress& progress) { show_progress(progress, stdout); }, signals.token());
+        [](const store::ImportProgress& progress) { store::show_progress(progress, stdout); },
+        signals.token());
     if (!imported) {
         const int status = report_failure(imported.error());
         return imported.error().code == core::Error::Code::InvalidArgument ? 2 : status;

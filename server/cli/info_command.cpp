@@ -1,14 +1,14 @@
 #include "server/cli/info_command.hpp"
 
-#include "core/dataset/store_reader.hpp"
 #include "core/field/analytic_flow.hpp"
-#include "protocol/dataset_json.hpp"
-#include "protocol/json_text.hpp"
-#include "protocol/store_manifest.hpp"
+#include "protocol/api/dataset_json.hpp"
+#include "protocol/api/json_text.hpp"
 #include "server/catalogue/dataset_argument.hpp"
 #include "server/catalogue/import_process.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/stop_on_signal.hpp"
+#include "store/store_manifest.hpp"
+#include "store/store_reader.hpp"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -20,10 +20,10 @@ namespace {
 /// Of a store whose import did not end, or has not ended yet, the note says so.
 core::Result<core::DatasetInfo> describe_store(const std::filesystem::path& folder) {
     const auto disk = std::make_shared<core::PosixDisk>();
-    auto manifest = protocol::read_store_manifest(folder, *disk);
+    auto manifest = store::read_store_manifest(folder, *disk);
     if (!manifest)
         return tl::unexpected(manifest.error());
-    const auto reader = core::StoreReader::open(protocol::store_layout(*manifest, folder), disk);
+    const auto reader = store::StoreReader::open(store::store_layout(*manifest, folder), disk);
     if (!reader)
         return tl::unexpected(reader.error());
     const std::size_t total = manifest->info.times.size();

@@ -1,5 +1,6 @@
 #include "server/cli/serve_command.hpp"
 
+#include "server/app/server.hpp"
 #include "server/catalogue/dataset_argument.hpp"
 #include "server/catalogue/shipped_files.hpp"
 #include "server/cli/environment.hpp"
@@ -7,7 +8,6 @@
 #include "server/cli/memory_size.hpp"
 #include "server/cli/writable_folder.hpp"
 #include "server/net/gate.hpp"
-#include "server/net/server.hpp"
 #include "server/net/token_file.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
 #include "server/cli/sessions_command.hpp"
 
-#include "protocol/json_text.hpp"
+#include "protocol/api/json_text.hpp"
 #include "server/cli/environment.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/session_server.hpp"

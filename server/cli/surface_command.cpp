@@ -3,10 +3,10 @@
 #include "core/surface/surface_builder.hpp"
 #include "core/surface/surface_request.hpp"
 #include "core/surface/vertex_times.hpp"
-#include "protocol/json_text.hpp"
-#include "protocol/mesh_file.hpp"
-#include "protocol/statistics_json.hpp"
-#include "protocol/surface_names.hpp"
+#include "protocol/api/json_text.hpp"
+#include "protocol/api/statistics_json.hpp"
+#include "protocol/api/surface_names.hpp"
+#include "protocol/files/mesh_file.hpp"
 #include "server/catalogue/open_dataset.hpp"
 #include "server/catalogue/surface_scalars.hpp"
 #include "server/cli/elapsed_line.hpp"
@@ -42,7 +42,9 @@ open(const SurfaceOptions& options, const core::MemoryAccount& account, std::sto
     open.store_root =
         options.store.empty() ? default_store_root() : std::filesystem::path(options.store);
     open.cache.account = account;
-    const auto show = [](const ImportProgress& progress) { show_progress(progress, stderr); };
+    const auto show = [](const store::ImportProgress& progress) {
+        store::show_progress(progress, stderr);
+    };
     return open_dataset(*argument, open, show, stop);
 }
 

@@ -1,7 +1,7 @@
 #include "server/cli/surface_request.hpp"
 
-#include "protocol/mesh_file.hpp"
-#include "protocol/surface_names.hpp"
+#include "protocol/api/surface_names.hpp"
+#include "protocol/files/mesh_file.hpp"
 #include "server/cli/rake_text.hpp"
 
 #include <cmath>

@@ -1,10 +1,10 @@
 #include "server/cli/version_text.hpp"
 
-#include "protocol/api_level.hpp"
-#include "protocol/mesh_frame.hpp"
-#include "protocol/session_file.hpp"
-#include "protocol/store_manifest.hpp"
+#include "protocol/api/api_level.hpp"
+#include "protocol/api/session_file.hpp"
+#include "protocol/wire/mesh_frame.hpp"
 #include "server/state/state_layout.hpp"
+#include "store/store_manifest.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ std::string version_text() {
                        "journal schema {}\n"
                        "session file {}\n"
                        "mesh frame {}",
-                       WAKESURF_VERSION, protocol::api_level, protocol::store_format_version,
+                       WAKESURF_VERSION, protocol::api_level, store::store_format_version,
                        state_layout, protocol::session_file_version, protocol::frame_version);
 }
 

@@ -1,12 +1,12 @@
 #include "server/import/conversion.hpp"
 
-#include "core/dataset/store_grid.hpp"
 #include "server/import/first_step.hpp"
 #include "server/import/kept_steps.hpp"
 #include "server/import/one_thread.hpp"
 #include "server/import/step_workers.hpp"
 #include "server/import/store_description.hpp"
 #include "server/import/worker_count.hpp"
+#include "store/store_grid.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -17,7 +17,7 @@ using core::Error;
 
 namespace {
 
-bool same_size(const core::StoredGrid& a, const core::StoredGrid& b) {
+bool same_size(const store::StoredGrid& a, const store::StoredGrid& b) {
     return a.kind == b.kind && a.nodes() == b.nodes() && a.cells == b.cells &&
            a.dimensions == b.dimensions;
 }
@@ -26,7 +26,7 @@ class Conversion {
   public:
     Conversion(const ImportRequest& request,
                ImportPlan& plan,
-               StoreWriter& writer,
+               store::StoreWriter& writer,
                const ShowProgress& show)
         : request_(request), plan_(plan), writer_(writer), show_(show) {}
 
@@ -89,14 +89,14 @@ class Conversion {
     }
 
     core::Result<void> write_fixed_files() {
-        for (const auto& file : core::grid_files(reading_.first.assembly.grid))
+        for (const auto& file : store::grid_files(reading_.first.assembly.grid))
             if (auto written = write_fixed(file.name, file.bytes); !written)
                 return written;
         const auto& walls = reading_.walls;
         const auto write = [&](bool there, const char* name, std::span<const std::byte> bytes) {
             return there ? write_fixed(name, bytes) : core::Result<void>();
         };
-        return write(manifest_.layout.mask, core::mask_file_name.data(),
+        return write(manifest_.layout.mask, store::mask_file_name.data(),
                      std::as_bytes(std::span(reading_.first.mask.fluid)))
             .and_then([&] {
                 return write(manifest_.layout.walls, "walls.f32",
@@ -141,9 +141,8 @@ class Conversion {
     }
 
     core::Result<int> write_manifest() {
-        const std::string text = protocol::store_manifest_text(manifest_);
-        return writer_
-            .write(std::string(protocol::manifest_file_name), std::as_bytes(std::span(text)))
+        const std::string text = store::store_manifest_text(manifest_);
+        return writer_.write(std::string(store::manifest_file_name), std::as_bytes(std::span(text)))
             .map([](std::uint32_t) { return 1; });
     }
 
@@ -216,10 +215,10 @@ class Conversion {
         const auto remove = [&](std::string_view stem, std::size_t index) {
             std::error_code ignored;
             std::filesystem::remove(
-                writer_.folder() / core::step_file_name(stem, index, plan_.precision), ignored);
+                writer_.folder() / store::step_file_name(stem, index, plan_.precision), ignored);
         };
         for (std::size_t i = written_; i < todo_.size(); ++i) {
-            remove(core::velocity_stem, todo_[i]);
+            remove(store::velocity_stem, todo_[i]);
             for (const auto& scalar : plan_.choice.scalars)
                 remove(scalar.stored.stem, todo_[i]);
         }
@@ -227,10 +226,10 @@ class Conversion {
 
     const ImportRequest& request_;
     ImportPlan& plan_;
-    StoreWriter& writer_;
+    store::StoreWriter& writer_;
     const ShowProgress& show_;
     FirstStepReading reading_;
-    protocol::StoreManifest manifest_;
+    store::StoreManifest manifest_;
     bool fixed_files_missing_ = false;
     bool ranged_ = false; ///< the manifest's ranges are of stored values
     std::vector<std::size_t> todo_;
@@ -270,7 +269,7 @@ core::Result<void> convert(const ImportRequest& request,
     auto plan = make_plan(request);
     if (!plan)
         return tl::unexpected(plan.error());
-    auto writer = StoreWriter::open(store, [&] {
+    auto writer = store::StoreWriter::open(store, [&] {
         show({"waiting", 0, 0, {}, "another import is writing this store"});
         return core::Result<void>();
     });

@@ -3,14 +3,14 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "server/catalogue/import_progress.hpp"
 #include "server/import/import_plan.hpp"
+#include "store/import_progress.hpp"
 
 #include <functional>
 
 namespace wakesurf::server {
 
-using ShowProgress = std::function<void(const ImportProgress&)>;
+using ShowProgress = std::function<void(const store::ImportProgress&)>;
 
 /// What the store will be, its ranges from the first time-step, which is all that is read; writes nothing.
 core::Result<core::DatasetInfo> describe_source(const ImportRequest& request);

@@ -136,7 +136,7 @@ void choose_scalars(const std::vector<FieldInfo>& fields,
                      return std::find(wanted.begin(), wanted.end(), field.name) != wanted.end() &&
                             !contains(choice.velocity.divisor, field);
                  });
-    std::set<std::string> taken{std::string(core::velocity_stem)};
+    std::set<std::string> taken{std::string(store::velocity_stem)};
     for (const auto& field : each_name_once(named.empty() ? found : named)) {
         const std::string first = slug(stored_name(field));
         std::string stem = first;

@@ -3,8 +3,8 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
-#include "core/dataset/store_layout.hpp"
 #include "server/import/assembly/node_values.hpp"
+#include "store/store_layout.hpp"
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ namespace wakesurf::server {
 /// A 1-component array as it is, or the magnitude of a vector that is not the velocity.
 struct ChosenScalar {
     core::FieldInfo field; ///< of the source
-    core::StoredScalar stored;
+    store::StoredScalar stored;
 
     bool is_magnitude() const { return field.components > 1; }
 

@@ -1,8 +1,8 @@
 // The first time-step read whole: the grid all time-steps share, its walls and its mask.
 #pragma once
 
-#include "core/dataset/store_reader.hpp"
 #include "server/import/step_conversion.hpp"
+#include "store/store_reader.hpp"
 
 #include <optional>
 

@@ -27,12 +27,12 @@ core::Result<void> check_times(const std::vector<double>& times) {
     return {};
 }
 
-core::Result<protocol::StoreSource> files_of(const Source& source,
-                                             const std::vector<std::size_t>& steps) {
+core::Result<store::StoreSource> files_of(const Source& source,
+                                          const std::vector<std::size_t>& steps) {
     auto shared = source.shared_files();
     if (!shared)
         return tl::unexpected(shared.error());
-    protocol::StoreSource out{std::move(*shared), {}, {}};
+    store::StoreSource out{std::move(*shared), {}, {}};
     for (const std::size_t step : steps) {
         auto files = source.files(step);
         if (!files)

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "protocol/store_manifest.hpp"
 #include "server/import/field_choice.hpp"
 #include "server/import/source.hpp"
 #include "server/import/time_selection.hpp"
+#include "store/store_manifest.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -35,7 +35,7 @@ struct ImportPlan {
     core::Precision precision = core::Precision::Single;
     std::size_t jobs = 0;
     std::uint64_t memory = 0; ///< as ImportRequest
-    protocol::StoreSource made_from;
+    store::StoreSource made_from;
 
     /// For messages: "flow_3.vti (time-step 3)".
     std::string step_name(std::size_t index) const;

@@ -6,45 +6,46 @@ namespace wakesurf::server {
 
 namespace {
 
-std::shared_ptr<const core::StoreReader> open_store(const protocol::StoreManifest& manifest,
-                                                    const std::filesystem::path& folder) {
-    auto reader = core::StoreReader::open(protocol::store_layout(manifest, folder),
-                                          std::make_shared<core::PosixDisk>());
+std::shared_ptr<const store::StoreReader> open_store(const store::StoreManifest& manifest,
+                                                     const std::filesystem::path& folder) {
+    auto reader = store::StoreReader::open(store::store_layout(manifest, folder),
+                                           std::make_shared<core::PosixDisk>());
     return reader ? *reader : nullptr;
 }
 
 // Its files have their sizes, and no one has written to them since the manifest, which comes last. Where somebody has,
 // and in a store that was not finished, checksums are looked at.
-bool whole_step(const StoreWriter& writer,
-                const protocol::StoreManifest& manifest,
-                const core::StoreReader& reader,
+bool whole_step(const store::StoreWriter& writer,
+                const store::StoreManifest& manifest,
+                const store::StoreReader& reader,
                 std::size_t index) {
     const core::PosixDisk disk;
     const auto& layout = manifest.layout;
-    const auto written = disk.identity(writer.folder() / protocol::manifest_file_name);
+    const auto written = disk.identity(writer.folder() / store::manifest_file_name);
     bool looked_at = manifest.complete && written.has_value();
     const auto whole = [&](std::string_view stem, std::size_t components) {
         const auto file =
-            disk.identity(writer.folder() / core::step_file_name(stem, index, layout.precision));
+            disk.identity(writer.folder() / store::step_file_name(stem, index, layout.precision));
         looked_at = looked_at && file && file->modified <= written->modified;
         return file && file->size ==
-                           core::step_file_size(layout.grid.nodes(), components, layout.precision);
+                           store::step_file_size(layout.grid.nodes(), components, layout.precision);
     };
-    if (!writer.finished_step(index, 1 + layout.scalars.size()) || !whole(core::velocity_stem, 3) ||
+    if (!writer.finished_step(index, 1 + layout.scalars.size()) ||
+        !whole(store::velocity_stem, 3) ||
         !std::all_of(layout.scalars.begin(), layout.scalars.end(),
-                     [&](const core::StoredScalar& scalar) { return whole(scalar.stem, 1); }))
+                     [&](const store::StoredScalar& scalar) { return whole(scalar.stem, 1); }))
         return false;
     return looked_at || !manifest.complete || recorded(reader, index, {}).has_value();
 }
 
-std::vector<core::StoredScalar> stored_scalars(const ImportPlan& plan) {
-    std::vector<core::StoredScalar> out;
+std::vector<store::StoredScalar> stored_scalars(const ImportPlan& plan) {
+    std::vector<store::StoredScalar> out;
     for (const auto& scalar : plan.choice.scalars)
         out.push_back(scalar.stored);
     return out;
 }
 
-bool same_but_for_steps(const protocol::StoreManifest& before, const ImportPlan& plan) {
+bool same_but_for_steps(const store::StoreManifest& before, const ImportPlan& plan) {
     return before.source.files == plan.made_from.files &&
            before.source.selection == plan.made_from.selection &&
            before.layout.precision == plan.precision &&
@@ -53,7 +54,7 @@ bool same_but_for_steps(const protocol::StoreManifest& before, const ImportPlan&
            before.source.steps.size() == before.layout.times.size();
 }
 
-bool same_step(const protocol::StoreManifest& before, const ImportPlan& plan, std::size_t index) {
+bool same_step(const store::StoreManifest& before, const ImportPlan& plan, std::size_t index) {
     return index < before.source.steps.size() && index < plan.times.size() &&
            before.source.steps[index] == plan.made_from.steps[index] &&
            before.layout.times[index] == plan.times[index];
@@ -61,8 +62,9 @@ bool same_step(const protocol::StoreManifest& before, const ImportPlan& plan, st
 
 } // namespace
 
-std::optional<EarlierImport> earlier_import(const StoreWriter& writer, const ImportPlan& plan) {
-    auto before = protocol::read_store_manifest(writer.folder(), core::PosixDisk());
+std::optional<EarlierImport> earlier_import(const store::StoreWriter& writer,
+                                            const ImportPlan& plan) {
+    auto before = store::read_store_manifest(writer.folder(), core::PosixDisk());
     if (!before || !same_but_for_steps(*before, plan) || !same_step(*before, plan, 0))
         return std::nullopt;
     const std::size_t columns = 1 + before->layout.scalars.size();
@@ -84,7 +86,7 @@ std::optional<EarlierImport> earlier_import(const StoreWriter& writer, const Imp
     return found;
 }
 
-std::optional<StepRecord> recorded(const core::StoreReader& store,
+std::optional<StepRecord> recorded(const store::StoreReader& store,
                                    std::size_t index,
                                    const std::vector<std::uint8_t>& fluid) {
     StepRecord record;

@@ -1,8 +1,7 @@
 // wakesurf-import: anything VTK reads -> a store, in a process of its own, so that a hostile or damaged file
 // hurts no one else.
-#include "protocol/dataset_json.hpp"
-#include "protocol/json_text.hpp"
-#include "server/catalogue/store_writer.hpp"
+#include "protocol/api/dataset_json.hpp"
+#include "protocol/api/json_text.hpp"
 #include "server/cli/memory_size.hpp"
 #include "server/import/conversion.hpp"
 #include "server/import/failure_words.hpp"
@@ -12,6 +11,7 @@
 #include "server/import/step_workers.hpp"
 #include "server/import/told_words.hpp"
 #include "server/import/watched_process.hpp"
+#include "store/store_writer.hpp"
 
 #include <CLI/CLI.hpp>
 #include <malloc.h>
@@ -71,7 +71,7 @@ int run(const Wish& wish, const server::OwnOutput& out) {
         return 0;
     }
     bool rights_told = server::kernel_has_landlock();
-    const auto show = [&](server::ImportProgress progress) {
+    const auto show = [&](store::ImportProgress progress) {
         server::made_progress();
         if (!std::exchange(rights_told, true))
             progress.note +=
@@ -79,9 +79,9 @@ int run(const Wish& wish, const server::OwnOutput& out) {
                 std::string("this kernel has no Landlock: the process that reads the files could "
                             "write wherever you can");
         if (::isatty(::fileno(out.results)) != 0)
-            server::show_progress(progress, out.results);
+            store::show_progress(progress, out.results);
         else
-            std::fprintf(out.results, "%s\n", server::progress_line(progress).c_str());
+            std::fprintf(out.results, "%s\n", store::progress_line(progress).c_str());
         std::fflush(out.results);
     };
     const auto converted = server::convert(wish.request, wish.store, show);
@@ -91,7 +91,7 @@ int run(const Wish& wish, const server::OwnOutput& out) {
 // In the process that is watched.
 int read_and_convert(const Wish& wish) {
     const auto out = server::take_outputs(wish.show_libraries);
-    server::end_on_signals({}, server::end_step_workers);
+    store::end_on_signals({}, server::end_step_workers);
     server::LimitedRights rights;
     if (!wish.store.empty())
         rights.store = wish.store;

@@ -4,7 +4,7 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
-#include "protocol/store_manifest.hpp"
+#include "store/store_manifest.hpp"
 
 #include <vtkDataSet.h>
 #include <vtkPolyData.h>
@@ -51,8 +51,8 @@ class Source {
     virtual const SourceDescription& description() const = 0;
 
     /// What all time-steps share (case files, mesh), then those of one time-step: an import is repeated when they change.
-    virtual core::Result<std::vector<protocol::SourceFile>> shared_files() const = 0;
-    virtual core::Result<std::vector<protocol::SourceFile>> files(std::size_t step) const = 0;
+    virtual core::Result<std::vector<store::SourceFile>> shared_files() const = 0;
+    virtual core::Result<std::vector<store::SourceFile>> files(std::size_t step) const = 0;
 
     /// Reads one time-step with the named fields only, and no others where the format allows that.
     /// Error: Corrupt, Io, NotFound (a field is missing at this time-step), Unsupported, OverLimit (memory).

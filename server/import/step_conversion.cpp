@@ -23,7 +23,7 @@ std::vector<std::uint16_t> halves_of(std::span<const float> values) {
 
 class StepWriting {
   public:
-    StepWriting(const ImportPlan& plan, std::size_t index, StoreWriter& writer)
+    StepWriting(const ImportPlan& plan, std::size_t index, store::StoreWriter& writer)
         : plan_(plan), index_(index), writer_(writer) {}
 
     core::Result<void>
@@ -40,7 +40,7 @@ class StepWriting {
             halves = halves_of(values);
             bytes = std::as_bytes(std::span<const std::uint16_t>(halves));
         }
-        return writer_.write(core::step_file_name(stem, index_, plan_.precision), bytes)
+        return writer_.write(store::step_file_name(stem, index_, plan_.precision), bytes)
             .map([&](std::uint32_t checksum) { record.checksums.push_back(checksum); });
     }
 
@@ -49,7 +49,7 @@ class StepWriting {
   private:
     const ImportPlan& plan_;
     std::size_t index_;
-    StoreWriter& writer_;
+    store::StoreWriter& writer_;
 };
 
 tl::unexpected<Error>
@@ -158,7 +158,7 @@ core::Result<StepRecord> write_step(const ImportPlan& plan,
                                     const FirstStep& first,
                                     std::size_t index,
                                     const SourceStep& step,
-                                    StoreWriter& writer) {
+                                    store::StoreWriter& writer) {
     StepWriting writing(plan, index, writer);
     StepRecord& record = writing.record;
     {
@@ -166,7 +166,7 @@ core::Result<StepRecord> write_step(const ImportPlan& plan,
         if (!velocity)
             return tl::unexpected(velocity.error());
         record.speed = speed_range(*velocity, first.mask.fluid);
-        auto written = writing.write(core::velocity_stem, plan.choice.velocity_name, *velocity);
+        auto written = writing.write(store::velocity_stem, plan.choice.velocity_name, *velocity);
         if (!written)
             return tl::unexpected(written.error());
     }
@@ -185,7 +185,7 @@ core::Result<StepRecord> convert_step(const ImportPlan& plan,
                                       const FirstStep& first,
                                       std::size_t index,
                                       const SourceStep* read,
-                                      StoreWriter& writer) {
+                                      store::StoreWriter& writer) {
     try {
         if (read != nullptr)
             return write_step(plan, first, index, *read, writer);

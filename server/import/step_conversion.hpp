@@ -3,10 +3,10 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "server/catalogue/store_writer.hpp"
 #include "server/import/assembly/grid_assembly.hpp"
 #include "server/import/assembly/obstacle_mask.hpp"
 #include "server/import/import_plan.hpp"
+#include "store/store_writer.hpp"
 
 #include <array>
 #include <cstdint>
@@ -52,13 +52,13 @@ core::Result<std::vector<float>> velocity_of(const ImportPlan& plan,
                                              std::size_t index,
                                              const SourceStep& step);
 
-/// Writes the files of a time-step; the step is not ready before StoreWriter::finish_step. Error: NotFound, Corrupt,
+/// Writes the files of a time-step; the step is not ready before store::StoreWriter::finish_step. Error: NotFound, Corrupt,
 /// Unsupported (beyond half precision), Io, naming the time-step.
 core::Result<StepRecord> write_step(const ImportPlan& plan,
                                     const FirstStep& first,
                                     std::size_t index,
                                     const SourceStep& step,
-                                    StoreWriter& writer);
+                                    store::StoreWriter& writer);
 
 /// Reads and writes a time-step. Error: also as Source::read and check_mesh_of.
 /// @param read  the time-step, checked, where it was read already; null else
@@ -66,7 +66,7 @@ core::Result<StepRecord> convert_step(const ImportPlan& plan,
                                       const FirstStep& first,
                                       std::size_t index,
                                       const SourceStep* read,
-                                      StoreWriter& writer);
+                                      store::StoreWriter& writer);
 
 /// Of vectors, three numbers each; NaN where one of them is, infinite where it is too large.
 std::vector<float> magnitudes(const std::vector<float>& vectors);

@@ -1,6 +1,6 @@
 #include "server/import/step_message.hpp"
 
-#include "server/catalogue/whole_bytes.hpp"
+#include "store/whole_bytes.hpp"
 
 #include <array>
 #include <string>
@@ -63,21 +63,21 @@ bool send(int pipe, const StepMessage& message) {
         head.message = error.message.size();
         head.hint = error.hint.size();
     }
-    return write_whole(pipe, bytes_of(std::as_const(head))) &&
-           write_whole(pipe, std::as_bytes(std::span<const double>(numbers))) &&
-           write_whole(pipe, std::as_bytes(std::span<const char>(texts)));
+    return store::write_whole(pipe, bytes_of(std::as_const(head))) &&
+           store::write_whole(pipe, std::as_bytes(std::span<const double>(numbers))) &&
+           store::write_whole(pipe, std::as_bytes(std::span<const char>(texts)));
 }
 
 std::optional<StepMessage> receive(int pipe) {
     Head head;
-    if (!read_whole(pipe, bytes_of(head)))
+    if (!store::read_whole(pipe, bytes_of(head)))
         return std::nullopt;
     std::vector<double> numbers(head.numbers);
     std::string message(head.message, '\0');
     std::string hint(head.hint, '\0');
-    if (!read_whole(pipe, std::as_writable_bytes(std::span(numbers))) ||
-        !read_whole(pipe, std::as_writable_bytes(std::span(message))) ||
-        !read_whole(pipe, std::as_writable_bytes(std::span(hint))))
+    if (!store::read_whole(pipe, std::as_writable_bytes(std::span(numbers))) ||
+        !store::read_whole(pipe, std::as_writable_bytes(std::span(message))) ||
+        !store::read_whole(pipe, std::as_writable_bytes(std::span(hint))))
         return std::nullopt;
     StepMessage out{static_cast<std::size_t>(head.index), StepRecord()};
     if (head.failed != 0)

@@ -1,10 +1,10 @@
 #include "server/import/step_workers.hpp"
 
-#include "server/catalogue/store_writer.hpp"
-#include "server/catalogue/whole_bytes.hpp"
 #include "server/import/failure_words.hpp"
 #include "server/import/progress_marks.hpp"
 #include "server/import/step_message.hpp"
+#include "store/store_writer.hpp"
+#include "store/whole_bytes.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -41,7 +41,7 @@ struct Worker {
 [[noreturn]] void work_off(int tasks, int results, const StepWork& work) {
     core::Result<void> begun = work.begin ? work.begin() : core::Result<void>();
     std::uint64_t index = 0;
-    while (read_whole(tasks, std::as_writable_bytes(std::span(&index, 1)))) {
+    while (store::read_whole(tasks, std::as_writable_bytes(std::span(&index, 1)))) {
         StepMessage message{static_cast<std::size_t>(index), StepRecord()};
         try {
             if (begun)
@@ -120,7 +120,7 @@ class Workers {
         if (process == 0) {
             for (auto& entry : running)
                 entry = 0; // not ours to end
-            end_on_signals({});
+            store::end_on_signals({});
             ::prctl(PR_SET_PDEATHSIG, SIGTERM);
             if (::getppid() != parent)
                 ::_exit(1);
@@ -152,8 +152,8 @@ class Workers {
             return;
         const std::uint64_t index = todo_[given_++];
         worker.step = index;
-        write_whole(worker.tasks,
-                    std::as_bytes(std::span(&index, 1))); // one that is gone shows in its results
+        store::write_whole(worker.tasks, std::as_bytes(std::span(
+                                             &index, 1))); // one that is gone shows in its results
     }
 
     core::Result<void> wait() {

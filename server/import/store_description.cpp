@@ -1,6 +1,6 @@
 #include "server/import/store_description.hpp"
 
-#include "core/dataset/store_grid.hpp"
+#include "store/store_grid.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -23,7 +23,7 @@ void add_velocity(const ImportPlan& plan, std::vector<core::FieldInfo>& fields) 
     fields.push_back({plan.choice.velocity_name, 3, parts.arrays.front().source, {0.0, 0.0}, unit});
 }
 
-core::FieldInfo* field_of(protocol::StoreManifest& manifest,
+core::FieldInfo* field_of(store::StoreManifest& manifest,
                           const std::string& name,
                           int components,
                           core::FieldInfo::Source source) {
@@ -43,13 +43,13 @@ void widen(std::array<double, 2>& range, const Range& by, bool replace) {
 
 } // namespace
 
-protocol::StoreManifest describe_store(const ImportPlan& plan, const FirstStepReading& reading) {
+store::StoreManifest describe_store(const ImportPlan& plan, const FirstStepReading& reading) {
     const GridAssembly& assembly = reading.first.assembly;
     const SourceDescription& source = plan.source->description();
-    protocol::StoreManifest manifest;
+    store::StoreManifest manifest;
     manifest.source = plan.made_from;
     auto& layout = manifest.layout;
-    layout.grid = core::stored_grid(assembly.grid, assembly.curvilinear);
+    layout.grid = store::stored_grid(assembly.grid, assembly.curvilinear);
     layout.times = plan.times;
     layout.precision = plan.precision;
     for (const auto& scalar : plan.choice.scalars)
@@ -82,7 +82,7 @@ protocol::StoreManifest describe_store(const ImportPlan& plan, const FirstStepRe
     info.why = plan.choice.why;
     info.precision = plan.precision;
     info.obstacle = layout.mask || layout.walls;
-    info.bytes_per_step = core::step_file_size(info.points, 3, core::Precision::Single);
+    info.bytes_per_step = store::step_file_size(info.points, 3, core::Precision::Single);
     add_note(info.note, source.note);
     add_note(info.note, assembly.note);
     add_note(info.note, plan.choice.note);
@@ -92,7 +92,7 @@ protocol::StoreManifest describe_store(const ImportPlan& plan, const FirstStepRe
 void include(const ImportPlan& plan,
              const StepRecord& record,
              bool first,
-             protocol::StoreManifest& manifest) {
+             store::StoreManifest& manifest) {
     widen(manifest.velocity_range, record.speed, first);
     const auto source = plan.choice.velocity.arrays.front().source;
     if (auto* field = field_of(manifest, plan.choice.velocity_name, 3, source))

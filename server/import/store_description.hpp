@@ -1,20 +1,20 @@
 // What store.json says of an import: its grid, fields and ranges.
 #pragma once
 
-#include "protocol/store_manifest.hpp"
 #include "server/import/first_step.hpp"
+#include "store/store_manifest.hpp"
 
 namespace wakesurf::server {
 
 /// Everything but the checksums of fixed files and `complete`; ranges are those the reader found in the first time-step.
-protocol::StoreManifest describe_store(const ImportPlan& plan, const FirstStepReading& reading);
+store::StoreManifest describe_store(const ImportPlan& plan, const FirstStepReading& reading);
 
 /// Widens the ranges of the velocity and the scalars by those of a time-step. @param first  replaces them: the reader's
 /// are of all its nodes, and what counts is what is stored.
 void include(const ImportPlan& plan,
              const StepRecord& record,
              bool first,
-             protocol::StoreManifest& manifest);
+             store::StoreManifest& manifest);
 
 /// The sentence about half precision. @param velocity  of the first time-step, for measuring
 std::string rounding_note(std::span<const float> velocity);

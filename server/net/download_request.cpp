@@ -1,6 +1,7 @@
 #include "server/net/download_request.hpp"
 
-#include "server/session/surface_build.hpp"
+#include "core/surface/playback/surface_age.hpp"
+#include "server/session/live/surface_build.hpp"
 
 #include <fmt/format.h>
 
@@ -72,16 +73,16 @@ core::Result<DownloadRequest> read_download(std::string_view file,
 core::Result<std::optional<double>> shown_at(const DownloadRequest& request,
                                              const core::SurfaceParameters& p,
                                              std::optional<double> clock) {
-    if (!moves(p) || request.at_the_end)
+    if (!core::moves(p) || request.at_the_end)
         return std::nullopt;
-    const auto [first, last] = std::minmax({p.from, end_time(p)});
+    const auto [first, last] = std::minmax({p.from, core::end_time(p)});
     if (request.time && !(*request.time >= first && *request.time <= last))
         return fail(Error::Code::OutOfTime,
                     fmt::format("time {} is outside of {} to {}, which the surface is shown over",
                                 *request.time, first, last),
                     "choose a `time` inside it, or `end`");
     const auto time = request.time ? request.time : clock;
-    return time ? std::optional(p.from + time_sign(p) * age_at(p, time)) : std::nullopt;
+    return time ? std::optional(p.from + core::time_sign(p) * core::age_at(p, time)) : std::nullopt;
 }
 
 } // namespace wakesurf::server

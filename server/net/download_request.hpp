@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "protocol/mesh_file.hpp"
-#include "server/session/surface_job.hpp"
+#include "protocol/files/mesh_file.hpp"
+#include "server/session/live/surface_job.hpp"
 
 #include <map>
 #include <optional>

@@ -2,16 +2,16 @@
 
 #include "core/base/crc32c.hpp"
 #include "core/surface/obstacle_surface.hpp"
-#include "protocol/bytes.hpp"
-#include "protocol/json_text.hpp"
-#include "protocol/mesh_encoder.hpp"
-#include "protocol/mesh_file.hpp"
+#include "core/surface/playback/surface_at.hpp"
+#include "protocol/api/json_text.hpp"
+#include "protocol/files/mesh_file.hpp"
+#include "protocol/wire/bytes.hpp"
+#include "protocol/wire/mesh_encoder.hpp"
 #include "server/catalogue/surface_scalars.hpp"
 #include "server/limits.hpp"
 #include "server/net/download_request.hpp"
 #include "server/net/http_error.hpp"
 #include "server/net/url_query.hpp"
-#include "server/session/surface_mesh.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -43,7 +43,7 @@ std::vector<std::string> split(std::string_view path) {
 core::Result<core::QuadComplex> obstacle_of(const LoadedDataset& dataset) {
     const auto none = fail(Error::Code::NotFound, "the dataset has no obstacle",
                            "dataset.describe says whether it has one");
-    const core::StoreReader* store = dataset.store.get();
+    const store::StoreReader* store = dataset.store.get();
     if (store != nullptr && !store->mask().empty())
         return core::obstacle_surface(store->grid(), store->mask());
     const auto walls = store != nullptr ? store->load_walls() : dataset.flow->walls();
@@ -136,8 +136,8 @@ struct FileJob {
     core::Result<std::string> make(const std::stop_token& stop,
                                    core::MemoryAccount::Share& share) const {
         core::WorkMemory memory(*account, stop, limits::download_memory);
-        const auto shown =
-            surface_mesh(surface, time, core::SteadyClock{}, stop, {nullptr, &memory});
+        const auto shown = core::surface_at(*surface.flow, surface.rake, surface.parameters, time,
+                                            core::SteadyClock{}, stop, {nullptr, &memory});
         if (!shown && memory.exhausted())
             return tl::unexpected(memory.refusal("a file of this surface"));
         if (!shown)

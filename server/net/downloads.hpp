@@ -5,7 +5,7 @@
 #include "server/catalogue/dataset_catalogue.hpp"
 #include "server/net/http_message.hpp"
 #include "server/net/shared_files.hpp"
-#include "server/session/identity.hpp"
+#include "server/session/people/identity.hpp"
 #include "server/session/session_directory.hpp"
 
 #include <string>

@@ -4,13 +4,13 @@
 #pragma once
 
 #include "core/base/clock.hpp"
+#include "server/base/entropy.hpp"
+#include "server/compute/address_rates.hpp"
 #include "server/metrics/metrics.hpp"
-#include "server/net/address_rates.hpp"
 #include "server/net/http_message.hpp"
 #include "server/net/login_cookies.hpp"
-#include "server/session/entropy.hpp"
-#include "server/session/grants.hpp"
-#include "server/session/visitor.hpp"
+#include "server/session/people/grants.hpp"
+#include "server/session/people/visitor.hpp"
 
 #include <tl/expected.hpp>
 

@@ -2,6 +2,7 @@
 // becomes a WebSocket.
 #pragma once
 
+#include "server/compute/budgets.hpp"
 #include "server/metrics/metrics.hpp"
 #include "server/net/admission.hpp"
 #include "server/net/connections.hpp"
@@ -10,7 +11,6 @@
 #include "server/net/tls_context.hpp"
 #include "server/net/trusted_proxies.hpp"
 #include "server/net/write_turns.hpp"
-#include "server/session/budgets.hpp"
 
 #include <boost/asio/ip/tcp.hpp>
 

@@ -4,8 +4,8 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
-#include "server/session/entropy.hpp"
-#include "server/session/secret.hpp"
+#include "server/base/entropy.hpp"
+#include "server/base/secret.hpp"
 
 #include <chrono>
 #include <cstddef>

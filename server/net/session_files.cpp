@@ -1,14 +1,14 @@
 #include "server/net/session_files.hpp"
 
-#include "protocol/json_text.hpp"
-#include "protocol/session_file.hpp"
+#include "protocol/api/json_text.hpp"
+#include "protocol/api/session_file.hpp"
+#include "server/base/secret.hpp"
+#include "server/compute/background.hpp"
 #include "server/limits.hpp"
 #include "server/net/http_error.hpp"
 #include "server/rpc/session_import.hpp"
-#include "server/session/background.hpp"
-#include "server/session/secret.hpp"
+#include "server/session/records/thumbnail.hpp"
 #include "server/session/session_exchange.hpp"
-#include "server/session/thumbnail.hpp"
 
 #include <nlohmann/json.hpp>
 

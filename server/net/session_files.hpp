@@ -1,12 +1,12 @@
 // Sessions as files over HTTP: session.json out and in, of any size, and the picture of a session.
 #pragma once
 
+#include "server/base/journal.hpp"
+#include "server/base/loop.hpp"
+#include "server/compute/compute_pool.hpp"
 #include "server/net/http_message.hpp"
-#include "server/session/compute_pool.hpp"
-#include "server/session/datasets.hpp"
-#include "server/session/identity.hpp"
-#include "server/session/journal.hpp"
-#include "server/session/loop.hpp"
+#include "server/session/data/datasets.hpp"
+#include "server/session/people/identity.hpp"
 #include "server/session/session_directory.hpp"
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "server/session/entropy.hpp"
+#include "server/base/entropy.hpp"
 
 #include <filesystem>
 #include <string>

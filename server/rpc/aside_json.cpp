@@ -1,6 +1,6 @@
 #include "server/rpc/aside_json.hpp"
 
-#include "protocol/json_rpc.hpp"
+#include "protocol/api/json_rpc.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 // Who a caller is to a session.
 #pragma once
 
-#include "protocol/checked_json.hpp"
+#include "protocol/api/checked_json.hpp"
 #include "server/rpc/method.hpp"
-#include "server/session/author.hpp"
+#include "server/session/records/author.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "server/rpc/cache_news.hpp"
 
-#include "protocol/json_rpc.hpp"
+#include "protocol/api/json_rpc.hpp"
 #include "server/rpc/cache_json.hpp"
 
 #include <nlohmann/json.hpp>

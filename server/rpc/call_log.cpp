@@ -1,6 +1,6 @@
 #include "server/rpc/call_log.hpp"
 
-#include "server/session/log_text.hpp"
+#include "server/base/log_text.hpp"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>

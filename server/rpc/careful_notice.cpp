@@ -1,6 +1,6 @@
 #include "server/rpc/careful_notice.hpp"
 
-#include "protocol/json_rpc.hpp"
+#include "protocol/api/json_rpc.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "server/rpc/client.hpp"
 
-#include "protocol/json_rpc.hpp"
+#include "protocol/api/json_rpc.hpp"
 #include "server/metrics/metrics.hpp"
 #include "server/rpc/outcome_json.hpp"
 #include "server/rpc/patch_json.hpp"

@@ -4,10 +4,10 @@
 
 #include "server/rpc/pending_calls.hpp"
 #include "server/rpc/wire.hpp"
-#include "server/session/grants.hpp"
-#include "server/session/observer.hpp"
+#include "server/session/people/grants.hpp"
+#include "server/session/people/visitor.hpp"
+#include "server/session/records/observer.hpp"
 #include "server/session/session.hpp"
-#include "server/session/visitor.hpp"
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 // dataset.list, dataset.describe, dataset.open, cache.status, probe.sample.
-#include "protocol/checked_json.hpp"
-#include "protocol/dataset_json.hpp"
+#include "protocol/api/checked_json.hpp"
+#include "protocol/api/dataset_json.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/cache_json.hpp"
 #include "server/rpc/dataset_entry.hpp"
@@ -9,7 +9,7 @@
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/permission.hpp"
 #include "server/rpc/work_progress.hpp"
-#include "server/session/surface_rules.hpp"
+#include "server/session/records/surface_rules.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,12 +1,12 @@
 #include "server/rpc/dispatcher.hpp"
 
-#include "protocol/nearest_name.hpp"
+#include "protocol/api/nearest_name.hpp"
+#include "server/base/log_text.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/call_log.hpp"
 #include "server/rpc/held_answer.hpp"
 #include "server/rpc/openrpc.hpp"
 #include "server/rpc/permission.hpp"
-#include "server/session/log_text.hpp"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>

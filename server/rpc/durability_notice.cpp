@@ -1,6 +1,6 @@
 #include "server/rpc/durability_notice.hpp"
 
-#include "protocol/json_rpc.hpp"
+#include "protocol/api/json_rpc.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "server/rpc/held_answer.hpp"
 
-#include "server/session/journal.hpp"
+#include "server/base/journal.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // history.undo, history.redo.
-#include "protocol/checked_json.hpp"
+#include "protocol/api/checked_json.hpp"
 #include "server/rpc/author.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/session_choice.hpp"

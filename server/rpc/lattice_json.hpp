@@ -1,7 +1,7 @@
 // The lattice of a dataset's frames, as dataset.describe and surface.subscribe tell it.
 #pragma once
 
-#include "protocol/lattice.hpp"
+#include "protocol/wire/lattice.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,7 @@
 // A rake somebody else drags just now: edits of it have to wait, a few seconds at most.
 #pragma once
 
-#include "protocol/json_rpc.hpp"
+#include "protocol/api/json_rpc.hpp"
 #include "server/session/session.hpp"
 
 #include <optional>

@@ -2,16 +2,16 @@
 // is the only place a method is named; dispatch, rpc.discover and /openrpc.json follow from it.
 #pragma once
 
-#include "protocol/json_rpc.hpp"
+#include "protocol/api/json_rpc.hpp"
+#include "server/base/journal.hpp"
+#include "server/compute/budgets.hpp"
 #include "server/metrics/metrics.hpp"
 #include "server/rpc/client.hpp"
-#include "server/session/budgets.hpp"
-#include "server/session/datasets.hpp"
-#include "server/session/grants.hpp"
-#include "server/session/journal.hpp"
-#include "server/session/probe.hpp"
+#include "server/session/data/datasets.hpp"
+#include "server/session/live/probe.hpp"
+#include "server/session/people/grants.hpp"
+#include "server/session/people/visitor.hpp"
 #include "server/session/session_directory.hpp"
-#include "server/session/visitor.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,7 @@
 #include "server/rpc/outcome_json.hpp"
 
-#include "protocol/json_rpc.hpp"
-#include "protocol/statistics_json.hpp"
+#include "protocol/api/json_rpc.hpp"
+#include "protocol/api/statistics_json.hpp"
 
 #include <nlohmann/json.hpp>
 

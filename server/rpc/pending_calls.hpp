@@ -2,7 +2,7 @@
 // cancelled at once, its work is asked to stop, and what the work still answers goes nowhere.
 #pragma once
 
-#include "protocol/json_rpc.hpp"
+#include "protocol/api/json_rpc.hpp"
 
 #include <functional>
 #include <map>

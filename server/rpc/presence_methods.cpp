@@ -1,5 +1,5 @@
 // presence.update.
-#include "protocol/messages_presence.hpp"
+#include "protocol/api/messages_presence.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/session_choice.hpp"

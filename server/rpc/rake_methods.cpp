@@ -1,5 +1,5 @@
 // rake.set, rake.delete, rake.list.
-#include "protocol/messages_rake.hpp"
+#include "protocol/api/messages_rake.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/leased.hpp"
 #include "server/rpc/method_table.hpp"

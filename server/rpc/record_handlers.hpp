@@ -1,7 +1,7 @@
 // What the methods on every type of record share: a list, a deletion, and a setter that may be meant for one revision only.
 #pragma once
 
-#include "protocol/checked_json.hpp"
+#include "protocol/api/checked_json.hpp"
 #include "server/rpc/author.hpp"
 #include "server/rpc/method.hpp"
 #include "server/rpc/session_choice.hpp"

@@ -1,5 +1,5 @@
 // server.info, server.ping, server.stats.
-#include "protocol/mesh_file.hpp"
+#include "protocol/files/mesh_file.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/stats_json.hpp"

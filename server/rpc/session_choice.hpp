@@ -1,7 +1,7 @@
 // Which session a call is about.
 #pragma once
 
-#include "protocol/checked_json.hpp"
+#include "protocol/api/checked_json.hpp"
 #include "server/rpc/method.hpp"
 
 #include <memory>

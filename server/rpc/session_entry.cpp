@@ -1,6 +1,6 @@
 #include "server/rpc/session_entry.hpp"
 
-#include "protocol/utc_text.hpp"
+#include "protocol/api/utc_text.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,13 +1,13 @@
 // session.rename, session.delete, session.restore, session.export, session.import, session.thumbnail: what becomes of a session
 // as a whole.
-#include "protocol/checked_json.hpp"
-#include "protocol/utc_text.hpp"
+#include "protocol/api/checked_json.hpp"
+#include "protocol/api/utc_text.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/session_choice.hpp"
 #include "server/rpc/session_import.hpp"
-#include "server/session/display_name.hpp"
-#include "server/session/thumbnail.hpp"
+#include "server/session/people/display_name.hpp"
+#include "server/session/records/thumbnail.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

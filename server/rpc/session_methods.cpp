@@ -1,6 +1,6 @@
 // session.create, session.fork, session.list, session.join, session.leave, session.state.
-#include "protocol/checked_json.hpp"
-#include "protocol/utc_text.hpp"
+#include "protocol/api/checked_json.hpp"
+#include "protocol/api/utc_text.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/aside_json.hpp"
 #include "server/rpc/durability_notice.hpp"
@@ -9,8 +9,8 @@
 #include "server/rpc/records_json.hpp"
 #include "server/rpc/session_choice.hpp"
 #include "server/rpc/session_entry.hpp"
-#include "server/session/colours.hpp"
-#include "server/session/display_name.hpp"
+#include "server/session/people/display_name.hpp"
+#include "server/session/records/colours.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 // session.share, session.shares, session.unshare, session.setRole, session.kick: who may be in a session, and as what. For its
 // hosts.
-#include "protocol/checked_json.hpp"
+#include "protocol/api/checked_json.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/session_choice.hpp"

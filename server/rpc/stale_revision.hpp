@@ -1,7 +1,7 @@
 // ifRev: an edit that is only meant for a record nobody has changed since.
 #pragma once
 
-#include "protocol/json_rpc.hpp"
+#include "protocol/api/json_rpc.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

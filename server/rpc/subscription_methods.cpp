@@ -1,6 +1,6 @@
 // surface.stats, .subscribe, .unsubscribe, frame.ack: what those who look at a surface ask of it.
-#include "protocol/checked_json.hpp"
-#include "protocol/mesh_encoder.hpp"
+#include "protocol/api/checked_json.hpp"
+#include "protocol/wire/mesh_encoder.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/lattice_json.hpp"
 #include "server/rpc/method_table.hpp"

@@ -1,5 +1,5 @@
 // surface.set, .delete, .stop, .list.
-#include "protocol/messages_surface.hpp"
+#include "protocol/api/messages_surface.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/record_handlers.hpp"

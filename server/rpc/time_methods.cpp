@@ -1,6 +1,6 @@
 // time.set, time.play, time.pause: the clock of a session.
-#include "protocol/checked_json.hpp"
-#include "protocol/messages_time.hpp"
+#include "protocol/api/checked_json.hpp"
+#include "protocol/api/messages_time.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/session_choice.hpp"

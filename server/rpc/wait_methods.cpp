@@ -1,6 +1,6 @@
 // surface.wait, and $/cancelRequest, which ends it and every other call that is not answered yet.
-#include "protocol/checked_json.hpp"
-#include "protocol/json_text.hpp"
+#include "protocol/api/checked_json.hpp"
+#include "protocol/api/json_text.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/outcome_json.hpp"

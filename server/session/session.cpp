@@ -2,8 +2,8 @@
 
 #include "core/surface/rake_check.hpp"
 #include "server/limits.hpp"
-#include "server/session/record_room.hpp"
-#include "server/session/surface_rules.hpp"
+#include "server/session/records/record_room.hpp"
+#include "server/session/records/surface_rules.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -4,19 +4,19 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "server/session/author.hpp"
-#include "server/session/change_log.hpp"
-#include "server/session/datasets.hpp"
-#include "server/session/history.hpp"
-#include "server/session/leases.hpp"
-#include "server/session/observer.hpp"
-#include "server/session/participants.hpp"
-#include "server/session/record_entries.hpp"
+#include "server/base/session_services.hpp"
+#include "server/session/data/datasets.hpp"
+#include "server/session/live/surface_builds.hpp"
+#include "server/session/people/participants.hpp"
+#include "server/session/records/author.hpp"
+#include "server/session/records/change_log.hpp"
+#include "server/session/records/history.hpp"
+#include "server/session/records/leases.hpp"
+#include "server/session/records/observer.hpp"
+#include "server/session/records/record_entries.hpp"
+#include "server/session/records/session_records.hpp"
 #include "server/session/session_clock.hpp"
 #include "server/session/session_profile.hpp"
-#include "server/session/session_records.hpp"
-#include "server/session/session_services.hpp"
-#include "server/session/surface_builds.hpp"
 
 #include <array>
 #include <chrono>

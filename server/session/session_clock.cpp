@@ -1,7 +1,7 @@
 #include "server/session/session_clock.hpp"
 
 #include "server/limits.hpp"
-#include "server/session/record_entries.hpp"
+#include "server/session/records/record_entries.hpp"
 
 #include <cmath>
 

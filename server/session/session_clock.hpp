@@ -4,8 +4,8 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
-#include "protocol/messages_time.hpp"
-#include "server/session/loop.hpp"
+#include "protocol/api/messages_time.hpp"
+#include "server/base/loop.hpp"
 
 #include <array>
 #include <chrono>

@@ -1,9 +1,9 @@
 #include "server/session/session_directory.hpp"
 
-#include "protocol/utc_text.hpp"
+#include "protocol/api/utc_text.hpp"
+#include "server/base/log_text.hpp"
 #include "server/limits.hpp"
-#include "server/session/log_text.hpp"
-#include "server/session/record_room.hpp"
+#include "server/session/records/record_room.hpp"
 
 #include <spdlog/spdlog.h>
 

@@ -2,8 +2,8 @@
 // without arranging anything. The server deletes no one's work: where there are too many sessions it refuses to make more.
 #pragma once
 
-#include "server/session/giving_back.hpp"
-#include "server/session/history_budget.hpp"
+#include "server/compute/history_budget.hpp"
+#include "server/session/live/giving_back.hpp"
 #include "server/session/session.hpp"
 #include "server/session/session_trash.hpp"
 

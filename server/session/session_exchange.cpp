@@ -1,10 +1,10 @@
 #include "server/session/session_exchange.hpp"
 
-#include "protocol/utc_text.hpp"
+#include "protocol/api/utc_text.hpp"
 #include "server/limits.hpp"
-#include "server/session/dataset_mark.hpp"
-#include "server/session/display_name.hpp"
-#include "server/session/record_room.hpp"
+#include "server/session/data/dataset_mark.hpp"
+#include "server/session/people/display_name.hpp"
+#include "server/session/records/record_room.hpp"
 
 #include <algorithm>
 #include <map>

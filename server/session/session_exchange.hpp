@@ -1,9 +1,9 @@
 // Sessions between servers: what goes into a session file, and what comes out of one, checked as if a stranger had written it.
 #pragma once
 
-#include "protocol/session_file.hpp"
-#include "server/session/datasets.hpp"
-#include "server/session/record_entries.hpp"
+#include "protocol/api/session_file.hpp"
+#include "server/session/data/datasets.hpp"
+#include "server/session/records/record_entries.hpp"
 #include "server/session/session.hpp"
 
 #include <cstddef>

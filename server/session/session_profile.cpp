@@ -1,6 +1,6 @@
 #include "server/session/session_profile.hpp"
 
-#include "protocol/utc_text.hpp"
+#include "protocol/api/utc_text.hpp"
 
 #include <algorithm>
 #include <utility>

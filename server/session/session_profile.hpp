@@ -2,9 +2,9 @@
 // anybody ever edited it.
 #pragma once
 
-#include "protocol/messages_session.hpp"
-#include "server/session/journal.hpp"
-#include "server/session/unix_time.hpp"
+#include "protocol/api/messages_session.hpp"
+#include "server/base/journal.hpp"
+#include "server/base/unix_time.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "server/session/session_restoring.hpp"
 
-#include "server/session/grants.hpp"
+#include "server/session/people/grants.hpp"
 #include "server/session/session_directory.hpp"
 
 #include <utility>

@@ -1,7 +1,7 @@
 // All that a server before this one kept of its sessions, given to those whose it is.
 #pragma once
 
-#include "server/session/journal.hpp"
+#include "server/base/journal.hpp"
 
 #include <cstddef>
 #include <map>

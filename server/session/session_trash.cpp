@@ -1,6 +1,6 @@
 #include "server/session/session_trash.hpp"
 
-#include "protocol/utc_text.hpp"
+#include "protocol/api/utc_text.hpp"
 #include "server/limits.hpp"
 
 #include <algorithm>

@@ -4,11 +4,11 @@
 
 #include "core/base/memory_account.hpp"
 #include "core/base/result.hpp"
-#include "protocol/messages_session.hpp"
-#include "server/session/journal.hpp"
-#include "server/session/loop.hpp"
-#include "server/session/session_records.hpp"
-#include "server/session/unix_time.hpp"
+#include "protocol/api/messages_session.hpp"
+#include "server/base/journal.hpp"
+#include "server/base/loop.hpp"
+#include "server/base/unix_time.hpp"
+#include "server/session/records/session_records.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // What has changed since the last commit: of every record the newest state only, however often it was edited.
 #pragma once
 
-#include "server/session/journal.hpp"
+#include "server/base/journal.hpp"
 
 #include <compare>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "server/state/row_sum.hpp"
 
-#include "server/session/secret.hpp"
+#include "server/base/secret.hpp"
 
 #include <string>
 

@@ -2,8 +2,8 @@
 // transaction, so that a burst of edits costs one sync of the disk.
 #pragma once
 
-#include "server/session/journal.hpp"
-#include "server/session/loop.hpp"
+#include "server/base/journal.hpp"
+#include "server/base/loop.hpp"
 #include "server/state/pending_writes.hpp"
 #include "server/state/state_store.hpp"
 

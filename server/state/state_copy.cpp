@@ -1,6 +1,6 @@
 #include "server/state/state_copy.hpp"
 
-#include "server/session/unix_time.hpp"
+#include "server/base/unix_time.hpp"
 #include "server/state/commit_mark.hpp"
 #include "server/state/state_desk.hpp"
 #include "server/state/state_folder.hpp"

@@ -1,7 +1,7 @@
 // The state's file at a start: is it sound, is it of this version? Nothing of it is changed before that is known.
 #pragma once
 
-#include "server/session/unix_time.hpp"
+#include "server/base/unix_time.hpp"
 #include "server/state/commit_mark.hpp"
 #include "server/state/database.hpp"
 #include "server/state/state_content.hpp"

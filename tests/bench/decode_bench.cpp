@@ -1,6 +1,6 @@
 // Updates of a streak surface of 100,000 vertices, decoded by Chromium's worker.
 #include "core/surface/moving/moving_surface.hpp"
-#include "protocol/mesh_stream.hpp"
+#include "protocol/wire/mesh_stream.hpp"
 #include "server/catalogue/child_process.hpp"
 #include "server/catalogue/shipped_files.hpp"
 #include "tests/bench/benchmarks.hpp"

@@ -1,6 +1,6 @@
 #include "tests/bench/edited_surface.hpp"
 
-#include "protocol/mesh_frame.hpp"
+#include "protocol/wire/mesh_frame.hpp"
 
 #include <algorithm>
 #include <chrono>

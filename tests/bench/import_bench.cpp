@@ -164,7 +164,7 @@ void measure(benchmark::State& state,
             const fs::path store = series.folder / "store";
             importing.push_back(seconds([&] {
                 const auto done = server::run_import_process({series.files.front(), store, {}, {}},
-                                                             [](const server::ImportProgress&) {});
+                                                             [](const store::ImportProgress&) {});
                 if (!done)
                     throw std::runtime_error(done.error().message);
             }));

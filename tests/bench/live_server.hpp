@@ -2,7 +2,7 @@
 // of it: what a benchmark of the whole path needs.
 #pragma once
 
-#include "protocol/bytes.hpp"
+#include "protocol/wire/bytes.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <sys/types.h>

@@ -41,7 +41,7 @@ core::Result<std::shared_ptr<const server::LoadedDataset>> load(const std::strin
     return server::resolve_dataset(dataset)
         .and_then([](const server::DatasetArgument& argument) {
             return server::open_dataset(argument, {server::default_store_root(), {}},
-                                        [](const server::ImportProgress&) {});
+                                        [](const store::ImportProgress&) {});
         })
         .map([](server::LoadedDataset loaded) {
             return std::make_shared<const server::LoadedDataset>(std::move(loaded));

@@ -20,8 +20,8 @@ constexpr std::size_t steps_in_cache = 5;
 constexpr int rounds = 3;
 constexpr double target_part_of_speed = 0.7;
 
-server::GenerateRequest series() {
-    server::GenerateRequest request{
+store::GenerateRequest series() {
+    store::GenerateRequest request{
         "tornado",
         {core::Vec3(0.0), core::Vec3(1.0 / 249, 1.0 / 249, 1.0 / 99), {250, 250, 100}},
         {}};

@@ -38,7 +38,7 @@ void plain_read(const std::string& file, std::span<std::byte> out) {
     ::close(descriptor);
 }
 
-void load(const core::StoreReader& reader, std::size_t index) {
+void load(const store::StoreReader& reader, std::size_t index) {
     const auto step = reader.load(index, {});
     if (!step)
         throw std::runtime_error(step.error().message);
@@ -53,9 +53,9 @@ void measure(benchmark::State& state, core::Precision precision, bool first) {
     auto reader = open();
     const auto file = [&](std::size_t index) {
         return reader->layout().folder /
-               core::step_file_name(core::velocity_stem, index, precision);
+               store::step_file_name(store::velocity_stem, index, precision);
     };
-    const auto bytes = core::step_file_size(core::node_count(reader->grid()), 3, precision);
+    const auto bytes = store::step_file_size(core::node_count(reader->grid()), 3, precision);
     core::Slab slab(bytes);
     for (std::size_t i = 0; i < steps; ++i)
         load(*reader, i);

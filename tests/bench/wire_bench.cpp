@@ -1,11 +1,11 @@
 // What a surface of 100,000 quads costs on the wire: bytes of each update beside raw floats and beside a whole Draco mesh, and the
 // time to encode and to decode it on one core.
 #include "core/surface/moving/moving_surface.hpp"
+#include "core/surface/playback/growing_mesh.hpp"
 #include "core/surface/surface_builder.hpp"
-#include "protocol/mesh_decoder.hpp"
-#include "protocol/mesh_frame.hpp"
-#include "protocol/mesh_stream.hpp"
-#include "server/session/growing_mesh.hpp"
+#include "protocol/wire/mesh_decoder.hpp"
+#include "protocol/wire/mesh_frame.hpp"
+#include "protocol/wire/mesh_stream.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/draco_mesh.hpp"
 #include "tests/bench/support/interleaved.hpp"
@@ -60,7 +60,7 @@ Scene named_scene(const std::string& name,
     auto loaded =
         server::resolve_dataset(name).and_then([](const server::DatasetArgument& argument) {
             return server::open_dataset(argument, {server::default_store_root(), {}},
-                                        [](const server::ImportProgress&) {});
+                                        [](const store::ImportProgress&) {});
         });
     if (!loaded)
         throw std::runtime_error(loaded.error().message);
@@ -272,7 +272,7 @@ void measure_appends(benchmark::State& state,
         const double span =
             std::abs(*std::ranges::max_element(whole.t, {}, [](double t) { return std::abs(t); }));
         const auto ranges = expected_ranges(scene, whole);
-        const server::GrowingMesh growing(whole, span);
+        const core::GrowingMesh growing(whole, span);
         for (auto _ : state) {
             Measured grown{protocol::MeshStream(1, 1, lattice), protocol::live_tolerance};
             grown.stream.expect({ranges[0], ranges[1], t_range(whole)});

@@ -11,7 +11,7 @@ import type { DecodedUpdate } from './support/decode_worker.ts';
 import { projectRoot } from './support/project_root.ts';
 
 const rounds = 5;
-const golden = join(projectRoot, 'protocol/fixtures/living.bin');
+const golden = join(projectRoot, 'protocol/wire/fixtures/living.bin');
 const types: Record<string, string> = { js: 'text/javascript', wasm: 'application/wasm', html: 'text/html' };
 
 /** The worker alone, with Draco beside it. */

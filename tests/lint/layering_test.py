@@ -26,22 +26,36 @@ VTK = r"vtk[A-Z]\w*\.h"
 
 # Room of the including file -> what it may not include, and why.
 FORBIDDEN = [
-    (r"core/", r"(protocol|server|tests)/", "core stands below every other room"),
+    (r"core/", r"(protocol|store|server|tests)/", "core stands below every other room"),
     (r"core/", "|".join((SOCKETS, JSON, DRACO)), "core knows no sockets, no JSON text, no Draco"),
-    (r"protocol/", r"(server|tests)/", "protocol stands below server"),
+    (r"protocol/", r"(store|server|tests)/", "protocol stands below store and server"),
     (r"protocol/", SOCKETS, "protocol is bytes in, values out: no sockets"),
+    (r"protocol/wire/", r"protocol/(api|files)/", "the wire stands alone"),
+    (r"protocol/api/", r"protocol/(wire|files)/", "the API knows neither frames nor files"),
+    (r"protocol/files/", r"protocol/wire/", "files know no frames"),
+    (r"store/", r"(server|tests)/", "store stands below server"),
+    (r"store/", "|".join((SOCKETS, DRACO)), "a store is files: no sockets, no meshes"),
+    (r"store/", r"protocol/(wire|files)/", "of protocol, a store takes only how JSON is read"),
     (r"server/", r"tests/", "the product does not depend on its tests"),
     (r"(?!server/import/|tests/server/import/|tests/bench/)", VTK,
      "only the importer, its tests and the benchmarks know VTK"),
-    (r"(core|protocol|server)/.*\.hpp$", r"boost/beast|nlohmann/json\.hpp",
+    (r"(core|protocol|store|server)/.*\.hpp$", r"boost/beast|nlohmann/json\.hpp",
      "Beast and json.hpp cost seconds in every file that sees them: keep them in .cpp files"),
     (r"", r"boost/(asio|beast)\.hpp$", "include the single Asio and Beast headers that are needed"),
     (r"", r".*\.cpp$", "a .cpp file is nobody's interface"),
+    (r"server/base/", r"server/(?!base/|limits|metrics/)", "base stands below the rest of server"),
+    (r"server/compute/", r"server/(app|catalogue|cli|import|net|rpc|state)/|server/session/(?!people/(identity|visitor))",
+     "who computes when depends on no session, only on who asks"),
+    (r"server/session/data/", r"server/session/(records|people|live|session)", "data know no session"),
+    (r"server/session/records/", r"server/session/(people|live|session)", "records know neither people nor surfaces"),
+    (r"server/session/people/", r"server/(compute|session/(live|session))", "people know no surfaces"),
+    (r"server/session/live/", r"server/session/(people|session)", "surfaces know no people"),
+    (r"server/(?!app/|cli/)", r"server/app/", "the composition root is used by the command line alone"),
     (r"server/session/", r"server/net/|boost/beast|boost/asio/ip/|nlohmann/json\.hpp",
      "a session knows neither sockets nor JSON text"),
     (r"server/(catalogue|import)/", r"server/(net|rpc|session)/", "datasets know no clients"),
     (r"server/state/", r"server/(net|rpc|catalogue)/|nlohmann/", "what keeps records knows neither clients nor JSON"),
-    (r"(core|protocol|server/(?!state/))", r"sqlite3\.h", "only server/state knows SQLite"),
+    (r"(core|protocol|store|server/(?!state/))", r"sqlite3\.h", "only server/state knows SQLite"),
     # Inside the engine.
     (r"core/base/", r"core/(dataset|integrate|field|surface)/", "base stands below the rest of core"),
     (r"core/dataset/", r"core/(integrate|field|surface)/", "dataset knows no flow"),
@@ -78,7 +92,7 @@ def wrong_includes(path, text):
         for room, pattern, why in FORBIDDEN:
             if re.match(room, path) and re.match(pattern, target):
                 yield f"{path}:{line_of(text, match.start())}: includes {target}: {why}"
-        if match.group(1) == '"' and not re.match(r"(core|protocol|server|tests)/", target):
+        if match.group(1) == '"' and not re.match(r"(core|protocol|store|server|tests)/", target):
             yield f"{path}:{line_of(text, match.start())}: includes {target}: write it from the root"
 
 
@@ -170,7 +184,7 @@ RULES = [wrong_includes, wrong_imports, co_await_lambdas, too_long]
 
 # (rule, path, text it must flag), (rule, path, text it must leave alone)
 BAD = [
-    (wrong_includes, "core/field/flow.hpp", '#include "protocol/lattice.hpp"\n'),
+    (wrong_includes, "core/field/flow.hpp", '#include "protocol/wire/lattice.hpp"\n'),
     (wrong_includes, "core/field/flow.cpp", '#include "server/net/listener.hpp"\n'),
     (wrong_includes, "core/base/disk.cpp", "#include <sys/socket.h>\n"),
     (wrong_includes, "core/base/disk.cpp", "#include <boost/asio/post.hpp>\n"),
@@ -223,7 +237,7 @@ GOOD = [
 
 
 def project_files():
-    for room in ("core", "protocol", "server", "web-client", "tests", "docker", ".ci"):
+    for room in ("core", "protocol", "store", "server", "web-client", "tests", "docker", ".ci"):
         for folder, folders, files in os.walk(os.path.join(ROOT, room)):
             folders[:] = sorted(f for f in folders if f not in GENERATED)
             for name in sorted(files):

@@ -23,13 +23,13 @@ COLOR = re.compile(r"\b\w*[cC]olor\w*\b")
 
 # Types named by a word with a home: the word, and the product's files that may declare one.
 HOMES = {
-    "Turn": ("server/session/fair_queue.hpp", "server/session/history.hpp"),
-    "Lane": ("server/session/quick_lanes.hpp", "server/session/long_lanes.hpp",
+    "Turn": ("server/compute/fair_queue.hpp", "server/session/records/history.hpp"),
+    "Lane": ("server/compute/quick_lanes.hpp", "server/compute/long_lanes.hpp",
              "core/field/advance_stored.cpp"),
-    "Place": ("server/net/admission.hpp", "server/net/downloads.hpp", "server/session/budgets.hpp",
-              "server/session/history_budget.hpp", "server/session/change_log.hpp", "core/field/cells/box_tree.hpp"),
-    "Places": ("protocol/wire_match.hpp",),
-    "History": ("server/session/history.hpp",),
+    "Place": ("server/net/admission.hpp", "server/net/downloads.hpp", "server/compute/budgets.hpp",
+              "server/compute/history_budget.hpp", "server/session/records/change_log.hpp", "core/field/cells/box_tree.hpp"),
+    "Places": ("protocol/wire/wire_match.hpp",),
+    "History": ("server/session/records/history.hpp",),
     "Cell": ("core/surface/quad_complex.hpp",),
     "Sample": ("core/field/kernel/rk4_kernel.hpp",),
 }
@@ -54,7 +54,7 @@ def spelt_color(path, text):
 
 def word_away_from_home(path, text):
     """A type with a word of the glossary for its name, where the word means something else."""
-    if not re.match(r"(core|protocol|server)/.*\.(hpp|cpp)$", path):
+    if not re.match(r"(core|protocol|store|server)/.*\.(hpp|cpp)$", path):
         return
     for match in DECLARED.finditer(text):
         homes = HOMES.get(match.group(1))
@@ -78,7 +78,7 @@ GOOD = [
     (spelt_color, "web-client/src/a.ts", "    color: var(--quiet);\n    border-left-color: red;\n"),
     (spelt_color, "web-client/src/a.ts", "new LineBasicMaterial({ color: 0xb4bcc9 });\n// the color of it\n"),
     (spelt_color, "server/a.ts", "const color = 1;\n"),
-    (word_away_from_home, "server/session/fair_queue.hpp", "    struct Turn {\n"),
+    (word_away_from_home, "server/compute/fair_queue.hpp", "    struct Turn {\n"),
     (word_away_from_home, "server/net/a.cpp", "Admission::Place place;\nstruct PlaceOfMine {};\n"),
     (word_away_from_home, "tests/core/a.cpp", "struct Turn {\n"),
 ]

@@ -1,6 +1,6 @@
 #include "tests/simulation/participant.hpp"
 
-#include "protocol/mesh_frame.hpp"
+#include "protocol/wire/mesh_frame.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // random, loses its connection and comes back. Whatever happens, what it holds must be what the server says.
 #pragma once
 
-#include "protocol/mesh_decoder.hpp"
+#include "protocol/wire/mesh_decoder.hpp"
 #include "tests/simulation/link.hpp"
 
 #include <nlohmann/json.hpp>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/base/clock.hpp"
-#include "server/session/entropy.hpp"
-#include "server/session/loop.hpp"
+#include "server/base/entropy.hpp"
+#include "server/base/loop.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -2,10 +2,10 @@
 // Its destructor is a crash.
 #pragma once
 
+#include "server/compute/compute_pool.hpp"
 #include "server/rpc/dispatcher.hpp"
-#include "server/session/compute_pool.hpp"
-#include "server/session/grants.hpp"
-#include "server/session/probe.hpp"
+#include "server/session/live/probe.hpp"
+#include "server/session/people/grants.hpp"
 #include "server/session/session_directory.hpp"
 #include "tests/simulation/disk.hpp"
 #include "tests/simulation/link.hpp"

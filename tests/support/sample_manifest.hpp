@@ -1,19 +1,19 @@
 // A store's manifest in which every member holds something.
 #pragma once
 
-#include "core/dataset/store_grid.hpp"
-#include "protocol/store_manifest.hpp"
+#include "store/store_grid.hpp"
+#include "store/store_manifest.hpp"
 
 namespace wakesurf::tests {
 
-inline protocol::StoreManifest sample_manifest() {
-    protocol::StoreManifest manifest;
+inline store::StoreManifest sample_manifest() {
+    store::StoreManifest manifest;
     manifest.complete = true;
     manifest.source = {{{"a.pvd", 100, 1'795'231'487'280'964'257}},
                        {{{"a_0.vti", 200, -5}}, {{"a_1.vti", 200, 7}, {"a_1.raw", 9, 8}}},
                        "field U "};
     const core::UniformGrid grid{{0.5, 0, -1}, {0.1, 0.2, 0.3}, {3, 4, 5}};
-    manifest.layout.grid = core::stored_grid(grid);
+    manifest.layout.grid = store::stored_grid(grid);
     manifest.layout.times = {0.5, 1.5};
     manifest.layout.precision = core::Precision::Half;
     manifest.layout.scalars = {{"p / rho", "p-rho"}};

@@ -3,8 +3,8 @@
 
 #include "core/base/crc32c.hpp"
 #include "core/base/half.hpp"
-#include "core/dataset/store_grid.hpp"
-#include "core/dataset/store_reader.hpp"
+#include "store/store_grid.hpp"
+#include "store/store_reader.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <cstdint>
@@ -27,14 +27,14 @@ inline std::uint32_t checksum_of(std::string_view bytes) {
 }
 
 /// Appends the record that makes the next time-step ready.
-inline void append_checksums(const core::StoreLayout& layout,
+inline void append_checksums(const store::StoreLayout& layout,
                              const std::vector<std::uint32_t>& checksums) {
-    std::ofstream(layout.folder / core::checksums_file_name, std::ios::binary | std::ios::app)
+    std::ofstream(layout.folder / store::checksums_file_name, std::ios::binary | std::ios::app)
         << bytes_of(checksums);
 }
 
 /// The file of a time-step alone, which does not make it ready.
-inline std::uint32_t put_values(const core::StoreLayout& layout,
+inline std::uint32_t put_values(const store::StoreLayout& layout,
                                 std::string_view stem,
                                 std::size_t index,
                                 const std::vector<float>& values) {
@@ -42,26 +42,26 @@ inline std::uint32_t put_values(const core::StoreLayout& layout,
     core::to_half(values, halves);
     const std::string bytes =
         layout.precision == core::Precision::Half ? bytes_of(halves) : bytes_of(values);
-    write_file(layout.folder / core::step_file_name(stem, index, layout.precision), bytes);
+    write_file(layout.folder / store::step_file_name(stem, index, layout.precision), bytes);
     return checksum_of(bytes);
 }
 
 /// Time-step `index` of a store without scalars; those before it must be there.
 inline void
-put_step(const core::StoreLayout& layout, std::size_t index, const std::vector<float>& velocity) {
-    append_checksums(layout, {put_values(layout, core::velocity_stem, index, velocity)});
+put_step(const store::StoreLayout& layout, std::size_t index, const std::vector<float>& velocity) {
+    append_checksums(layout, {put_values(layout, store::velocity_stem, index, velocity)});
 }
 
 /// A file that all time-steps share.
 inline void
-put_fixed(core::StoreLayout& layout, const std::string& name, const std::string& bytes) {
+put_fixed(store::StoreLayout& layout, const std::string& name, const std::string& bytes) {
     write_file(layout.folder / name, bytes);
     layout.checksums[name] = checksum_of(bytes);
 }
 
-inline core::Result<std::shared_ptr<const core::StoreReader>>
-open_layout(const core::StoreLayout& layout) {
-    return core::StoreReader::open(layout, std::make_shared<core::PosixDisk>());
+inline core::Result<std::shared_ptr<const store::StoreReader>>
+open_layout(const store::StoreLayout& layout) {
+    return store::StoreReader::open(layout, std::make_shared<core::PosixDisk>());
 }
 
 inline void flip_bit(const std::filesystem::path& file, std::size_t bit) {

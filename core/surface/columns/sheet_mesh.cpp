@@ -164,11 +164,8 @@ void append_sheet(SheetMesh& mesh, const Sheet& sheet) {
             if (cell.mid[k] != no_vertex)
                 cell.mid[k] = id[cell.mid[k]];
         }
-        if (sheet.upstream()) { // mirrored, so that both sheets of a rake face the same way
-            std::swap(cell.corner[0], cell.corner[1]);
-            std::swap(cell.corner[2], cell.corner[3]);
-            std::swap(cell.mid[1], cell.mid[3]);
-        }
+        if (sheet.upstream())
+            cell = mirror(cell); // both sheets of a rake face the same way
     }
     if (mesh.complex.cells.empty())
         mesh.complex.cells = std::move(cells);

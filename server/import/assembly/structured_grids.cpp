@@ -1,6 +1,6 @@
 #include "server/import/assembly/structured_grids.hpp"
 
-#include "core/dataset/store_grid.hpp"
+#include "store/store_grid.hpp"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -51,7 +51,7 @@ core::Result<core::UniformGrid> uniform_grid(vtkImageData& image) {
         grid.spacing[axis] = image.GetSpacing()[axis];
         grid.origin[axis] = image.GetOrigin()[axis] + extent[2 * axis] * image.GetSpacing()[axis];
     }
-    if (auto size = core::check_grid(core::stored_grid(grid)); !size)
+    if (auto size = store::check_grid(store::stored_grid(grid)); !size)
         return core::fail(size.error().code, size.error().message);
     return grid;
 }

@@ -1,9 +1,9 @@
 // Which faces of a mesh of cells are walls, and the geometry of obstacles for display.
 #pragma once
 
-#include "core/dataset/store_reader.hpp"
 #include "server/import/assembly/grid_assembly.hpp"
 #include "server/import/source.hpp"
+#include "store/store_reader.hpp"
 
 #include <cstdint>
 #include <span>

@@ -1,16 +1,16 @@
 // Which reader a path is for: by its extension and, where several formats share one, by what it holds.
 #include "core/base/disk.hpp"
 #include "server/import/source.hpp"
-#include "server/import/sources/cgns_source.hpp"
-#include "server/import/sources/ensight_source.hpp"
-#include "server/import/sources/exodus_source.hpp"
-#include "server/import/sources/file_names.hpp"
-#include "server/import/sources/folder_choice.hpp"
-#include "server/import/sources/netcdf_source.hpp"
-#include "server/import/sources/numbered_files.hpp"
-#include "server/import/sources/openfoam_source.hpp"
-#include "server/import/sources/plot3d_source.hpp"
-#include "server/import/sources/vtk_files_source.hpp"
+#include "server/import/sources/cgns/cgns_source.hpp"
+#include "server/import/sources/ensight/ensight_source.hpp"
+#include "server/import/sources/exodus/exodus_source.hpp"
+#include "server/import/sources/netcdf/netcdf_source.hpp"
+#include "server/import/sources/openfoam/openfoam_source.hpp"
+#include "server/import/sources/plot3d/plot3d_source.hpp"
+#include "server/import/sources/series/file_names.hpp"
+#include "server/import/sources/series/folder_choice.hpp"
+#include "server/import/sources/series/numbered_files.hpp"
+#include "server/import/sources/vtk/vtk_files_source.hpp"
 
 #include <array>
 #include <fstream>

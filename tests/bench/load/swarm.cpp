@@ -1,6 +1,6 @@
 #include "tests/bench/load/swarm.hpp"
 
-#include "protocol/mesh_frame.hpp"
+#include "protocol/wire/mesh_frame.hpp"
 
 #include <boost/asio/bind_executor.hpp>
 #include <boost/asio/io_context.hpp>

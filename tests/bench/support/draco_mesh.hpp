@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
-#include "protocol/lattice.hpp"
+#include "protocol/wire/lattice.hpp"
 
 #include <cstddef>
 

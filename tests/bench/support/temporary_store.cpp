@@ -2,7 +2,7 @@
 
 #include "core/base/crc32c.hpp"
 #include "core/base/half.hpp"
-#include "protocol/store_manifest.hpp"
+#include "store/store_manifest.hpp"
 
 #include <fstream>
 #include <stdexcept>
@@ -22,25 +22,25 @@ T or_throw(core::Result<T> result) {
     return std::move(*result);
 }
 
-core::StoreLayout layout_in(const fs::path& folder) {
-    return protocol::store_layout(
-        or_throw(protocol::read_store_manifest(folder, core::PosixDisk())), folder);
+store::StoreLayout layout_in(const fs::path& folder) {
+    return store::store_layout(or_throw(store::read_store_manifest(folder, core::PosixDisk())),
+                               folder);
 }
 
-std::shared_ptr<const core::StoreReader> open(core::StoreLayout layout) {
+std::shared_ptr<const store::StoreReader> open(store::StoreLayout layout) {
     return or_throw(
-        core::StoreReader::open(std::move(layout), std::make_shared<core::PosixDisk>()));
+        store::StoreReader::open(std::move(layout), std::make_shared<core::PosixDisk>()));
 }
 
 } // namespace
 
-TemporaryStore::TemporaryStore(const server::GenerateRequest& request) {
+TemporaryStore::TemporaryStore(const store::GenerateRequest& request) {
     std::string name = (fs::temp_directory_path() / "wakesurf-bench-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr)
         throw std::runtime_error("cannot make a temporary folder");
     folder_ = name;
     if (const auto made =
-            server::generate_store(request, folder_, [](const server::ImportProgress&) {}, {});
+            store::generate_store(request, folder_, [](const store::ImportProgress&) {}, {});
         !made) {
         fs::remove_all(folder_);
         throw std::runtime_error(made.error().message);
@@ -52,16 +52,16 @@ TemporaryStore::~TemporaryStore() {
     fs::remove_all(folder_, ignored);
 }
 
-std::shared_ptr<const core::StoreReader> TemporaryStore::reader() const {
+std::shared_ptr<const store::StoreReader> TemporaryStore::reader() const {
     return open(layout_in(folder_));
 }
 
-std::shared_ptr<const core::StoreReader> TemporaryStore::half_reader() const {
-    core::StoreLayout layout = layout_in(folder_);
+std::shared_ptr<const store::StoreReader> TemporaryStore::half_reader() const {
+    store::StoreLayout layout = layout_in(folder_);
     layout.folder = folder_ / "half";
     layout.precision = core::Precision::Half;
     fs::create_directory(layout.folder);
-    std::ofstream checksums(layout.folder / core::checksums_file_name, std::ios::binary);
+    std::ofstream checksums(layout.folder / store::checksums_file_name, std::ios::binary);
     const auto single = reader();
     for (std::size_t i = 0; i < layout.times.size(); ++i) {
         const auto step = or_throw(single->load(i, {}));
@@ -69,7 +69,7 @@ std::shared_ptr<const core::StoreReader> TemporaryStore::half_reader() const {
         core::to_half(step->velocity(), halves);
         const auto bytes = std::as_bytes(std::span(halves));
         std::ofstream(layout.folder /
-                          core::step_file_name(core::velocity_stem, i, layout.precision),
+                          store::step_file_name(store::velocity_stem, i, layout.precision),
                       std::ios::binary)
             .write(reinterpret_cast<const char*>(bytes.data()),
                    static_cast<std::streamsize>(bytes.size()));

@@ -1,8 +1,8 @@
 // A generated store in a folder of its own, removed with everything in it.
 #pragma once
 
-#include "core/dataset/store_reader.hpp"
-#include "server/catalogue/store_generation.hpp"
+#include "store/store_generation.hpp"
+#include "store/store_reader.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -12,7 +12,7 @@ namespace wakesurf::bench {
 class TemporaryStore {
   public:
     /// Throws std::runtime_error where it cannot be made, for want of room for example.
-    explicit TemporaryStore(const server::GenerateRequest& request);
+    explicit TemporaryStore(const store::GenerateRequest& request);
     ~TemporaryStore();
     TemporaryStore(const TemporaryStore&) = delete;
     TemporaryStore& operator=(const TemporaryStore&) = delete;
@@ -20,10 +20,10 @@ class TemporaryStore {
     const std::filesystem::path& folder() const { return folder_; }
 
     /// A reader that has read nothing yet.
-    std::shared_ptr<const core::StoreReader> reader() const;
+    std::shared_ptr<const store::StoreReader> reader() const;
 
     /// Writes the velocities once more, in half precision, beside the others. A reader of those.
-    std::shared_ptr<const core::StoreReader> half_reader() const;
+    std::shared_ptr<const store::StoreReader> half_reader() const;
 
   private:
     std::filesystem::path folder_;

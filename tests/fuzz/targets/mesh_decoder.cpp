@@ -1,6 +1,6 @@
 // Frames of a surface, folded one after another. The input is what the golden files are: frames, each behind its length. The checksum of
 // each frame is corrected first, or no mutation would get past it.
-#include "protocol/mesh_decoder.hpp"
+#include "protocol/wire/mesh_decoder.hpp"
 
 #include "core/base/crc32c.hpp"
 #include "tests/fuzz/targets/all.hpp"
@@ -17,7 +17,7 @@ namespace wakesurf::fuzz {
 
 namespace {
 
-constexpr std::size_t checksum_at = 60; ///< of a frame's header: protocol/README.md
+constexpr std::size_t checksum_at = 60; ///< of a frame's header: protocol/wire/README.md
 constexpr std::size_t header_bytes = protocol::frame_header_bytes;
 
 void correct_checksum(std::span<std::byte> frame) {
@@ -60,7 +60,8 @@ void run(Input input) {
 }
 
 std::string fixture(std::string_view name) {
-    std::ifstream file(tests::source_folder() / "protocol/fixtures" / (std::string(name) + ".bin"),
+    std::ifstream file(tests::source_folder() / "protocol/wire/fixtures" /
+                           (std::string(name) + ".bin"),
                        std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }

@@ -1,8 +1,8 @@
 // Records as they are kept, in every reader: what is read can be written and read again to the same text.
-#include "protocol/json_text.hpp"
-#include "protocol/messages_grant.hpp"
-#include "protocol/messages_presence.hpp"
-#include "protocol/record_text.hpp"
+#include "protocol/api/json_text.hpp"
+#include "protocol/api/messages_grant.hpp"
+#include "protocol/api/messages_presence.hpp"
+#include "protocol/api/record_text.hpp"
 #include "tests/fuzz/targets/all.hpp"
 
 #include <nlohmann/json.hpp>

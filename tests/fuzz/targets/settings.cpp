@@ -1,11 +1,11 @@
 // What edits send: the parameters of a call, read as every kind of setting and as presence.
-#include "protocol/json_text.hpp"
-#include "protocol/messages_annotation.hpp"
-#include "protocol/messages_bookmark.hpp"
-#include "protocol/messages_presence.hpp"
-#include "protocol/messages_rake.hpp"
-#include "protocol/messages_surface.hpp"
-#include "protocol/messages_time.hpp"
+#include "protocol/api/json_text.hpp"
+#include "protocol/api/messages_annotation.hpp"
+#include "protocol/api/messages_bookmark.hpp"
+#include "protocol/api/messages_presence.hpp"
+#include "protocol/api/messages_rake.hpp"
+#include "protocol/api/messages_surface.hpp"
+#include "protocol/api/messages_time.hpp"
 #include "tests/fuzz/targets/all.hpp"
 
 #include <nlohmann/json.hpp>

@@ -7,18 +7,18 @@ namespace wakesurf::fuzz {
 namespace {
 
 void run(Input input) {
-    const auto manifest = protocol::parse_store_manifest(text_of(input));
+    const auto manifest = store::parse_store_manifest(text_of(input));
     if (!manifest)
         return;
-    const std::string text = protocol::store_manifest_text(*manifest);
-    const auto again = protocol::parse_store_manifest(text);
+    const std::string text = store::store_manifest_text(*manifest);
+    const auto again = store::parse_store_manifest(text);
     demand(again.has_value(), "a manifest that was written can be read");
-    demand(protocol::store_manifest_text(*again) == text,
+    demand(store::store_manifest_text(*again) == text,
            "a manifest is the same after it was written and read");
 }
 
 std::vector<std::string> seeds() {
-    const std::string whole = protocol::store_manifest_text(tests::sample_manifest());
+    const std::string whole = store::store_manifest_text(tests::sample_manifest());
     return {whole, whole.substr(0, whole.size() / 2), "{}"};
 }
 

@@ -1,7 +1,7 @@
 #include "core/base/disk.hpp"
-#include "protocol/store_manifest.hpp"
 #include "server/catalogue/dataset_catalogue.hpp"
 #include "server/catalogue/import_process.hpp"
+#include "store/store_manifest.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/slow_series.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -242,10 +242,10 @@ TEST(DatasetCatalogue, EndsTheImportThatIsRunningWhenItGoes) {
     EXPECT_EQ(unfinished_files(folder / "stores"), 0u);
     std::size_t manifests = 0;
     for (const auto& each : std::filesystem::recursive_directory_iterator(folder / "stores"))
-        if (each.path().filename() == protocol::manifest_file_name) {
+        if (each.path().filename() == store::manifest_file_name) {
             ++manifests;
             const auto kept =
-                protocol::read_store_manifest(each.path().parent_path(), core::PosixDisk());
+                store::read_store_manifest(each.path().parent_path(), core::PosixDisk());
             EXPECT_FALSE(kept.value().complete) << "it was waited for";
         }
     EXPECT_EQ(manifests, 1u);
@@ -293,7 +293,7 @@ TEST(DatasetCatalogue, AStoreWithoutItsLastTimeStepsIsIncompleteAndSaysWhatToDo)
     write_file(folder / "u_0.vti", sample_vti(0.0).text());
     write_file(folder / "u_1.vti", "nonsense");
     const ImportCommand import{folder / "u_0.vti", folder / "store", {}, {}, importer_program()};
-    ASSERT_FALSE(run_import_process(import, [](const ImportProgress&) {}));
+    ASSERT_FALSE(run_import_process(import, [](const store::ImportProgress&) {}));
     Bench bench({folder / "store"});
     const auto status = bench.wait_until_settled("store");
     EXPECT_EQ(status.state, DatasetState::Incomplete);

@@ -28,21 +28,21 @@ TEST_F(ImportProcess, TellsTheImportersSentenceAndNothingThatLibrariesPrint) {
     const auto failed = run_import_process(with("echo 'wakesurf-import: u.cgns is damaged' >&2\n"
                                                 "echo 'L,G_top,T_top,F,P,P,FD,E,SL,FL' >&2\n"
                                                 "exit 1"),
-                                           [](const ImportProgress&) {});
+                                           [](const store::ImportProgress&) {});
     EXPECT_EQ(failed.error().message, "u.cgns is damaged");
     EXPECT_EQ(failed.error().code, Error::Code::Corrupt);
     const auto silent = run_import_process(with("echo 'HDF5-DIAG: Error detected' >&2; exit 1"),
-                                           [](const ImportProgress&) {});
+                                           [](const store::ImportProgress&) {});
     EXPECT_EQ(silent.error().message, "the importer failed and did not say why");
 }
 
 TEST_F(ImportProcess, PassesItsShareOfMemoryOn) {
     auto command = with("echo \"wakesurf-import: $*\" >&2; exit 1");
     command.memory = 1'000'000;
-    const auto failed = run_import_process(command, [](const ImportProgress&) {});
+    const auto failed = run_import_process(command, [](const store::ImportProgress&) {});
     EXPECT_EQ(failed.error().message, "--memory=1000000 -- source store");
     command.memory = 0;
-    EXPECT_EQ(run_import_process(command, [](const ImportProgress&) {}).error().message,
+    EXPECT_EQ(run_import_process(command, [](const store::ImportProgress&) {}).error().message,
               "-- source store");
 }
 
@@ -50,7 +50,7 @@ TEST_F(ImportProcess, HearsOnlyProgressOfWhatIsPrinted) {
     std::size_t heard = 0;
     const auto done = run_import_process(
         with("echo 'a warning of a library'\necho '{\"phase\":\"done\",\"done\":2,\"total\":2}'"),
-        [&](const ImportProgress& progress) { heard += progress.done; });
+        [&](const store::ImportProgress& progress) { heard += progress.done; });
     EXPECT_TRUE(done.has_value());
     EXPECT_EQ(heard, 2u);
 }

@@ -1,6 +1,6 @@
 // How much memory a dataset may take, and what is said when that is too little.
 #include "server/catalogue/open_dataset.hpp"
-#include "server/catalogue/store_generation.hpp"
+#include "store/store_generation.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@ core::Result<void>
 generate(const std::filesystem::path& folder, const std::string& flow, std::vector<double> times) {
     // 1,000,000 nodes: 11.5 MiB a time-step.
     const core::UniformGrid grid{core::Vec3(-2.0), core::Vec3(0.04), {100, 100, 100}};
-    return generate_store({flow, grid, std::move(times)}, folder, [](const ImportProgress&) {}, {});
+    return store::generate_store({flow, grid, std::move(times)}, folder,
+                                 [](const store::ImportProgress&) {}, {});
 }
 
 TEST(MemoryBudget, OfADatasetHoldsFourTimeStepsOrItIsRefusedWithBothNumbers) {

@@ -1,10 +1,10 @@
-// What core/README.md promises to people with numpy: its very lines are run on stores made here.
-#include "core/dataset/store_grid.hpp"
-#include "core/dataset/store_reader.hpp"
-#include "protocol/store_manifest.hpp"
+// What store/README.md promises to people with numpy: its very lines are run on stores made here.
 #include "server/catalogue/child_process.hpp"
-#include "server/catalogue/store_generation.hpp"
-#include "server/catalogue/store_writer.hpp"
+#include "store/store_generation.hpp"
+#include "store/store_grid.hpp"
+#include "store/store_manifest.hpp"
+#include "store/store_reader.hpp"
+#include "store/store_writer.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -22,10 +22,10 @@ using tests::write_file;
 
 constexpr const char* debian_python = "/usr/bin/python3"; // where python3-numpy puts its module
 
-/// The code blocks of the Store section, in their order.
+/// The code blocks of the Format section, in their order.
 std::vector<std::string> snippets() {
-    const std::string text = read_file(tests::source_folder() / "core" / "README.md");
-    const auto begin = text.find("## Store");
+    const std::string text = read_file(tests::source_folder() / "store" / "README.md");
+    const auto begin = text.find("## Format");
     const auto end = text.find("\n## ", begin + 1);
     std::vector<std::string> blocks;
     constexpr std::string_view fence = "```python\n";
@@ -61,10 +61,10 @@ class StoreWithNumpy : public testing::Test {
         return {run->exit_status, output + run->errors};
     }
 
-    std::shared_ptr<const core::StoreReader> reader() const {
+    std::shared_ptr<const store::StoreReader> reader() const {
         const auto disk = std::make_shared<core::PosixDisk>();
-        const auto manifest = protocol::read_store_manifest(store(), *disk).value();
-        return core::StoreReader::open(protocol::store_layout(manifest, store()), disk).value();
+        const auto manifest = store::read_store_manifest(store(), *disk).value();
+        return store::StoreReader::open(store::store_layout(manifest, store()), disk).value();
     }
 
     tests::TemporaryFolder folder_;
@@ -79,11 +79,11 @@ std::vector<float> numbers_in(std::string text) {
 }
 
 TEST_F(StoreWithNumpy, TheLinesForUniformGridsPrintAVelocity) {
-    GenerateRequest request;
+    store::GenerateRequest request;
     request.flow = "abc";
     request.grid = {{0, 0, 0}, {0.1, 0.2, 0.3}, {9, 7, 5}};
     request.times = {0.25};
-    ASSERT_TRUE(generate_store(request, store(), [](const ImportProgress&) {}, {}));
+    ASSERT_TRUE(store::generate_store(request, store(), [](const store::ImportProgress&) {}, {}));
     const auto [status, output] = python(snippets()[0]);
     ASSERT_EQ(status, 0) << output;
     const auto step = reader()->load(0, {}).value();
@@ -100,23 +100,23 @@ TEST_F(StoreWithNumpy, TheLinesForCellMeshesPrintPositionsAndVelocitiesOfACell) 
     mesh.points = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     mesh.cells = {{{1, 2, 3, 4}, {}, core::CellShape::Tetrahedron}};
     mesh.cells[0].beyond.fill(core::beyond_domain);
-    auto writer = StoreWriter::open(store(), [] { return core::Result<void>(); }).value();
-    protocol::StoreManifest manifest;
-    for (const auto& file : core::grid_files(mesh))
+    auto writer = store::StoreWriter::open(store(), [] { return core::Result<void>(); }).value();
+    store::StoreManifest manifest;
+    for (const auto& file : store::grid_files(mesh))
         manifest.layout.checksums[file.name] = writer.write(file.name, file.bytes).value();
     const std::vector<float> velocity{0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
     const auto sum = writer
-                         .write(core::step_file_name("velocity", 0, core::Precision::Single),
+                         .write(store::step_file_name("velocity", 0, core::Precision::Single),
                                 std::as_bytes(std::span(velocity)))
                          .value();
     ASSERT_TRUE(writer.finish_step(0, {&sum, 1}));
-    manifest.layout.grid = core::stored_grid(mesh);
+    manifest.layout.grid = store::stored_grid(mesh);
     manifest.layout.times = manifest.info.times = {0.5};
     manifest.info.grid = core::GridKind::Unstructured;
     manifest.info.points = 5;
     manifest.info.cells = 1;
     manifest.info.bytes_per_step = 60;
-    const std::string text = protocol::store_manifest_text(manifest);
+    const std::string text = store::store_manifest_text(manifest);
     ASSERT_TRUE(writer.write("store.json", std::as_bytes(std::span(text))));
     EXPECT_EQ(reader()->load(0, {}).value()->velocity()[14], 12.0f) << "it is a store";
 

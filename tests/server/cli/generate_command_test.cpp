@@ -1,8 +1,8 @@
 // `wakesurf generate` as its user meets it: a process with an exit status, messages and a store.
-#include "core/dataset/store_reader.hpp"
 #include "core/field/analytic_flow.hpp"
-#include "protocol/store_manifest.hpp"
 #include "server/catalogue/child_process.hpp"
+#include "store/store_manifest.hpp"
+#include "store/store_reader.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -48,8 +48,8 @@ class GenerateCommand : public testing::Test {
         return wakesurf(more);
     }
 
-    protocol::StoreManifest manifest() const {
-        return protocol::read_store_manifest(store(), core::PosixDisk()).value();
+    store::StoreManifest manifest() const {
+        return store::read_store_manifest(store(), core::PosixDisk()).value();
     }
 
     std::vector<std::string> names() const {
@@ -113,8 +113,8 @@ TEST_F(GenerateCommand, WritesWhatTheFlowSaysAtEveryNodeAndTime) {
     const auto store_manifest = manifest();
     EXPECT_TRUE(store_manifest.complete);
     EXPECT_EQ(store_manifest.layout.times, (std::vector<double>{1, 1.5, 2, 2.5, 3}));
-    const auto reader = core::StoreReader::open(protocol::store_layout(store_manifest, store()),
-                                                std::make_shared<core::PosixDisk>());
+    const auto reader = store::StoreReader::open(store::store_layout(store_manifest, store()),
+                                                 std::make_shared<core::PosixDisk>());
     ASSERT_TRUE(reader);
     const auto flow = *core::make_analytic_flow("oscillating?a=2,u=3");
     double fastest = 0.0;

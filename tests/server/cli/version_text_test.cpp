@@ -1,10 +1,10 @@
 // `wakesurf --version`: the program's version and those of all that it reads, writes and speaks.
-#include "protocol/api_level.hpp"
-#include "protocol/mesh_frame.hpp"
-#include "protocol/session_file.hpp"
-#include "protocol/store_manifest.hpp"
+#include "protocol/api/api_level.hpp"
+#include "protocol/api/session_file.hpp"
+#include "protocol/wire/mesh_frame.hpp"
 #include "server/cli/version_text.hpp"
 #include "server/state/state_layout.hpp"
+#include "store/store_manifest.hpp"
 #include "tests/support/places.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(Version, NamesTheProgramTheApiAndEveryFormat) {
         EXPECT_NE(("\n" + text + "\n").find("\n" + line + "\n"), std::string::npos) << text;
     };
     has("API level " + std::to_string(protocol::api_level));
-    has("store format " + std::to_string(protocol::store_format_version));
+    has("store format " + std::to_string(store::store_format_version));
     has("journal schema " + std::to_string(server::state_layout));
     has("session file " + std::to_string(protocol::session_file_version));
     has("mesh frame " + std::to_string(protocol::frame_version));
@@ -79,7 +79,7 @@ TEST(Version, OfEveryFormatIsExplained) {
     const std::string table = text_of("docs/versions.md");
     for (const std::string& row :
          {"API level | " + std::to_string(protocol::api_level),
-          "store format | " + std::to_string(protocol::store_format_version),
+          "store format | " + std::to_string(store::store_format_version),
           "journal schema | " + std::to_string(server::state_layout),
           "session file | " + std::to_string(protocol::session_file_version),
           "mesh frame | " + std::to_string(protocol::frame_version)})

@@ -1,6 +1,6 @@
 // EnSight Gold cases made here: what the source returns of them, and what it refuses.
-#include "server/import/sources/ensight_case.hpp"
-#include "server/import/sources/ensight_source.hpp"
+#include "server/import/sources/ensight/ensight_case.hpp"
+#include "server/import/sources/ensight/ensight_source.hpp"
 #include "tests/support/ensight_text.hpp"
 #include "tests/support/temporary_folder.hpp"
 

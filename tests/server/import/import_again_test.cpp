@@ -97,7 +97,7 @@ TEST_F(Import, LeavesOnlyWholeFilesWhenInterrupted) {
     std::stop_source stop;
     const auto outcome = run_import_process(
         {bundled, store(), {}, {}, tests::importer_program()},
-        [&](const ImportProgress& progress) {
+        [&](const store::ImportProgress& progress) {
             if (progress.done == 2)
                 stop.request_stop();
         },
@@ -116,7 +116,7 @@ TEST_F(Import, WaitsForAnotherImporterOfTheSameStore) {
     std::vector<std::string> phases;
     const auto outcome =
         run_import_process({folder_ / "a.vti", store(), {}, {}, tests::importer_program()},
-                           [&](const ImportProgress& progress) {
+                           [&](const store::ImportProgress& progress) {
                                phases.push_back(progress.phase);
                                if (progress.phase == "waiting")
                                    ::close(lock);

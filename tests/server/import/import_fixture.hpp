@@ -1,10 +1,10 @@
 // wakesurf-import as a process, with a folder of its own for sources and the store it makes.
 #pragma once
 
-#include "core/dataset/store_reader.hpp"
-#include "protocol/store_manifest.hpp"
 #include "server/catalogue/child_process.hpp"
 #include "server/catalogue/import_process.hpp"
+#include "store/store_manifest.hpp"
+#include "store/store_reader.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/vti_text.hpp"
@@ -61,18 +61,18 @@ class Import : public testing::Test {
             << outcome.errors;
         EXPECT_EQ(outcome.errors.find(folder_.path().string()), std::string::npos)
             << outcome.errors;
-        const auto manifest = protocol::read_store_manifest(store(), core::PosixDisk());
+        const auto manifest = store::read_store_manifest(store(), core::PosixDisk());
         EXPECT_FALSE(manifest && manifest->complete) << name;
         fs::remove_all(store());
     }
 
-    protocol::StoreManifest manifest() const {
-        return protocol::read_store_manifest(store(), core::PosixDisk()).value();
+    store::StoreManifest manifest() const {
+        return store::read_store_manifest(store(), core::PosixDisk()).value();
     }
 
-    std::shared_ptr<const core::StoreReader> reader() const {
-        return core::StoreReader::open(protocol::store_layout(manifest(), store()),
-                                       std::make_shared<core::PosixDisk>())
+    std::shared_ptr<const store::StoreReader> reader() const {
+        return store::StoreReader::open(store::store_layout(manifest(), store()),
+                                        std::make_shared<core::PosixDisk>())
             .value();
     }
 

@@ -57,7 +57,7 @@ TEST_F(ImportSteps, AreTheSameBytesHoweverManyProcessesConvertThem) {
 TEST_F(ImportSteps, CarryScalarsAlong) {
     put_series(3);
     ASSERT_EQ(run("s.pvd").status, 0);
-    ASSERT_EQ(manifest().layout.scalars, (std::vector<core::StoredScalar>{{"p", "p"}}));
+    ASSERT_EQ(manifest().layout.scalars, (std::vector<store::StoredScalar>{{"p", "p"}}));
     const auto slab = reader()->load_scalar(0, 2, {}).value();
     EXPECT_EQ(reinterpret_cast<const float*>(slab.bytes().data())[5], 205.0f);
     for (const auto& field : manifest().info.fields)
@@ -75,8 +75,8 @@ TEST_F(ImportSteps, OfASourceThatHasGrownAreAddedToTheOldOnes) {
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(identity("velocity_000001.f32"), kept);
     ASSERT_EQ(outcome.lines.size(), 3u); // two time-steps and the end
-    EXPECT_EQ(parse_progress_line(outcome.lines[0])->done, 4u);
-    EXPECT_EQ(parse_progress_line(outcome.lines[1])->remaining, 0.0);
+    EXPECT_EQ(store::parse_progress_line(outcome.lines[0])->done, 4u);
+    EXPECT_EQ(store::parse_progress_line(outcome.lines[1])->remaining, 0.0);
     const fs::path fresh = folder_ / "fresh";
     ASSERT_EQ(import({folder_ / "s.pvd", fresh}).status, 0);
     expect_same_stores(fresh, store());

@@ -72,13 +72,13 @@ TEST_F(Import, TellsItsProgressInJsonLines) {
     const auto outcome = import({bundled, store()});
     ASSERT_EQ(outcome.lines.size(), 17u);
     for (std::size_t i = 0; i < 16; ++i) {
-        const auto progress = parse_progress_line(outcome.lines[i]);
+        const auto progress = store::parse_progress_line(outcome.lines[i]);
         ASSERT_TRUE(progress.has_value()) << outcome.lines[i];
         EXPECT_EQ(progress->phase, "import");
         EXPECT_EQ(progress->done, i + 1);
         EXPECT_EQ(progress->total, 16u);
     }
-    EXPECT_EQ(parse_progress_line(outcome.lines[16])->phase, "done");
+    EXPECT_EQ(store::parse_progress_line(outcome.lines[16])->phase, "done");
 }
 
 TEST_F(Import, ReadsANumberedSeriesFromItsFirstFile) {

@@ -1,5 +1,5 @@
 // VTK itself reads the files we write: the judge of the formats, and what ParaView shows of them.
-#include "protocol/mesh_file.hpp"
+#include "protocol/files/mesh_file.hpp"
 #include "tests/support/refined_surface.hpp"
 #include "tests/support/small_mesh.hpp"
 
@@ -120,7 +120,7 @@ TEST(MeshPly, IsReadByVtkWithColoursNormalsAndTextureCoordinates) {
         EXPECT_EQ(arrays->GetTCoords()->GetComponent(v, 1), double(float(mesh.t[std::size_t(v)])));
     }
     EXPECT_EQ(arrays->GetNumberOfArrays(), 3)
-        << "VTK shows more of a .ply than it did: say so in protocol/README.md";
+        << "VTK shows more of a .ply than it did: say so in protocol/files/README.md";
 }
 
 TEST(MeshGlb, WithoutDracoIsReadByVtkWithEveryArray) {

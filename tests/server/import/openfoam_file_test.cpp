@@ -1,5 +1,5 @@
 // What the importer itself reads of OpenFOAM's files.
-#include "server/import/sources/openfoam_file.hpp"
+#include "server/import/sources/openfoam/openfoam_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // OpenFOAM cases made here, cell by cell: what the source returns of them, and what it refuses.
-#include "server/import/sources/openfoam_source.hpp"
+#include "server/import/sources/openfoam/openfoam_source.hpp"
 #include "tests/support/foam_files.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -60,7 +60,7 @@ TEST_F(Import, DescribesAndConvertsCgnsFilesThatTheLibraryWarnsOf) {
         const auto outcome = run("new.cgns");
         EXPECT_EQ(outcome.status, 0) << outcome.errors;
         for (const auto& line : outcome.lines)
-            EXPECT_TRUE(parse_progress_line(line).has_value()) << line;
+            EXPECT_TRUE(store::parse_progress_line(line).has_value()) << line;
         fs::remove_all(store());
     }
 }

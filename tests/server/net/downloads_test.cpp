@@ -1,6 +1,6 @@
 // Whole meshes over HTTP, in every format, from the real program.
-#include "protocol/lattice.hpp"
-#include "protocol/mesh_decoder.hpp"
+#include "protocol/wire/lattice.hpp"
+#include "protocol/wire/mesh_decoder.hpp"
 #include "tests/support/mesh_readers.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"

@@ -1,6 +1,6 @@
 // cache.status, cache.patched and probe.sample against the real program with stored data.
 #include "core/field/analytic_flow.hpp"
-#include "server/catalogue/store_generation.hpp"
+#include "store/store_generation.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -20,14 +20,16 @@ class DatasetMethods : public testing::Test {
   protected:
     static void SetUpTestSuite() {
         folder_ = new TemporaryFolder;
-        server::GenerateRequest request;
+        store::GenerateRequest request;
         request.flow = "double-gyre";
         request.grid = {{0, 0, -1}, {0.125, 0.125, 0.5}, {17, 9, 5}};
         request.times = {0, 1, 2, 3, 4, 5};
-        const auto made = server::generate_store(request, *folder_ / "gyre",
-                                                 [](const server::ImportProgress&) {}, {});
+        const auto made = store::generate_store(request, *folder_ / "gyre",
+                                                [](const store::ImportProgress&) {}, {});
         ASSERT_TRUE(made.has_value()) << made.error().message;
         server_ = new ServerProcess({*folder_ / "gyre", "flow:abc"});
+        // A server answers before it has opened what it serves.
+        ASSERT_EQ(call("dataset.open", {{"dataset", "gyre"}})["result"]["state"], "ready");
     }
 
     static void TearDownTestSuite() {

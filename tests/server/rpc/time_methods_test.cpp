@@ -1,5 +1,5 @@
 // The session's clock and the frames that follow it, over a real socket: two clients fold what they are sent.
-#include "protocol/mesh_decoder.hpp"
+#include "protocol/wire/mesh_decoder.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 

@@ -1,7 +1,7 @@
 // The records of a session under edits of several people: what onlookers fold and what the journal keeps is what the
 // session has.
 #include "server/limits.hpp"
-#include "server/session/colours.hpp"
+#include "server/session/records/colours.hpp"
 #include "tests/support/server/random_edits.hpp"
 
 #include <gtest/gtest.h>

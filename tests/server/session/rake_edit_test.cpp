@@ -1,5 +1,5 @@
 // The whole path over a real socket: an edit of a rake, and the frames of the surface that follows from it.
-#include "protocol/mesh_decoder.hpp"
+#include "protocol/wire/mesh_decoder.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 

@@ -1,6 +1,6 @@
 // Which sessions there are: no one's work goes away by itself, what is deleted can be brought back, and limits are refusals.
 #include "server/limits.hpp"
-#include "server/session/grants.hpp"
+#include "server/session/people/grants.hpp"
 #include "server/session/session_restoring.hpp"
 #include "tests/support/server/session_bench.hpp"
 

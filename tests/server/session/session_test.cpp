@@ -1,7 +1,7 @@
 // A session without sockets: a loop turned by hand, timers fired by hand, a flow with a closed form.
 #include "core/field/analytic_flow.hpp"
 #include "server/limits.hpp"
-#include "server/session/colours.hpp"
+#include "server/session/records/colours.hpp"
 #include "server/session/session_directory.hpp"
 
 #include <gtest/gtest.h>

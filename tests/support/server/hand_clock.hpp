@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/clock.hpp"
-#include "server/session/loop.hpp"
+#include "server/base/loop.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/field/analytic_flow.hpp"
-#include "server/session/compute_pool.hpp"
-#include "server/session/journal.hpp"
+#include "server/base/journal.hpp"
+#include "server/compute/compute_pool.hpp"
 #include "server/session/session_directory.hpp"
 #include "tests/support/server/hand_loop.hpp"
 

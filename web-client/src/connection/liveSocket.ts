@@ -9,7 +9,7 @@ export const downAfterMs = 10_000;
 
 const linkEnded = 4003;
 /**
- * Closings after which coming back by oneself is of no use (protocol/README.md). Two pages that displace each other
+ * Closings after which coming back by oneself is of no use (protocol/api/README.md). Two pages that displace each other
  * would do so for ever.
  */
 const endings: ReadonlyMap<number, string> = new Map([

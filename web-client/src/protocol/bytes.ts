@@ -1,4 +1,4 @@
-// Little-endian varints in byte strings: the atoms of the binary wire. Twin: protocol/bytes.hpp.
+// Little-endian varints in byte strings: the atoms of the binary wire. Twin: protocol/wire/bytes.hpp.
 import { FrameError } from './frameError.ts';
 
 /** Differences near zero, of either sign, stand as small numbers: 0, 1, 2, 3 ... are 0, -1, 1, -2 ... */

@@ -1,4 +1,4 @@
-// What is expected of a cell's vertices, and how likely. protocol/README.md, Cells code. Twin: protocol/cell_model.hpp.
+// What is expected of a cell's vertices, and how likely. protocol/wire/README.md, Cells code. Twin: protocol/wire/cell_model.hpp.
 import { unzigzag } from './bytes.ts';
 import { cellStride, noVertex } from './cell.ts';
 import { FrameError } from './frameError.ts';

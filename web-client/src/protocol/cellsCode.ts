@@ -1,5 +1,5 @@
 // The compact code of the cells: which vertices a cell has is expected from the cells around it and from those before it, and
-// only whether that is so is coded. protocol/README.md, Cells code. Twin: protocol/cells_code.hpp.
+// only whether that is so is coded. protocol/wire/README.md, Cells code. Twin: protocol/wire/cells_code.hpp.
 import { cellStride } from './cell.ts';
 import { CellModel } from './cellModel.ts';
 import { FrameError } from './frameError.ts';

@@ -7,7 +7,7 @@ export interface RpcErrorObject {
     data?: unknown;
 }
 
-/** An error reply of the server. `kind` and `hint` come from `error.data` (protocol/README.md). */
+/** An error reply of the server. `kind` and `hint` come from `error.data` (protocol/api/README.md). */
 export class RpcError extends Error {
     readonly code: number;
     readonly kind: string;

@@ -1,5 +1,5 @@
 // The cells that an update leaves, in the numbers vertices have after it: what both ends know before the new cells are there.
-// Twin: protocol/kept_cells.hpp; unlike there, the state's own cells are changed in place.
+// Twin: protocol/wire/kept_cells.hpp; unlike there, the state's own cells are changed in place.
 import { cellStride, noVertex } from './cell.ts';
 import { FrameError } from './frameError.ts';
 import { forEachGap, numbersAfter, type Runs } from './runs.ts';

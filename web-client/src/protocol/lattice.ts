@@ -1,5 +1,5 @@
 // The integer lattice of a dataset: every position on the wire is a node of it, so both ends agree to
-// the bit. Twin: protocol/lattice.hpp.
+// the bit. Twin: protocol/wire/lattice.hpp.
 
 export interface Lattice {
     origin: [number, number, number];

@@ -1,4 +1,4 @@
-// From frames back to states. Twin: protocol/mesh_decoder.hpp; unlike there, an update is kept as bytes until all its
+// From frames back to states. Twin: protocol/wire/mesh_decoder.hpp; unlike there, an update is kept as bytes until all its
 // frames are in, and then changes the one state in place: what is shown has been copied out of it.
 import type { DracoPoints } from './dracoPoints.ts';
 import { FrameError } from './frameError.ts';

@@ -1,5 +1,5 @@
 // The envelope of one binary message: header, attribute ranges, a piece of the topology, point blocks.
-// protocol/README.md has the byte map. Twin: protocol/mesh_frame.hpp.
+// protocol/wire/README.md has the byte map. Twin: protocol/wire/mesh_frame.hpp.
 import { crc32c } from './crc32c.ts';
 import { FrameError } from './frameError.ts';
 import { maxLatticeBits } from './lattice.ts';

@@ -1,5 +1,5 @@
 // Notifications of the server, checked field by field as they come: what this client does not know or cannot trust is left
-// out. Shapes: protocol/README.md, JSON-RPC.
+// out. Shapes: protocol/api/README.md, JSON-RPC.
 import { isObject } from './jsonRpc.ts';
 import { type Phase, phases } from './meshFrame.ts';
 import {

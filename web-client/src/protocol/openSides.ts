@@ -1,5 +1,5 @@
 // The sides of cells that have no neighbour yet: a cell that comes later is most likely to lie along some of them.
-// protocol/README.md, Cells code. Twin: protocol/open_sides.hpp.
+// protocol/wire/README.md, Cells code. Twin: protocol/wire/open_sides.hpp.
 
 import { noVertex } from './cell.ts';
 

@@ -1,5 +1,5 @@
 // Binary arithmetic decoding with probabilities that both ends learn alike from what has been coded: what the cells code is
-// read with. protocol/README.md, Range code. Twin: protocol/range_coder.hpp.
+// read with. protocol/wire/README.md, Range code. Twin: protocol/wire/range_coder.hpp.
 import { FrameError } from './frameError.ts';
 
 const leastRange = 2 ** 24;

@@ -1,5 +1,5 @@
 // The records of a session, of datasets and of people as the server tells them, and the checks that a record from the wire is
-// one. Twins: protocol/messages_*.hpp; shapes: protocol/README.md, JSON-RPC.
+// one. Twins: protocol/messages_*.hpp; shapes: protocol/api/README.md, JSON-RPC.
 import { isObject } from './jsonRpc.ts';
 
 export type Vec3 = [number, number, number];

@@ -1,5 +1,5 @@
 // Which things of a list are meant, as runs of consecutive ones; and what becomes of a list when some go. Twin:
-// protocol/runs.hpp.
+// protocol/wire/runs.hpp.
 
 /** Things begin .. end - 1 of a list. */
 export interface Run {

@@ -1,5 +1,5 @@
 // The topology of an update: which vertices and cells go, come and change, as runs and a cells code.
-// protocol/README.md, Topology. Twin: protocol/wire_edit.hpp.
+// protocol/wire/README.md, Topology. Twin: protocol/wire/wire_edit.hpp.
 import { ByteReader } from './bytes.ts';
 import { cellStride } from './cell.ts';
 import { decodeCells } from './cellsCode.ts';

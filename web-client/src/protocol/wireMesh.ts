@@ -1,5 +1,5 @@
 // The state of a surface on the wire: integers that the server and all its clients hold alike.
-// protocol/README.md, Mesh frames. Twin: protocol/wire_mesh.hpp; unlike there, updates change it in place.
+// protocol/wire/README.md, Mesh frames. Twin: protocol/wire/wire_mesh.hpp; unlike there, updates change it in place.
 import { cellStride } from './cell.ts';
 import type { KeptCells } from './keptCells.ts';
 import { roomFor } from './room.ts';

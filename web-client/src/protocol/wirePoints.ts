@@ -1,5 +1,5 @@
 // The point blocks of an update: residuals of the vertices that moved or came, put into the mesh as they are read.
-// protocol/README.md, Points. Twin: protocol/wire_points.hpp.
+// protocol/wire/README.md, Points. Twin: protocol/wire/wire_points.hpp.
 import { ByteReader } from './bytes.ts';
 import type { DracoPoints } from './dracoPoints.ts';
 import { FrameError } from './frameError.ts';

@@ -1,5 +1,5 @@
-// The predictors: what both ends expect of a vertex before its residual. protocol/README.md, Points.
-// Sums are exact in double precision and cut to 32 bits once, which is to wrap. Twin: protocol/wire_predict.hpp.
+// The predictors: what both ends expect of a vertex before its residual. protocol/wire/README.md, Points.
+// Sums are exact in double precision and cut to 32 bits once, which is to wrap. Twin: protocol/wire/wire_predict.hpp.
 import type { Channel } from './wireMesh.ts';
 import { type Neighbours, none } from './wireTopology.ts';
 

@@ -1,5 +1,5 @@
 // The cells of a state and what predictions need of them: for each vertex the neighbours of lower index.
-// protocol/README.md, Neighbours. Twin: protocol/wire_topology.hpp.
+// protocol/wire/README.md, Neighbours. Twin: protocol/wire/wire_topology.hpp.
 import { cellStride } from './cell.ts';
 import type { KeptCells } from './keptCells.ts';
 import { roomFor } from './room.ts';

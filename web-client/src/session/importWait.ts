@@ -1,5 +1,5 @@
 // Waits for the import of the dataset that is opened, as one of all who do, until this page's user stops it: the last one who
-// does ends the import (protocol/README.md, "Datasets that are imported").
+// does ends the import (protocol/api/README.md, "Datasets that are imported").
 import { effect, signal, untracked } from '@preact/signals-core';
 import type { DatasetEntry } from '../protocol/messages.ts';
 import type { AppState } from '../state/appState.ts';

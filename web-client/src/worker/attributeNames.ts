@@ -1,7 +1,7 @@
 // What the attributes of a surface's frames are called. Frames carry numbers alone; which ones depends on the fields that the
 // surface had at their epoch.
 
-/** protocol/README.md, Attributes: these come first, then the surface's fields. */
+/** protocol/wire/README.md, Attributes: these come first, then the surface's fields. */
 export const everySurface: readonly string[] = ['speed', 's', 't'];
 const epochsKept = 8;
 

@@ -1,4 +1,4 @@
-// Writes the cells code as protocol/README.md has it, slowly and plainly: one endless number instead of a coder with carries,
+// Writes the cells code as protocol/wire/README.md has it, slowly and plainly: one endless number instead of a coder with carries,
 // maps instead of arrays. Shares no code with the reader, so that each checks the other.
 
 const none = -1;

@@ -1,4 +1,4 @@
-// The golden frames that the C++ tests write and read, too: protocol/fixtures.
+// The golden frames that the C++ tests write and read, too: protocol/wire/fixtures.
 import draco3d from 'draco3d';
 import { readFileSync } from 'node:fs';
 import { DracoPoints } from '../dracoPoints.ts';
@@ -34,7 +34,7 @@ export interface Golden {
 }
 
 function fixture(name: string): URL {
-    return new URL(`../../../../protocol/fixtures/${name}`, import.meta.url);
+    return new URL(`../../../../protocol/wire/fixtures/${name}`, import.meta.url);
 }
 
 export const golden = JSON.parse(readFileSync(fixture('golden.json'), 'utf8')) as Record<string, Golden>;

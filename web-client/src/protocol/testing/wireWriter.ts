@@ -1,4 +1,4 @@
-// Writes frames as protocol/README.md has them, slowly and plainly: every list is searched, every number is a BigInt or
+// Writes frames as protocol/wire/README.md has them, slowly and plainly: every list is searched, every number is a BigInt or
 // small. Shares no code with the reader but the byte counts, so that each checks the other.
 import { crc32c } from '../crc32c.ts';
 import { frameCrcAt, frameHeaderBytes } from '../meshFrame.ts';

@@ -1,5 +1,5 @@
 // Which edits are one act of the user's: a slider that is moved, a handle that is dragged, a button that makes two records, a
-// film that plays. The server takes back as one what bears one name (protocol/README.md, "Gestures").
+// film that plays. The server takes back as one what bears one name (protocol/api/README.md, "Gestures").
 
 /** Edits of one slider that follow each other faster are one act, as the wheel and the arrow keys move it. */
 const pauseMs = 1000;

@@ -1,0 +1,28 @@
+// Where sampling gets the values of a stored scalar from: a store's reader, or a test's own series. Beside
+// core/dataset/time_step_source.hpp on the path.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/slab.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+namespace wakesurf::core {
+
+/// Thread safety: concurrent calls are fine.
+class ScalarSource {
+  public:
+    virtual ~ScalarSource() = default;
+
+    /// Times of all time-steps, strictly increasing.
+    virtual const std::vector<double>& times() const = 0;
+
+    /// One float a node, of a scalar at a time-step. Error: NotFound (not written yet), Corrupt, Io, Cancelled.
+    virtual Result<std::shared_ptr<const Slab>>
+    scalar_values(std::size_t scalar, std::size_t step, const std::stop_token& stop) const = 0;
+};
+
+} // namespace wakesurf::core

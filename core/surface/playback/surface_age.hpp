@@ -1,0 +1,25 @@
+// Where a surface is at a time of a clock: its age, from the (first) release to its end.
+#pragma once
+
+#include "core/surface/surface_parameters.hpp"
+
+#include <optional>
+
+namespace wakesurf::core {
+
+/// Whether it looks different at different times of a clock.
+bool moves(const SurfaceParameters& parameters);
+
+/// 1 or -1: which way time runs along it. Surfaces of both directions are shown at the times of the forward part.
+double time_sign(const SurfaceParameters& parameters);
+
+/// From `from` to `to`, never negative.
+double time_span(const SurfaceParameters& parameters);
+
+/// The time of the clock at which it is complete.
+double end_time(const SurfaceParameters& parameters);
+
+/// Its age at a time of the clock, clamped to what it is followed over; at its end without a time.
+double age_at(const SurfaceParameters& parameters, std::optional<double> time);
+
+} // namespace wakesurf::core

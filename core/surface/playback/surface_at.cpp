@@ -1,0 +1,61 @@
+#include "core/surface/playback/surface_at.hpp"
+
+#include "core/surface/playback/growing_mesh.hpp"
+#include "core/surface/playback/played_surface.hpp"
+#include "core/surface/playback/surface_age.hpp"
+#include "core/surface/surface_builder.hpp"
+#include "core/surface/vertex_times.hpp"
+
+#include <utility>
+
+namespace wakesurf::core {
+
+namespace {
+
+Result<SurfaceAt> played(const Flow& flow,
+                         const Rake& rake,
+                         const SurfaceParameters& p,
+                         double age,
+                         const Clock& clock,
+                         const std::stop_token& stop,
+                         const WorkPart& work) {
+    auto surface =
+        PlayedSurface::start(flow, rake, p, 0, clock, stop, work); // nothing to step back to
+    if (!surface)
+        return tl::unexpected(surface.error());
+    auto shown = surface->at(age, stop, work);
+    if (!shown)
+        return tl::unexpected(shown.error());
+    auto times = shown->times();
+    return SurfaceAt{std::move(shown->mesh.mesh), std::move(shown->statistics), std::move(times)};
+}
+
+} // namespace
+
+Result<SurfaceAt> surface_at(const Flow& flow,
+                             const Rake& rake,
+                             const SurfaceParameters& p,
+                             std::optional<double> time,
+                             const Clock& clock,
+                             const std::stop_token& stop,
+                             const WorkPart& work) {
+    const bool timed = time && moves(p);
+    const double age = age_at(p, time);
+    if (timed && p.kind != SurfaceKind::Path)
+        return played(flow, rake, p, age, clock, stop, work);
+    auto surface = build_surface(flow, rake, p, stop, clock, work);
+    if (!surface)
+        return tl::unexpected(surface.error());
+    if (timed) {
+        if (!work.takes(2 * memory_of(surface->mesh)))
+            return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
+        const GrowingMesh growing(surface->mesh, time_span(p));
+        surface->mesh = growing.at(age).mesh;
+        surface->statistics.quads = surface->mesh.cells.size();
+        surface->statistics.vertices = surface->mesh.vertices();
+    }
+    auto times = vertex_times(*surface, p);
+    return SurfaceAt{std::move(surface->mesh), std::move(surface->statistics), std::move(times)};
+}
+
+} // namespace wakesurf::core

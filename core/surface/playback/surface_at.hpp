@@ -1,0 +1,36 @@
+// A surface computed once and whole, as it is at a time of a clock: what is downloaded and printed. By the same code as what is
+// shown then, without what live surfaces keep between two times.
+#pragma once
+
+#include "core/base/clock.hpp"
+#include "core/base/work_done.hpp"
+#include "core/field/flow.hpp"
+#include "core/surface/quad_complex.hpp"
+#include "core/surface/rake.hpp"
+#include "core/surface/surface_parameters.hpp"
+#include "core/surface/surface_statistics.hpp"
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace wakesurf::core {
+
+struct SurfaceAt {
+    QuadComplex mesh;
+    SurfaceStatistics statistics;
+    std::vector<double> times; ///< at which each vertex is there
+};
+
+/// @param time  nothing: at its end. Surfaces that do not move ignore it
+/// @param work  told what memory it takes, in the end that of the mesh
+/// Error: what build_surface and PlayedSurface report.
+Result<SurfaceAt> surface_at(const Flow& flow,
+                             const Rake& rake,
+                             const SurfaceParameters& parameters,
+                             std::optional<double> time,
+                             const Clock& clock,
+                             const std::stop_token& stop,
+                             const WorkPart& work = {});
+
+} // namespace wakesurf::core

@@ -1,0 +1,158 @@
+#include "protocol/api/messages_presence.hpp"
+
+#include "protocol/api/messages_rake.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::protocol {
+
+using nlohmann::json;
+
+namespace {
+
+json point_json(const core::Vec3& p) {
+    return {p.x, p.y, p.z};
+}
+
+core::Vec3 read_point(CheckedJson& in, std::string_view name) {
+    const auto point = in.point_if(name);
+    if (!point)
+        in.fault(name, "is missing");
+    return point.value_or(core::Vec3{});
+}
+
+/// Hands `read` the object's own reader; the first fault inside becomes one of `name`.
+template <class Read>
+void read_object(CheckedJson& in, const json& object, std::string_view name, const Read& read) {
+    CheckedJson inside(object);
+    read(inside);
+    if (const auto verdict = inside.verdict(); !verdict)
+        in.fault(name, "is not as it should be: " + verdict.error().message);
+}
+
+json camera_json(const std::optional<CameraPose>& camera) {
+    if (!camera)
+        return nullptr;
+    json out{{"position", point_json(camera->position)},
+             {"target", point_json(camera->target)},
+             {"up", point_json(camera->up)}};
+    if (camera->fov)
+        out["fov"] = *camera->fov;
+    return out;
+}
+
+json dragging_json(const std::optional<DraggedRake>& dragging) {
+    if (!dragging)
+        return nullptr;
+    return {{"rake", dragging->rake}, {"points", points_json(dragging->points)}};
+}
+
+} // namespace
+
+unsigned said(const Presence& presence) {
+    return (presence.pointer ? member::pointer : 0u) | (presence.camera ? member::camera : 0u) |
+           (presence.dragging ? member::dragging : 0u) |
+           (presence.selected ? member::selected : 0u);
+}
+
+PresenceUpdate read_presence(CheckedJson& in, const json& parameters, std::size_t rake_points) {
+    PresenceUpdate update;
+    const auto given = [&](const char* name, unsigned bit) {
+        if (!parameters.is_object() || !parameters.contains(name))
+            return false;
+        update.given |= bit;
+        return in.has(name);
+    };
+    if (given("pointer", member::pointer))
+        update.values.pointer = in.point_if("pointer");
+    if (given("camera", member::camera))
+        read_object(in, parameters["camera"], "camera", [&](CheckedJson& camera) {
+            CameraPose pose{read_point(camera, "position"), read_point(camera, "target"),
+                            read_point(camera, "up"), camera.number_if("fov", 1.0, 179.0)};
+            update.values.camera = pose;
+        });
+    if (given("dragging", member::dragging))
+        read_object(in, parameters["dragging"], "dragging", [&](CheckedJson& dragging) {
+            DraggedRake rake{dragging.text("rake", 64), {}};
+            if (dragging.has("points"))
+                rake.points = dragging.points("points", rake_points);
+            update.values.dragging = std::move(rake);
+        });
+    if (given("selected", member::selected))
+        update.values.selected = in.text("selected", 64);
+    return update;
+}
+
+json participant_json(const ParticipantRecord& record, unsigned members) {
+    const Presence& presence = record.presence;
+    json out{{"participant", record.participant}};
+    if ((members & member::name) != 0)
+        out["name"] = record.name;
+    if ((members & member::colour) != 0)
+        out["colour"] = record.colour;
+    if ((members & member::role) != 0)
+        out["role"] = record.role;
+    if ((members & member::connected) != 0)
+        out["connected"] = record.connected;
+    if ((members & member::pointer) != 0)
+        out["pointer"] = presence.pointer ? point_json(*presence.pointer) : json(nullptr);
+    if ((members & member::camera) != 0)
+        out["camera"] = camera_json(presence.camera);
+    if ((members & member::dragging) != 0)
+        out["dragging"] = dragging_json(presence.dragging);
+    if ((members & member::selected) != 0)
+        out["selected"] = presence.selected ? json(*presence.selected) : json(nullptr);
+    return out;
+}
+
+std::string participant_text(const ParticipantRecord& record, unsigned members) {
+    return participant_json(record, members).dump();
+}
+
+std::string presence_patched(const std::string& session,
+                             std::span<const std::string> participants,
+                             std::span<const std::string> left) {
+    std::string text = R"({"jsonrpc":"2.0","method":"presence.patched","params":{"session":)" +
+                       json(session).dump() + R"(,"participants":[)";
+    for (std::size_t i = 0; i < participants.size(); ++i)
+        text.append(i == 0 ? "" : ",").append(participants[i]);
+    return text + R"(],"left":)" + json(left).dump() + "}}";
+}
+
+std::string place_text(const PlaceRecord& record) {
+    json out{{"name", record.name},   {"colour", record.colour}, {"role", record.role},
+             {"grant", record.grant}, {"sha256", record.digest}, {"roleSet", record.role_set}};
+    if (record.left)
+        out["left"] = *record.left;
+    if (!record.former.empty())
+        out["formerSha256"] = record.former;
+    return out.dump();
+}
+
+core::Result<PlaceRecord> read_place(std::string_view text) {
+    const json kept = json::parse(text, nullptr, false);
+    const auto corrupt = core::fail(core::Error::Code::Corrupt, "a place that was kept is not one",
+                                    "join the session anew");
+    for (const char* name : {"name", "colour", "role", "grant", "sha256"})
+        if (!kept.is_object() || !kept.contains(name) || !kept[name].is_string())
+            return corrupt;
+    PlaceRecord record{kept["name"], kept["colour"], kept["role"], kept["grant"], kept["sha256"]};
+    if (kept.contains("roleSet")) { // before that only those were kept whose role was set
+        if (!kept["roleSet"].is_boolean())
+            return corrupt;
+        record.role_set = kept["roleSet"];
+    }
+    if (kept.contains("formerSha256")) {
+        if (!kept["formerSha256"].is_string())
+            return corrupt;
+        record.former = kept["formerSha256"];
+    }
+    if (kept.contains("left")) {
+        if (!kept["left"].is_number_integer())
+            return corrupt;
+        record.left = kept["left"].get<std::int64_t>();
+    }
+    return record;
+}
+
+} // namespace wakesurf::protocol

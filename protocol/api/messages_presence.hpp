@@ -1,0 +1,110 @@
+// Who is in a session, and what they point at, look at and drag just now. Presence passes by: it is never kept.
+// Twin of web-client/src/protocol/messages.ts.
+#pragma once
+
+#include "core/base/vec3.hpp"
+#include "protocol/api/checked_json.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace wakesurf::protocol {
+
+struct CameraPose {
+    core::Vec3 position;
+    core::Vec3 target;
+    core::Vec3 up;
+    std::optional<double> fov; ///< degrees, from top to bottom
+
+    bool operator==(const CameraPose&) const = default;
+};
+
+/// A rake as it is being dragged, before the edit is made.
+struct DraggedRake {
+    std::string rake;
+    std::vector<core::Vec3> points;
+
+    bool operator==(const DraggedRake&) const = default;
+};
+
+struct Presence {
+    std::optional<core::Vec3> pointer;
+    std::optional<CameraPose> camera;
+    std::optional<DraggedRake> dragging;
+    std::optional<std::string> selected; ///< id of a record
+
+    bool operator==(const Presence&) const = default;
+};
+
+/// Members of a participant, as bits: what a message is about.
+namespace member {
+inline constexpr unsigned name = 1u << 0;
+inline constexpr unsigned colour = 1u << 1;
+inline constexpr unsigned role = 1u << 2;
+inline constexpr unsigned connected = 1u << 3;
+inline constexpr unsigned pointer = 1u << 4;
+inline constexpr unsigned camera = 1u << 5;
+inline constexpr unsigned dragging = 1u << 6;
+inline constexpr unsigned selected = 1u << 7;
+inline constexpr unsigned person = name | colour | role | connected;
+inline constexpr unsigned all = person | pointer | camera | dragging | selected;
+} // namespace member
+
+/// Members of a presence that are not empty.
+unsigned said(const Presence& presence);
+
+struct ParticipantRecord {
+    std::string participant;
+    std::string name;
+    std::string colour; ///< #rrggbb
+    std::string role;
+    bool connected = true; ///< false: the connection was lost a moment ago
+    Presence presence;
+};
+
+struct PresenceUpdate {
+    Presence values;
+    unsigned given = 0; ///< members; those with null are given and empty
+};
+
+/// Reads pointer, camera, dragging and selected; each may be left out or null. Faults go to `in`.
+PresenceUpdate
+read_presence(CheckedJson& in, const nlohmann::json& parameters, std::size_t rake_points);
+
+/// `participant`, and those members; what nobody has said yet is null.
+nlohmann::json participant_json(const ParticipantRecord& record, unsigned members);
+
+/// The same, as JSON text.
+std::string participant_text(const ParticipantRecord& record, unsigned members);
+
+/// The notification presence.patched, of participants as JSON text.
+std::string presence_patched(const std::string& session,
+                             std::span<const std::string> participants,
+                             std::span<const std::string> left);
+
+/// A place in a session, as it is kept. Of the resume token only the digest.
+struct PlaceRecord {
+    std::string name;
+    std::string colour;
+    std::string role;
+    std::string grant;                  ///< share link it came by, or empty
+    std::string digest;                 ///< of the resume token, 64 hexadecimal digits
+    bool role_set = true;               ///< by a host, and so not the link's
+    std::optional<std::int64_t> left{}; ///< seconds since 1970; nothing: was connected
+    std::string former{};               ///< digest of the token before, or empty
+
+    bool operator==(const PlaceRecord&) const = default;
+};
+
+/// JSON text.
+std::string place_text(const PlaceRecord& record);
+
+/// Error: Corrupt.
+core::Result<PlaceRecord> read_place(std::string_view text);
+
+} // namespace wakesurf::protocol

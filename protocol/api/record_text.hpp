@@ -1,0 +1,54 @@
+// Records as the text they are kept in beyond the server's life, and back. A file may be damaged, so what is read is
+// checked as if a stranger had sent it.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "protocol/api/messages_annotation.hpp"
+#include "protocol/api/messages_bookmark.hpp"
+#include "protocol/api/messages_rake.hpp"
+#include "protocol/api/messages_surface.hpp"
+#include "protocol/api/messages_time.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace wakesurf::protocol {
+
+struct RecordLimits {
+    RakeLimits rake;
+    SurfaceLimits surface;
+    BookmarkLimits bookmark;
+    AnnotationLimits annotation;
+    double clock_speed = 1.0;
+};
+
+/// What a session is besides its records.
+struct SessionHead {
+    std::string name;
+    std::uint64_t seq = 0;
+    std::uint64_t next_rake = 1; ///< numbers of ids given next; none is given twice
+    std::uint64_t next_surface = 1;
+    std::uint64_t next_bookmark = 1;
+    std::uint64_t next_annotation = 1;
+
+    bool operator==(const SessionHead&) const = default;
+};
+
+/// One line of JSON. A lease is not kept.
+std::string record_text(const RakeRecord& record);
+std::string record_text(const SurfaceRecord& record);
+std::string record_text(const BookmarkRecord& record);
+std::string record_text(const AnnotationRecord& record);
+std::string record_text(const ClockRecord& record);
+std::string record_text(const SessionHead& head);
+
+/// Error: Corrupt, OverLimit. A number comes back with the very same bits.
+core::Result<RakeRecord> parse_rake(std::string_view text, const RecordLimits& limits);
+core::Result<SurfaceRecord> parse_surface(std::string_view text, const RecordLimits& limits);
+core::Result<BookmarkRecord> parse_bookmark(std::string_view text, const RecordLimits& limits);
+core::Result<AnnotationRecord> parse_annotation(std::string_view text, const RecordLimits& limits);
+core::Result<ClockRecord> parse_clock(std::string_view text, const RecordLimits& limits);
+core::Result<SessionHead> parse_session_head(std::string_view text);
+
+} // namespace wakesurf::protocol

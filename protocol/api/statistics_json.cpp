@@ -1,0 +1,38 @@
+#include "protocol/api/statistics_json.hpp"
+
+#include "protocol/api/surface_names.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::protocol {
+
+nlohmann::json statistics_json(const core::SurfaceStatistics& statistics) {
+    const auto& ended = statistics.terminated;
+    const auto& seconds = statistics.seconds;
+    nlohmann::json out{{"kind", name(statistics.kind)},
+                       {"quads", statistics.quads},
+                       {"vertices", statistics.vertices},
+                       {"steps", statistics.steps},
+                       {"vertexSteps", statistics.vertex_steps},
+                       {"approximated", statistics.approximated},
+                       {"terminated",
+                        {{"domain", ended.domain},
+                         {"time", ended.time},
+                         {"obstacle", ended.obstacle},
+                         {"stagnation", ended.stagnation},
+                         {"budget", ended.budget}}},
+                       {"maxEdge", statistics.max_edge},
+                       {"separation", statistics.separation},
+                       {"seconds",
+                        {{"load", seconds.load},
+                         {"advect", seconds.advect},
+                         {"refine", seconds.refine},
+                         {"other", seconds.other},
+                         {"total", seconds.total}}},
+                       {"peakBytes", statistics.peak_bytes}};
+    if (!statistics.stopped.empty())
+        out["stopped"] = statistics.stopped;
+    return out;
+}
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,41 @@
+// The file formats a surface can be written in, by their extensions: one place for the command line and the downloads.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/surface/quad_complex.hpp"
+#include "protocol/files/mesh_glb.hpp"
+#include "protocol/files/mesh_metadata.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace wakesurf::protocol {
+
+enum class MeshFormat { Vtp, Glb, Ply, Obj, Drc };
+
+inline constexpr std::array mesh_formats{MeshFormat::Vtp, MeshFormat::Glb, MeshFormat::Ply,
+                                         MeshFormat::Obj, MeshFormat::Drc};
+
+/// `vtp`, `glb`, ...
+std::string_view extension(MeshFormat format);
+
+/// The media type, as registered where there is one.
+std::string_view content_type(MeshFormat format);
+
+/// From an extension without its dot.
+std::optional<MeshFormat> mesh_format(std::string_view extension);
+
+/// All extensions with dots, for messages: `.vtp, .glb, .ply, .obj or .drc`.
+std::string mesh_extensions();
+
+/// @param glb  of no other format
+/// Same input, same bytes. Error: of .glb and .drc, see encode_triangles. REQUIRES: as mesh_vtp.
+core::Result<std::string> mesh_file(MeshFormat format,
+                                    const core::QuadComplex& mesh,
+                                    const MeshMetadata& metadata,
+                                    const MeshScalars& scalars,
+                                    GlbCoding glb = GlbCoding::Draco);
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,15 @@
+// A surface -> the text of a Wavefront .obj file.
+#pragma once
+
+#include "core/surface/quad_complex.hpp"
+#include "protocol/files/mesh_metadata.hpp"
+
+#include <string>
+
+namespace wakesurf::protocol {
+
+/// `v x y z` as computed, `vt s t`, and faces as in mesh_ply. The format has no place for further arrays. Metadata in
+/// comments. Same input, same text. REQUIRES: as mesh_vtp.
+std::string mesh_obj(const core::QuadComplex& mesh, const MeshMetadata& metadata);
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,146 @@
+#include "protocol/files/mesh_ply.hpp"
+
+#include "protocol/files/mesh_comments.hpp"
+#include "protocol/files/mesh_names.hpp"
+#include "protocol/files/mesh_normals.hpp"
+#include "protocol/files/mesh_triangles.hpp"
+#include "protocol/files/number_text.hpp"
+#include "protocol/files/viridis.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace wakesurf::protocol {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the file says binary_little_endian");
+
+template <class T>
+void put(std::string& out, T value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    out.append(reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
+struct Faces {
+    std::string bytes;
+    std::size_t count = 0;
+
+    void add(const std::uint32_t* vertices, std::size_t corners) {
+        put(bytes, static_cast<std::uint8_t>(corners));
+        for (std::size_t i = 0; i < corners; ++i)
+            put(bytes, static_cast<std::int32_t>(vertices[i]));
+        ++count;
+    }
+};
+
+Faces faces_of(const core::QuadComplex& mesh) {
+    Faces faces;
+    faces.bytes.reserve(mesh.cells.size() * 17);
+    std::vector<Triangle> cut;
+    for (const core::Cell& cell : mesh.cells) {
+        const core::CellPolygon outline = core::polygon(cell);
+        if (outline.count == 4) {
+            faces.add(outline.vertex.data(), 4);
+            continue;
+        }
+        cut.clear();
+        append_triangles(mesh, cell, cut);
+        for (const Triangle& each : cut)
+            faces.add(each.data(), 3);
+    }
+    return faces;
+}
+
+/// The slowest and the fastest vertex, between which the colours lie; both 0 without vertices.
+struct SpeedRange {
+    float lo = 0.0F, hi = 0.0F;
+
+    explicit SpeedRange(const std::vector<float>& speeds) {
+        bool any = false;
+        for (const float speed : speeds) {
+            if (!std::isfinite(speed))
+                continue;
+            lo = any ? std::min(lo, speed) : speed;
+            hi = any ? std::max(hi, speed) : speed;
+            any = true;
+        }
+    }
+
+    std::array<std::uint8_t, 3> colour(float speed) const {
+        return viridis(hi > lo ? double(speed - lo) / double(hi - lo) : 0.0);
+    }
+};
+
+std::string header(const core::QuadComplex& mesh,
+                   const MeshMetadata& metadata,
+                   const MeshScalars& scalars,
+                   const SpeedRange& range,
+                   std::size_t faces) {
+    std::string text = "ply\nformat binary_little_endian 1.0\n";
+    for (const std::string& line : mesh_comments(metadata))
+        text += "comment " + line + "\n";
+    text += "comment colours viridis, speed " + number_text(range.lo) + " to " +
+            number_text(range.hi) + "\ncomment texture s, t\n";
+    text += "element vertex " + std::to_string(mesh.vertices()) + "\n";
+    for (const char* name : {"x", "y", "z", "s", "t"})
+        text += std::string("property double ") + name + "\n";
+    for (const char* name : {"speed", "vx", "vy", "vz", "nx", "ny", "nz", "u", "v"})
+        text += std::string("property float ") + name + "\n";
+    for (const char* name : {"red", "green", "blue"})
+        text += std::string("property uchar ") + name + "\n";
+    if (!mesh.deformation.empty())
+        text += "property float deformation\n";
+    text += "property uint component\nproperty uchar approximated\n";
+    for (const std::string& name :
+         words_of(scalars, {"x",   "y",     "z",    "s",           "t",         "speed",       "vx",
+                            "vy",  "vz",    "nx",   "ny",          "nz",        "u",           "v",
+                            "red", "green", "blue", "deformation", "component", "approximated"}))
+        text += "property float " + name + "\n";
+    text += "element face " + std::to_string(faces) +
+            "\nproperty list uchar int vertex_indices\nend_header\n";
+    return text;
+}
+
+} // namespace
+
+std::string
+mesh_ply(const core::QuadComplex& mesh, const MeshMetadata& metadata, const MeshScalars& scalars) {
+    const Faces faces = faces_of(mesh);
+    const auto normals = vertex_normals(mesh, triangles_of(mesh));
+    std::vector<float> speeds;
+    speeds.reserve(mesh.vertices());
+    for (std::size_t v = 0; v < mesh.vertices(); ++v)
+        speeds.push_back(static_cast<float>(mesh.speed(static_cast<core::VertexId>(v))));
+    const SpeedRange range(speeds);
+    std::string out = header(mesh, metadata, scalars, range, faces.count);
+    out.reserve(out.size() + mesh.vertices() * (88 + 4 * scalars.size()) + faces.bytes.size());
+    for (std::size_t v = 0; v < mesh.vertices(); ++v) {
+        put(out, mesh.position[v]);
+        put(out, mesh.s[v]);
+        put(out, mesh.t[v]);
+        put(out, speeds[v]);
+        put(out, mesh.velocity[v]);
+        put(out, normals[v]);
+        put(out, static_cast<float>(mesh.s[v]));
+        put(out, static_cast<float>(mesh.t[v]));
+        put(out, range.colour(speeds[v]));
+        if (!mesh.deformation.empty())
+            put(out, mesh.deformation[v]);
+        put(out, mesh.component[v]);
+        put(out, mesh.approximated[v]);
+        for (const auto& [name, values] : scalars) {
+            assert(values.size() == mesh.vertices());
+            put(out, values[v]);
+        }
+    }
+    return out + faces.bytes;
+}
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,30 @@
+// One whole mesh as the frames of a KEY: for what has no history, as an obstacle has none.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/surface/quad_complex.hpp"
+#include "protocol/wire/mesh_stream.hpp"
+
+#include <cstdint>
+
+namespace wakesurf::protocol {
+
+struct EncodeOptions {
+    std::uint32_t surface = 0; ///< number in the header of each frame
+    std::uint32_t epoch = 0;
+    std::uint32_t seq = 0;
+    bool final = false;     ///< else coarse
+    bool attributes = true; ///< speed, s and t; without, the mesh needs only positions and cells
+};
+
+struct EncodedState {
+    SharedFrames frames; ///< at least one
+    std::uint32_t state_crc = 0;
+};
+
+/// Encodes a mesh as update `seq`. A mesh without cells becomes a state without vertices.
+/// Error, thread safety: as MeshStream::next.
+core::Result<EncodedState>
+encode_state(const core::QuadComplex& mesh, const Lattice& lattice, const EncodeOptions& options);
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,333 @@
+#include "protocol/wire/mesh_stream.hpp"
+
+#include "protocol/wire/mesh_guard.hpp"
+#include "protocol/wire/wire_match.hpp"
+#include "protocol/wire/wire_quantise.hpp"
+#include "protocol/wire/wire_residuals.hpp"
+#include "protocol/wire/wire_update.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace wakesurf::protocol {
+
+namespace {
+
+/// Vertices between two that moved which cost less when sent along than as a gap between runs.
+constexpr std::uint32_t bridge = 12;
+/// A delta that leaves less of the mesh than this is hardly smaller than a KEY.
+constexpr double least_staying = 0.3;
+
+core::Result<void> check_size(const core::QuadComplex& mesh) {
+    if (mesh.vertices() <= max_mesh_vertices && mesh.cells.size() <= max_mesh_cells)
+        return {};
+    const bool vertices = mesh.vertices() > max_mesh_vertices;
+    return core::over_limit(vertices ? max_mesh_vertices : max_mesh_cells,
+                            fmt::format("a mesh of {} vertices and {} cells is too large to send",
+                                        mesh.vertices(), mesh.cells.size()),
+                            "ask for fewer quads or a larger separation");
+}
+
+/// @param before  how many there were in the last update, if there was one
+core::Result<void> check_fields(const MeshFields& fields,
+                                const core::QuadComplex& mesh,
+                                std::optional<std::size_t> before) {
+    if (fields.size() > max_fields)
+        return core::over_limit(
+            max_fields, fmt::format("a mesh with {} fields is too much to send", fields.size()),
+            fmt::format("ask for {} at most", max_fields));
+    if (before && *before != fields.size())
+        return core::fail(
+            core::Error::Code::Corrupt,
+            fmt::format("a mesh has {} fields, and had {} before", fields.size(), *before));
+    for (const auto& field : fields)
+        if (field.size() != mesh.vertices())
+            return core::fail(core::Error::Code::Corrupt,
+                              fmt::format("a field of a mesh of {} vertices has {} values",
+                                          mesh.vertices(), field.size()));
+    return {};
+}
+
+PointCoding coding_of(PointKind kind, std::size_t attributes, const Tolerance& tolerance) {
+    PointCoding coding;
+    coding.kind = kind;
+    coding.attributes = static_cast<std::uint8_t>(attributes);
+    coding.tolerance[0] = tolerance.position;
+    for (std::size_t a = 0; a < attributes; ++a)
+        coding.tolerance[a + 1] = a == 1 || a == 2 ? tolerance.parameter : tolerance.speed;
+    return coding;
+}
+
+bool differs(const WireMesh& truth,
+             const WireDraft& draft,
+             const PointCoding& coding,
+             std::uint32_t v) {
+    for (std::size_t k = 0; k < 3; ++k)
+        if (std::abs(truth.position[v][k] - draft.position_before[v][k]) > coding.tolerance[0])
+            return true;
+    for (std::size_t a = 0; a < coding.attributes; ++a)
+        if (std::abs(truth.codes[a][v] - draft.codes_before[a][v]) > coding.tolerance[a + 1])
+            return true;
+    return false;
+}
+
+Runs moved_of(const WireMesh& truth, const WireDraft& draft, const PointCoding& coding) {
+    Runs moved;
+    for (std::uint32_t v = 0; v < draft.stay; ++v)
+        if (differs(truth, draft, coding, v))
+            moved.take({v, v + 1}, bridge);
+    return moved;
+}
+
+bool any_change(const WireMesh& mesh) {
+    return std::ranges::any_of(mesh.change,
+                               [](const LatticePoint& change) { return change != LatticePoint{}; });
+}
+
+Residuals predicted(WireDraft& draft,
+                    const WireMesh& truth,
+                    const PointCoding& coding,
+                    std::span<const std::uint32_t> coded) {
+    return make_residuals(draft, truth, choose_predictors(draft, truth, coding, coded), coded);
+}
+
+/// Vertices first to last - 1.
+std::vector<std::uint32_t> numbers(std::uint32_t first, std::uint32_t last) {
+    std::vector<std::uint32_t> all(last - first);
+    std::iota(all.begin(), all.end(), first);
+    return all;
+}
+
+std::vector<std::uint32_t> numbers(const Runs& runs) {
+    std::vector<std::uint32_t> all;
+    all.reserve(runs.count());
+    for (const Run& run : runs.all())
+        for (std::uint32_t v = run.begin; v < run.end; ++v)
+            all.push_back(v);
+    return all;
+}
+
+/// All that is particular to one update; `header` holds what stays the same from one to the next.
+struct Step {
+    FrameHeader header;
+    TopologyEdit edit;
+    KeptCells kept;
+    WireMesh truth;
+    std::shared_ptr<const WireTopology> topology; ///< after the edit
+    Tolerance tolerance;
+};
+
+core::Result<EncodedUpdate> encode(const WireMesh& before, Step step) {
+    const std::size_t attributes = step.truth.codes.size();
+    WireDraft draft = begin_draft(before, step.edit, step.topology);
+    std::vector<Residuals> points;
+    const auto code = [&](PointKind kind, const std::vector<std::uint32_t>& coded) {
+        if (!coded.empty())
+            points.push_back(
+                predicted(draft, step.truth, coding_of(kind, attributes, step.tolerance), coded));
+    };
+    step.edit.moved_vertices =
+        moved_of(step.truth, draft, coding_of(PointKind::Moved, attributes, step.tolerance));
+    code(PointKind::Moved, numbers(step.edit.moved_vertices));
+    const auto added = numbers(draft.stay, draft.vertices());
+    code(PointKind::Added, added);
+    FrameHeader& header = step.header;
+    if (header.is_key() && any_change(step.truth)) {
+        header.flags |= FrameHeader::history;
+        points.push_back(
+            make_residuals(draft, step.truth, coding_of(PointKind::Change, 0, {}), added));
+    } else {
+        finish_changes(draft);
+    }
+    draft.after.time = header.time;
+    header.flags = static_cast<std::uint8_t>(
+        header.flags | (step.tolerance.exact() ? FrameHeader::lossless : std::uint8_t{0}));
+    header.lattice_bits = static_cast<std::uint8_t>(draft.after.lattice_bits);
+    header.attribute_count = static_cast<std::uint8_t>(attributes);
+    header.vertices = draft.vertices();
+    header.cells = static_cast<std::uint32_t>(draft.after.cells().size());
+    header.state_sum = state_sum(draft.after);
+    const auto ranges = header.is_key() ? std::span<const AttributeRange>(draft.after.ranges)
+                                        : std::span<const AttributeRange>{};
+    auto frames = write_update(header, ranges, write_edit(step.edit, step.kept), points);
+    if (!frames)
+        return tl::unexpected(frames.error());
+    EncodedUpdate update;
+    update.epoch = header.epoch;
+    update.base_seq = header.base_seq;
+    update.seq = header.seq;
+    update.key = header.is_key();
+    update.phase = header.phase;
+    update.lossless = (header.flags & FrameHeader::lossless) != 0;
+    update.frames = std::move(*frames);
+    for (const auto& frame : update.frames)
+        update.bytes += frame->size();
+    update.crc = header.state_sum;
+    update.state = std::make_shared<const WireMesh>(std::move(draft.after));
+    return update;
+}
+
+WireMesh nothing(int lattice_bits, std::span<const AttributeRange> ranges) {
+    WireMesh mesh;
+    mesh.lattice_bits = lattice_bits;
+    mesh.ranges.assign(ranges.begin(), ranges.end());
+    mesh.codes.resize(ranges.size());
+    return mesh;
+}
+
+} // namespace
+
+struct MeshStream::Held {
+    std::uint32_t surface;
+    std::uint32_t epoch;
+    Lattice lattice;
+    bool attributes;
+    std::uint32_t next_seq;
+    bool started = false;
+    std::vector<AttributeRange> ranges; ///< what values are expected in, until a KEY says
+    MeshPlaces places;
+    std::shared_ptr<const WireMesh> state;
+
+    std::optional<std::size_t> fields() const {
+        if (!started || !attributes)
+            return std::nullopt;
+        return state->ranges.size() - surface_attributes.size();
+    }
+
+    FrameHeader header(const core::KeyedMesh& mesh, Phase phase, bool key) const {
+        FrameHeader header;
+        header.flags = key ? FrameHeader::key : std::uint8_t{0};
+        header.surface = surface;
+        header.epoch = epoch;
+        header.seq = next_seq;
+        header.base_seq = key ? next_seq : next_seq - 1;
+        header.phase = phase;
+        header.time = mesh.time;
+        return header;
+    }
+};
+
+MeshStream::MeshStream(std::uint32_t surface,
+                       std::uint32_t epoch,
+                       Lattice lattice,
+                       bool attributes,
+                       std::uint32_t first_seq)
+    : held_(std::make_unique<Held>(Held{surface,
+                                        epoch,
+                                        lattice,
+                                        attributes,
+                                        first_seq,
+                                        false,
+                                        {},
+                                        {},
+                                        std::make_shared<const WireMesh>()})) {}
+
+MeshStream::~MeshStream() = default;
+MeshStream::MeshStream(MeshStream&&) noexcept = default;
+MeshStream& MeshStream::operator=(MeshStream&&) noexcept = default;
+
+std::shared_ptr<const WireMesh> MeshStream::state() const {
+    return held_->state;
+}
+
+std::size_t MeshStream::bytes() const {
+    return held_->state->bytes() + held_->places.bytes();
+}
+
+void MeshStream::expect(std::vector<AttributeRange> ranges) {
+    held_->ranges = std::move(ranges);
+}
+
+core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
+                                             const UpdateOptions& options,
+                                             const MeshFields& fields) {
+    Held& held = *held_;
+    if (auto fine =
+            check_size(given.mesh)
+                .and_then([&] { return check_ids(given); })
+                .and_then([&] { return guard_mesh(given.mesh, held.lattice, held.attributes); })
+                .and_then([&] { return check_fields(fields, given.mesh, held.fields()); });
+        !fine)
+        return tl::unexpected(fine.error());
+    core::KeyedMesh without_cells;
+    without_cells.time = given.time;
+    const bool empty = given.mesh.cells.empty();
+    const core::KeyedMesh& mesh = empty ? without_cells : given;
+
+    const MeshFields without_values(fields.size());
+    const AttributeValues values = held.attributes
+                                       ? AttributeValues(mesh.mesh, empty ? without_values : fields)
+                                       : AttributeValues();
+    // What has nothing to do with the mesh before is coded as if that had never been: the same surface leads to the same state.
+    const bool anew = !held.started || options.unrelated;
+    std::vector<AttributeRange> ranges;
+    if (held.attributes)
+        ranges = ranges_for(values, anew ? held.ranges : std::span(held.state->ranges));
+    bool key = anew || ranges != held.state->ranges;
+    MeshMatch matched = key ? match({}, {}, mesh, held.attributes)
+                            : match(held.places, held.state->cells(), mesh, false);
+    const auto vertices = static_cast<double>(mesh.mesh.vertices());
+    if (!key && matched.vertices_stay < least_staying * vertices) {
+        key = true;
+        matched = match({}, {}, mesh, held.attributes);
+    }
+
+    Step step;
+    step.header = held.header(mesh, options.phase, key);
+    step.truth =
+        quantise_mesh(mesh.mesh, held.lattice, values, ranges, matched.places.vertices.place);
+    static const WireTopology none;
+    step.topology = !key && matched.edit.keeps_topology()
+                        ? held.state->topology
+                        : std::make_shared<const WireTopology>(
+                              key ? none : *held.state->topology, matched.kept, matched.edit,
+                              std::move(matched.cells), mesh.mesh.vertices());
+    step.edit = std::move(matched.edit);
+    step.kept = std::move(matched.kept);
+    step.tolerance = options.tolerance;
+    auto update = encode(key ? nothing(held.lattice.bits, ranges) : *held.state, std::move(step));
+    if (!update)
+        return update;
+    held.started = true;
+    held.state = update->state;
+    held.places = std::move(matched.places);
+    ++held.next_seq;
+    return update;
+}
+
+core::Result<EncodedUpdate> encode_key(std::uint32_t surface, const EncodedUpdate& update) {
+    const WireMesh& state = *update.state;
+    Step step;
+    step.header.flags = FrameHeader::key;
+    step.header.surface = surface;
+    step.header.epoch = update.epoch;
+    step.header.seq = update.seq;
+    step.header.base_seq = update.seq;
+    step.header.phase = update.phase;
+    step.header.time = state.time;
+    step.edit.added_vertices = static_cast<std::uint32_t>(state.vertices());
+    step.edit.added_cells = static_cast<std::uint32_t>(state.cells().size());
+    step.edit.cells = state.cells();
+    step.truth = state;
+    step.topology = state.topology;
+    auto key = encode(nothing(state.lattice_bits, state.ranges), std::move(step));
+    if (key)
+        key->state = update.state;
+    return key;
+}
+
+core::KeyedMesh with_ids(core::QuadComplex mesh, double time) {
+    core::KeyedMesh keyed;
+    keyed.vertex_id = numbers(0, static_cast<std::uint32_t>(mesh.vertices()));
+    keyed.cell_id = numbers(0, static_cast<std::uint32_t>(mesh.cells.size()));
+    keyed.mesh = std::move(mesh);
+    keyed.time = time;
+    return keyed;
+}
+
+} // namespace wakesurf::protocol

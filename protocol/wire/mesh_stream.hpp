@@ -1,0 +1,107 @@
+// From a surface, state after state, to the updates that carry it: matches ids, predicts, quantises, encodes once for
+// everybody. The last stage of a datum's path before the socket.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/surface/keyed_mesh.hpp"
+#include "protocol/wire/lattice.hpp"
+#include "protocol/wire/mesh_frame.hpp"
+#include "protocol/wire/wire_mesh.hpp"
+#include "protocol/wire/wire_update.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace wakesurf::protocol {
+
+/// What errors a state may keep, in lattice units and in codes. At most 32767.
+struct Tolerance {
+    std::uint16_t position = 0;
+    std::uint16_t speed = 0;     ///< and fields
+    std::uint16_t parameter = 0; ///< s and t
+
+    bool exact() const { return position == 0 && speed == 0 && parameter == 0; }
+};
+
+inline constexpr Tolerance exact_tolerance{};
+/// On a 16 bit lattice no more than what rounding to 14 bits makes; of the speed and of fields what rounding to 8 bits makes,
+/// of s and t what rounding to 11 bits makes.
+inline constexpr Tolerance live_tolerance{2, 128, 16};
+
+/// What encoding takes besides the mesh, a vertex.
+inline constexpr std::size_t encoding_bytes = 400;
+
+inline constexpr std::size_t max_fields = max_attributes - surface_attributes.size();
+
+struct UpdateOptions {
+    Phase phase = Phase::Final;
+    Tolerance tolerance = exact_tolerance;
+    bool unrelated = false; ///< ids have nothing to do with those of the mesh before: a KEY
+};
+
+/// One update, to be sent to everybody who has the state of `base_seq`, or to anybody if it is a key. Immutable.
+struct EncodedUpdate {
+    std::uint32_t epoch = 0;
+    std::uint32_t base_seq = 0;
+    std::uint32_t seq = 0;
+    bool key = false;
+    Phase phase = Phase::Final;
+    bool lossless = false; ///< the state is the surface, exact on the lattice
+    SharedFrames frames;   ///< at least one
+    std::size_t bytes = 0; ///< of all frames
+    std::uint32_t crc = 0; ///< the state's checksum
+    std::shared_ptr<const WireMesh> state;
+};
+
+/// The updates of one surface in one epoch, from its first state on.
+/// Thread safety: one thread at a time. Frames are encoded in parallel in the caller's oneTBB arena; the bytes do not depend
+/// on the number of threads.
+class MeshStream {
+  public:
+    /// @param surface     number in the header of each frame: the subscription
+    /// @param attributes  send speed, s and t, and fields; without, only positions and cells
+    MeshStream(std::uint32_t surface,
+               std::uint32_t epoch,
+               Lattice lattice,
+               bool attributes = true,
+               std::uint32_t first_seq = 0);
+    ~MeshStream();
+    MeshStream(MeshStream&&) noexcept;
+    MeshStream& operator=(MeshStream&&) noexcept;
+
+    /// Ranges that speed, s and t will probably stay in; saves the KEY that a value outside makes necessary. Of use before the
+    /// first update only.
+    void expect(std::vector<AttributeRange> ranges);
+
+    /// The update from the mesh of the last call to this one. It is a KEY the first time, when little of the mesh stays and
+    /// when an attribute leaves its range. Ids may come in any order: also going back in time is a delta.
+    ///
+    /// @param fields  as many in each call
+    /// Error: what guard_mesh refuses; OverLimit for more than max_mesh_vertices vertices, max_mesh_cells cells or max_fields fields;
+    /// Corrupt for ids that do not ascend, and for other fields than before. The stream is then as before.
+    core::Result<EncodedUpdate>
+    next(const core::KeyedMesh& mesh, const UpdateOptions& options, const MeshFields& fields = {});
+
+    /// What everybody holds after the last update; never null.
+    std::shared_ptr<const WireMesh> state() const;
+
+    /// Of the state, and what finds its vertices and cells by their ids.
+    std::size_t bytes() const;
+
+  private:
+    struct Held;
+    std::unique_ptr<Held> held_;
+};
+
+/// A KEY of a state that a stream made: for those who join late or have fallen behind. They then follow the deltas based on it like
+/// everybody else. `update` is the one that led to the state; its frames are not looked at.
+/// Error: OverLimit. Thread safety: concurrent calls are fine.
+core::Result<EncodedUpdate> encode_key(std::uint32_t surface, const EncodedUpdate& update);
+
+/// A mesh whose ids are its indices. Two of them continue one another (see MeshStream::next) where the second
+/// has the vertices and cells of the first, in the same order, and more.
+core::KeyedMesh with_ids(core::QuadComplex mesh, double time = 0.0);
+
+} // namespace wakesurf::protocol

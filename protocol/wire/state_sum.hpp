@@ -1,0 +1,16 @@
+// A checksum of 32 bit words that scripts and vector units compute fast: sums, and sums of sums, in four lanes.
+// protocol/wire/README.md, State checksum. Twin: web-client/src/protocol/stateSum.ts.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace wakesurf::protocol {
+
+/// Finds accidents, not intent: any change of one word, and nearly all others.
+std::uint32_t word_sum(std::span<const std::uint32_t> words);
+
+/// The same of codes, each one word.
+std::uint32_t word_sum(std::span<const std::uint16_t> codes);
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,53 @@
+// What leads from the mesh that everybody holds to a new one, by the ids of vertices and cells. Only the sender knows ids: on
+// the wire vertices and cells have places, and keep their order as long as they live.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/surface/keyed_mesh.hpp"
+#include "protocol/wire/wire_edit.hpp"
+#include "protocol/wire/wire_mesh.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace wakesurf::protocol {
+
+/// Where things with ids are: id[i], ascending, is at place[i].
+struct Places {
+    std::vector<std::uint32_t> id;
+    std::vector<std::uint32_t> place;
+
+    std::size_t bytes() const { return (id.capacity() + place.capacity()) * sizeof(id[0]); }
+};
+
+struct MeshPlaces {
+    Places vertices;
+    Places cells;
+
+    std::size_t bytes() const { return vertices.bytes() + cells.bytes(); }
+};
+
+struct MeshMatch {
+    TopologyEdit edit; ///< but for the moved vertices
+    KeptCells kept;    ///< the replaced ones left out; nothing where the topology stays
+    MeshPlaces places; ///< of the new mesh
+    /// All cells of the new mesh, by place, with places for vertices.
+    std::vector<core::Cell> cells;
+    std::uint32_t vertices_stay = 0;
+};
+
+/// @param held      of the mesh before; empty for a KEY
+/// @param before    its cells
+/// @param in_order  a KEY has its vertices and cells in order along the surface, by s and t, which are finite; else by their ids
+/// REQUIRES: ids ascend, as many as there are vertices and cells, and cells name vertices that exist.
+/// Cost: O(both), of a KEY in order O(n log n).
+MeshMatch match(const MeshPlaces& held,
+                std::span<const core::Cell> before,
+                const core::KeyedMesh& mesh,
+                bool in_order);
+
+/// Error: Corrupt for ids that do not ascend or are not one for each.
+core::Result<void> check_ids(const core::KeyedMesh& mesh);
+
+} // namespace wakesurf::protocol

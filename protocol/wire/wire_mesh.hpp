@@ -1,0 +1,67 @@
+// The state of a surface on the wire: integers that the server and all its clients hold alike. protocol/wire/README.md, Mesh
+// frames. Twin: web-client/src/protocol/wireMesh.ts.
+#pragma once
+
+#include "protocol/wire/lattice.hpp"
+#include "protocol/wire/wire_topology.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::protocol {
+
+/// The attributes that every surface's vertices have, in the order of the wire; the surface's fields follow.
+inline constexpr std::array<std::string_view, 3> surface_attributes{"speed", "s", "t"};
+
+/// Further attributes of a mesh: one array each, one value a vertex.
+using MeshFields = std::vector<std::vector<float>>;
+
+/// What the codes 0 and 65535 of an attribute stand for.
+struct AttributeRange {
+    float lo = 0;
+    float hi = 0;
+
+    double value(std::uint16_t code) const;
+
+    /// Codes a unit; 0 for a range without width.
+    double scale() const { return hi > lo ? 65535.0 / (double{hi} - double{lo}) : 0.0; }
+
+    /// The nearest code; values outside go to the end. REQUIRES: a finite value.
+    std::uint16_t code(double value) const { return code(value, scale()); }
+
+    /// The same for many values. @param scale  scale()
+    std::uint16_t code(double value, double scale) const {
+        return static_cast<std::uint16_t>(
+            std::min(std::max((value - double{lo}) * scale + 0.5, 0.0), 65535.0));
+    }
+
+    bool operator==(const AttributeRange&) const = default;
+};
+
+struct WireMesh {
+    int lattice_bits = 16;
+    double time = 0.0; ///< simulation time
+    std::vector<AttributeRange> ranges;
+    std::vector<LatticePoint> position;
+    std::vector<LatticePoint> change; ///< of the position by the last update, one a vertex
+    std::vector<std::vector<std::uint16_t>> codes; ///< one array an attribute, one code a vertex
+    std::shared_ptr<const WireTopology> topology = std::make_shared<const WireTopology>();
+
+    std::size_t vertices() const { return position.size(); }
+
+    const std::vector<core::Cell>& cells() const { return topology->cells; }
+
+    std::size_t bytes() const;
+};
+
+/// The checksum of all of it but the changes. Cost: about 0.05 ns a byte.
+std::uint32_t state_sum(const WireMesh& mesh);
+
+/// Bit for bit, cells by value.
+bool same_state(const WireMesh& a, const WireMesh& b);
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,340 @@
+#include "server/app/server.hpp"
+
+#include "protocol/api/json_rpc.hpp"
+#include "server/base/log_text.hpp"
+#include "server/compute/thread_priority.hpp"
+#include "server/limits.hpp"
+#include "server/metrics/process_account.hpp"
+#include "server/net/http_connection.hpp"
+#include "server/net/io_loop.hpp"
+#include "server/net/listener.hpp"
+#include "server/rpc/cache_news.hpp"
+#include "server/rpc/careful_notice.hpp"
+#include "server/rpc/dataset_entry.hpp"
+#include "server/rpc/durability_notice.hpp"
+#include "server/rpc/import_waiters.hpp"
+#include "server/rpc/method_table.hpp"
+#include "server/session/data/catalogue_datasets.hpp"
+#include "server/session/session_restoring.hpp"
+#include "server/state/kept_sessions.hpp"
+#include "server/state/sqlite_journal.hpp"
+#include "server/state/start_guard.hpp"
+#include "server/state/state_desk.hpp"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include <csignal>
+
+namespace wakesurf::server {
+
+namespace asio = boost::asio;
+
+namespace {
+
+constexpr std::chrono::milliseconds goodbye{700};
+
+nlohmann::json dataset_entries(const DatasetCatalogue& catalogue) {
+    auto list = nlohmann::json::array();
+    for (const DatasetStatus& each : catalogue.list())
+        list.push_back(dataset_entry(each));
+    return list;
+}
+
+/// Sockets and requests of all, where there may be fewer connections: the rest is for those who have shown nothing yet.
+limits::Budget budget_for(std::size_t connections) {
+    limits::Budget out = limits::all;
+    out.sockets = std::min(out.sockets, connections / 2);
+    out.requests = std::min(out.requests, connections / 4);
+    return out;
+}
+
+} // namespace
+
+/// In order of need: what goes first is declared last. Connections end with the context's handlers, jobs with the pool.
+struct Server::Parts {
+    Parts(const ServerOptions& options, std::optional<KeptSessions> found)
+        : memory(options.memory), kept(std::move(found)), pool(options.threads),
+          files(StaticFiles::load(options.web.empty() ? find_web_client() : options.web)) {}
+
+    void serve(const ServerOptions& options) {
+        port = listener->port();
+        if (journal)
+            metrics.durable(true);
+        desk = start_desk(options);
+        gate.emplace(
+            GateOptions{options.token, options.host, port, options.origins, tls != nullptr},
+            entropy, clock, grants, &metrics);
+        std::string notice;
+        if (kept) {
+            starts.emplace(kept->folder.path());
+            if (starts->careful()) {
+                withheld_surfaces = withheld(starts->died());
+                notice = careful_notice(starts->died());
+                spdlog::warn("event=careful_start died={} message=\"{}\" hint=\"{}\"",
+                             starts->died(), withheld_surfaces->message, withheld_surfaces->hint);
+            }
+        }
+        datasets.emplace(*catalogue);
+        SessionServices services{loop, pool, *datasets, entropy, &metrics, journal.get(), &clock};
+        services.memory = &memory.account();
+        services.withheld = withheld_surfaces ? &*withheld_surfaces : nullptr;
+        sessions.emplace(std::move(services));
+        sessions->on_gone([this](const std::string& id) { grants.forget(id); });
+        dispatcher.emplace(
+            method_table(),
+            MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); },
+                          prober, grants, clock, loop, journal.get(), [this] { return standing(); },
+                          &metrics, &imports.emplace(*catalogue, loop), notice, &budgets},
+            protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
+        downloads.emplace(loop, pool, *sessions, *catalogue, memory.account());
+        session_files.emplace(loop, pool, *sessions, *datasets, journal.get());
+        routes.emplace(
+            *gate, budgets, outboxes, files, *dispatcher, *downloads, *session_files,
+            [this] { return metrics.text(standing()); },
+            [this](const std::string& person) { connections.log_out(person); });
+        if (kept)
+            restore();
+    }
+
+    Standing standing() const {
+        Standing out;
+        out.uptime = std::chrono::duration<double>(clock.now() - started).count();
+        out.connections = admission.connections();
+        out.clients = budgets.used(Use::Socket);
+        out.memory = memory_standing(memory.account());
+        out.sessions = sessions->all().size();
+        for (const auto& [id, session] : sessions->all()) {
+            out.surfaces += session->records().count(RecordType::Surface);
+            out.participants += session->participants().present().size();
+        }
+        for (const DatasetStatus& each : catalogue->list())
+            if (const auto open = catalogue->find(each.dataset); open && (*open)->cache) {
+                const auto status = (*open)->cache->status();
+                out.caches.push_back(
+                    {each.dataset, status.hits, status.loads, status.bytes, status.budget});
+            }
+        return out;
+    }
+
+    /// What no one asked the account for is noticed, and others give back.
+    void watch_memory() {
+        if (memory.too_much())
+            pool.run([account = memory.account()] { account.make_room(0); });
+        watching = loop.after(limits::memory_look, [this] { watch_memory(); });
+    }
+
+    std::unique_ptr<SqliteJournal> start_journal() {
+        if (!kept)
+            return nullptr;
+        return std::make_unique<SqliteJournal>(
+            loop, std::move(kept->store),
+            [this](const core::Result<void>& turn) { tell_durability(turn); });
+    }
+
+    /// The desk may be asked at once, but answers from what the journal has written.
+    std::unique_ptr<StateDesk> start_desk(const ServerOptions& options) {
+        if (!journal)
+            return nullptr;
+        return std::make_unique<StateDesk>(
+            options.state, StateDesk::Services{[this] { return journal->hold(); },
+                                               [this] { return journal->release(); }});
+    }
+
+    void restore() {
+        const RestoredSessions restored =
+            restore_sessions(std::exchange(kept->sessions, {}), *sessions, grants);
+        for (const auto& [id, records] : std::exchange(kept->aside, {}))
+            if (const auto session = sessions->find(id))
+                (*session)->recall_aside(records, false);
+        for (const auto& [id, records] : std::exchange(kept->damaged, {})) {
+            spdlog::warn("event=records_damaged session={} count={}", id, records.size());
+            if (const auto session = sessions->find(id))
+                (*session)->recall_aside(records, true);
+        }
+        for (const RestoredSessions::Refused& each : restored.refused)
+            spdlog::warn("event=record_kept_aside session={} why=\"{}\"", each.session,
+                         each.record.why);
+        spdlog::info("{} records of {} sessions restored", restored.records, restored.sessions);
+    }
+
+    void tell_durability(const core::Result<void>& turn) {
+        metrics.durable(turn.has_value());
+        spdlog::log(turn ? spdlog::level::info : spdlog::level::warn, "event=durable yes={}",
+                    turn.has_value());
+        connections.announce(durability_notice(turn));
+    }
+
+    void tell_all(const std::string& dataset) {
+        if (const auto open = catalogue->find(dataset)) {
+            news.watch(dataset, (*open)->cache);
+            sessions->dataset_changed(dataset);
+        }
+        imports->changed(dataset);
+        if (const auto status = catalogue->status(dataset))
+            connections.announce(
+                protocol::rpc_notification("dataset.patched", dataset_entry(*status)));
+    }
+
+    /// Ends run() once every client has taken the goodbye, or at `deadline`.
+    void stop_when_alone(std::chrono::steady_clock::time_point deadline) {
+        if (connections.count() == 0 || clock.now() >= deadline)
+            return context.stop();
+        waiting = loop.after(std::chrono::milliseconds(10),
+                             [this, deadline] { stop_when_alone(deadline); });
+    }
+
+    /// A renewed certificate is taken at SIGHUP.
+    void renew_tls_on(asio::signal_set& hangup) {
+        hangup.async_wait([this, &hangup](boost::system::error_code error, int) {
+            if (error)
+                return;
+            if (const auto renewed = tls->renew())
+                spdlog::info("event=certificate_renewed");
+            else
+                spdlog::warn("event=certificate_kept reason={}",
+                             log_value(renewed.error().message));
+            renew_tls_on(hangup);
+        });
+    }
+
+    void run_what_is_left() {
+        context.restart();
+        for (int round = 0; round < 16; ++round)
+            context.poll();
+    }
+
+    ProcessAccount memory;
+    std::optional<KeptSessions> kept;
+    std::optional<StartGuard> starts; ///< with `--state`
+    std::optional<core::Error> withheld_surfaces;
+    SystemEntropy entropy;
+    core::SteadyClock clock;
+    const std::chrono::steady_clock::time_point started = clock.now();
+    Metrics metrics{clock};
+    OutboxMemory outboxes{memory.account()};
+    const Admission::Limits places = limits_for_descriptors();
+    Admission admission{places, metrics};
+    Budgets budgets{clock, &metrics, budget_for(places.connections)};
+    TrustedProxies proxies;
+    std::unique_ptr<TlsContext> tls;
+    Connections connections;
+    WriteTurns turns{[this](std::function<void()> task) { loop.post(std::move(task)); }, clock};
+    asio::io_context context{1};
+    IoLoop loop{context};
+    ComputePool pool;
+    Prober prober{loop, pool};
+    CacheNews news{loop, [this](const std::string& message) { connections.announce(message); }};
+    StaticFiles files;
+    std::uint16_t port = 0;
+    std::unique_ptr<SqliteJournal> journal = start_journal(); ///< nothing without `--state`
+    std::unique_ptr<StateDesk> desk;                          ///< its thread asks the journal
+    std::unique_ptr<DatasetCatalogue> catalogue;
+    Grants grants{{loop, clock, entropy, unix_seconds, journal.get()}};
+    std::optional<Gate> gate;
+    std::optional<CatalogueDatasets> datasets;
+    std::optional<SessionDirectory> sessions;
+    std::optional<ImportWaiters> imports;
+    std::optional<Dispatcher> dispatcher;
+    std::optional<Downloads> downloads;
+    std::optional<SessionFiles> session_files;
+    std::optional<Routes> routes;
+    std::shared_ptr<Listener> listener;
+    std::shared_ptr<void> waiting, watching; ///< timers of stop_when_alone, watch_memory
+};
+
+Server::Server(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+Server::~Server() = default;
+
+core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
+    std::optional<KeptSessions> kept;
+    if (!options.state.empty()) {
+        auto found = KeptSessions::open(options.state);
+        if (!found)
+            return tl::unexpected(found.error());
+        kept.emplace(std::move(*found));
+    }
+    auto parts = std::make_unique<Parts>(options, std::move(kept));
+    Parts* const all = parts.get();
+    all->proxies = options.proxies;
+    if (!options.certificate.empty()) {
+        auto tls = TlsContext::load(options.certificate, options.key);
+        if (!tls)
+            return tl::unexpected(tls.error());
+        all->tls = std::move(*tls);
+    }
+    auto listener = Listener::open(
+        all->context, options.host, options.port, [all](asio::ip::tcp::socket socket) {
+            serve_http(std::move(socket),
+                       {*all->routes, all->connections, all->grants, all->admission, all->budgets,
+                        all->proxies, all->metrics, all->outboxes, all->turns, all->tls.get()});
+        });
+    if (!listener)
+        return tl::unexpected(listener.error());
+    all->listener = *listener;
+    OpenOptions open;
+    open.store_root = options.store_root;
+    open.cache.account = all->memory.account();
+    auto catalogue =
+        DatasetCatalogue::open(options.datasets, open, [all](const std::string& dataset) {
+            all->loop.post([all, dataset] { all->tell_all(dataset); });
+        });
+    if (!catalogue)
+        return tl::unexpected(catalogue.error());
+    all->catalogue = std::move(*catalogue);
+    all->serve(options);
+    return std::unique_ptr<Server>(new Server(std::move(parts)));
+}
+
+std::uint16_t Server::port() const {
+    return parts_->port;
+}
+
+void Server::run() {
+    Parts& all = *parts_;
+    if (all.files.empty())
+        spdlog::warn("event=no_web_client message=\"the page is not beside this program\" "
+                     "hint=\"build it, as ./run "
+                     "does, or name its folder with --web; scripts can still connect\"");
+    if (!all.journal)
+        spdlog::info("event=sessions_not_kept hint=\"--state DIR keeps them\"");
+    asio::signal_set signals(all.context, SIGINT, SIGTERM);
+    signals.async_wait([&](boost::system::error_code error, int) {
+        if (error)
+            return;
+        spdlog::info("event=stopping clients={}", all.budgets.used(Use::Socket));
+        all.listener->stop();
+        all.connections.go_away();
+        all.stop_when_alone(std::chrono::steady_clock::now() + goodbye);
+    });
+    asio::signal_set hangup(all.context);
+    if (all.tls) {
+        hangup.add(SIGHUP);
+        all.renew_tls_on(hangup);
+    }
+    spdlog::info("event=listening port={} tls={} connections={}", all.port, all.tls != nullptr,
+                 all.places.connections);
+    all.listener->start();
+    all.watch_memory();
+    const auto served = all.loop.after(limits::start_watched, [&all] {
+        if (all.starts)
+            all.starts->good();
+    });
+    ask_for_short_slices();
+    all.context.run();
+    // The sockets' handlers hold the connections; they must run while there are sessions to leave.
+    all.connections.abandon();
+    all.run_what_is_left();
+    if (all.starts)
+        all.starts->good();
+    if (!all.journal)
+        return;
+    all.sessions->keep_times();
+    all.journal->finish();
+    all.run_what_is_left();
+}
+
+} // namespace wakesurf::server

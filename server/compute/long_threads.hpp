@@ -1,0 +1,55 @@
+// Threads for jobs that take long: each job's parallel loops use all cores, at a lower priority than whoever answers a person. Which job is
+// next: long_lanes.
+#pragma once
+
+#include "core/base/mailbox.hpp"
+#include "server/compute/doorbell.hpp"
+#include "server/compute/long_lanes.hpp"
+
+#include <oneapi/tbb/global_control.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// Thread safety: run() may be called from any thread. The destructor waits for all jobs.
+class LongThreads {
+  public:
+    /// @param cores  that the loops of all jobs use together
+    explicit LongThreads(unsigned cores);
+    ~LongThreads();
+    LongThreads(const LongThreads&) = delete;
+    LongThreads& operator=(const LongThreads&) = delete;
+
+    /// Waits for no other thread. @param session  empty: the job belongs to none, and has turns like a session of its own
+    void run(const std::string& session, FairQueue::Job job);
+
+  private:
+    struct Arrived {
+        std::string session;
+        FairQueue::Job job;
+    };
+
+    Doorbell& bell(LongLanes::Lane lane) { return bells_[static_cast<std::size_t>(lane)]; }
+
+    void ring();
+    void sort();
+    void serve(LongLanes::Lane lane);
+
+    unsigned cores_;
+    oneapi::tbb::global_control allowed_;
+    core::Mailbox<Arrived> arrived_;
+    std::array<Doorbell, 2> bells_; ///< by lane
+    std::atomic<bool> ending_{false};
+    std::mutex mutex_; ///< guards lanes_
+    LongLanes lanes_;
+    std::vector<std::jthread> threads_;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,218 @@
+#include "server/import/sources/cgns/cgns_source.hpp"
+
+#include "server/import/sources/blocks/fluid_blocks.hpp"
+#include "server/import/sources/blocks/wanted_arrays.hpp"
+#include "server/import/sources/cgns/cgns_survey.hpp"
+#include "server/import/sources/series/file_names.hpp"
+#include "server/import/sources/series/series_times.hpp"
+#include "server/import/vtk_messages.hpp"
+
+#include <vtkCGNSReader.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <array>
+#include <new>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::FieldInfo;
+
+namespace {
+
+void select(vtkCGNSReader& reader, const WantedArrays& wanted) {
+    reader.EnableAllBases();
+    reader.EnableAllPointArrays();
+    reader.EnableAllCellArrays();
+    if (wanted.all)
+        return;
+    reader.DisableAllPointArrays();
+    reader.DisableAllCellArrays();
+    // A vector is offered component by component.
+    const auto enable = [&](FieldInfo::Source source, int count, auto name_of, auto set) {
+        for (int i = 0; i < count; ++i) {
+            const std::string name = name_of(i);
+            for (const auto& field : wanted.fields)
+                if (field.source == source && name.starts_with(field.name) &&
+                    name.size() <= field.name.size() + 1)
+                    set(name.c_str());
+        }
+    };
+    enable(
+        FieldInfo::Source::Point, reader.GetNumberOfPointArrays(),
+        [&](int i) { return reader.GetPointArrayName(i); },
+        [&](const char* name) { reader.SetPointArrayStatus(name, 1); });
+    enable(
+        FieldInfo::Source::Cell, reader.GetNumberOfCellArrays(),
+        [&](int i) { return reader.GetCellArrayName(i); },
+        [&](const char* name) { reader.SetCellArrayStatus(name, 1); });
+}
+
+// VTK returns structured and unstructured zones, both with points of their own.
+void scale_points(vtkDataSet& data, double factor) {
+    auto* const points = vtkPointSet::SafeDownCast(&data);
+    if (factor == 1.0 || points == nullptr)
+        return;
+    auto scaled = vtkSmartPointer<vtkPoints>::New();
+    scaled->SetDataTypeToDouble();
+    scaled->SetNumberOfPoints(points->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
+        std::array<double, 3> at{};
+        points->GetPoint(i, at.data());
+        scaled->SetPoint(i, factor * at[0], factor * at[1], factor * at[2]);
+    }
+    points->SetPoints(scaled);
+}
+
+class CgnsSource final : public Source {
+  public:
+    explicit CgnsSource(FileSeries series) : series_(std::move(series)) {}
+
+    core::Result<void> open() {
+        description_.name = series_.name;
+        description_.reader = "vtkCGNSReader (" + series_.kind + ")";
+        std::vector<TimedEntry> times;
+        CgnsUnits units;
+        for (std::size_t i = 0; i < series_.entries.size(); ++i) {
+            const auto survey = survey_cgns(listed(i));
+            if (!survey)
+                return tl::unexpected(survey.error());
+            if (i == 0)
+                units = survey->units;
+            if (survey->times.empty()) {
+                steps_.push_back({i, std::nullopt});
+                times.push_back({listed(i).name, std::nullopt});
+            }
+            for (std::size_t t = 0; t < survey->times.size(); ++t) {
+                steps_.push_back({i, survey->times[t]});
+                times.push_back(
+                    {"time-step " + std::to_string(t) + " of " + listed(i).name, survey->times[t]});
+            }
+        }
+        auto settled = settle_times(times);
+        if (!settled)
+            return tl::unexpected(settled.error());
+        description_.times = std::move(settled->times);
+        description_.note = std::move(settled->note);
+        if (!units.note.empty())
+            description_.note += (description_.note.empty() ? "" : "; ") + units.note;
+        return load(0, {true, {}}, units).map([&](const Blocks& blocks) {
+            description_.fields = common_fields(blocks);
+        });
+    }
+
+    const SourceDescription& description() const override { return description_; }
+
+    core::Result<std::vector<store::SourceFile>> shared_files() const override {
+        return file_of_all(series_);
+    }
+
+    core::Result<std::vector<store::SourceFile>> files(std::size_t step) const override {
+        return file_of_one(series_, steps_[step].file);
+    }
+
+    core::Result<SourceStep> read(std::size_t step, const std::vector<FieldInfo>& fields) override {
+        // What has changed since the source was opened is found before VTK reads another time-step for this one.
+        const auto survey = survey_cgns(listed(steps_[step].file));
+        if (!survey)
+            return tl::unexpected(survey.error());
+        const auto& time = steps_[step].time;
+        if (time ? std::find(survey->times.begin(), survey->times.end(), *time) ==
+                       survey->times.end()
+                 : !survey->times.empty())
+            return core::fail(Error::Code::Corrupt,
+                              step_name(step) + " is not in the file any more");
+        auto blocks = load(step, {false, fields}, survey->units);
+        if (!blocks)
+            return tl::unexpected(blocks.error());
+        SourceStep out;
+        for (const auto& block : *blocks) {
+            if (auto whole = require_fields(*block, fields, step_name(step)); !whole)
+                return tl::unexpected(whole.error());
+            keep_only(*block, fields);
+            out.blocks.push_back(block);
+        }
+        return out;
+    }
+
+  private:
+    struct Step {
+        std::size_t file = 0;
+        std::optional<double> time;
+    };
+
+    const ListedFile& listed(std::size_t entry) const {
+        return series_.entries[entry].parts.front();
+    }
+
+    std::string step_name(std::size_t step) const {
+        const auto& [file, time] = steps_[step];
+        return listed(file).name + (time ? " at time " + time_text(*time) : "");
+    }
+
+    core::Result<Blocks>
+    load(std::size_t step, const WantedArrays& wanted, const CgnsUnits& units) const {
+        const std::string name = step_name(step);
+        const VtkMessages messages;
+        auto reader =
+            vtkSmartPointer<vtkCGNSReader>::New(); // a new one keeps nothing of other steps
+        reader->SetFileName(listed(steps_[step].file).path.c_str());
+        reader->DoublePrecisionMeshOn();
+        vtkSmartPointer<vtkDataObject> output;
+        try {
+            reader->UpdateInformation();
+            select(*reader, wanted);
+            reader->UpdateInformation();
+            if (steps_[step].time)
+                reader->UpdateTimeStep(*steps_[step].time);
+            else
+                reader->Update();
+            output = reader->GetOutputDataObject(0);
+        } catch (const std::bad_alloc&) {
+            return core::fail(Error::Code::OverLimit, "there is not enough memory to read " + name);
+        }
+        if (auto clean = messages.verdict(name); !clean)
+            return tl::unexpected(clean.error());
+        Blocks blocks;
+        for (const auto& leaf : leaves_of(output)) {
+            if (!has_solid_cells(*leaf.data))
+                continue;
+            auto block = fluid_part(*leaf.data, name);
+            if (!block)
+                return tl::unexpected(block.error());
+            scale_points(**block, units.coordinates);
+            blocks.push_back(std::move(*block));
+        }
+        if (blocks.empty())
+            return core::fail(Error::Code::Unsupported, name + " holds no three-dimensional cells",
+                              "extrude it by two cells or more first");
+        if (auto thick = check_thickness(blocks, name); !thick)
+            return tl::unexpected(thick.error());
+        return blocks;
+    }
+
+    FileSeries series_;
+    std::vector<Step> steps_;
+    SourceDescription description_;
+};
+
+} // namespace
+
+bool is_cgns(const std::filesystem::path& path) {
+    return lower_extension(path) == ".cgns";
+}
+
+core::Result<std::unique_ptr<Source>> open_cgns(const std::filesystem::path& path) {
+    auto series = open_file_series(path);
+    if (!series)
+        return tl::unexpected(series.error());
+    auto source = std::make_unique<CgnsSource>(std::move(*series));
+    if (auto opened = source->open(); !opened)
+        return tl::unexpected(opened.error());
+    return source;
+}
+
+} // namespace wakesurf::server

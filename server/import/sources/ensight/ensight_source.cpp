@@ -1,0 +1,243 @@
+#include "server/import/sources/ensight/ensight_source.hpp"
+
+#include "server/import/sources/blocks/vtk_fields.hpp"
+#include "server/import/sources/blocks/wall_faces.hpp"
+#include "server/import/sources/ensight/ensight_case.hpp"
+#include "server/import/sources/ensight/ensight_variable.hpp"
+
+#include <vtkCellData.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::FieldInfo;
+namespace fs = std::filesystem;
+
+namespace {
+
+template <class T>
+vtkSmartPointer<T> copy_of(T& data) {
+    auto out = vtkSmartPointer<T>::Take(data.NewInstance());
+    out->ShallowCopy(&data);
+    return out;
+}
+
+void attach(vtkDataSet& data, vtkDataArray& values, const FieldInfo& field) {
+    if (field.source == FieldInfo::Source::Point)
+        data.GetPointData()->AddArray(&values);
+    else
+        data.GetCellData()->AddArray(&values);
+}
+
+class EnsightSource final : public Source {
+  public:
+    explicit EnsightSource(EnsightCase found) : found_(std::move(found)) {
+        description_.name = fs::path(found_.name).stem().string();
+        description_.reader = "EnSight Gold";
+        description_.times = found_.times;
+        description_.note = found_.note;
+    }
+
+    core::Result<void> prepare() {
+        const auto file = found_.file_at(found_.geometry, found_.times.front());
+        auto geometry = file.and_then(read_ensight_geometry);
+        if (!geometry)
+            return tl::unexpected(geometry.error());
+        geometry_ = std::move(*geometry);
+        geometry_file_ = file->name;
+        find_faces_on_blocks();
+        std::vector<FieldInfo> fields;
+        for (const auto& one : found_.variables)
+            fields.push_back(one.field);
+        const auto first = read(0, fields);
+        if (!first)
+            return tl::unexpected(first.error());
+        for (const auto& block : first->blocks)
+            add_fields(*block, description_.fields);
+        choose_walls();
+        return {};
+    }
+
+    const SourceDescription& description() const override { return description_; }
+
+    core::Result<std::vector<store::SourceFile>> shared_files() const override {
+        return found_.file_at(found_.geometry, found_.times.front())
+            .and_then([&](const NamedFile& mesh) {
+                return fingerprint({{found_.folder / found_.name, found_.name}, mesh});
+            });
+    }
+
+    core::Result<std::vector<store::SourceFile>> files(std::size_t step) const override {
+        std::vector<NamedFile> out;
+        const double time = found_.times.at(step);
+        auto mesh = found_.file_at(found_.geometry, time);
+        if (!mesh)
+            return tl::unexpected(mesh.error());
+        if (mesh->name != geometry_file_)
+            out.push_back(std::move(*mesh));
+        for (const auto& one : found_.variables) {
+            auto file = found_.file_at(one.file, time);
+            if (!file)
+                return tl::unexpected(file.error());
+            out.push_back(std::move(*file));
+        }
+        return fingerprint(out);
+    }
+
+    core::Result<SourceStep> read(std::size_t step, const std::vector<FieldInfo>& fields) override {
+        const double time = found_.times.at(step);
+        if (auto still = check_mesh(time); !still)
+            return tl::unexpected(still.error());
+        std::map<std::size_t, vtkSmartPointer<vtkDataSet>> blocks;
+        std::map<std::size_t, vtkSmartPointer<vtkPolyData>> faces;
+        for (const auto& [number, part] : geometry_.parts) {
+            if (part.volume != nullptr)
+                blocks[number] = copy_of(*part.volume);
+            if (part.faces != nullptr && on_blocks_.contains(number))
+                faces[number] = copy_of(*part.faces);
+        }
+        for (const auto& field : fields) {
+            const auto* variable = found_.find(field);
+            if (variable == nullptr)
+                return core::fail(Error::Code::NotFound,
+                                  found_.name + " has no field " + field.name);
+            const auto file = found_.file_at(variable->file, time);
+            auto values = file.and_then([&](const NamedFile& named) {
+                return read_ensight_variable(named, geometry_, variable->field);
+            });
+            if (!values)
+                return tl::unexpected(values.error());
+            for (auto& [number, of_part] : *values) {
+                if (const auto block = blocks.find(number); block != blocks.end())
+                    attach(*block->second, *of_part.volume, field);
+                if (const auto face = faces.find(number); face != faces.end())
+                    attach(*face->second, *of_part.faces, field);
+            }
+            for (const auto& [number, block] : blocks)
+                if (auto whole = require_fields(*block, {field}, file->name); !whole)
+                    return tl::unexpected(whole.error());
+        }
+        SourceStep out;
+        for (auto& [number, block] : blocks)
+            out.blocks.push_back(block);
+        for (auto& [number, face] : faces)
+            if (walls_.contains(number))
+                out.walls.push_back({face, stands_still(*face, fields)});
+        if (out.blocks.empty())
+            return core::fail(Error::Code::Unsupported,
+                              geometry_file_ + " has no three-dimensional part");
+        return out;
+    }
+
+  private:
+    core::Result<void> check_mesh(double time) {
+        const auto file = found_.file_at(found_.geometry, time);
+        if (file && file->name == geometry_file_)
+            return {};
+        const auto now = file.and_then(read_ensight_geometry);
+        if (!now)
+            return tl::unexpected(now.error());
+        if (!same_geometry(geometry_, *now))
+            return core::fail(Error::Code::Unsupported,
+                              "the mesh changes: " + file->name + " differs from " + geometry_file_,
+                              "only meshes that do not move can be read");
+        return {};
+    }
+
+    void find_faces_on_blocks() {
+        using Point = std::array<double, 3>;
+        std::set<Point> wanted;
+        for (const auto& [number, part] : geometry_.parts)
+            if (part.faces != nullptr)
+                for (vtkIdType i = 0; i < part.faces->GetNumberOfPoints(); ++i) {
+                    const double* at = part.faces->GetPoint(i);
+                    wanted.insert({at[0], at[1], at[2]});
+                }
+        std::set<Point> there;
+        for (const auto& [number, part] : geometry_.parts)
+            if (part.volume != nullptr && !wanted.empty())
+                for (vtkIdType i = 0; i < part.volume->GetNumberOfPoints(); ++i) {
+                    Point at{};
+                    part.volume->GetPoint(i, at.data());
+                    if (wanted.contains(at))
+                        there.insert(at);
+                }
+        for (const auto& [number, part] : geometry_.parts) {
+            if (part.faces == nullptr)
+                continue;
+            bool all = true;
+            for (vtkIdType i = 0; i < part.faces->GetNumberOfPoints(); ++i) {
+                const double* at = part.faces->GetPoint(i);
+                all = all && there.contains({at[0], at[1], at[2]});
+            }
+            if (all)
+                on_blocks_.insert(number);
+        }
+    }
+
+    // A flow that starts from rest is at rest everywhere at first, so that its last time-step is asked, too.
+    void choose_walls() {
+        std::vector<FieldInfo> vectors;
+        for (const auto& field : description_.fields)
+            if (field.components == 3)
+                vectors.push_back(field);
+        walls_ = on_blocks_;
+        std::map<std::size_t, bool> still;
+        for (const std::size_t step : {std::size_t{0}, found_.times.size() - 1}) {
+            if (vectors.empty())
+                break;
+            const auto* velocity = found_.find(vectors.front());
+            const auto values =
+                found_.file_at(velocity->file, found_.times[step])
+                    .and_then([&](const NamedFile& file) {
+                        return read_ensight_variable(file, geometry_, velocity->field);
+                    });
+            if (!values)
+                continue;
+            for (const auto number : on_blocks_) {
+                const auto face = copy_of(*geometry_.parts.at(number).faces);
+                if (const auto found = values->find(number); found != values->end())
+                    attach(*face, *found->second.faces, velocity->field);
+                const auto [known, added] = still.try_emplace(number, true);
+                known->second = known->second && stands_still(*face, vectors);
+            }
+        }
+        std::erase_if(walls_, [&](std::size_t number) {
+            std::string name = geometry_.parts.at(number).name;
+            std::transform(name.begin(), name.end(), name.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            return name.find("wall") == std::string::npos && !still[number];
+        });
+    }
+
+    EnsightCase found_;
+    EnsightGeometry geometry_;
+    std::string geometry_file_;
+    std::set<std::size_t> on_blocks_; ///< parts with faces
+    std::set<std::size_t> walls_;
+    SourceDescription description_;
+};
+
+} // namespace
+
+bool is_ensight(const fs::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == ".case" || ending == ".encas";
+}
+
+core::Result<std::unique_ptr<Source>> open_ensight(const fs::path& path) {
+    auto found = read_ensight_case(path);
+    if (!found)
+        return tl::unexpected(found.error());
+    auto source = std::make_unique<EnsightSource>(std::move(*found));
+    return source->prepare().map([&]() -> std::unique_ptr<Source> { return std::move(source); });
+}
+
+} // namespace wakesurf::server

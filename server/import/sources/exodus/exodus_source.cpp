@@ -1,0 +1,225 @@
+#include "server/import/sources/exodus/exodus_source.hpp"
+
+#include "server/import/sources/blocks/vtk_fields.hpp"
+#include "server/import/sources/blocks/wall_faces.hpp"
+#include "server/import/sources/netcdf/netcdf_size.hpp"
+#include "server/import/sources/series/source_files.hpp"
+#include "server/import/vtk_messages.hpp"
+
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkExodusIIReader.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtk_exodusII.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <new>
+#include <string_view>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::FieldInfo;
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_called_wall(std::string name) {
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return name.find("wall") != std::string::npos;
+}
+
+bool is_solid_shape(vtkDataSet& data) {
+    for (vtkIdType i = 0; i < data.GetNumberOfCells(); ++i)
+        if (data.GetCell(i)->GetCellDimension() != 3)
+            return false;
+    return true;
+}
+
+class ExodusSource final : public Source {
+  public:
+    explicit ExodusSource(const fs::path& path) : file_{path, path.filename().string()} {
+        description_.name = path.stem().string();
+        description_.reader = "vtkExodusIIReader (Exodus II)";
+    }
+
+    core::Result<void> prepare() {
+        if (auto complete = check_netcdf_size(file_); !complete)
+            return complete;
+        if (auto opened = open(); !opened)
+            return opened;
+        vtkInformation* info = reader_->GetOutputInformation(0);
+        const int steps = info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+        const double* times = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+        description_.times.assign(times, times + steps);
+        if (std::adjacent_find(description_.times.begin(), description_.times.end(),
+                               std::greater_equal<>()) != description_.times.end())
+            return core::fail(Error::Code::Corrupt, file_.name + " does not have increasing times");
+        if (description_.times.empty()) {
+            description_.times = {0.0};
+            description_.note = "the file has no times";
+        }
+        for (int i = 0; i < reader_->GetNumberOfPointResultArrays(); ++i)
+            if (std::string name = reader_->GetPointResultArrayName(i);
+                name.starts_with("DISPL") || name.starts_with("displ") || name.starts_with("Displ"))
+                description_.note += (description_.note.empty() ? "" : "; ") +
+                                     ("the displacements " + name + " are not applied");
+        const auto first = load(0, nullptr);
+        if (!first)
+            return tl::unexpected(first.error());
+        for (const auto& block : first->blocks)
+            add_fields(*block, description_.fields);
+        std::erase_if(description_.fields, [&](const FieldInfo& field) {
+            return std::any_of(first->blocks.begin(), first->blocks.end(), [&](const auto& block) {
+                return !require_fields(*block, {field}, file_.name);
+            });
+        });
+        return {};
+    }
+
+    const SourceDescription& description() const override { return description_; }
+
+    core::Result<std::vector<store::SourceFile>> shared_files() const override {
+        return fingerprint({file_});
+    }
+
+    core::Result<std::vector<store::SourceFile>> files(std::size_t) const override {
+        return std::vector<store::SourceFile>{};
+    }
+
+    core::Result<SourceStep> read(std::size_t step, const std::vector<FieldInfo>& fields) override {
+        if (auto complete = check_netcdf_size(file_); !complete)
+            return tl::unexpected(complete.error());
+        return load(step, &fields);
+    }
+
+  private:
+    core::Result<void> open() {
+        const VtkMessages messages;
+        ex_opts(0); // the library prints by itself; VTK says the same
+        reader_ = vtkSmartPointer<vtkExodusIIReader>::New();
+        if (reader_->CanReadFile(file_.path.c_str()) == 0)
+            return core::fail(Error::Code::Corrupt,
+                              file_.name + " is not an Exodus II file, or is damaged");
+        reader_->SetFileName(file_.path.c_str());
+        reader_->SetApplyDisplacements(0);
+        reader_->SetGenerateObjectIdCellArray(0);
+        reader_->SetGenerateGlobalElementIdArray(0);
+        reader_->SetGenerateGlobalNodeIdArray(0);
+        reader_->UpdateInformation();
+        if (auto clean = messages.verdict(file_.name); !clean)
+            return clean;
+        for (int i = 0; i < reader_->GetNumberOfElementBlockArrays(); ++i)
+            reader_->SetElementBlockArrayStatus(reader_->GetElementBlockArrayName(i), 1);
+        for (int i = 0; i < reader_->GetNumberOfSideSetArrays(); ++i)
+            if (is_called_wall(reader_->GetSideSetArrayName(i)))
+                reader_->SetSideSetArrayStatus(reader_->GetSideSetArrayName(i), 1);
+        return {};
+    }
+
+    void choose_fields(const std::vector<FieldInfo>* fields) {
+        const auto wanted = [&](FieldInfo::Source source, const std::string& name) {
+            return fields == nullptr ||
+                   std::any_of(fields->begin(), fields->end(), [&](const FieldInfo& field) {
+                       return field.source == source && field.name == name;
+                   });
+        };
+        for (int i = 0; i < reader_->GetNumberOfPointResultArrays(); ++i) {
+            const char* name = reader_->GetPointResultArrayName(i);
+            reader_->SetPointResultArrayStatus(name,
+                                               wanted(FieldInfo::Source::Point, name) ? 1 : 0);
+        }
+        for (int i = 0; i < reader_->GetNumberOfElementResultArrays(); ++i) {
+            const char* name = reader_->GetElementResultArrayName(i);
+            reader_->SetElementResultArrayStatus(name,
+                                                 wanted(FieldInfo::Source::Cell, name) ? 1 : 0);
+        }
+    }
+
+    core::Result<SourceStep> load(std::size_t step, const std::vector<FieldInfo>* fields) {
+        const std::string what = "time-step " + std::to_string(step) + " of " + file_.name;
+        const double time = description_.times.at(step);
+        try {
+            if (reader_ == nullptr)
+                if (auto opened = open(); !opened)
+                    return give_up(opened.error());
+            choose_fields(fields);
+            const VtkMessages messages;
+            reader_->UpdateTimeStep(time);
+            if (auto clean = messages.verdict(what); !clean)
+                return give_up(clean.error());
+            return take(what, fields);
+        } catch (const std::bad_alloc&) {
+            return give_up(
+                {Error::Code::OverLimit, "there is not enough memory to read " + what, {}});
+        }
+    }
+
+    tl::unexpected<Error> give_up(Error error) {
+        reader_ = nullptr;
+        const std::string folder = file_.path.parent_path().string() + "/";
+        for (auto at = error.message.find(folder); folder != "/" && at != std::string::npos;
+             at = error.message.find(folder))
+            error.message.erase(at, folder.size());
+        return tl::unexpected(std::move(error));
+    }
+
+    core::Result<SourceStep> take(const std::string& what, const std::vector<FieldInfo>* fields) {
+        SourceStep out;
+        for (const auto& leaf : leaves_of(reader_->GetOutput())) {
+            auto data = vtkSmartPointer<vtkDataSet>::Take(leaf.data->NewInstance());
+            data->ShallowCopy(leaf.data);
+            if (leaf.path.front() == "Side Sets") {
+                const auto faces = faces_of(*data);
+                out.walls.push_back({faces, fields != nullptr && stands_still(*faces, *fields)});
+                continue;
+            }
+            if (leaf.path.front() != "Element Blocks" || !is_solid_shape(*data))
+                continue;
+            if (fields != nullptr) {
+                if (auto whole = require_fields(*data, *fields, what); !whole)
+                    return tl::unexpected(whole.error());
+                keep_only(*data, *fields);
+            }
+            out.blocks.push_back(data);
+        }
+        if (out.blocks.empty())
+            return core::fail(Error::Code::Unsupported,
+                              file_.name + " has no block of three-dimensional elements");
+        return out;
+    }
+
+    NamedFile file_;
+    vtkSmartPointer<vtkExodusIIReader> reader_;
+    SourceDescription description_;
+};
+
+} // namespace
+
+bool is_exodus(const fs::path& path) {
+    constexpr std::array<const char*, 7> endings{".exo", ".exii", ".ex2",  ".e",
+                                                 ".g",   ".gen",  ".exoii"};
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (std::find(endings.begin(), endings.end(), ending) == endings.end())
+        return false;
+    // Plot3D calls its grids .g as well: there, the signature of netCDF or HDF5 tells.
+    std::array<char, 4> start{};
+    std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+    const std::string_view signature(start.data(), start.size());
+    return ending != ".g" || signature.starts_with("CDF") || signature == "\x89HDF";
+}
+
+core::Result<std::unique_ptr<Source>> open_exodus(const fs::path& path) {
+    auto source = std::make_unique<ExodusSource>(path);
+    return source->prepare().map([&]() -> std::unique_ptr<Source> { return std::move(source); });
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,252 @@
+#include "server/import/sources/netcdf/netcdf_axes.hpp"
+
+#include "server/import/sources/netcdf/netcdf_units.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+namespace wakesurf::server {
+
+using core::Error;
+
+namespace {
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+template <std::size_t N>
+bool is_one_of(const std::string& text, const std::array<std::string_view, N>& list) {
+    return std::find(list.begin(), list.end(), text) != list.end();
+}
+
+const NetcdfVariable* coordinates_of(const NetcdfFile& file, int dimension) {
+    const auto* variable =
+        file.variable(file.dimensions()[static_cast<std::size_t>(dimension)].name);
+    const bool along = variable != nullptr && variable->dimensions == std::vector<int>{dimension} &&
+                       variable->type != NC_CHAR && variable->type != NC_STRING;
+    return along ? variable : nullptr;
+}
+
+AxisKind kind_of_name(const std::string& name) {
+    constexpr std::array<std::string_view, 4> time{"time", "t", "times", "timestep"};
+    constexpr std::array<std::string_view, 6> z{"z", "depth", "height", "altitude", "level", "lev"};
+    if (is_one_of(name, time))
+        return AxisKind::Time;
+    if (is_one_of(name, z))
+        return AxisKind::Z;
+    return name == "x" ? AxisKind::X : name == "y" ? AxisKind::Y : AxisKind::Unknown;
+}
+
+tl::unexpected<Error>
+no_length(const NetcdfFile& file, const std::string& dimension, const char* what) {
+    return core::fail(Error::Code::Unsupported,
+                      file.name() + ": " + dimension + " is " + what + ", not a length",
+                      "interpolate the data to a Cartesian grid in metres first");
+}
+
+core::Result<void> refuse_angles_and_levels(const NetcdfFile& file,
+                                            const std::string& dimension,
+                                            const std::string& name,
+                                            const std::string& units) {
+    constexpr std::array<std::string_view, 7> angles{
+        "longitude", "latitude", "lon", "lat", "grid_longitude", "grid_latitude", "degrees"};
+    constexpr std::array<std::string_view, 7> pressures{"pa",       "hpa",       "mb", "mbar",
+                                                        "millibar", "millibars", "kpa"};
+    if (is_one_of(name, angles) || units.starts_with("degree"))
+        return no_length(file, dimension, "an angle (longitude or latitude)");
+    if (is_one_of(units, pressures) || name.find("sigma") != std::string::npos ||
+        name.find("pressure") != std::string::npos)
+        return no_length(file, dimension, "a pressure or sigma level");
+    return {};
+}
+
+using Triple = std::array<int, 3>;
+
+struct Candidate {
+    Triple dimensions{-1, -1, -1};
+    std::optional<int> time;
+    std::vector<std::string> variables;
+};
+
+class GridSearch {
+  public:
+    explicit GridSearch(const NetcdfFile& file) : file_(file) {}
+
+    core::Result<Candidate> run() {
+        for (const auto& variable : file_.variables())
+            if (auto looked = look_at(variable); !looked)
+                return tl::unexpected(looked.error());
+        if (candidates_.empty() && curvilinear_)
+            return core::fail(
+                Error::Code::Unsupported,
+                file_.name() + " has curvilinear coordinates: " + *curvilinear_,
+                "interpolate the data to a grid whose x, y and z are one-dimensional, "
+                "or write .vts files");
+        if (candidates_.empty() && flat_)
+            return core::fail(Error::Code::Unsupported,
+                              file_.name() + " is not three-dimensional: " + *flat_ +
+                                  " is a plane of values",
+                              "extrude it by two cells or more first");
+        if (candidates_.empty())
+            return core::fail(
+                Error::Code::Unsupported, file_.name() + " has no variable over x, y and z",
+                "name the dimensions x, y, z or give their coordinates an axis attribute");
+        if (auto together = check_velocities(); !together)
+            return tl::unexpected(together.error());
+        return std::max_element(candidates_.begin(), candidates_.end(),
+                                [](const auto& a, const auto& b) {
+                                    return a.second.variables.size() < b.second.variables.size();
+                                })
+            ->second;
+    }
+
+  private:
+    core::Result<void> look_at(const NetcdfVariable& variable) {
+        if (variable.type == NC_CHAR || variable.type == NC_STRING || variable.type > NC_STRING ||
+            variable.dimensions.size() < 2)
+            return {};
+        Candidate here;
+        bool unknown = false;
+        std::vector<std::size_t> lengths;
+        for (const int dimension : variable.dimensions) {
+            const auto length = file_.dimensions()[static_cast<std::size_t>(dimension)].length;
+            auto kind = axis_kind(file_, dimension);
+            if (!kind)
+                return variable.dimensions.size() < 3 ? core::Result<void>()
+                                                      : tl::unexpected(kind.error());
+            if (*kind == AxisKind::Time)
+                here.time = dimension;
+            else if (*kind == AxisKind::Unknown && length == 1)
+                continue;
+            else if (*kind == AxisKind::Unknown ||
+                     here.dimensions[static_cast<std::size_t>(*kind)] >= 0)
+                unknown = true;
+            else
+                here.dimensions[static_cast<std::size_t>(*kind)] = dimension;
+        }
+        const auto axes = std::count_if(here.dimensions.begin(), here.dimensions.end(),
+                                        [](int d) { return d >= 0; });
+        if (unknown) {
+            if (const auto names = file_.text(variable, "coordinates"); !names.empty())
+                curvilinear_ = names;
+            return {};
+        }
+        if (axes == 2)
+            flat_ = variable.name;
+        if (axes != 3)
+            return {};
+        auto& found = candidates_[here.dimensions];
+        found.dimensions = here.dimensions;
+        found.time = found.time ? found.time : here.time;
+        found.variables.push_back(variable.name);
+        return {};
+    }
+
+    // u, v and w on nodes of their own are not a velocity anywhere.
+    core::Result<void> check_velocities() const {
+        std::vector<std::pair<std::string, Triple>> found;
+        for (const auto& [dimensions, candidate] : candidates_)
+            for (const auto& name : candidate.variables)
+                if (const auto short_name = lower(name);
+                    short_name == "u" || short_name == "v" || short_name == "w")
+                    found.emplace_back(name, dimensions);
+        for (const auto& [name, dimensions] : found)
+            if (dimensions != found.front().second)
+                return core::fail(Error::Code::Unsupported,
+                                  file_.name() + " has a staggered grid: " + found.front().first +
+                                      " and " + name + " are on different dimensions",
+                                  "interpolate the velocity to common nodes first");
+        return {};
+    }
+
+    const NetcdfFile& file_;
+    std::map<Triple, Candidate> candidates_;
+    std::optional<std::string> flat_;
+    std::optional<std::string> curvilinear_;
+};
+
+} // namespace
+
+core::Result<AxisKind> axis_kind(const NetcdfFile& file, int dimension) {
+    const auto& name = file.dimensions()[static_cast<std::size_t>(dimension)].name;
+    const auto* variable = coordinates_of(file, dimension);
+    std::string standard = lower(name);
+    if (variable != nullptr) {
+        const auto axis = lower(file.text(*variable, "axis"));
+        const auto units = lower(file.text(*variable, "units"));
+        if (const auto given = lower(file.text(*variable, "standard_name")); !given.empty())
+            standard = given;
+        if (axis == "t" || units.find(" since ") != std::string::npos)
+            return AxisKind::Time;
+        if (auto length = refuse_angles_and_levels(file, name, standard, units); !length)
+            return tl::unexpected(length.error());
+        if (axis == "x" || axis == "y" || axis == "z")
+            return axis == "x" ? AxisKind::X : axis == "y" ? AxisKind::Y : AxisKind::Z;
+        if (standard == "projection_x_coordinate" || standard == "projection_y_coordinate")
+            return standard[11] == 'x' ? AxisKind::X : AxisKind::Y;
+        if (!file.text(*variable, "positive").empty())
+            return AxisKind::Z;
+    } else if (auto length = refuse_angles_and_levels(file, name, standard, {}); !length) {
+        return tl::unexpected(length.error());
+    }
+    const auto kind = kind_of_name(standard);
+    return kind == AxisKind::Unknown ? kind_of_name(lower(name)) : kind;
+}
+
+core::Result<NetcdfAxis> read_axis(const NetcdfFile& file, int dimension) {
+    const auto& [name, length] = file.dimensions()[static_cast<std::size_t>(dimension)];
+    NetcdfAxis axis;
+    axis.dimension = dimension;
+    const auto* variable = coordinates_of(file, dimension);
+    if (variable == nullptr) {
+        axis.numbered = true;
+        for (std::size_t i = 0; i < length; ++i)
+            axis.nodes.push_back(static_cast<double>(i));
+        return axis;
+    }
+    auto nodes = file.read(*variable);
+    if (!nodes)
+        return tl::unexpected(nodes.error());
+    axis.nodes = std::move(*nodes);
+    axis.units = file.text(*variable, "units");
+    if (lower(file.text(*variable, "positive")) == "down")
+        std::transform(axis.nodes.begin(), axis.nodes.end(), axis.nodes.begin(), std::negate<>());
+    axis.flipped = axis.nodes.size() > 1 && axis.nodes.front() > axis.nodes.back();
+    if (axis.flipped)
+        std::reverse(axis.nodes.begin(), axis.nodes.end());
+    for (std::size_t i = 0; i < axis.nodes.size(); ++i)
+        if (!std::isfinite(axis.nodes[i]) || (i > 0 && !(axis.nodes[i - 1] < axis.nodes[i])))
+            return core::fail(Error::Code::Corrupt,
+                              file.name() + " has coordinates along " + name +
+                                  " that neither increase nor decrease, or are missing");
+    return axis;
+}
+
+core::Result<NetcdfGrid> find_grid(const NetcdfFile& file) {
+    auto found = GridSearch(file).run();
+    if (!found)
+        return tl::unexpected(found.error());
+    NetcdfGrid grid{{}, found->time, std::move(found->variables)};
+    for (std::size_t i = 0; i < 3; ++i) {
+        auto axis = read_axis(file, found->dimensions[i]);
+        if (!axis)
+            return tl::unexpected(axis.error());
+        if (axis->nodes.size() < 3)
+            return core::fail(Error::Code::Unsupported,
+                              file.name() + " is not three-dimensional: it has " +
+                                  std::to_string(axis->nodes.size()) + " nodes along " + "xyz"[i],
+                              "extrude it by two cells or more first");
+        grid.axes[i] = std::move(*axis);
+    }
+    if (auto converted = convert_axes(file, grid); !converted)
+        return tl::unexpected(converted.error());
+    return grid;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,36 @@
+// One folder of an OpenFOAM case that holds a mesh, read by VTK, one time-step at a time.
+#pragma once
+
+#include "server/import/source.hpp"
+#include "server/import/sources/blocks/vtk_fields.hpp"
+#include "server/import/sources/openfoam/openfoam_case.hpp"
+
+#include <vtkOpenFOAMReader.h>
+
+namespace wakesurf::server {
+
+/// Not thread-safe. Keeps the mesh between time-steps.
+class OpenfoamReader {
+  public:
+    /// `found` must outlive it.
+    OpenfoamReader(const FoamCase& found, std::string part);
+
+    /// What VTK returns, copied shallowly, so that reading on does not change it: paths end in "internalMesh", or in
+    /// "boundary" and a patch's name, behind the region's where it has one. After an error nothing is kept.
+    /// Error: NotFound, Corrupt, OverLimit, Unsupported (two files of one name).
+    core::Result<std::vector<Leaf>> read(const FoamTime& time,
+                                         const std::vector<core::FieldInfo>& fields);
+
+  private:
+    core::Result<void> check_files(const FoamTime& time,
+                                   const std::vector<core::FieldInfo>& fields) const;
+    core::Result<void> open(const std::string& what);
+    void choose_patches();
+    void choose_fields(const FoamTime& time, const std::vector<core::FieldInfo>& fields);
+
+    const FoamCase& found_;
+    std::string part_;
+    vtkSmartPointer<vtkOpenFOAMReader> reader_;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,180 @@
+#include "server/import/sources/openfoam/openfoam_source.hpp"
+
+#include "server/import/sources/blocks/wall_faces.hpp"
+#include "server/import/sources/openfoam/openfoam_case.hpp"
+#include "server/import/sources/openfoam/openfoam_file.hpp"
+#include "server/import/sources/openfoam/openfoam_reader.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::FieldInfo;
+namespace fs = std::filesystem;
+
+namespace {
+
+class OpenfoamSource final : public Source {
+  public:
+    explicit OpenfoamSource(FoamCase found) : found_(std::move(found)) {
+        for (const auto& part : found_.parts)
+            readers_.emplace_back(found_, part);
+        description_.name = found_.name;
+        description_.reader = "vtkOpenFOAMReader (OpenFOAM" +
+                              (found_.parts.size() > 1 || !found_.parts.front().empty()
+                                   ? ", " + std::to_string(found_.parts.size()) + " processors)"
+                                   : std::string(")"));
+        for (const auto& time : found_.times)
+            description_.times.push_back(time.value);
+        description_.note = found_.note;
+        description_.fields = found_.fields;
+    }
+
+    OpenfoamSource(const OpenfoamSource&) = delete;
+    OpenfoamSource& operator=(const OpenfoamSource&) = delete;
+
+    core::Result<void> find_ranges() {
+        auto first = read(0, found_.fields);
+        // Initial fields written by hand may hold directives and groups of patches VTK does not know.
+        if (!first && found_.times.size() > 1 && found_.times.front().value == 0.0) {
+            leave_out_written_by_hand(first.error());
+            first = read(0, found_.fields);
+        }
+        if (!first)
+            return tl::unexpected(first.error());
+        std::vector<FieldInfo> seen;
+        for (const auto& block : first->blocks)
+            add_fields(*block, seen);
+        for (auto& field : description_.fields)
+            for (const auto& other : seen)
+                if (other.name == field.name)
+                    field.range = other.range;
+        return {};
+    }
+
+    const SourceDescription& description() const override { return description_; }
+
+    core::Result<std::vector<store::SourceFile>> shared_files() const override {
+        std::vector<NamedFile> files;
+        for (const auto& part : found_.parts)
+            for (const auto& region : found_.regions)
+                for (const char* const name : {"points", "faces", "owner", "neighbour", "boundary"})
+                    files.push_back(found_.file_at(found_.relative(
+                        part, "constant", region.name, std::string("polyMesh/") + name)));
+        // Points may be those of a time folder.
+        std::erase_if(files, [](const NamedFile& file) { return !foam_file(file.path); });
+        return fingerprint(files);
+    }
+
+    core::Result<std::vector<store::SourceFile>> files(std::size_t step) const override {
+        std::vector<NamedFile> files;
+        for (const auto& part : found_.parts)
+            for (const auto& region : found_.regions)
+                for (const auto& field : found_.fields)
+                    if (region.fluid)
+                        files.push_back(found_.file_at(found_.relative(
+                            part, found_.times.at(step).name, region.name, field.name)));
+        return fingerprint(files);
+    }
+
+    core::Result<SourceStep> read(std::size_t step, const std::vector<FieldInfo>& fields) override {
+        const FoamTime& time = found_.times.at(step);
+        SourceStep out;
+        for (auto& reader : readers_) {
+            auto leaves = reader.read(time, fields);
+            if (!leaves)
+                return tl::unexpected(leaves.error());
+            for (auto& leaf : *leaves)
+                if (auto taken = take(leaf, time, fields, out); !taken)
+                    return tl::unexpected(taken.error());
+        }
+        if (out.blocks.empty())
+            return core::fail(Error::Code::Corrupt, "the mesh of " + found_.file + " has no cells");
+        return out;
+    }
+
+  private:
+    // A solver writes numbers only, so the times behind the first one are whole without it.
+    void leave_out_written_by_hand(const Error& why) {
+        for (const auto& part : found_.parts)
+            for (const auto& region : found_.regions)
+                for (const auto& field : found_.fields) {
+                    const auto file = found_.file_at(
+                        found_.relative(part, found_.times.front().name, region.name, field.name));
+                    if (!region.fluid || !written_by_hand(file.path))
+                        continue;
+                    description_.note +=
+                        (description_.note.empty() ? "" : "; ") +
+                        ("time " + found_.times.front().name +
+                         " is left out: its fields are written by hand, and " + why.message);
+                    found_.times.erase(found_.times.begin());
+                    description_.times.erase(description_.times.begin());
+                    return;
+                }
+    }
+
+    core::Result<void>
+    take(Leaf& leaf, const FoamTime& time, const std::vector<FieldInfo>& fields, SourceStep& out) {
+        const bool inside = leaf.name() == "internalMesh";
+        const std::size_t own_names = inside ? 1 : 2;
+        const std::string region = leaf.path.size() > own_names ? leaf.path.front() : "";
+        const auto known =
+            std::find_if(found_.regions.begin(), found_.regions.end(), [&](const FoamRegion& one) {
+                return one.name == (region == "defaultRegion" ? "" : region);
+            });
+        if (known == found_.regions.end())
+            return {}; // the whole mesh its regions were split from
+        if (!known->fluid) {
+            if (auto* surface = vtkPolyData::SafeDownCast(leaf.data)) {
+                keep_only(*surface, {});
+                out.solids.emplace_back(surface);
+            }
+            return {};
+        }
+        const std::string file = time.name + " of " + found_.file;
+        if (auto whole = require_fields(*leaf.data, fields, file); !whole) {
+            // The file is there: VTK passes over one that cannot be unpacked.
+            whole.error().code = Error::Code::Corrupt;
+            whole.error().hint = "its file may be incomplete: copy it again";
+            return whole;
+        }
+        keep_only(*leaf.data, fields);
+        if (inside)
+            out.blocks.push_back(leaf.data);
+        else if (auto* faces = vtkPolyData::SafeDownCast(leaf.data))
+            out.walls.push_back({faces, stands_still(*faces, fields)});
+        return {};
+    }
+
+    FoamCase found_;
+    std::vector<OpenfoamReader> readers_;
+    SourceDescription description_;
+};
+
+} // namespace
+
+bool is_openfoam(const fs::path& path) {
+    std::error_code error;
+    const std::string ending = path.extension().string();
+    if (!fs::is_directory(path, error) && ending != ".foam" && ending != ".OpenFOAM" &&
+        path.filename() != "controlDict")
+        return false;
+    const fs::path folder = openfoam_folder(path);
+    return fs::is_regular_file(folder / "system" / "controlDict", error) ||
+           fs::is_directory(folder / "constant", error) ||
+           fs::is_directory(folder / "processor0" / "constant", error) || ending == ".foam" ||
+           ending == ".OpenFOAM";
+}
+
+core::Result<std::unique_ptr<Source>> open_openfoam(const fs::path& path) {
+    auto found = scan_openfoam_case(path);
+    if (!found)
+        return tl::unexpected(found.error());
+    auto source = std::make_unique<OpenfoamSource>(std::move(*found));
+    return source->find_ranges().map(
+        [&]() -> std::unique_ptr<Source> { return std::move(source); });
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,209 @@
+#include "server/import/sources/openfoam/openfoam_times.hpp"
+
+#include "server/import/progress_marks.hpp"
+#include "server/import/sources/openfoam/openfoam_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+namespace wakesurf::server {
+
+using core::Error;
+namespace fs = std::filesystem;
+
+namespace {
+
+// As VTK reads it, so that both mean the same number.
+bool is_time(const std::string& name, double& value) {
+    if (name.empty() ||
+        (std::isdigit(static_cast<unsigned char>(name[0])) == 0 && name[0] != '+' &&
+         name[0] != '-') ||
+        name.find_first_not_of("0123456789+-.eE") != std::string::npos)
+        return false;
+    char* end = nullptr;
+    value = std::strtod(name.c_str(), &end);
+    return *end == '\0' && std::isfinite(value);
+}
+
+using NamesAtTimes = std::map<double, std::pair<std::string, std::set<std::string>>>;
+
+core::Result<NamesAtTimes>
+fields_at_times(const FoamCase& found, const std::string& part, const std::string& region) {
+    const auto times = list_foam_times(found.folder / part, part.empty() ? found.file : part);
+    if (!times)
+        return tl::unexpected(times.error());
+    NamesAtTimes out;
+    for (const auto& time : *times)
+        out[time.value] = {time.name, foam_fields(found.folder / part / time.name / region)};
+    return out;
+}
+
+// U, or else the vector field that most times have.
+std::string velocity_name(const FoamCase& found, const std::vector<NamesAtTimes>& regions) {
+    std::map<std::string, std::size_t> counts;
+    for (const auto& region : regions)
+        for (const auto& [value, here] : region)
+            for (const auto& name : here.second)
+                ++counts[name];
+    if (counts.contains("U"))
+        return "U";
+    std::string best;
+    for (const auto& [name, count] : counts) {
+        if (!best.empty() && counts[best] >= count)
+            continue;
+        for (std::size_t r = 0; r < regions.size(); ++r) {
+            const auto last =
+                std::find_if(regions[r].rbegin(), regions[r].rend(),
+                             [&](const auto& here) { return here.second.second.contains(name); });
+            if (last == regions[r].rend())
+                continue;
+            const auto header = read_foam_header(
+                found
+                    .file_at(found.relative(found.parts.front(), last->second.first,
+                                            found.regions[r].name, name))
+                    .path);
+            if (header && header->type == "volVectorField")
+                best = name;
+            break;
+        }
+    }
+    return best;
+}
+
+std::map<double, std::string> times_with(const NamesAtTimes& times, const std::string& field) {
+    std::map<double, std::string> out;
+    for (const auto& [value, here] : times)
+        if (here.second.contains(field))
+            out[value] = here.first;
+    return out;
+}
+
+// A processor that has other times than the first one: the case is not complete.
+core::Result<void> check_processors(const FoamCase& found,
+                                    const FoamRegion& region,
+                                    const std::map<double, std::string>& wanted,
+                                    const std::string& velocity) {
+    for (const auto& part : found.parts) {
+        const auto all = fields_at_times(found, part, region.name);
+        if (!all)
+            return tl::unexpected(all.error());
+        const auto here = times_with(*all, velocity);
+        const auto refuse = [&](const std::string& time, const std::string& without,
+                                const std::string& with) {
+            return core::fail(Error::Code::Unsupported,
+                              without + " of " + found.file + " has no " +
+                                  found.relative("", time, region.name, velocity) + ", " + with +
+                                  " has",
+                              "all processors must have the same times: copy the whole case, "
+                              "or remove the time "
+                              "from all of them");
+        };
+        for (const auto& [value, name] : wanted)
+            if (!here.contains(value) || here.at(value) != name)
+                return refuse(name, part, found.parts.front());
+        for (const auto& [value, name] : here)
+            if (!wanted.contains(value))
+                return refuse(name, found.parts.front(), part);
+    }
+    return {};
+}
+
+} // namespace
+
+core::Result<std::vector<FoamTime>> list_foam_times(const fs::path& folder,
+                                                    const std::string& part) {
+    std::vector<FoamTime> out;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        FoamTime time{0.0, entry.path().filename().string()};
+        if (is_time(time.name, time.value) && entry.is_directory(error))
+            out.push_back(std::move(time));
+    }
+    std::sort(out.begin(), out.end(),
+              [](const FoamTime& a, const FoamTime& b) { return a.value < b.value; });
+    const auto twice =
+        std::adjacent_find(out.begin(), out.end(),
+                           [](const FoamTime& a, const FoamTime& b) { return a.value == b.value; });
+    if (twice != out.end())
+        return core::fail(Error::Code::Corrupt,
+                          part + " has the time folders " + twice->name + " and " +
+                              std::next(twice)->name + ", which are the same time",
+                          "remove one of them");
+    return out;
+}
+
+std::set<std::string> foam_fields(const fs::path& folder) {
+    made_progress();
+    std::set<std::string> out;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        std::string name = entry.path().filename().string();
+        if (!entry.is_regular_file(error) || name.starts_with('.'))
+            continue;
+        if (name.ends_with(".gz"))
+            name.resize(name.size() - 3);
+        const auto ends = [&](const char* ending) { return name.ends_with(ending); };
+        if (!ends("~") && !ends("_0") && !ends(".bak") && !ends(".BAK") && !ends(".old") &&
+            !ends(".save"))
+            out.insert(std::move(name));
+    }
+    return out;
+}
+
+core::Result<void> find_foam_times(FoamCase& found) {
+    std::vector<NamesAtTimes> names;
+    for (const auto& region : found.regions) {
+        auto here = fields_at_times(found, found.parts.front(), region.name);
+        if (!here)
+            return tl::unexpected(here.error());
+        names.push_back(std::move(*here));
+    }
+    const std::string velocity = velocity_name(found, names);
+    if (velocity.empty())
+        return core::fail(Error::Code::NotFound,
+                          found.file + " has no time folder with a vector field",
+                          "a case is read from folders named by their time, with a file U in each");
+    std::vector<std::map<double, std::string>> with;
+    std::size_t most = 0;
+    for (const auto& region : names) {
+        with.push_back(times_with(region, velocity));
+        most = std::max(most, with.back().size());
+    }
+    std::map<double, std::string> times;
+    bool any = false;
+    for (std::size_t r = 0; r < found.regions.size(); ++r) {
+        // Splitting a mesh into regions leaves the whole one behind, often with the fields it started from.
+        const bool split = std::any_of(names[r].begin(), names[r].end(), [](const auto& here) {
+            return here.second.second.contains("cellToRegion");
+        });
+        const bool remnant =
+            found.regions[r].name.empty() && (with[r].size() < most || (split && names.size() > 1));
+        found.regions[r].fluid = !with[r].empty() && !remnant;
+        if (!found.regions[r].fluid)
+            continue;
+        if (auto same = check_processors(found, found.regions[r], with[r], velocity); !same)
+            return same;
+        if (!any)
+            times = with[r];
+        any = true;
+        std::erase_if(times, [&](const auto& time) { return !with[r].contains(time.first); });
+    }
+    if (found.regions.size() > 1)
+        std::erase_if(found.regions, [](const FoamRegion& region) {
+            return region.name.empty() && !region.fluid;
+        });
+    for (const auto& [value, name] : times)
+        found.times.push_back({value, name});
+    if (found.times.empty())
+        return core::fail(Error::Code::NotFound, "the regions of " + found.file +
+                                                     " have no time with " + velocity +
+                                                     " in common");
+    if (found.times.size() < most)
+        found.note = "only times at which all fluid regions have " + velocity;
+    return {};
+}
+
+} // namespace wakesurf::server

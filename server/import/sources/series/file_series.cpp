@@ -1,0 +1,48 @@
+#include "server/import/sources/series/file_series.hpp"
+
+#include "server/import/sources/series/file_names.hpp"
+#include "server/import/sources/series/json_series.hpp"
+#include "server/import/sources/series/numbered_files.hpp"
+#include "server/import/sources/series/pvd_series.hpp"
+#include "server/import/sources/series/source_files.hpp"
+
+namespace wakesurf::server {
+
+core::Result<FileSeries> open_file_series(const std::filesystem::path& source) {
+    const std::string extension = lower_extension(source);
+    if (extension == ".pvd")
+        return read_pvd_series(source);
+    if (extension == ".series")
+        return read_json_series(source);
+    auto numbered = numbered_files(source);
+    if (!numbered)
+        return tl::unexpected(numbered.error());
+    FileSeries series{numbered->name, extension.empty() ? "" : extension.substr(1), {}, {}};
+    if (numbered->files.size() > 1)
+        series.kind += " series";
+    else
+        series.name = numbered->files.front().stem().string();
+    for (const auto& file : numbered->files)
+        series.entries.push_back({{{file, file.filename().string(), {}}}, std::nullopt});
+    return series;
+}
+
+core::Result<std::vector<store::SourceFile>> fingerprint(const std::vector<ListedFile>& files) {
+    std::vector<NamedFile> named;
+    for (const auto& file : files)
+        named.push_back({file.path, file.name});
+    return fingerprint(named);
+}
+
+core::Result<std::vector<store::SourceFile>> file_of_all(const FileSeries& series) {
+    return series.entries.size() > 1 ? core::Result<std::vector<store::SourceFile>>()
+                                     : fingerprint(series.entries.front().parts);
+}
+
+core::Result<std::vector<store::SourceFile>> file_of_one(const FileSeries& series,
+                                                         std::size_t entry) {
+    return series.entries.size() > 1 ? fingerprint(series.entries[entry].parts)
+                                     : core::Result<std::vector<store::SourceFile>>();
+}
+
+} // namespace wakesurf::server

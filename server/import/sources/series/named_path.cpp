@@ -1,0 +1,24 @@
+#include "server/import/sources/series/named_path.hpp"
+
+#include <algorithm>
+
+namespace wakesurf::server {
+
+namespace fs = std::filesystem;
+
+core::Result<fs::path>
+named_path(const fs::path& folder, const std::string& name, const std::string& named_by) {
+    const fs::path path = folder / name;
+    std::error_code error;
+    const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+    const fs::path real = error ? fs::path() : fs::weakly_canonical(path, error);
+    const auto [left, rest] = std::mismatch(root.begin(), root.end(), real.begin(), real.end());
+    if (error || left != root.end())
+        return core::fail(core::Error::Code::Unsupported,
+                          named_by + " names " + fs::path(name).filename().string() +
+                              ", which lies outside of its folder",
+                          "put the files into one folder, without links that lead out of it");
+    return path;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,144 @@
+#include "server/import/sources/series/pvd_series.hpp"
+
+#include "server/import/sources/series/bounded_xml.hpp"
+#include "server/import/sources/series/file_names.hpp"
+#include "server/import/sources/series/named_path.hpp"
+#include "server/import/sources/series/series_times.hpp"
+#include "server/import/vtk_messages.hpp"
+
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+
+namespace wakesurf::server {
+
+using core::Error;
+
+namespace {
+
+struct DataSetElement {
+    ListedFile file;
+    std::optional<double> time;
+    std::string part; ///< what tells it from other parts of its time-step
+};
+
+std::string attribute(vtkXMLDataElement& element, const char* name) {
+    const char* text = element.GetAttribute(name);
+    return text == nullptr ? "" : text;
+}
+
+core::Result<DataSetElement> read_element(vtkXMLDataElement& element,
+                                          const std::filesystem::path& folder,
+                                          const std::string& pvd) {
+    const std::string file = attribute(element, "file");
+    if (file.empty())
+        return core::fail(Error::Code::Corrupt, pvd + " has a DataSet without a file");
+    const auto path = named_path(folder, file, pvd);
+    if (!path)
+        return tl::unexpected(path.error());
+    DataSetElement out{{*path, file, attribute(element, "name")}, std::nullopt, {}};
+    out.part = attribute(element, "group") + '\n' + attribute(element, "part") + '\n' +
+               attribute(element, "name");
+    if (element.GetAttribute("timestep") == nullptr)
+        return out;
+    const std::string time = attribute(element, "timestep");
+    out.time = finite_number(time);
+    if (!out.time)
+        return core::fail(Error::Code::Corrupt, pvd + " gives " + file + " the time '" + time +
+                                                    "', which is not a finite number");
+    return out;
+}
+
+core::Result<std::vector<DataSetElement>> read_elements(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    const VtkMessages messages;
+    std::ifstream in(file, std::ios::binary);
+    const auto parsed = parse_xml(in, name);
+    if (!parsed)
+        return tl::unexpected(parsed.error());
+    vtkXMLDataElement* const root = (*parsed)->GetRootElement();
+    if (auto clean = messages.verdict(name); !clean)
+        return tl::unexpected(clean.error());
+    auto* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
+    if (collection == nullptr)
+        return core::fail(Error::Code::Corrupt, name + " is not a .pvd: it has no Collection");
+    std::vector<DataSetElement> out;
+    for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
+        auto* nested = collection->GetNestedElement(i);
+        if (std::strcmp(nested->GetName(), "DataSet") != 0)
+            continue;
+        auto element = read_element(*nested, file.parent_path(), name);
+        if (!element)
+            return tl::unexpected(element.error());
+        out.push_back(std::move(*element));
+    }
+    if (out.empty())
+        return core::fail(Error::Code::Corrupt, name + " names no files");
+    return out;
+}
+
+core::Result<void> sort_by_time(std::vector<DataSetElement>& elements, const std::string& pvd) {
+    const auto timed = std::count_if(elements.begin(), elements.end(),
+                                     [](const auto& e) { return e.time.has_value(); });
+    if (timed == 0)
+        return {};
+    if (static_cast<std::size_t>(timed) != elements.size())
+        return core::fail(Error::Code::Corrupt, pvd + " gives only some of its files a time");
+    std::stable_sort(elements.begin(), elements.end(),
+                     [](const auto& a, const auto& b) { return *a.time < *b.time; });
+    return {};
+}
+
+core::Result<void>
+add(FileSeries& series, DataSetElement& element, std::vector<std::string>& parts) {
+    auto& entries = series.entries;
+    if (entries.empty() || !element.time || *entries.back().time != *element.time) {
+        entries.push_back({{}, element.time});
+        parts.clear();
+    }
+    const auto same = std::find(parts.begin(), parts.end(), element.part);
+    if (same != parts.end()) {
+        const auto& first = entries.back().parts[static_cast<std::size_t>(same - parts.begin())];
+        return core::fail(Error::Code::Corrupt,
+                          series.index.front().filename().string() + " gives " + first.name +
+                              " and " + element.file.name + " the same time, " +
+                              time_text(*element.time),
+                          "give the parts of a time-step different part numbers");
+    }
+    parts.push_back(element.part);
+    entries.back().parts.push_back(std::move(element.file));
+    return {};
+}
+
+} // namespace
+
+core::Result<FileSeries> read_pvd_series(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    auto elements = read_elements(file);
+    if (!elements)
+        return tl::unexpected(elements.error());
+    if (auto sorted = sort_by_time(*elements, name); !sorted)
+        return tl::unexpected(sorted.error());
+    FileSeries series{file.stem().string(), "pvd", {file}, {}};
+    std::vector<std::string> parts;
+    for (auto& element : *elements)
+        if (auto added = add(series, element, parts); !added)
+            return tl::unexpected(added.error());
+    const auto odd = std::find_if(series.entries.begin(), series.entries.end(), [&](const auto& e) {
+        return e.parts.size() != series.entries.front().parts.size();
+    });
+    if (odd != series.entries.end())
+        return core::fail(Error::Code::Unsupported,
+                          name + " has " + std::to_string(odd->parts.size()) + " parts at time " +
+                              time_text(odd->time.value_or(0.0)) + " but " +
+                              std::to_string(series.entries.front().parts.size()) +
+                              " at the first time",
+                          "every time-step must have the same parts");
+    return series;
+}
+
+} // namespace wakesurf::server

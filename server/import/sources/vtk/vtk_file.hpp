@@ -1,0 +1,30 @@
+// One file of VTK's own formats, whichever it is.
+#pragma once
+
+#include "server/import/sources/blocks/wanted_arrays.hpp"
+#include "server/import/sources/series/file_series.hpp"
+
+#include <vtkDataSet.h>
+#include <vtkSmartPointer.h>
+
+namespace wakesurf::server {
+
+struct VtkFile {
+    vtkSmartPointer<vtkDataSet> data;
+    std::string reader; ///< VTK's class
+};
+
+/// By extension: VTK's XML formats, legacy .vtk, VTKHDF.
+bool is_vtk_file(const std::filesystem::path& path);
+
+/// Arrays that are not wanted are left out where the format allows that. Error: Io, Corrupt, Unsupported, OverLimit
+/// (memory). REQUIRES: no VtkMessages lives, as of all functions here.
+core::Result<VtkFile> read_vtk_file(const ListedFile& file, const WantedArrays& wanted);
+
+/// The time that the file states, if any.
+core::Result<std::optional<double>> vtk_file_time(const ListedFile& file);
+
+/// The TimeValue (ParaView) or TIME (VisIt) of the field data.
+std::optional<double> time_in(vtkDataObject& data);
+
+} // namespace wakesurf::server

@@ -1,0 +1,16 @@
+// One file of VTK's XML formats that holds data itself: .vti .vtr .vts .vtu .vtp and .pvti .pvtr .pvts.
+#pragma once
+
+#include "server/import/sources/blocks/wanted_arrays.hpp"
+#include "server/import/sources/series/file_series.hpp"
+#include "server/import/sources/vtk/vtk_file.hpp"
+
+namespace wakesurf::server {
+
+/// Error: Io, Corrupt, Unsupported (several time-steps in one file), OverLimit (memory). REQUIRES: no VtkMessages lives.
+core::Result<VtkFile> read_xml_file(const ListedFile& file, const WantedArrays& wanted);
+
+/// Its TimeValue, if it has one; reads as little else as VTK allows. Error: as read_xml_file.
+core::Result<std::optional<double>> xml_file_time(const ListedFile& file);
+
+} // namespace wakesurf::server

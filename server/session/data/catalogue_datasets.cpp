@@ -1,0 +1,20 @@
+#include "server/session/data/catalogue_datasets.hpp"
+
+namespace wakesurf::server {
+
+std::vector<std::string> CatalogueDatasets::ids() const {
+    std::vector<std::string> out;
+    for (const DatasetStatus& each : catalogue_.list())
+        if (catalogue_.find(each.dataset))
+            out.push_back(each.dataset);
+    return out;
+}
+
+core::Result<OpenDataset> CatalogueDatasets::open(const std::string& id) const {
+    return catalogue_.find(id).map([](const std::shared_ptr<const LoadedDataset>& loaded) {
+        return OpenDataset{loaded->info, protocol::lattice_over(loaded->info.bounds), loaded->flow,
+                           loaded->cache, loaded->store};
+    });
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,11 @@
+// How a dataset is told from others that have its name: by its mesh and its fields, which a growing simulation does not change.
+#pragma once
+
+#include "protocol/api/session_file.hpp"
+#include "server/session/data/datasets.hpp"
+
+namespace wakesurf::server {
+
+protocol::DatasetMark mark_of(const OpenDataset& dataset);
+
+} // namespace wakesurf::server

@@ -1,0 +1,37 @@
+// The datasets surfaces can be built from, as sessions see them.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/dataset_info.hpp"
+#include "core/dataset/time_step_cache.hpp"
+#include "core/field/flow.hpp"
+#include "protocol/wire/lattice.hpp"
+#include "store/store_reader.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct OpenDataset {
+    core::DatasetInfo info;
+    protocol::Lattice lattice;
+    std::shared_ptr<const core::Flow> flow;
+    std::shared_ptr<core::TimeStepCache> cache{};      ///< null for a built-in flow
+    std::shared_ptr<const store::StoreReader> store{}; ///< null for a built-in flow
+};
+
+/// Loop thread only; nothing here waits for a disk.
+class Datasets {
+  public:
+    virtual ~Datasets() = default;
+
+    /// Ids of those that can be opened now, in catalogue order.
+    virtual std::vector<std::string> ids() const = 0;
+
+    /// Error: NotFound; what importing failed with; Io while not a single time-step has been imported.
+    virtual core::Result<OpenDataset> open(const std::string& id) const = 0;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,141 @@
+#include "server/session/data/surface_fields.hpp"
+
+#include "core/field/sample_scalar.hpp"
+#include "core/field/velocity_gradient.hpp"
+#include "core/surface/vertex_attributes.hpp"
+#include "protocol/wire/mesh_frame.hpp"
+#include "server/limits.hpp"
+#include "server/session/data/datasets.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace wakesurf::server {
+
+namespace {
+
+static_assert(protocol::surface_attributes.size() + limits::fields <= protocol::max_attributes);
+
+/// Nothing where the name is none of the dataset's and of ours.
+std::optional<SurfaceField> lookup(const OpenDataset& dataset, const std::string& name) {
+    using Source = SurfaceField::Source;
+    if (dataset.store != nullptr)
+        if (const auto scalar = store::find_scalar(dataset.store->layout(), name))
+            return SurfaceField{name, Source::Scalar, *scalar};
+    if (name == dataset.info.velocity)
+        return SurfaceField{name, Source::Speed};
+    if (name == core::deformation_name)
+        return SurfaceField{name, Source::Deformation};
+    if (name == core::approximated_name)
+        return SurfaceField{name, Source::Approximated};
+    if (core::find_gradient_field(name))
+        return SurfaceField{name, Source::Gradient};
+    return std::nullopt;
+}
+
+/// All 0 where the mesh has none.
+template <class T>
+std::vector<float> values_of(const std::vector<T>& given, const core::QuadComplex& mesh) {
+    std::vector<float> out(given.begin(), given.end());
+    out.resize(mesh.vertices());
+    return out;
+}
+
+std::vector<float> speeds_of(const core::QuadComplex& mesh) {
+    std::vector<float> out(mesh.vertices());
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = static_cast<float>(mesh.speed(static_cast<core::VertexId>(i)));
+    return out;
+}
+
+} // namespace
+
+std::vector<std::string> field_names(const OpenDataset& dataset) {
+    std::vector<std::string> names;
+    if (dataset.store != nullptr)
+        for (const store::StoredScalar& each : dataset.store->layout().scalars)
+            names.push_back(each.name);
+    names.push_back(dataset.info.velocity);
+    for (const auto derived : {core::deformation_name, core::approximated_name,
+                               core::vorticity_name, core::q_criterion_name})
+        if (std::ranges::find(names, derived) == names.end())
+            names.emplace_back(derived);
+    return names;
+}
+
+core::Result<SurfaceField> find_field(const OpenDataset& dataset, const std::string& name) {
+    if (auto found = lookup(dataset, name))
+        return *found;
+    const auto& all = dataset.info.fields;
+    const auto found =
+        std::ranges::find_if(all, [&](const core::FieldInfo& each) { return each.name == name; });
+    const std::string problem =
+        found == all.end() ? "a field the dataset does not have"
+        : found->components > 1
+            ? "a vector field that was not stored as such when the dataset was imported, since a "
+              "store holds one vector: " +
+                  name
+            : "a field that was not stored when the dataset was imported: " + name;
+    return core::fail(core::Error::Code::InvalidArgument, "`fields` names " + problem,
+                      fmt::format("there is {}", fmt::join(field_names(dataset), ", ")));
+}
+
+std::vector<SurfaceField> fields_there(const OpenDataset& dataset,
+                                       const std::vector<std::string>& names) {
+    std::vector<SurfaceField> out;
+    for (const std::string& name : names)
+        if (auto found = lookup(dataset, name);
+            found && out.size() < limits::fields && std::ranges::find(out, *found) == out.end())
+            out.push_back(std::move(*found));
+    return out;
+}
+
+bool asks_for(std::span<const SurfaceField> fields, SurfaceField::Source source) {
+    return std::ranges::any_of(
+        fields, [source](const SurfaceField& each) { return each.source == source; });
+}
+
+core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> fields,
+                                                 const core::Flow& flow,
+                                                 const store::StoreReader* store,
+                                                 const core::QuadComplex& mesh,
+                                                 const std::function<std::vector<double>()>& times,
+                                                 const std::stop_token& stop) {
+    using Source = SurfaceField::Source;
+    protocol::MeshFields out;
+    std::vector<double> when;
+    if (asks_for(fields, Source::Scalar) || asks_for(fields, Source::Gradient))
+        when = times();
+    // Together: each of them takes seven samples a vertex.
+    std::vector<core::GradientField> derived;
+    for (const SurfaceField& field : fields)
+        if (field.source == Source::Gradient)
+            derived.push_back(*core::find_gradient_field(field.name));
+    auto gradients = core::sample_gradient_fields(derived, flow, mesh.position, when, stop);
+    if (!gradients)
+        return tl::unexpected(gradients.error());
+    std::size_t next = 0;
+    for (const SurfaceField& field : fields) {
+        if (field.source == Source::Speed) {
+            out.push_back(speeds_of(mesh));
+        } else if (field.source == Source::Deformation) {
+            out.push_back(values_of(mesh.deformation, mesh));
+        } else if (field.source == Source::Approximated) {
+            out.push_back(values_of(mesh.approximated, mesh));
+        } else if (field.source == Source::Gradient) {
+            out.push_back(std::move((*gradients)[next++]));
+        } else {
+            auto values =
+                core::sample_scalar(flow, *store, field.scalar, mesh.position, when, stop);
+            if (!values)
+                return tl::unexpected(values.error());
+            out.push_back(std::move(*values));
+        }
+    }
+    return out;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,56 @@
+// What a surface's vertices carry behind speed, s and t: the names in `fields`, found in a dataset and sampled on a mesh.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/field/flow.hpp"
+#include "core/surface/quad_complex.hpp"
+#include "protocol/wire/wire_mesh.hpp"
+#include "store/store_reader.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct OpenDataset;
+
+struct SurfaceField {
+    enum class Source : std::uint8_t { Scalar, Speed, Deformation, Approximated, Gradient };
+
+    std::string name;
+    Source source = Source::Scalar;
+    std::size_t scalar = 0; ///< of the store
+
+    bool operator==(const SurfaceField&) const = default;
+};
+
+/// What a surface's `fields` may name: the stored scalars, the velocity, what the engine derives.
+std::vector<std::string> field_names(const OpenDataset& dataset);
+
+/// A stored scalar, the velocity for its magnitude, or what the engine derives; a scalar of the dataset goes before what is
+/// derived. Error: InvalidArgument, saying what there is.
+core::Result<SurfaceField> find_field(const OpenDataset& dataset, const std::string& name);
+
+/// Those of the names that the dataset has, at most limits::fields: of a record kept from before, some may not be there.
+std::vector<SurfaceField> fields_there(const OpenDataset& dataset,
+                                       const std::vector<std::string>& names);
+
+bool asks_for(std::span<const SurfaceField> fields, SurfaceField::Source source);
+
+/// Each field at each vertex; not finite where a stored field has no value, or the velocity no gradient.
+/// @param store  which the flow is of; null for a built-in flow
+/// @param times  one a vertex: when it is there. Asked for if a field that is sampled is among them
+/// Error: Cancelled, what reading reports.
+core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> fields,
+                                                 const core::Flow& flow,
+                                                 const store::StoreReader* store,
+                                                 const core::QuadComplex& mesh,
+                                                 const std::function<std::vector<double>()>& times,
+                                                 const std::stop_token& stop);
+
+} // namespace wakesurf::server

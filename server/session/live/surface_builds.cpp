@@ -1,0 +1,176 @@
+#include "server/session/live/surface_builds.hpp"
+
+#include "core/surface/playback/surface_age.hpp"
+#include "core/surface/surface_request.hpp"
+#include "server/base/loop.hpp"
+#include "server/session/data/datasets.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace wakesurf::server {
+
+SurfaceBuilds::SurfaceBuilds(std::string session,
+                             const SessionServices& services,
+                             const SessionRecords& records,
+                             std::uint32_t& next_number,
+                             Events events)
+    : session_(std::move(session)), services_(services), records_(records),
+      next_number_(next_number), events_(std::move(events)) {}
+
+SurfaceBuilds::~SurfaceBuilds() {
+    *alive_ = false;
+    for (const auto& [id, entry] : entries_)
+        entry.live->retire();
+}
+
+core::Result<SurfaceJob> SurfaceBuilds::job_for(const protocol::SurfaceRecord& record) const {
+    auto open = services_.datasets.open(record.dataset);
+    if (!open)
+        return tl::unexpected(open.error());
+    const auto& rakes = records_.all<protocol::RakeRecord>();
+    auto rake = core::clip_rake(rakes.at(record.rake).shape, open->flow->domain());
+    if (!rake)
+        return tl::unexpected(rake.error());
+    core::SurfaceParameters p = record.parameters;
+    if (record.rake2) {
+        auto second = core::clip_rake(rakes.at(*record.rake2).shape, open->flow->domain());
+        if (!second)
+            return tl::unexpected(second.error());
+        p.rake2 = std::move(second->rake);
+    }
+    if (auto sound = core::check_request(p); !sound)
+        return tl::unexpected(sound.error());
+    // The engine's own checks of times and budget, now rather than when the job runs.
+    if (auto options = core::sheet_options(*open->flow, rake->rake, p, p.separation, 1.0); !options)
+        return tl::unexpected(options.error());
+    SurfaceJob job;
+    job.rake = std::move(rake->rake);
+    job.parameters = std::move(p);
+    job.flow = open->flow;
+    job.store = open->store;
+    job.fields = fields_there(*open, record.fields);
+    job.parameters.deformation = asks_for(job.fields, SurfaceField::Source::Deformation);
+    job.lattice = open->lattice;
+    return job;
+}
+
+std::uint32_t SurfaceBuilds::build(const protocol::SurfaceRecord& record, bool rest) {
+    LiveSurface& live = live_for(record);
+    bool& withheld = entries_[record.surface].withheld;
+    withheld = rest && services_.withheld != nullptr;
+    auto job = job_for(record);
+    if (!job)
+        return live.refuse(record.parameters.kind,
+                           withheld ? *services_.withheld : std::move(job.error()), rest);
+    const std::uint32_t epoch = live.rebuild(std::move(*job), rest);
+    if (withheld)
+        live.stop(*services_.withheld);
+    return epoch;
+}
+
+std::optional<std::uint32_t> SurfaceBuilds::rebuild(const protocol::SurfaceRecord& record) {
+    auto job = job_for(record);
+    if (!job)
+        return std::nullopt;
+    entries_[record.surface].withheld = false;
+    return live_for(record).rebuild(std::move(*job));
+}
+
+LiveSurface& SurfaceBuilds::live_for(const protocol::SurfaceRecord& record) {
+    const std::string& id = record.surface;
+    Entry& entry = entries_[id];
+    if (entry.live)
+        return *entry.live;
+    LiveSurface::Events events;
+    events.progress = [this](const SurfaceProgress& progress) { events_.progress(progress); };
+    events.done = [this](const SurfaceOutcome& outcome) {
+        events_.done(outcome);
+        built(outcome);
+    };
+    entry.live = std::make_shared<LiveSurface>(
+        id, next_number_++, session_,
+        LiveSurface::Services{services_.loop,
+                              services_.pool,
+                              services_.wall(),
+                              services_.metrics,
+                              {services_.memory, services_.histories}},
+        std::move(events));
+    entry.live->show(time_, playing_, true);
+    entry.live->continue_after(record.epoch);
+    return *entry.live;
+}
+
+void SurfaceBuilds::retire(const std::string& surface) {
+    const auto found = entries_.find(surface);
+    if (found == entries_.end())
+        return;
+    found->second.live->retire();
+    entries_.erase(found);
+}
+
+std::shared_ptr<LiveSurface> SurfaceBuilds::find(const std::string& surface) const {
+    const auto found = entries_.find(surface);
+    return found == entries_.end() ? nullptr : found->second.live;
+}
+
+void SurfaceBuilds::built(const SurfaceOutcome& outcome) {
+    const auto found = entries_.find(outcome.surface);
+    if (found == entries_.end() || !std::exchange(found->second.data_came, false))
+        return;
+    // Not from within the event: the surface is still telling others of it.
+    services_.loop.post(
+        [weak = std::weak_ptr(found->second.live), this, alive = alive_, id = outcome.surface] {
+            const auto live = weak.lock();
+            if (*alive && live && find(id) == live)
+                try_again(id, *live);
+        });
+}
+
+void SurfaceBuilds::show(std::optional<double> time, bool playing, bool jumped) {
+    time_ = time;
+    playing_ = playing;
+    for (const auto& [id, entry] : entries_)
+        entry.live->show(time, playing, jumped);
+}
+
+std::optional<std::array<double, 2>> SurfaceBuilds::moving_range() const {
+    std::optional<std::array<double, 2>> range;
+    for (const auto& [id, record] : records_.all<protocol::SurfaceRecord>()) {
+        const core::SurfaceParameters& p = record.parameters;
+        if (!core::moves(p))
+            continue;
+        const auto [first, last] = std::minmax({p.from, core::end_time(p)});
+        range = range ? std::array{std::min((*range)[0], first), std::max((*range)[1], last)}
+                      : std::array{first, last};
+    }
+    return range;
+}
+
+void SurfaceBuilds::dataset_changed(const std::string& dataset) {
+    for (auto& [id, entry] : entries_) {
+        const auto* record = records_.find<protocol::SurfaceRecord>(id);
+        if (record == nullptr || record->dataset != dataset || entry.withheld)
+            continue;
+        if (entry.live->busy())
+            entry.data_came = true;
+        else
+            try_again(id, *entry.live);
+    }
+}
+
+// Where nothing was missing the surface stays what it is.
+void SurfaceBuilds::try_again(const std::string& surface, LiveSurface& live) {
+    const auto* record = records_.find<protocol::SurfaceRecord>(surface);
+    const SurfaceOutcome outcome = live.outcome();
+    const auto open = services_.datasets.open(record->dataset);
+    if (!open)
+        return;
+    if (outcome.statistics.stopped.empty() && !outcome.error)
+        return live.renew_data(open->flow, open->store);
+    auto job = job_for(*record);
+    if (job)
+        events_.rebuilt(surface, live.rebuild(std::move(*job), live.resting()));
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,128 @@
+// What a session is made of, as plain values: rakes, surfaces' parameters, bookmarks, annotations. Any kind of record is
+// found, put and taken away by its key, so that undo, the journal and restoring need to know no kind.
+#pragma once
+
+#include "protocol/api/messages_annotation.hpp"
+#include "protocol/api/messages_bookmark.hpp"
+#include "protocol/api/messages_rake.hpp"
+#include "protocol/api/messages_surface.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+namespace wakesurf::server {
+
+using Record = std::variant<protocol::RakeRecord,
+                            protocol::SurfaceRecord,
+                            protocol::BookmarkRecord,
+                            protocol::AnnotationRecord>;
+
+/// In the order of Record's alternatives, in which they can be put: a surface hangs on rakes.
+enum class RecordType : std::uint8_t { Rake, Surface, Bookmark, Annotation };
+
+inline constexpr std::array<RecordType, 4> record_types{
+    RecordType::Rake, RecordType::Surface, RecordType::Bookmark, RecordType::Annotation};
+
+/// `rake`, `surface`, `bookmark`, `annotation`; with static storage.
+std::string_view name(RecordType type);
+
+struct RecordKey {
+    RecordType type = RecordType::Rake;
+    std::string id;
+
+    auto operator<=>(const RecordKey&) const = default;
+};
+
+/// How many of a type a session may have.
+std::size_t most_records(RecordType type);
+
+RecordKey key_of(const Record& record);
+std::uint64_t rev_of(const Record& record);
+void set_rev(Record& record, std::uint64_t rev);
+
+/// About what it takes in memory; as text about three times as much.
+std::size_t bytes_of(const Record& record);
+
+/// A record before and after an edit; null where there is none.
+struct RecordChange {
+    RecordKey key;
+    std::shared_ptr<const Record> before;
+    std::shared_ptr<const Record> after;
+};
+
+class SessionRecords {
+  public:
+    template <class R>
+    using Table = std::map<std::string, R>;
+
+    template <class R>
+    const Table<R>& all() const {
+        return std::get<Table<R>>(tables_);
+    }
+
+    template <class R>
+    const R* find(const std::string& id) const {
+        const auto found = all<R>().find(id);
+        return found == all<R>().end() ? nullptr : &found->second;
+    }
+
+    /// Null where there is none.
+    std::shared_ptr<const Record> find(const RecordKey& key) const;
+
+    /// Of the record, 0 where there is none.
+    std::uint64_t rev(const RecordKey& key) const;
+
+    std::size_t count(RecordType type) const;
+
+    /// As bytes_of, of all and of one, 0 where there is none.
+    std::size_t bytes() const { return bytes_; }
+
+    std::size_t bytes(const RecordKey& key) const;
+    bool empty() const;
+
+    /// Every record, rakes first.
+    std::vector<Record> list() const;
+
+    /// Of the surfaces that hang on a rake.
+    std::vector<std::string> hanging_on(const std::string& rake) const;
+
+    /// The rakes a surface names are there.
+    bool holds_rakes_of(const protocol::SurfaceRecord& surface) const;
+
+    /// The colour for a new rake: one that no other has, or few.
+    std::string free_colour() const;
+
+    void put(const Record& record);
+    void erase(const RecordKey& key);
+
+    /// Ids of a type are r1, r2, ..., and none is given twice, not even after a restart.
+    std::string new_id(RecordType type);
+
+    std::uint64_t next_number(RecordType type) const {
+        return next_[static_cast<std::size_t>(type)];
+    }
+
+    /// Numbers below `next` count as given.
+    void skip_numbers(RecordType type, std::uint64_t next);
+
+    /// Of an id, 0 for what new_id never gives.
+    static std::uint64_t number_of(const RecordKey& key);
+
+  private:
+    std::tuple<Table<protocol::RakeRecord>,
+               Table<protocol::SurfaceRecord>,
+               Table<protocol::BookmarkRecord>,
+               Table<protocol::AnnotationRecord>>
+        tables_;
+    std::array<std::uint64_t, 4> next_{1, 1, 1, 1};
+    std::size_t bytes_ = 0;
+};
+
+} // namespace wakesurf::server

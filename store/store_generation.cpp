@@ -1,0 +1,293 @@
+#include "store/store_generation.hpp"
+
+#include "core/field/analytic_flow.hpp"
+#include "core/field/sample_grid.hpp"
+#include "store/store_grid.hpp"
+#include "store/store_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace wakesurf::store {
+
+using core::Error;
+namespace fs = std::filesystem;
+
+namespace {
+
+// 12 MB: enough for every core, little enough to stop within a few milliseconds.
+constexpr std::size_t piece_nodes = std::size_t{1} << 20;
+
+// What must stay free: the manifest, and whatever else the machine writes meanwhile.
+constexpr std::uint64_t spare_bytes = std::uint64_t{64} << 20;
+
+StoreSource source_of(const GenerateRequest& request) {
+    const auto& d = request.grid.dimensions;
+    return {{},
+            {},
+            fmt::format("flow:{} grid {},{},{} times {}:{}:{}", request.flow, d[0], d[1], d[2],
+                        request.times.front(), request.times.back(), request.times.size())};
+}
+
+core::DatasetInfo info_of(const GenerateRequest& request, const core::DatasetInfo& flow) {
+    const auto& grid = request.grid;
+    core::DatasetInfo info;
+    info.dataset = info.name = flow.name;
+    info.reader = "wakesurf generate (flow:" + request.flow + ")";
+    info.bounds = grid.bounds();
+    info.dimensions = grid.dimensions;
+    info.spacing = grid.spacing;
+    info.finest_spacing = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+    info.points = grid.nodes();
+    info.cells =
+        std::uint64_t{grid.dimensions[0] - 1} * (grid.dimensions[1] - 1) * (grid.dimensions[2] - 1);
+    info.times = request.times;
+    info.steady = request.times.size() == 1;
+    info.fields = flow.fields;
+    info.velocity = flow.velocity;
+    info.why = "sampled from a built-in flow";
+    info.bytes_per_step = grid.nodes() * 3 * sizeof(float);
+    return info;
+}
+
+bool has_size(const fs::path& file, std::uint64_t bytes) {
+    const auto size = core::PosixDisk().size(file);
+    return size && *size == bytes;
+}
+
+std::string velocity_file(std::size_t step) {
+    return step_file_name(velocity_stem, step, core::Precision::Single);
+}
+
+class Generation {
+  public:
+    Generation(const GenerateRequest& request,
+               const core::DatasetInfo& description,
+               std::unique_ptr<core::Flow> flow,
+               fs::path folder,
+               const std::function<void(const ImportProgress&)>& show,
+               std::stop_token stop)
+        : request_(request), flow_(std::move(flow)), folder_(std::move(folder)), show_(show),
+          stop_(std::move(stop)) {
+        manifest_.source = source_of(request);
+        manifest_.info = info_of(request, description);
+        manifest_.layout.grid = stored_grid(request.grid);
+        manifest_.layout.times = request.times;
+        manifest_.velocity_range = {std::numeric_limits<double>::infinity(), 0.0};
+    }
+
+    core::Result<void> run() {
+        if (auto room = check_room(); !room)
+            return room;
+        auto writer = StoreWriter::open(folder_, [] {
+            return core::fail(Error::Code::Io, "another program is writing this store",
+                              "wait for it to end, or give another folder");
+        });
+        if (!writer)
+            return tl::unexpected(writer.error());
+        const auto before = begun_before();
+        if (!before)
+            return tl::unexpected(before.error());
+        if (before->has_value() && whole(**before)) {
+            const std::size_t steps = request_.times.size();
+            show_({"done", steps, steps, {}, "the store is up to date"});
+            return {};
+        }
+        if (!before->has_value())
+            if (auto cleared = writer->clear(); !cleared)
+                return cleared;
+        return write_all(*writer);
+    }
+
+  private:
+    /// What an earlier run of the same request has left. Error: the folder holds another store.
+    core::Result<std::optional<StoreManifest>> begun_before() const {
+        auto before = read_store_manifest(folder_, core::PosixDisk());
+        if (before && before->source == manifest_.source)
+            return std::move(*before);
+        if (!before && before.error().code == Error::Code::NotFound)
+            return std::nullopt;
+        return core::fail(Error::Code::InvalidArgument,
+                          before
+                              ? "the folder holds a different store, made by " + before->info.reader
+                              : "the folder's " + before.error().message,
+                          "give a new or empty folder, or delete this one first");
+    }
+
+    bool kept(std::size_t step) const {
+        return has_size(folder_ / velocity_file(step), manifest_.info.bytes_per_step) &&
+               core::PosixDisk().size(folder_ / checksums_file_name).value_or(0) >=
+                   (step + 1) * sizeof(std::uint32_t);
+    }
+
+    bool whole(const StoreManifest& before) const {
+        bool all = before.complete;
+        for (std::size_t step = 0; all && step < request_.times.size(); ++step)
+            all = kept(step);
+        return all &&
+               (!before.layout.mask || has_size(folder_ / mask_file_name, request_.grid.nodes()));
+    }
+
+    core::Result<void> check_room() const {
+        const auto all = generated_bytes(request_);
+        const auto before = begun_before();
+        if (!all || !before)
+            return tl::unexpected(!all ? all.error() : before.error());
+        std::uint64_t wanted = *all;
+        for (std::size_t step = 0; before->has_value() && step < request_.times.size(); ++step)
+            wanted -= kept(step) ? manifest_.info.bytes_per_step : 0;
+        std::error_code error;
+        fs::path there = fs::absolute(folder_, error);
+        while (!error && !fs::exists(there, error) && there.has_relative_path())
+            there = there.parent_path();
+        const auto space = fs::space(there, error);
+        if (error || wanted + spare_bytes <= space.available)
+            return {}; // an unknown disk says so when it is full
+        return core::fail(
+            Error::Code::OverLimit,
+            fmt::format("the store needs {:.1f} GB more, but the disk has {:.1f} GB free",
+                        static_cast<double>(wanted) * 1e-9,
+                        static_cast<double>(space.available) * 1e-9),
+            "choose a coarser --grid, fewer --times or another disk");
+    }
+
+    core::Result<void> write_all(StoreWriter& writer) {
+        if (auto masked = write_mask(writer); !masked)
+            return masked;
+        const std::size_t steps = request_.times.size();
+        for (std::size_t step = 0; step < steps; ++step) {
+            if (auto written = write_step(writer, step); !written)
+                return written;
+            show_({"generate", step + 1, steps, velocity_file(step), {}});
+            // From its first time-step on the store can be opened.
+            if (step == 0 || step + 1 == steps)
+                if (auto told = write_manifest(writer, step + 1 == steps); !told)
+                    return told;
+        }
+        show_({"done", steps, steps, {}, {}});
+        return {};
+    }
+
+    core::Result<void> write_mask(StoreWriter& writer) {
+        if (!flow_->obstacle())
+            return {};
+        const std::string name(mask_file_name);
+        bool solid = false;
+        std::vector<std::uint8_t> fluid(std::min(piece_nodes, request_.grid.nodes()));
+        auto written =
+            writer.write(name, [&, first = std::size_t{0}]() mutable -> core::Result<Bytes> {
+                if (stop_.stop_requested())
+                    return interrupted();
+                const auto piece =
+                    std::span(fluid).first(std::min(fluid.size(), request_.grid.nodes() - first));
+                core::sample_mask(*flow_, request_.grid, first, piece);
+                first += piece.size();
+                solid = solid || std::find(piece.begin(), piece.end(), 0) != piece.end();
+                return std::as_bytes(piece);
+            });
+        if (!written)
+            return tl::unexpected(written.error());
+        manifest_.info.obstacle = manifest_.layout.mask = solid;
+        std::error_code ignored;
+        if (solid)
+            manifest_.layout.checksums[name] = *written;
+        else // no node of this grid lies in the obstacle
+            fs::remove(folder_ / name, ignored);
+        return {};
+    }
+
+    /// A step that is already there is sampled again as well: what it adds to the range of the speed is nowhere else.
+    core::Result<void> write_step(StoreWriter& writer, std::size_t step) {
+        buffer_.resize(3 * std::min(piece_nodes, request_.grid.nodes()));
+        std::size_t first = 0;
+        const auto next = [&]() -> core::Result<Bytes> {
+            const std::size_t count = std::min(piece_nodes, request_.grid.nodes() - first);
+            const auto piece = std::span(buffer_).first(3 * count);
+            const auto range = core::sample_nodes(*flow_, request_.grid, first,
+                                                  request_.times[step], piece, stop_);
+            if (stop_.stop_requested())
+                return interrupted();
+            if (!range)
+                return tl::unexpected(range.error());
+            first += count;
+            auto& all = manifest_.velocity_range;
+            all = {std::min(all[0], (*range)[0]), std::max(all[1], (*range)[1])};
+            show_part(step, static_cast<double>(first));
+            return std::as_bytes(piece);
+        };
+        if (!kept(step))
+            return writer.write(velocity_file(step), next).and_then([&](std::uint32_t checksum) {
+                return writer.finish_step(step, {&checksum, 1});
+            });
+        for (;;) {
+            const auto piece = next();
+            if (!piece)
+                return tl::unexpected(piece.error());
+            if (piece->empty())
+                return {};
+        }
+    }
+
+    core::Result<void> write_manifest(StoreWriter& writer, bool complete) {
+        auto& range = manifest_.velocity_range;
+        range[0] = std::min(range[0], range[1]); // a grid of solid nodes only
+        if (complete)
+            if (auto settled = writer.settle(); !settled)
+                return settled;
+        manifest_.complete = complete;
+        manifest_.info.fields.front().range = range;
+        const std::string text = store_manifest_text(manifest_);
+        return writer.write(std::string(manifest_file_name), std::as_bytes(std::span(text)))
+            .map([](std::uint32_t) {});
+    }
+
+    void show_part(std::size_t step, double nodes) const {
+        const double part = nodes / static_cast<double>(request_.grid.nodes());
+        show_({"part", step, request_.times.size(), velocity_file(step), {}, part});
+    }
+
+    static tl::unexpected<Error> interrupted() {
+        return core::fail(Error::Code::Cancelled, "generating the store was interrupted",
+                          "run the same command again to resume");
+    }
+
+    using Bytes = std::span<const std::byte>;
+
+    const GenerateRequest& request_;
+    std::unique_ptr<core::Flow> flow_;
+    fs::path folder_;
+    const std::function<void(const ImportProgress&)>& show_;
+    std::stop_token stop_;
+    StoreManifest manifest_;
+    std::vector<float> buffer_;
+};
+
+} // namespace
+
+core::Result<std::uint64_t> generated_bytes(const GenerateRequest& request) {
+    if (auto sound = check_grid(stored_grid(request.grid)); !sound)
+        return tl::unexpected(sound.error());
+    const std::uint64_t step = step_file_size(request.grid.nodes(), 3, core::Precision::Single);
+    constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+    const std::uint64_t mask = request.grid.nodes();
+    if (step > (most - mask) / request.times.size())
+        return core::fail(Error::Code::OverLimit, "no disk holds that many nodes and time-steps",
+                          "choose a coarser --grid or fewer --times");
+    return step * request.times.size() + mask;
+}
+
+core::Result<void> generate_store(const GenerateRequest& request,
+                                  const fs::path& folder,
+                                  const std::function<void(const ImportProgress&)>& show,
+                                  std::stop_token stop) {
+    auto flow = core::make_analytic_flow(request.flow);
+    const auto description = core::describe_analytic_flow(request.flow);
+    if (!flow)
+        return tl::unexpected(flow.error());
+    return Generation(request, *description, std::move(*flow), folder, show, stop).run();
+}
+
+} // namespace wakesurf::store

@@ -1,0 +1,36 @@
+// The files of a store that describe its grid, and back: node coordinates, cells, what lies beyond their faces.
+#pragma once
+
+#include "core/base/disk.hpp"
+#include "core/dataset/grid.hpp"
+#include "store/store_layout.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace wakesurf::store {
+
+struct GridFile {
+    std::string name;
+    std::vector<std::byte> bytes;
+};
+
+/// What store.json tells of a grid. @param curvilinear  of a cell mesh made of structured blocks
+StoredGrid stored_grid(const core::Grid& grid, bool curvilinear = false);
+
+/// The files of the grid but store.json; none for a uniform one.
+std::vector<GridFile> grid_files(const core::Grid& grid);
+
+/// Reads a file that all time-steps share. Error: NotFound, Io, Corrupt for another size or
+/// checksum than the layout says, and without a checksum.
+core::Result<std::vector<std::byte>> read_fixed_file(const StoreLayout& layout,
+                                                     const std::string& name,
+                                                     std::uint64_t size,
+                                                     const core::Disk& disk);
+
+/// Error: as read_fixed_file; Corrupt for coordinates that are not finite or do not rise, and cells with nodes, shapes or
+/// neighbours that do not exist. Memory: the files and the grid at the same time.
+core::Result<core::Grid> read_grid(const StoreLayout& layout, const core::Disk& disk);
+
+} // namespace wakesurf::store

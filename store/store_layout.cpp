@@ -1,0 +1,110 @@
+#include "store/store_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wakesurf::store {
+
+using core::Error;
+using core::fail;
+using core::GridKind;
+using core::Precision;
+using core::Result;
+using core::UniformGrid;
+
+namespace {
+
+// Lengths beyond this, or below its inverse, overflow when squared further down the path.
+constexpr double largest = 1e100;
+constexpr std::uint64_t most_nodes = std::numeric_limits<std::int64_t>::max() / (3 * sizeof(float));
+
+std::uint64_t product(const std::array<std::uint32_t, 3>& dimensions) {
+    std::uint64_t nodes = 1;
+    for (const std::uint64_t count : dimensions) {
+        if (count < 2 || nodes > most_nodes / count)
+            return 0;
+        nodes *= count;
+    }
+    return nodes;
+}
+
+bool usable(const UniformGrid& grid) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double far =
+            std::max(std::abs(grid.bounds().lo[axis]), std::abs(grid.bounds().hi[axis]));
+        if (!(grid.spacing[axis] >= 1.0 / largest) || !(far <= largest))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+std::uint64_t StoredGrid::nodes() const {
+    switch (kind) {
+    case GridKind::Uniform:
+        return product(uniform.dimensions);
+    case GridKind::Rectilinear:
+        return product(dimensions);
+    default:
+        return points;
+    }
+}
+
+std::string step_file_name(std::string_view stem, std::size_t index, Precision precision) {
+    std::string digits = std::to_string(index);
+    digits.insert(0, digits.size() < 6 ? 6 - digits.size() : 0, '0');
+    return std::string(stem) + "_" + digits + (precision == Precision::Half ? ".f16" : ".f32");
+}
+
+std::size_t step_file_size(std::uint64_t nodes, std::size_t components, Precision precision) {
+    return static_cast<std::size_t>(nodes) * components * (precision == Precision::Half ? 2 : 4);
+}
+
+Result<void> check_grid(const StoredGrid& grid) {
+    const bool cells = grid.kind == GridKind::Curvilinear || grid.kind == GridKind::Unstructured;
+    constexpr std::uint64_t most_points = 0xfffffff0u; // node numbers have 32 bits
+    if (cells && (grid.points < 4 || grid.cells == 0))
+        return fail(Error::Code::InvalidArgument, "the mesh has no cells");
+    if (cells && (grid.points > most_points || grid.cells > most_points))
+        return fail(Error::Code::InvalidArgument, "the mesh has more points or cells than 2^32");
+    const auto& dimensions =
+        grid.kind == GridKind::Uniform ? grid.uniform.dimensions : grid.dimensions;
+    if (!cells && std::any_of(dimensions.begin(), dimensions.end(), [](auto n) { return n < 2; }))
+        return fail(Error::Code::InvalidArgument, "the grid is thinner than two nodes");
+    if (grid.nodes() == 0)
+        return fail(Error::Code::InvalidArgument, "the grid has more nodes than memory can hold");
+    if (grid.kind == GridKind::Uniform && !usable(grid.uniform))
+        return fail(Error::Code::InvalidArgument, "the grid's origin or spacing is not usable");
+    if (grid.kind == GridKind::Analytic)
+        return fail(Error::Code::InvalidArgument, "an analytic flow has no grid to store");
+    return {};
+}
+
+Result<void> check_layout(const StoreLayout& layout) {
+    const auto& times = layout.times;
+    if (times.empty())
+        return fail(Error::Code::InvalidArgument, "the store has no time-steps");
+    const bool finite_times =
+        std::all_of(times.begin(), times.end(), [](double t) { return std::isfinite(t); });
+    const bool rising = std::adjacent_find(times.begin(), times.end(), [](double a, double b) {
+                            return !(a < b);
+                        }) == times.end();
+    if (!finite_times || !rising)
+        return fail(Error::Code::InvalidArgument, "the store's times are not strictly increasing");
+    return check_grid(layout.grid);
+}
+
+Result<std::size_t> find_scalar(const StoreLayout& layout, std::string_view name) {
+    std::string all;
+    for (std::size_t i = 0; i < layout.scalars.size(); ++i) {
+        if (layout.scalars[i].name == name)
+            return i;
+        all += (all.empty() ? "" : ", ") + layout.scalars[i].name;
+    }
+    return fail(Error::Code::NotFound, "there is no scalar field " + std::string(name),
+                all.empty() ? "the dataset holds no scalar fields" : "there is " + all);
+}
+
+} // namespace wakesurf::store

@@ -1,0 +1,69 @@
+// What lies where in a store: names and sizes of its files. Values only; store.json's text is read by
+// store/store_manifest.hpp, the files by store_reader.hpp. The format: README.md here.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/dataset_info.hpp"
+#include "core/dataset/uniform_grid.hpp"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::store {
+
+inline constexpr std::string_view mask_file_name = "mask.u8";
+inline constexpr std::string_view checksums_file_name = "checksums.u32";
+inline constexpr std::string_view velocity_stem = "velocity";
+
+/// The grid without its big arrays, which have files of their own.
+struct StoredGrid {
+    core::GridKind kind = core::GridKind::Uniform;
+    core::UniformGrid uniform;                        ///< of Uniform
+    std::array<std::uint32_t, 3> dimensions{0, 0, 0}; ///< nodes an axis, of Rectilinear
+    std::uint64_t points = 0;                         ///< of Curvilinear and Unstructured
+    std::uint64_t cells = 0;
+
+    /// Nodes; 0 where they are too many to be counted.
+    std::uint64_t nodes() const;
+};
+
+/// A scalar field: one float a node and time-step, in files <stem>_000000.f32 and so on.
+struct StoredScalar {
+    std::string name; ///< as the source calls it
+    std::string stem;
+
+    bool operator==(const StoredScalar&) const = default;
+};
+
+struct StoreLayout {
+    std::filesystem::path folder;
+    StoredGrid grid;
+    std::vector<double> times;
+    core::Precision precision = core::Precision::Single;
+    std::vector<StoredScalar> scalars;
+    bool mask = false;  ///< mask.u8 is there
+    bool walls = false; ///< walls.f32 and walls.u32 are there
+    std::map<std::string, std::uint32_t>
+        checksums; ///< CRC-32C of the files that all time-steps share
+};
+
+/// velocity_000000.f32 and so on.
+std::string step_file_name(std::string_view stem, std::size_t index, core::Precision precision);
+
+/// Bytes of such a file.
+std::size_t step_file_size(std::uint64_t nodes, std::size_t components, core::Precision precision);
+
+/// Error: InvalidArgument for times that do not rise, and for a grid thinner than 2 nodes, with non-finite or non-positive
+/// spacing, without points or cells, or beyond the address space.
+core::Result<void> check_layout(const StoreLayout& layout);
+core::Result<void> check_grid(const StoredGrid& grid);
+
+/// Index into the layout's scalars. Error: NotFound, listing what there is.
+core::Result<std::size_t> find_scalar(const StoreLayout& layout, std::string_view name);
+
+} // namespace wakesurf::store

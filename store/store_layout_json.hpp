@@ -1,0 +1,17 @@
+// What lies where in a store <-> the members of store.json that say so.
+#pragma once
+
+#include "protocol/api/json_members.hpp"
+#include "store/store_layout.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace wakesurf::store {
+
+/// Without the folder: a store may be moved.
+nlohmann::json store_layout_json(const StoreLayout& layout);
+
+/// Leaves a fault in `members` for what is missing, of the wrong type, or would lead out of the folder.
+StoreLayout parse_store_layout(protocol::JsonMembers& members);
+
+} // namespace wakesurf::store

@@ -1,0 +1,152 @@
+#include "store/store_manifest.hpp"
+
+#include "protocol/api/dataset_json.hpp"
+#include "protocol/api/json_members.hpp"
+#include "protocol/api/json_text.hpp"
+#include "store/store_layout_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::store {
+
+using core::Error;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::string_view format_name = "wakesurf-store";
+constexpr protocol::JsonLimits limits{std::size_t{64} << 20, 16};
+
+json files_json(const std::vector<SourceFile>& files) {
+    json out = json::array();
+    for (const auto& file : files)
+        out.push_back({{"name", file.name}, {"size", file.size}, {"mtime", file.mtime}});
+    return out;
+}
+
+json source_json(const StoreSource& source) {
+    json steps = json::array();
+    for (const auto& files : source.steps)
+        steps.push_back(files_json(files));
+    return {{"files", files_json(source.files)},
+            {"steps", std::move(steps)},
+            {"selection", source.selection}};
+}
+
+std::vector<SourceFile> parse_files(const json& list, protocol::JsonMembers& manifest) {
+    std::vector<SourceFile> files;
+    for (const json& entry : list) {
+        protocol::JsonMembers file(entry);
+        files.push_back({file.text("name"), file.count("size"), file.integer("mtime")});
+        if (!file.verdict())
+            manifest.fault("source.files", file.verdict().error().message);
+    }
+    return files;
+}
+
+StoreSource parse_source(protocol::JsonMembers& manifest) {
+    StoreSource source;
+    protocol::JsonMembers members(manifest.object("source"));
+    source.selection = members.text("selection");
+    source.files = parse_files(members.list("files"), manifest);
+    for (const json& step : members.list("steps")) {
+        if (!step.is_array())
+            manifest.fault("source.steps", "must hold lists");
+        source.steps.push_back(parse_files(step.is_array() ? step : json::array(), manifest));
+    }
+    if (!members.verdict())
+        manifest.fault("source", members.verdict().error().message);
+    return source;
+}
+
+core::Result<void> check_agreement(const StoreManifest& manifest) {
+    const StoreLayout& layout = manifest.layout;
+    if (auto sound = check_layout(layout); !sound)
+        return core::fail(Error::Code::Corrupt, sound.error().message);
+    const auto disagree = [](std::string_view what) {
+        return core::fail(Error::Code::Corrupt, "its " + std::string(what) + " disagree");
+    };
+    const core::DatasetInfo& info = manifest.info;
+    if (info.times != layout.times)
+        return disagree("times");
+    if (!manifest.source.steps.empty() && manifest.source.steps.size() != layout.times.size())
+        return disagree("times and files");
+    const auto& uniform = layout.grid.uniform;
+    const bool is_uniform = layout.grid.kind == core::GridKind::Uniform;
+    if (info.grid != layout.grid.kind || info.points != layout.grid.nodes() ||
+        info.bytes_per_step != step_file_size(layout.grid.nodes(), 3, core::Precision::Single) ||
+        (is_uniform && info.dimensions != uniform.dimensions))
+        return disagree("numbers of points");
+    if (is_uniform &&
+        (info.bounds.lo != uniform.bounds().lo || info.bounds.hi != uniform.bounds().hi))
+        return disagree("bounds");
+    return {};
+}
+
+core::Result<StoreManifest> parse(const json& value) {
+    protocol::JsonMembers members(value);
+    if (members.text("format") != format_name)
+        return core::fail(Error::Code::Corrupt, "it is not the manifest of a wakesurf store");
+    if (members.count("version") != store_format_version)
+        return core::fail(Error::Code::Unsupported,
+                          "it is of another version than " + std::to_string(store_format_version) +
+                              ", which this wakesurf reads",
+                          "import the dataset again");
+    StoreManifest manifest;
+    manifest.complete = members.flag("complete");
+    manifest.source = parse_source(members);
+    auto info = protocol::parse_dataset_info(members.object("info"));
+    if (!info)
+        return tl::unexpected(info.error());
+    manifest.info = std::move(*info);
+    manifest.layout = parse_store_layout(members);
+    manifest.velocity_range = members.numbers_of<2>("velocityRange");
+    if (auto sound = members.verdict(); !sound)
+        return tl::unexpected(sound.error());
+    return check_agreement(manifest).map([&] { return std::move(manifest); });
+}
+
+} // namespace
+
+std::string store_manifest_text(const StoreManifest& manifest) {
+    json out = store_layout_json(manifest.layout);
+    out["format"] = format_name;
+    out["version"] = store_format_version;
+    out["complete"] = manifest.complete;
+    out["source"] = source_json(manifest.source);
+    out["info"] = protocol::dataset_json(manifest.info);
+    out["velocityRange"] = manifest.velocity_range;
+    return protocol::json_text(out, 1);
+}
+
+core::Result<StoreManifest> parse_store_manifest(std::string_view text) {
+    auto parsed =
+        protocol::parse_json(text, limits).and_then([](const json& value) { return parse(value); });
+    if (!parsed)
+        return core::fail(parsed.error().code,
+                          std::string(manifest_file_name) + ": " + parsed.error().message,
+                          "import the dataset again");
+    return parsed;
+}
+
+core::Result<StoreManifest> read_store_manifest(const std::filesystem::path& folder,
+                                                const core::Disk& disk) {
+    const auto file = folder / manifest_file_name;
+    const auto size = disk.size(file);
+    if (!size)
+        return tl::unexpected(size.error());
+    if (*size > limits.bytes)
+        return core::fail(Error::Code::OverLimit, std::string(manifest_file_name) + " is too long");
+    std::string text(static_cast<std::size_t>(*size), '\0');
+    if (auto read = disk.read(file, 0, std::as_writable_bytes(std::span(text))); !read)
+        return tl::unexpected(read.error());
+    return parse_store_manifest(text);
+}
+
+StoreLayout store_layout(const StoreManifest& manifest, std::filesystem::path folder) {
+    StoreLayout layout = manifest.layout;
+    layout.folder = std::move(folder);
+    return layout;
+}
+
+} // namespace wakesurf::store

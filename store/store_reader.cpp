@@ -1,0 +1,263 @@
+#include "store/store_reader.hpp"
+
+#include "core/base/crc32c.hpp"
+#include "core/base/half.hpp"
+#include "store/store_grid.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace wakesurf::store {
+
+using core::Disk;
+using core::Error;
+using core::fail;
+using core::FileIdentity;
+using core::Precision;
+using core::Result;
+using core::ScalarSteps;
+using core::Slab;
+using core::SlabPool;
+using core::TimeStep;
+using core::WallGeometry;
+
+static_assert(std::endian::native == std::endian::little, "stores are little-endian");
+
+namespace {
+
+// Read in pieces so that a cancelled load ends within a few milliseconds, and what is checked is still in the processor's
+// cache.
+constexpr std::size_t piece_bytes = std::size_t{1} << 20;
+
+constexpr const char* again = "import the dataset again";
+
+// An exponent of all ones is infinity or NaN; or-ing keeps the loop free of branches.
+bool all_finite(std::span<const std::byte> floats) {
+    constexpr std::uint32_t exponent = 0x7f800000u;
+    std::uint32_t bad = 0;
+    for (std::size_t at = 0; at + sizeof(std::uint32_t) <= floats.size(); at += sizeof(bad)) {
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, floats.data() + at, sizeof(bits));
+        bad |= static_cast<std::uint32_t>((bits & exponent) == exponent);
+    }
+    return bad == 0;
+}
+
+std::string step_name(std::size_t index, const std::string& file) {
+    return "time-step " + std::to_string(index) + " (" + file + ")";
+}
+
+} // namespace
+
+Result<std::shared_ptr<const StoreReader>> StoreReader::open(StoreLayout layout,
+                                                             std::shared_ptr<const Disk> disk) {
+    if (auto sound = check_layout(layout); !sound)
+        return tl::unexpected(sound.error());
+    std::shared_ptr<StoreReader> reader(new StoreReader(std::move(layout), std::move(disk)));
+    auto grid = read_grid(reader->layout_, *reader->disk_);
+    if (!grid)
+        return tl::unexpected(grid.error());
+    reader->grid_ = std::move(*grid);
+    if (auto loaded = reader->load_mask(); !loaded)
+        return tl::unexpected(loaded.error());
+    return reader;
+}
+
+StoreReader::StoreReader(StoreLayout layout, std::shared_ptr<const Disk> disk)
+    : layout_(std::move(layout)), disk_(std::move(disk)),
+      nodes_(static_cast<std::size_t>(layout_.grid.nodes())),
+      slabs_(std::make_shared<SlabPool>(step_file_size(nodes_, 3, Precision::Single))),
+      scalars_(std::make_unique<ScalarSteps>(std::min<std::size_t>(4, layout_.scalars.size()) *
+                                             std::min<std::size_t>(2, layout_.times.size()))),
+      seen_(layout_.times.size() * (1 + layout_.scalars.size())) {}
+
+Result<void> StoreReader::load_mask() {
+    if (!layout_.mask)
+        return {};
+    const std::string name(mask_file_name);
+    const auto bytes = read_fixed_file(layout_, name, nodes_, *disk_);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    mask_.fluid.resize(nodes_);
+    std::memcpy(mask_.fluid.data(), bytes->data(), nodes_);
+    if (std::any_of(mask_.fluid.begin(), mask_.fluid.end(), [](std::uint8_t v) { return v > 1; }))
+        return fail(Error::Code::Corrupt, name + " holds values other than 0 and 1", again);
+    return {};
+}
+
+bool StoreReader::ready(std::size_t index) const {
+    if (index >= layout_.times.size())
+        return false;
+    const auto size = disk_->size(layout_.folder / checksums_file_name);
+    return size && *size / (columns() * sizeof(std::uint32_t)) > index;
+}
+
+bool StoreReader::whole(std::size_t index) const {
+    bool all = ready(index);
+    for (std::size_t column = 0; all && column < columns(); ++column)
+        all = whole_file(column, index).has_value();
+    return all;
+}
+
+std::size_t StoreReader::bytes_per_step() const {
+    return Slab::reservation(step_file_size(nodes_, 3, Precision::Single));
+}
+
+std::string StoreReader::file_name(std::size_t column, std::size_t index) const {
+    return step_file_name(column == 0 ? velocity_stem
+                                      : std::string_view(layout_.scalars[column - 1].stem),
+                          index, layout_.precision);
+}
+
+Result<FileIdentity> StoreReader::whole_file(std::size_t column, std::size_t index) const {
+    const std::string name = file_name(column, index);
+    const std::size_t size = step_file_size(nodes_, components(column), layout_.precision);
+    auto identity = disk_->identity(layout_.folder / name);
+    if (!identity && identity.error().code == Error::Code::NotFound)
+        return fail(Error::Code::NotFound, step_name(index, name) + " is not in the store",
+                    std::string("wait for the import to reach it, or ") + again);
+    if (identity && identity->size != size)
+        return fail(Error::Code::Corrupt,
+                    step_name(index, name) + " has " + std::to_string(identity->size) +
+                        " bytes instead of " + std::to_string(size),
+                    again);
+    return identity;
+}
+
+Result<std::uint32_t> StoreReader::checksum(std::size_t column, std::size_t index) const {
+    std::uint32_t sum = 0;
+    return disk_
+        ->read(layout_.folder / checksums_file_name,
+               (index * columns() + column) * sizeof(std::uint32_t),
+               std::as_writable_bytes(std::span(&sum, 1)))
+        .map([&] { return sum; });
+}
+
+std::optional<StoreReader::Seen> StoreReader::seen(std::size_t column, std::size_t index) const {
+    const std::scoped_lock lock(mutex_);
+    return seen_[index * columns() + column];
+}
+
+Result<bool> StoreReader::read(std::size_t column,
+                               std::size_t index,
+                               std::span<std::byte> out,
+                               const std::stop_token& stop) const {
+    if (index >= layout_.times.size())
+        return fail(Error::Code::InvalidArgument, "there is no time-step " + std::to_string(index));
+    const std::string name = file_name(column, index);
+    if (!ready(index))
+        return fail(Error::Code::NotFound, step_name(index, name) + " is not in the store",
+                    std::string("wait for the import to reach it, or ") + again);
+    const auto before = whole_file(column, index);
+    if (!before)
+        return tl::unexpected(before.error());
+    const auto known = seen(column, index);
+    // Steps of two different imports must never meet in one interpolation.
+    if (known && known->identity != *before)
+        return fail(Error::Code::Corrupt, step_name(index, name) + " was replaced while in use",
+                    "open the dataset again");
+    bool gaps = known && known->gaps;
+    const auto file = layout_.folder / name;
+    const bool half = layout_.precision == Precision::Half;
+    std::vector<std::uint16_t> halves(half ? piece_bytes / sizeof(float) : 0);
+    std::uint32_t sum = 0;
+    for (std::size_t at = 0; at < out.size(); at += piece_bytes) {
+        if (stop.stop_requested())
+            return fail(Error::Code::Cancelled,
+                        "loading " + step_name(index, name) + " was cancelled");
+        const auto piece = out.subspan(at, std::min(piece_bytes, out.size() - at));
+        const auto stored =
+            half ? std::as_writable_bytes(std::span(halves).first(piece.size() / sizeof(float)))
+                 : piece;
+        if (auto got = disk_->read(file, half ? at / 2 : at, stored); !got)
+            return tl::unexpected(got.error());
+        if (!known)
+            sum = core::crc32c(stored, sum);
+        if (half)
+            core::from_half(std::span(halves).first(piece.size() / sizeof(float)),
+                            {reinterpret_cast<float*>(piece.data()), piece.size() / sizeof(float)});
+        if (!known && !all_finite(piece))
+            gaps = true;
+    }
+    const auto after = whole_file(column, index);
+    if (!after)
+        return tl::unexpected(after.error());
+    if (*after != *before)
+        return fail(Error::Code::Corrupt, step_name(index, name) + " changed while it was read",
+                    "try again");
+    if (known)
+        return gaps;
+    const auto expected = checksum(column, index);
+    if (!expected)
+        return tl::unexpected(expected.error());
+    if (*expected != sum)
+        return fail(Error::Code::Corrupt,
+                    step_name(index, name) +
+                        " has changed since it was written: its checksum differs",
+                    "delete that file from the store, then " + std::string(again));
+    const std::scoped_lock lock(mutex_);
+    seen_[index * columns() + column] = Seen{*after, gaps};
+    return gaps;
+}
+
+Result<std::shared_ptr<const TimeStep>> StoreReader::load(std::size_t index,
+                                                          std::stop_token stop) const {
+    std::shared_ptr<TimeStep> step(new TimeStep, [pool = slabs_](TimeStep* done) {
+        pool->give_back(std::move(done->slab));
+        delete done;
+    });
+    step->slab = slabs_->take();
+    return read(0, index, step->slab.bytes(), stop)
+        .map([&](bool gaps) -> std::shared_ptr<const TimeStep> {
+            step->index = index;
+            step->time = layout_.times[index];
+            step->gaps = gaps;
+            return step;
+        });
+}
+
+Result<Slab>
+StoreReader::load_scalar(std::size_t scalar, std::size_t index, const std::stop_token& stop) const {
+    Slab slab(step_file_size(nodes_, 1, Precision::Single));
+    return read(1 + scalar, index, slab.bytes(), stop).map([&](bool) { return std::move(slab); });
+}
+
+Result<std::shared_ptr<const Slab>> StoreReader::scalar_values(std::size_t scalar,
+                                                               std::size_t index,
+                                                               const std::stop_token& stop) const {
+    return scalars_->get(scalar, index, [&] { return load_scalar(scalar, index, stop); });
+}
+
+std::size_t StoreReader::scalar_memory() const {
+    return scalars_->most() * Slab::reservation(step_file_size(nodes_, 1, Precision::Single));
+}
+
+Result<WallGeometry> StoreReader::load_walls() const {
+    WallGeometry walls;
+    if (!layout_.walls)
+        return walls;
+    const auto load = [&](const char* name, auto& values) -> Result<void> {
+        using Value = std::remove_reference_t<decltype(values.front())>;
+        const auto size = disk_->size(layout_.folder / name);
+        if (!size)
+            return tl::unexpected(size.error());
+        const auto whole = *size / sizeof(Value) * sizeof(Value);
+        return read_fixed_file(layout_, name, whole, *disk_).map([&](const auto& bytes) {
+            values.resize(bytes.size() / sizeof(Value));
+            std::memcpy(values.data(), bytes.data(), bytes.size());
+        });
+    };
+    if (auto points = load("walls.f32", walls.points); !points)
+        return tl::unexpected(points.error());
+    if (auto triangles = load("walls.u32", walls.triangles); !triangles)
+        return tl::unexpected(triangles.error());
+    for (const auto& triangle : walls.triangles)
+        for (const std::uint32_t point : triangle)
+            if (point >= walls.points.size())
+                return fail(Error::Code::Corrupt, "walls.u32 names points that do not exist",
+                            again);
+    return walls;
+}
+
+} // namespace wakesurf::store

@@ -1,0 +1,101 @@
+// Reads a store: the folder of raw files that wakesurf-import and `wakesurf generate` write. First stage of the path;
+// the manifest's text is read by store/store_manifest.hpp, which fills the layout.
+#pragma once
+
+#include "core/base/disk.hpp"
+#include "core/dataset/scalar_source.hpp"
+#include "core/dataset/scalar_steps.hpp"
+#include "core/dataset/slab_pool.hpp"
+#include "core/dataset/time_step_source.hpp"
+#include "core/dataset/wall_geometry.hpp"
+#include "store/store_layout.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace wakesurf::store {
+
+/// A time-step counts as ready when its checksums are there, which are written last: a store can be read while it is
+/// still being written. A file is checked against its checksum when it is read for the first time, and again when it is
+/// another file than it was then. Thread safety: concurrent calls are fine.
+class StoreReader final : public core::TimeStepSource, public core::ScalarSource {
+  public:
+    /// Reads the grid and the mask. Error: InvalidArgument (grid or times make no sense), NotFound, Io, Corrupt.
+    static core::Result<std::shared_ptr<const StoreReader>>
+    open(StoreLayout layout, std::shared_ptr<const core::Disk> disk);
+
+    const core::Grid& grid() const override { return grid_; }
+
+    const core::SolidMask& mask() const override { return mask_; }
+
+    const std::vector<double>& times() const override { return layout_.times; }
+
+    const StoreLayout& layout() const { return layout_; }
+
+    bool ready(std::size_t index) const override;
+
+    /// Ready, and all its files are there with the sizes they should have; their bytes are not looked at.
+    bool whole(std::size_t index) const;
+    std::size_t bytes_per_step() const override;
+
+    /// Corrupt: truncated, another checksum, or another file than the one read under this name before.
+    core::Result<std::shared_ptr<const core::TimeStep>> load(std::size_t index,
+                                                             std::stop_token stop) const override;
+
+    void let_go() const override { slabs_->clear(); }
+
+    /// One float a node. @param scalar  index into layout().scalars. Error: as load.
+    core::Result<core::Slab>
+    load_scalar(std::size_t scalar, std::size_t index, const std::stop_token& stop) const;
+
+    /// The same, from memory if it was asked for lately. Of at most 4 scalars two time-steps each are kept.
+    core::Result<std::shared_ptr<const core::Slab>> scalar_values(
+        std::size_t scalar, std::size_t index, const std::stop_token& stop) const override;
+
+    /// What scalar_values keeps at most.
+    std::size_t scalar_memory() const;
+
+    /// Empty where the store has none. Error: NotFound, Io, Corrupt.
+    core::Result<core::WallGeometry> load_walls() const;
+
+  private:
+    /// What is known of a file of a time-step since it was checked.
+    struct Seen {
+        core::FileIdentity identity;
+        bool gaps = false;
+    };
+
+    StoreReader(StoreLayout layout, std::shared_ptr<const core::Disk> disk);
+    core::Result<void> load_mask();
+
+    std::size_t columns() const { return 1 + layout_.scalars.size(); }
+
+    core::Result<core::FileIdentity> whole_file(std::size_t column, std::size_t index) const;
+    /// @return true if some values are not finite. @param out  as large as the values are as floats
+    core::Result<bool> read(std::size_t column,
+                            std::size_t index,
+                            std::span<std::byte> out,
+                            const std::stop_token& stop) const;
+    core::Result<std::uint32_t> checksum(std::size_t column, std::size_t index) const;
+    std::optional<Seen> seen(std::size_t column, std::size_t index) const;
+    std::string file_name(std::size_t column, std::size_t index) const;
+
+    std::size_t components(std::size_t column) const { return column == 0 ? 3 : 1; }
+
+    StoreLayout layout_;
+    std::shared_ptr<const core::Disk> disk_;
+    std::size_t nodes_;
+    core::Grid grid_;
+    core::SolidMask mask_;
+    std::shared_ptr<core::SlabPool> slabs_; ///< for velocities; time-steps give theirs back
+    std::unique_ptr<core::ScalarSteps> scalars_;
+    mutable std::mutex mutex_;                      ///< guards seen_
+    mutable std::vector<std::optional<Seen>> seen_; ///< by time-step, then column
+};
+
+} // namespace wakesurf::store

@@ -1,0 +1,15 @@
+// All of the bytes to a file or pipe, or all from it: interrupted and short calls go on.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace wakesurf::store {
+
+/// False where it fails; errno says why.
+bool write_whole(int file, std::span<const std::byte> bytes);
+
+/// False at the end of the file or where it fails.
+bool read_whole(int file, std::span<std::byte> bytes);
+
+} // namespace wakesurf::store

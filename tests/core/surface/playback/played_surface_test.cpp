@@ -1,0 +1,64 @@
+#include "core/base/clock.hpp"
+#include "core/field/analytic_flow.hpp"
+#include "core/surface/playback/played_surface.hpp"
+#include "core/surface/surface_builder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wakesurf::core {
+
+namespace {
+
+struct Streak {
+    std::shared_ptr<const Flow> flow;
+    Rake rake;
+    SurfaceParameters parameters;
+};
+
+Streak streak(Direction direction) {
+    Streak job;
+    job.rake = {Rake::Kind::Line, {{0, 0, 0}, {0, 2, 0}}, 9};
+    job.parameters.kind = SurfaceKind::Streak;
+    job.parameters.to = 2.0;
+    job.parameters.direction = direction;
+    job.parameters.separation = 0.3;
+    job.flow = *make_analytic_flow("abc");
+    return job;
+}
+
+} // namespace
+
+TEST(PlayedSurface, ShowsAtItsEndWhatTheBuilderGives) {
+    const SteadyClock clock;
+    for (const auto direction : {Direction::Forward, Direction::Backward, Direction::Both}) {
+        const Streak job = streak(direction);
+        const auto built = build_surface(*job.flow, job.rake, job.parameters);
+        ASSERT_TRUE(built) << built.error().message;
+        auto played =
+            PlayedSurface::start(*job.flow, job.rake, job.parameters, 1U << 26, clock, {});
+        ASSERT_TRUE(played) << played.error().message;
+        ASSERT_TRUE(played->at(0.7, {}));
+        const auto shown = played->at(2.0, {});
+        ASSERT_TRUE(shown) << shown.error().message;
+        EXPECT_EQ(shown->mesh.mesh.position, built->mesh.position);
+        EXPECT_EQ(shown->mesh.mesh.cells, built->mesh.cells);
+        EXPECT_EQ(shown->statistics.quads, built->statistics.quads);
+        EXPECT_EQ(shown->statistics.max_edge, built->statistics.max_edge);
+        EXPECT_TRUE(std::is_sorted(shown->mesh.vertex_id.begin(), shown->mesh.vertex_id.end()));
+    }
+}
+
+TEST(PlayedSurface, ShowsTheSameAtATimeWhateverWasShownBefore) {
+    const SteadyClock clock;
+    const Streak job = streak(Direction::Both);
+    auto one = *PlayedSurface::start(*job.flow, job.rake, job.parameters, 1U << 26, clock, {});
+    auto other = *PlayedSurface::start(*job.flow, job.rake, job.parameters, 1U << 26, clock, {});
+    const auto straight = one.at(0.9, {});
+    for (const double age : {1.9, 0.2, 0.0, 1.1})
+        ASSERT_TRUE(other.at(age, {}));
+    const auto roundabout = other.at(0.9, {});
+    EXPECT_EQ(hash(straight->mesh), hash(roundabout->mesh));
+    EXPECT_EQ(straight->mesh.vertex_id, roundabout->mesh.vertex_id);
+}
+
+} // namespace wakesurf::core

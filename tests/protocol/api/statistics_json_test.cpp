@@ -1,0 +1,28 @@
+#include "protocol/api/statistics_json.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::protocol {
+
+TEST(StatisticsJson, HasTheShapeOfTheContract) {
+    core::SurfaceStatistics statistics{.kind = core::SurfaceKind::Path,
+                                       .quads = 1,
+                                       .vertices = 2,
+                                       .steps = 3,
+                                       .vertex_steps = 4,
+                                       .approximated = 5,
+                                       .terminated = {6, 7, 8, 9, 10},
+                                       .max_edge = 0.25,
+                                       .separation = 0.5,
+                                       .seconds = {1, 2, 3, 4, 10},
+                                       .peak_bytes = 11};
+    EXPECT_EQ(statistics_json(statistics), nlohmann::json::parse(R"({
+        "kind": "path", "quads": 1, "vertices": 2, "steps": 3, "vertexSteps": 4, "approximated": 5,
+        "terminated": {"domain": 6, "time": 7, "obstacle": 8, "stagnation": 9, "budget": 10},
+        "maxEdge": 0.25, "separation": 0.5,
+        "seconds": {"load": 1.0, "advect": 2.0, "refine": 3.0, "other": 4.0, "total": 10.0},
+        "peakBytes": 11})"));
+}
+
+} // namespace wakesurf::protocol

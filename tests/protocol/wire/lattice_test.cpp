@@ -1,0 +1,73 @@
+#include "protocol/wire/lattice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace wakesurf::protocol {
+namespace {
+
+const core::Box box{{-1, 2, 0}, {6, 4, 1}};
+
+TEST(Lattice, CoversTheDomainAndHalfAPercentMoreOnEachEndOfTheLongestSide) {
+    const Lattice lattice = lattice_over(box);
+    const core::Vec3 far = dequantise(lattice, {lattice.last(), lattice.last(), lattice.last()});
+    EXPECT_NEAR(lattice.origin.x, -1 - 0.035, 1e-12);
+    EXPECT_NEAR(far.x, 6 + 0.035, 1e-12);
+    EXPECT_NEAR(far.y - lattice.origin.y, 7 * 1.01, 1e-12);
+    EXPECT_TRUE(on_lattice(lattice, box.lo));
+    EXPECT_TRUE(on_lattice(lattice, box.hi));
+}
+
+TEST(Lattice, MovesAPointByAtMostHalfAStepAndANodeNotAtAll) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (const int bits : {1, 8, 16, 20}) {
+        const Lattice lattice = lattice_over(box, bits);
+        for (int i = 0; i < 2000; ++i) {
+            const core::Vec3 p =
+                box.lo + box.extent() * core::Vec3(unit(random), unit(random), unit(random));
+            ASSERT_TRUE(on_lattice(lattice, p));
+            const LatticePoint node = quantise(lattice, p);
+            const core::Vec3 q = dequantise(lattice, node);
+            for (int axis = 0; axis < 3; ++axis)
+                ASSERT_LE(std::abs(p[axis] - q[axis]), 0.5 * lattice.step * (1 + 1e-9));
+            ASSERT_EQ(quantise(lattice, q), node) << "bits " << bits;
+        }
+    }
+}
+
+TEST(Lattice, EndsHalfAStepBeyondItsOuterNodes) {
+    const Lattice lattice{{0, 0, 0}, 1.0, 4};
+    EXPECT_TRUE(on_lattice(lattice, {-0.5, 0, 15.4999}));
+    EXPECT_FALSE(on_lattice(lattice, {-0.5001, 0, 0}));
+    EXPECT_FALSE(on_lattice(lattice, {0, 0, 15.5}));
+    // The largest number below 15.5 must not round to a node 16 on the way.
+    const double below = std::nextafter(15.5, 0.0);
+    EXPECT_TRUE(!on_lattice(lattice, {below, 0, 0}) || quantise(lattice, {below, 0, 0})[0] == 15);
+}
+
+TEST(Lattice, HasNoNodeForNumbersThatAreNotFinite) {
+    const Lattice lattice = lattice_over(box);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double bad : {nan, infinity, -infinity, 3.4e38, -3.4e38, 1e300})
+        for (int axis = 0; axis < 3; ++axis) {
+            core::Vec3 p = box.lo;
+            p[axis] = bad;
+            EXPECT_FALSE(on_lattice(lattice, p)) << bad;
+        }
+}
+
+TEST(Lattice, IsUsableOverADomainWithoutExtentAndRefusesNonsense) {
+    EXPECT_TRUE(valid(lattice_over({{1, 1, 1}, {1, 1, 1}})));
+    EXPECT_FALSE(valid({{0, 0, 0}, 0.0, 16}));
+    EXPECT_FALSE(valid({{0, 0, 0}, 1.0, 21}));
+    EXPECT_FALSE(valid({{0, std::numeric_limits<double>::quiet_NaN(), 0}, 1.0, 16}));
+    EXPECT_FALSE(valid({{0, 0, 0}, std::numeric_limits<double>::infinity(), 16}));
+}
+
+} // namespace
+} // namespace wakesurf::protocol
