@@ -1,6 +1,9 @@
-// What one server grants: each limit has its one home here, by subject. What is asked for beyond one is answered with -32014, or with 413, 429,
-// 431 or 503 over HTTP, never served partly. `--memory` is no limit of this kind: see core/base/memory_account.
+// What one server grants, by subject. Limits that users are told have their home in protocol/api/limits.schema.json; the others are
+// here. What is asked for beyond one is answered with -32014, or with 413, 429, 431 or 503 over HTTP, never served partly. `--memory` is
+// no limit of this kind: see core/base/memory_account.
 #pragma once
+
+#include "protocol/api/generated/limits.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -8,11 +11,9 @@
 
 namespace wakesurf::server::limits {
 
+using namespace protocol::limits;
+
 // Messages.
-inline constexpr std::size_t message_bytes = std::size_t{64} << 10;
-inline constexpr std::size_t message_depth = 32;
-inline constexpr std::size_t batch = 64;
-inline constexpr std::size_t pending_calls = 256; ///< unanswered calls of one WebSocket
 inline constexpr std::uint32_t http_header_bytes = 8u << 10;
 
 // Connections.
@@ -51,11 +52,14 @@ struct Budget {
     double messages;       ///< the same; what comes faster is read later. A KiB counts for one more
 };
 
-inline constexpr Budget person{64, 64, 8, 4, 32, 200.0, 2000.0, 4000.0}; ///< by one link
+/// By one link.
+inline constexpr Budget person{protocol::limits::sockets, 64,    protocol::limits::downloads,
+                               protocol::limits::probes,  32,    edits_per_second,
+                               calls_per_second,          4000.0};
 inline constexpr Budget link{512, 256, 16, 8, 48, 600.0, 6000.0, 6000.0};
 inline constexpr Budget token{2048, 1024, 64, 32, 1024, 2000.0, 20000.0, 40000.0};
 /// Of all together. Rates are those of each link and of the token.
-inline constexpr Budget all{2048, 1024, 64, 32, 1024, 0.0, 0.0, 0.0};
+inline constexpr Budget all{clients, 1024, 64, 32, 1024, 0.0, 0.0, 0.0};
 /// The part of all that only the server's token opens.
 inline constexpr Budget for_hosts{128, 256, 8, 4, 64, 0.0, 0.0, 0.0};
 
@@ -68,9 +72,6 @@ inline constexpr std::chrono::seconds login_idle{7 * 24 * 3600};
 inline constexpr std::chrono::seconds login_most{30 * 24 * 3600};
 
 // Share links.
-inline constexpr std::size_t grants = 32; ///< of one session
-inline constexpr std::uint64_t grant_seconds = std::uint64_t{10} * 366 * 24 * 3600;
-inline constexpr std::uint64_t grant_seconds_default = std::uint64_t{7} * 24 * 3600;
 inline constexpr std::size_t grant_depth = 8; ///< links made by links
 inline constexpr std::size_t lowered = 64;    ///< participants of a link with a lesser role
 inline constexpr std::size_t seated = 4096;   ///< participants of a link whose person is known
@@ -83,13 +84,10 @@ inline constexpr std::size_t window =
     8; ///< updates a client may be sent beyond those it has acknowledged
 inline constexpr std::size_t behind_bytes = std::size_t{4} << 20;
 inline constexpr std::chrono::seconds key_age{1};
-inline constexpr std::size_t subscriptions = 1024; ///< of one WebSocket
 
 // Sessions as a whole.
-inline constexpr std::size_t kept_sessions = 1024;
-inline constexpr std::size_t trash = 256;                         ///< deleted sessions
-inline constexpr std::chrono::seconds trash_kept{30 * 24 * 3600}; ///< then they are gone for good
-inline constexpr std::size_t thumbnail_bytes = std::size_t{24} << 10;
+inline constexpr std::chrono::seconds trash_kept{trash_days * 24 *
+                                                 3600}; ///< then they are gone for good
 inline constexpr std::size_t session_file_bytes = std::size_t{24} << 20;
 inline constexpr std::chrono::seconds session_file_time{120}; ///< for one to come in
 inline constexpr std::size_t session_imports = 2;             ///< read at a time
@@ -99,7 +97,6 @@ inline constexpr std::chrono::seconds start_watched{
     60}; ///< a server that lives for so long has started
 
 // In a session.
-inline constexpr std::size_t participants = 1536;
 inline constexpr std::chrono::seconds absence{10}; ///< how long a lost connection is shown
 inline constexpr std::chrono::seconds place_kept{7 * 24 *
                                                  3600};       ///< for whoever left, to come back to
@@ -107,38 +104,18 @@ inline constexpr std::chrono::milliseconds presence_rest{50}; ///< between two t
 inline constexpr std::size_t presence_bytes_per_ms =
     4000;                                             ///< of a session, to all its participants
 inline constexpr std::size_t presence_entries = 2000; ///< of one telling, over all who are told
-inline constexpr std::size_t presence_points = 64;    ///< of a rake being dragged
 inline constexpr std::size_t changes =
     1024; ///< records whose newest change is kept for those who come back
-inline constexpr std::size_t session_bytes =
-    std::size_t{1} << 20; ///< of all its records; as text, when somebody joins, three times as much
 inline constexpr std::size_t session_small_bytes = std::size_t{32}
                                                    << 10; ///< fit whatever others hold
 inline constexpr std::size_t records_part = 8; ///< of --memory, for the records of all sessions
-inline constexpr std::size_t rakes = 256;
-inline constexpr std::size_t surfaces = 64;
-inline constexpr std::size_t bookmarks = 256;
-inline constexpr std::size_t annotations = 512;
-inline constexpr std::size_t view_bytes = std::size_t{4} << 10;       ///< of a bookmark
-inline constexpr std::size_t annotation_bytes = std::size_t{4} << 10; ///< of its text
-inline constexpr std::chrono::milliseconds lease{5000};
-inline constexpr std::size_t undo_steps = 100;                  ///< of one participant
+inline constexpr std::chrono::milliseconds lease{lease_ms};
 inline constexpr std::size_t undo_authors = 128;                ///< of one session
 inline constexpr std::size_t undo_bytes = std::size_t{1} << 20; ///< of one session
-inline constexpr std::size_t gesture_bytes = 64;                ///< of its name
 inline constexpr std::size_t gesture_records = 64;              ///< that one step of undo gathers
 inline constexpr std::size_t import_waiters = 1024;             ///< unanswered dataset.open calls
-inline constexpr std::size_t waiters = 64; ///< unanswered surface.wait calls of one surface
-inline constexpr std::size_t name_bytes = 120;
 
 // Surfaces.
-inline constexpr std::uint64_t seeds_least = 2;
-inline constexpr std::uint64_t seeds_most = 4096;
-inline constexpr std::size_t rake_points = 1024;
-inline constexpr std::uint64_t quads_default = 1'000'000;
-inline constexpr std::uint64_t quads_most = 4'000'000;
-inline constexpr std::size_t fields = 4; ///< of a surface: further attributes of its vertices
-inline constexpr std::uint64_t wait_ms = 600'000;
 inline constexpr std::size_t history_bytes = std::size_t{128}
                                              << 20; ///< of a moving surface, to step back to
 inline constexpr std::size_t histories_bytes = std::size_t{512} << 20; ///< of all together
@@ -147,7 +124,6 @@ inline constexpr std::chrono::seconds history_rest{
     30}; ///< a history not used for so long goes before others get smaller
 
 // Clocks.
-inline constexpr double clock_speed = 1e6; ///< simulation time a second
 inline constexpr std::chrono::milliseconds clock_tick{33};
 inline constexpr std::chrono::milliseconds clock_kept{
     1000}; ///< between two times in the journal while it runs
@@ -159,9 +135,5 @@ inline constexpr std::chrono::seconds download_memory{
     5}; ///< a file being made waits for memory that others give back
 inline constexpr std::chrono::milliseconds gone_check{
     250}; ///< between two looks whether who waits for an answer is still there
-
-// Probes.
-inline constexpr std::size_t probe_points = 4096;
-inline constexpr std::size_t probe_fields = 64;
 
 } // namespace wakesurf::server::limits

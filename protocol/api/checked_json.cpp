@@ -77,6 +77,11 @@ bool CheckedJson::has(std::string_view name) {
     return find(name) != nullptr;
 }
 
+bool CheckedJson::given(std::string_view name) {
+    known_.emplace_back(name);
+    return object_.is_object() && object_.contains(name);
+}
+
 std::string CheckedJson::text(std::string_view name, std::size_t longest) {
     return need(name) == nullptr ? std::string{} : text_or(name, {}, longest);
 }
@@ -178,6 +183,10 @@ CheckedJson::count_if(std::string_view name, std::uint64_t lo, std::uint64_t hi)
     return std::nullopt;
 }
 
+core::Vec3 CheckedJson::point(std::string_view name) {
+    return need(name) == nullptr ? core::Vec3(0.0) : point_if(name).value_or(core::Vec3(0.0));
+}
+
 std::optional<core::Vec3> CheckedJson::point_if(std::string_view name) {
     const json* value = find(name);
     if (value == nullptr)
@@ -222,6 +231,30 @@ std::vector<std::string> CheckedJson::texts_or_none(std::string_view name, std::
     for (const json& entry : *value)
         out.push_back(entry.get<std::string>());
     return out;
+}
+
+std::string CheckedJson::token(std::string_view name, bool whole) {
+    return need(name) == nullptr ? std::string{} : token_if(name, whole).value_or("");
+}
+
+std::optional<std::string> CheckedJson::token_if(std::string_view name, bool whole) {
+    const json* value = find(name);
+    if (value == nullptr)
+        return std::nullopt;
+    if (value->is_string() || (whole ? value->is_number_integer() : value->is_number()))
+        return json_text(*value);
+    fault(name, whole ? "must be a string or a whole number" : "must be a string or a number");
+    return std::nullopt;
+}
+
+void CheckedJson::inside(std::string_view name, const std::function<void(CheckedJson&)>& read) {
+    const json* value = need(name);
+    if (value == nullptr)
+        return;
+    CheckedJson inner(*value);
+    read(inner);
+    if (const auto sound = inner.verdict(); !sound)
+        fault(name, "is not as it should be: " + sound.error().message);
 }
 
 void CheckedJson::fault(std::string_view name, std::string_view problem) {

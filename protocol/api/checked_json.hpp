@@ -1,5 +1,5 @@
-// Parameters of a method -> checked values. A reader asks for each parameter by name; the first fault is kept with
-// that name, and what nobody asked for is a fault as well, so that a misspelt parameter is never ignored.
+// Parameters of a method -> checked values. A reader, made from the description of the API, asks for each parameter by name; the
+// first fault is kept with that name. What no reader asked for is a fault as well, so that a misspelt parameter is never ignored.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -8,6 +8,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,8 +17,10 @@
 
 namespace wakesurf::protocol {
 
-/// Revisions are exact in every JSON reader.
-inline constexpr std::uint64_t most_rev = std::uint64_t{1} << 53;
+// Bounds that bound nothing: what a description leaves open.
+inline constexpr double any_number = std::numeric_limits<double>::max();
+inline constexpr std::uint64_t most_whole = std::uint64_t{1} << 53; ///< exact in every JSON reader
+inline constexpr std::size_t most_items = std::numeric_limits<std::size_t>::max();
 
 /// Numbers are finite after narrowing and in range, or a fault that names the parameter. A parameter that is null
 /// counts as left out. After a fault the getters give the fallback; verdict() tells.
@@ -26,6 +30,9 @@ class CheckedJson {
     explicit CheckedJson(const nlohmann::json& object);
 
     bool has(std::string_view name);
+
+    /// Also with null, where that says something.
+    bool given(std::string_view name);
 
     std::string text(std::string_view name, std::size_t longest = 256);
     std::string text_or(std::string_view name, std::string fallback, std::size_t longest = 256);
@@ -42,9 +49,17 @@ class CheckedJson {
     count_or(std::string_view name, std::uint64_t lo, std::uint64_t hi, std::uint64_t fallback);
     std::optional<std::uint64_t>
     count_if(std::string_view name, std::uint64_t lo, std::uint64_t hi);
+    core::Vec3 point(std::string_view name);
     std::optional<core::Vec3> point_if(std::string_view name);
     std::vector<core::Vec3> points(std::string_view name, std::size_t most);
     std::vector<std::string> texts_or_none(std::string_view name, std::size_t most);
+
+    /// A string or a number (a whole one, where `whole`), as its JSON text.
+    std::string token(std::string_view name, bool whole);
+    std::optional<std::string> token_if(std::string_view name, bool whole);
+
+    /// Hands `read` the object's own reader; the first fault inside becomes one of `name`.
+    void inside(std::string_view name, const std::function<void(CheckedJson&)>& read);
 
     void fault(std::string_view name, std::string_view problem);
 

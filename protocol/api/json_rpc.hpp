@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "protocol/api/generated/errors.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -21,24 +22,6 @@ struct RpcLimits {
     std::size_t batch = 64;
 };
 
-enum class RpcCode : int {
-    ParseError = -32700,
-    InvalidRequest = -32600,
-    MethodNotFound = -32601,
-    InvalidParameters = -32602,
-    Internal = -32603,
-    Cancelled = -32800,
-    Stale = -32801,
-    Unauthenticated = -32001,
-    NotPermitted = -32003,
-    NotFound = -32004,
-    Leased = -32011,
-    OutsideDomain = -32012,
-    OutsideTimeRange = -32013,
-    OverLimit = -32014,
-    DatasetError = -32015,
-};
-
 /// Everything an error answer carries: `data` always has kind and hint, and the members of `detail` if there are any.
 struct RpcFault {
     RpcCode code = RpcCode::Internal;
@@ -47,9 +30,6 @@ struct RpcFault {
     std::string kind;                             ///< empty: the code's own, see kind_of
     std::shared_ptr<const nlohmann::json> detail; ///< an object, or nothing
 };
-
-/// The word for a code in error.data.kind: `notFound`, `outsideDomain`, ...
-std::string_view kind_of(RpcCode code);
 
 /// The answer for an error of the engine or of a dataset. Over a limit, data.limit is the most there may be; where memory ran out, the
 /// machine's, in bytes.

@@ -1,6 +1,6 @@
 #include "protocol/api/messages_presence.hpp"
 
-#include "protocol/api/messages_rake.hpp"
+#include "protocol/api/point_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -9,26 +9,6 @@ namespace wakesurf::protocol {
 using nlohmann::json;
 
 namespace {
-
-json point_json(const core::Vec3& p) {
-    return {p.x, p.y, p.z};
-}
-
-core::Vec3 read_point(CheckedJson& in, std::string_view name) {
-    const auto point = in.point_if(name);
-    if (!point)
-        in.fault(name, "is missing");
-    return point.value_or(core::Vec3{});
-}
-
-/// Hands `read` the object's own reader; the first fault inside becomes one of `name`.
-template <class Read>
-void read_object(CheckedJson& in, const json& object, std::string_view name, const Read& read) {
-    CheckedJson inside(object);
-    read(inside);
-    if (const auto verdict = inside.verdict(); !verdict)
-        in.fault(name, "is not as it should be: " + verdict.error().message);
-}
 
 json camera_json(const std::optional<CameraPose>& camera) {
     if (!camera)
@@ -55,32 +35,15 @@ unsigned said(const Presence& presence) {
            (presence.selected ? member::selected : 0u);
 }
 
-PresenceUpdate read_presence(CheckedJson& in, const json& parameters, std::size_t rake_points) {
-    PresenceUpdate update;
-    const auto given = [&](const char* name, unsigned bit) {
-        if (!parameters.is_object() || !parameters.contains(name))
-            return false;
-        update.given |= bit;
-        return in.has(name);
-    };
-    if (given("pointer", member::pointer))
-        update.values.pointer = in.point_if("pointer");
-    if (given("camera", member::camera))
-        read_object(in, parameters["camera"], "camera", [&](CheckedJson& camera) {
-            CameraPose pose{read_point(camera, "position"), read_point(camera, "target"),
-                            read_point(camera, "up"), camera.number_if("fov", 1.0, 179.0)};
-            update.values.camera = pose;
-        });
-    if (given("dragging", member::dragging))
-        read_object(in, parameters["dragging"], "dragging", [&](CheckedJson& dragging) {
-            DraggedRake rake{dragging.text("rake", 64), {}};
-            if (dragging.has("points"))
-                rake.points = dragging.points("points", rake_points);
-            update.values.dragging = std::move(rake);
-        });
-    if (given("selected", member::selected))
-        update.values.selected = in.text("selected", 64);
-    return update;
+PresenceChange change_of(const PresenceUpdate& update) {
+    PresenceChange change;
+    change.values = {update.pointer.value, update.camera.value, update.dragging.value,
+                     update.selected.value};
+    change.given = (update.pointer.given ? member::pointer : 0u) |
+                   (update.camera.given ? member::camera : 0u) |
+                   (update.dragging.given ? member::dragging : 0u) |
+                   (update.selected.given ? member::selected : 0u);
+    return change;
 }
 
 json participant_json(const ParticipantRecord& record, unsigned members) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/vec3.hpp"
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/generated/presence.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -14,23 +14,6 @@
 #include <vector>
 
 namespace wakesurf::protocol {
-
-struct CameraPose {
-    core::Vec3 position;
-    core::Vec3 target;
-    core::Vec3 up;
-    std::optional<double> fov; ///< degrees, from top to bottom
-
-    bool operator==(const CameraPose&) const = default;
-};
-
-/// A rake as it is being dragged, before the edit is made.
-struct DraggedRake {
-    std::string rake;
-    std::vector<core::Vec3> points;
-
-    bool operator==(const DraggedRake&) const = default;
-};
 
 struct Presence {
     std::optional<core::Vec3> pointer;
@@ -67,14 +50,13 @@ struct ParticipantRecord {
     Presence presence;
 };
 
-struct PresenceUpdate {
+struct PresenceChange {
     Presence values;
     unsigned given = 0; ///< members; those with null are given and empty
 };
 
-/// Reads pointer, camera, dragging and selected; each may be left out or null. Faults go to `in`.
-PresenceUpdate
-read_presence(CheckedJson& in, const nlohmann::json& parameters, std::size_t rake_points);
+/// What presence.update asks for.
+PresenceChange change_of(const PresenceUpdate& update);
 
 /// `participant`, and those members; what nobody has said yet is null.
 nlohmann::json participant_json(const ParticipantRecord& record, unsigned members);

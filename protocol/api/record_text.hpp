@@ -3,25 +3,17 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "protocol/api/messages_annotation.hpp"
-#include "protocol/api/messages_bookmark.hpp"
-#include "protocol/api/messages_rake.hpp"
-#include "protocol/api/messages_surface.hpp"
-#include "protocol/api/messages_time.hpp"
+#include "protocol/api/generated/annotation.hpp"
+#include "protocol/api/generated/bookmark.hpp"
+#include "protocol/api/generated/rake.hpp"
+#include "protocol/api/generated/surface.hpp"
+#include "protocol/api/generated/time.hpp"
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace wakesurf::protocol {
-
-struct RecordLimits {
-    RakeLimits rake;
-    SurfaceLimits surface;
-    BookmarkLimits bookmark;
-    AnnotationLimits annotation;
-    double clock_speed = 1.0;
-};
 
 /// What a session is besides its records.
 struct SessionHead {
@@ -44,11 +36,11 @@ std::string record_text(const ClockRecord& record);
 std::string record_text(const SessionHead& head);
 
 /// Error: Corrupt, OverLimit. A number comes back with the very same bits.
-core::Result<RakeRecord> parse_rake(std::string_view text, const RecordLimits& limits);
-core::Result<SurfaceRecord> parse_surface(std::string_view text, const RecordLimits& limits);
-core::Result<BookmarkRecord> parse_bookmark(std::string_view text, const RecordLimits& limits);
-core::Result<AnnotationRecord> parse_annotation(std::string_view text, const RecordLimits& limits);
-core::Result<ClockRecord> parse_clock(std::string_view text, const RecordLimits& limits);
+core::Result<RakeRecord> parse_rake(std::string_view text);
+core::Result<SurfaceRecord> parse_surface(std::string_view text);
+core::Result<BookmarkRecord> parse_bookmark(std::string_view text);
+core::Result<AnnotationRecord> parse_annotation(std::string_view text);
+core::Result<ClockRecord> parse_clock(std::string_view text);
 core::Result<SessionHead> parse_session_head(std::string_view text);
 
 } // namespace wakesurf::protocol

@@ -1,6 +1,6 @@
 #include "protocol/api/statistics_json.hpp"
 
-#include "protocol/api/surface_names.hpp"
+#include "protocol/api/generated/names.hpp"
 
 #include <nlohmann/json.hpp>
 

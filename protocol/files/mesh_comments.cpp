@@ -1,6 +1,6 @@
 #include "protocol/files/mesh_comments.hpp"
 
-#include "protocol/api/surface_names.hpp"
+#include "protocol/api/generated/names.hpp"
 #include "protocol/files/number_text.hpp"
 
 #include <cctype>

@@ -1,6 +1,6 @@
 #include "protocol/files/mesh_glb.hpp"
 
-#include "protocol/api/surface_names.hpp"
+#include "protocol/api/generated/names.hpp"
 #include "protocol/files/draco_mesh.hpp"
 #include "protocol/files/mesh_names.hpp"
 #include "protocol/files/mesh_normals.hpp"

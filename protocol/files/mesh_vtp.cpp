@@ -1,6 +1,6 @@
 #include "protocol/files/mesh_vtp.hpp"
 
-#include "protocol/api/surface_names.hpp"
+#include "protocol/api/generated/names.hpp"
 #include "protocol/files/number_text.hpp"
 #include "protocol/files/vtk_inline.hpp"
 

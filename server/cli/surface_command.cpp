@@ -3,9 +3,10 @@
 #include "core/surface/surface_builder.hpp"
 #include "core/surface/surface_request.hpp"
 #include "core/surface/vertex_times.hpp"
+#include "protocol/api/generated/names.hpp"
+#include "protocol/api/generated/surface_options.hpp"
 #include "protocol/api/json_text.hpp"
 #include "protocol/api/statistics_json.hpp"
-#include "protocol/api/surface_names.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "server/catalogue/open_dataset.hpp"
 #include "server/catalogue/surface_scalars.hpp"
@@ -131,7 +132,7 @@ make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop
     const auto dataset = open(options, process.account(), stop);
     if (!dataset)
         return tl::unexpected(dataset.error());
-    if (auto chosen = choose_times(request.parameters, options, dataset->info.times); !chosen)
+    if (auto chosen = choose_times(request, dataset->info.times); !chosen)
         return chosen;
     if (request.parameters.separation == 0.0)
         request.parameters.separation = dataset->info.finest_spacing;
@@ -171,35 +172,18 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         .add_option("DATASET", options.dataset,
                     "A file or folder of simulation results, a store, or flow:NAME[?k=v,...]")
         ->required();
-    command.add_option("--kind", options.kind, "stream, path, streak or time")->required();
     command.add_option("--rake", options.rake, "\"x,y,z x,y,z ...\": a line, or a polyline")
         ->required();
     command.add_option("--seeds", options.seeds, "Initial number of seeds on the rake")
-        ->check(CLI::Range(2, 4096))
+        ->check(CLI::Range(protocol::limits::seeds_least, protocol::limits::seeds_most))
         ->capture_default_str();
-    command.add_option("--from", options.from,
-                       "Time of the frozen field (stream), of release (path, time) or of the first "
-                       "release (streak)");
-    command.add_option("--to", options.to,
-                       "Last time shown; --to minus --from is the integration time");
-    command.add_option("--separation", options.separation,
-                       "Longest edge (default: the finest spacing)");
-    command.add_option("--accuracy", options.accuracy, "fast, balanced or exact")
-        ->capture_default_str();
-    command.add_option("--direction", options.direction, "forward, backward or both")
-        ->capture_default_str();
-    command.add_option("--release-until", options.release_until,
-                       "Streak: time at which the release stops (default: --to)");
-    command.add_option("--rake2", options.rake2, "Time: the patch lies between --rake and this");
-    command.add_option("--sweep", options.sweep, "Time: or the patch is --rake swept along x,y,z");
-    command
-        .add_option("--merge", options.merge,
-                    "Merge cells smaller than this fraction of the separation, 0 to 0.5")
-        ->capture_default_str();
-    command
-        .add_option("--angle", options.angle,
-                    "Refine cells that meet at more than this angle, in degrees")
-        ->capture_default_str();
+    for (const protocol::SurfaceOption& each : protocol::surface_options) {
+        CLI::Option* const option =
+            command.add_option(each.option, options.asked[each.parameter], each.words);
+        option->required(each.required);
+        if (*each.usual != '\0')
+            option->default_str(each.usual);
+    }
     command
         .add_option(
             "--fields", options.fields,

@@ -1,11 +1,18 @@
 #include "server/cli/surface_request.hpp"
 
-#include "protocol/api/surface_names.hpp"
+#include "protocol/api/generated/surface.hpp"
+#include "protocol/api/generated/surface_options.hpp"
+#include "protocol/api/point_json.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "server/cli/rake_text.hpp"
 
+#include <nlohmann/json.hpp>
+
+#include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 
 namespace wakesurf::server {
 
@@ -13,49 +20,77 @@ namespace {
 
 using Code = core::Error::Code;
 
-core::Result<void> check_words(const SurfaceOptions& options, core::SurfaceParameters& out) {
-    const auto kind = protocol::surface_kind(options.kind);
-    const auto accuracy = protocol::accuracy(options.accuracy);
-    const auto direction = protocol::direction(options.direction);
-    if (!kind)
-        return core::fail(Code::InvalidArgument,
-                          "--kind: '" + options.kind + "' is not a kind of surface",
-                          "choose stream, path, streak or time");
-    if (!accuracy)
-        return core::fail(Code::InvalidArgument,
-                          "--accuracy: '" + options.accuracy + "' is not an accuracy",
-                          "choose fast, balanced or exact");
-    if (!direction)
-        return core::fail(Code::InvalidArgument,
-                          "--direction: '" + options.direction + "' is not a direction",
-                          "choose forward, backward or both");
-    out.kind = *kind;
-    out.accuracy = *accuracy;
-    out.direction = *direction;
-    return {};
+/// What the parameters are called here, in a message about them.
+core::Error as_option(core::Error error) {
+    for (const protocol::SurfaceOption& each : protocol::surface_options) {
+        const std::string quoted = "`" + std::string(each.parameter) + "`";
+        for (std::string* text : {&error.message, &error.hint})
+            for (auto at = text->find(quoted); at != std::string::npos; at = text->find(quoted))
+                text->replace(at, quoted.size(), each.option);
+    }
+    return error;
 }
 
-core::Result<void> check_numbers(const SurfaceOptions& options) {
-    const auto refuse = [](const char* what) {
-        return core::fail(Code::InvalidArgument, std::string(what) + " is not a finite number");
-    };
-    if (options.from && !std::isfinite(*options.from))
-        return refuse("--from");
-    if (options.to && !std::isfinite(*options.to))
-        return refuse("--to");
-    if (!std::isfinite(options.separation))
-        return refuse("--separation");
-    if (options.separation < 0)
-        return core::fail(Code::InvalidArgument, "--separation must not be negative");
-    if (options.release_until && !std::isfinite(*options.release_until))
-        return refuse("--release-until");
-    if (!(options.merge >= 0.0 && options.merge <= 0.5))
-        return core::fail(Code::InvalidArgument, "--merge must be between 0 and 0.5",
-                          "0 never merges cells, 0.35 is the default");
-    if (!(options.angle >= 0.0 && options.angle <= 180.0))
-        return core::fail(Code::InvalidArgument, "--angle must be between 0 and 180 degrees",
-                          "180 never refines by angle, 20 is the default");
-    return {};
+/// A plus sign is no part of a number in JSON, but people write one.
+std::optional<double> number_of(std::string_view text) {
+    if (text.starts_with('+'))
+        text.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    return whole ? std::optional(value) : std::nullopt;
+}
+
+core::Result<nlohmann::json> value_of(const protocol::SurfaceOption& option,
+                                      const std::string& text) {
+    const std::string type = option.type;
+    if (type == "number") {
+        const auto number = number_of(text);
+        if (!number || !std::isfinite(*number))
+            return core::fail(Code::InvalidArgument,
+                              std::string(option.option) + ": '" + text + "' is not a number");
+        return *number;
+    }
+    if (type == "point")
+        return parse_vector(text, option.option).map(protocol::point_json);
+    return text;
+}
+
+bool given(const SurfaceOptions& options, const char* parameter) {
+    const auto found = options.asked.find(parameter);
+    return found != options.asked.end() && !found->second.empty();
+}
+
+/// What surface.set would be asked for. Rakes have their own texts here, and a time that is left out is for the dataset to say.
+core::Result<nlohmann::json> asked_json(const SurfaceOptions& options) {
+    nlohmann::json asked{{"rake", "--rake"}, {"dataset", "DATASET"}, {"to", 0.0}};
+    for (const protocol::SurfaceOption& each : protocol::surface_options) {
+        if (!given(options, each.parameter))
+            continue;
+        auto value = value_of(each, options.asked.at(each.parameter));
+        if (!value)
+            return value;
+        asked[each.parameter] = *std::move(value);
+    }
+    if (asked.contains("rake2"))
+        asked["rake2"] = "--rake2";
+    return asked;
+}
+
+/// Checked by the description of surface.set.
+core::Result<protocol::SurfaceSetting> read_asked(const SurfaceOptions& options) {
+    const auto asked = asked_json(options);
+    if (!asked)
+        return tl::unexpected(asked.error());
+    protocol::CheckedJson in(*asked);
+    protocol::SurfaceSetting setting;
+    read(in, setting);
+    if (auto sound = in.verdict(); !sound)
+        return tl::unexpected(
+            as_option({sound.error().code, sound.error().message, "see wakesurf surface --help"}));
+    if (auto sound = protocol::check_kind(setting); !sound)
+        return tl::unexpected(as_option(sound.error()));
+    return setting;
 }
 
 core::Result<void> check_output(const std::string& output, const char* option, bool mesh) {
@@ -74,59 +109,27 @@ core::Result<void> check_output(const std::string& output, const char* option, b
     return {};
 }
 
-core::Result<void> usage(const std::string& what, const std::string& hint) {
-    return core::fail(Code::InvalidArgument, what, hint);
-}
-
-/// What only streak surfaces and only time surfaces have.
-core::Result<void> check_kind(const SurfaceOptions& options, core::SurfaceKind kind) {
-    const bool time = kind == core::SurfaceKind::Time;
-    if (options.release_until && kind != core::SurfaceKind::Streak)
-        return usage("--release-until belongs to streak surfaces", "use it with --kind streak");
-    if (!options.rake2.empty() && !time)
-        return usage("--rake2 belongs to time surfaces", "use it with --kind time");
-    if (!options.sweep.empty() && !time)
-        return usage("--sweep belongs to time surfaces", "use it with --kind time");
-    if (time && options.rake2.empty() == options.sweep.empty())
-        return usage("--kind time takes one of --rake2 and --sweep",
-                     "as in --rake2 \"0,0,0 0,0,1\" or --sweep 0,1,0");
-    return {};
-}
-
-core::Result<void> read_patch(const SurfaceOptions& options, core::SurfaceParameters& out) {
-    if (!options.rake2.empty()) {
-        auto rake = parse_rake(options.rake2, options.seeds, "--rake2");
-        if (!rake)
-            return tl::unexpected(rake.error());
-        out.rake2 = *std::move(rake);
-    }
-    if (!options.sweep.empty()) {
-        const auto sweep = parse_vector(options.sweep, "--sweep");
-        if (!sweep)
-            return tl::unexpected(sweep.error());
-        if (*sweep == core::Vec3(0.0))
-            return usage("--sweep: '" + options.sweep + "' has no length", "as in --sweep 0,1,0");
-        out.sweep = *sweep;
-    }
-    return {};
-}
-
 } // namespace
 
 core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options) {
+    auto asked = read_asked(options);
+    if (!asked)
+        return tl::unexpected(asked.error());
     SurfaceRequest request;
-    if (auto checked = check_words(options, request.parameters); !checked)
-        return tl::unexpected(checked.error());
-    if (auto checked = check_numbers(options); !checked)
-        return tl::unexpected(checked.error());
-    if (auto checked = check_kind(options, request.parameters.kind); !checked)
-        return tl::unexpected(checked.error());
+    request.parameters = std::move(asked->parameters);
+    request.from = asked->from;
+    if (given(options, "to"))
+        request.to = request.parameters.to;
     auto rake = parse_rake(options.rake, options.seeds);
     if (!rake)
         return tl::unexpected(rake.error());
     request.rake = *std::move(rake);
-    if (auto checked = read_patch(options, request.parameters); !checked)
-        return tl::unexpected(checked.error());
+    if (asked->rake2) {
+        auto second = parse_rake(options.asked.at("rake2"), options.seeds, "--rake2");
+        if (!second)
+            return tl::unexpected(second.error());
+        request.parameters.rake2 = *std::move(second);
+    }
     if (auto checked = check_output(options.output, "-o", true); !checked)
         return tl::unexpected(checked.error());
     if (!options.draco && std::filesystem::path(options.output).extension() == ".drc")
@@ -137,34 +140,28 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
         if (auto checked = check_output(options.stats, "--stats", false); !checked)
             return tl::unexpected(checked.error());
     }
-    request.parameters.separation = options.separation;
-    request.parameters.merge = options.merge;
-    request.parameters.angle = options.angle;
     request.parameters.max_quads = options.max_quads;
     request.parameters.deformation = true;
     return request;
 }
 
-core::Result<void> choose_times(core::SurfaceParameters& parameters,
-                                const SurfaceOptions& options,
-                                const std::vector<double>& times) {
+core::Result<void> choose_times(SurfaceRequest& request, const std::vector<double>& times) {
+    core::SurfaceParameters& parameters = request.parameters;
     const double first = times.empty() ? 0.0 : times.front();
-    parameters.from = options.from.value_or(first);
+    parameters.from = request.from.value_or(first);
     const double last =
         !times.empty() && times.back() > parameters.from ? times.back() : parameters.from + 10;
-    parameters.to = options.to.value_or(last);
+    parameters.to = request.to.value_or(last);
     if (parameters.to <= parameters.from)
         return core::fail(Code::InvalidArgument, "--to " + std::to_string(parameters.to) +
                                                      " is not after --from " +
                                                      std::to_string(parameters.from));
-    parameters.release_until = options.release_until;
-    const double until = options.release_until.value_or(parameters.to);
-    if (!(until > parameters.from) || until > parameters.to)
-        return core::fail(Code::InvalidArgument,
-                          "--release-until " + std::to_string(until) +
-                              " does not lie between --from " + std::to_string(parameters.from) +
-                              " and --to " + std::to_string(parameters.to),
-                          "leave it out to release until --to");
+    protocol::SurfaceSetting whole;
+    whole.parameters = parameters;
+    if (parameters.rake2)
+        whole.rake2 = "--rake2";
+    if (auto sound = protocol::check_rules(whole); !sound)
+        return tl::unexpected(as_option(sound.error()));
     return {};
 }
 

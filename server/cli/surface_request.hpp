@@ -6,6 +6,7 @@
 #include "core/surface/surface_parameters.hpp"
 #include "server/cli/surface_command.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace wakesurf::server {
@@ -14,6 +15,7 @@ struct SurfaceRequest {
     core::Rake rake;
     core::SurfaceParameters
         parameters; ///< `from`, `to` to be filled in where the options leave them open
+    std::optional<double> from, to;
 };
 
 /// Error: InvalidArgument for what can never be right (wrong usage), Unsupported for what wakesurf cannot do,
@@ -23,8 +25,6 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
 /// `from` and `to` where the options leave them open: the first and last time of the data; 10 time units after `from`
 /// where it has only one. Error: InvalidArgument when the two do not follow each other, or the release does not end
 /// between them.
-core::Result<void> choose_times(core::SurfaceParameters& parameters,
-                                const SurfaceOptions& options,
-                                const std::vector<double>& times);
+core::Result<void> choose_times(SurfaceRequest& request, const std::vector<double>& times);
 
 } // namespace wakesurf::server

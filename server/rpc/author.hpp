@@ -1,20 +1,17 @@
 // Who a caller is to a session.
 #pragma once
 
-#include "protocol/api/checked_json.hpp"
 #include "server/rpc/method.hpp"
 #include "server/session/records/author.hpp"
 
+#include <optional>
 #include <string>
 
 namespace wakesurf::server {
 
 /// The participant, if the caller's WebSocket has joined this session; otherwise everybody with the same token or share
 /// link is one author, so that a script over HTTP can undo what it did itself.
-Author author_of(const Call& call, Session& session, std::string gesture = {});
-
-/// Of an edit: reads `gesture`, before the session is read. Empty: left out.
-std::string read_gesture(protocol::CheckedJson& in);
+Author author_of(const Call& call, Session& session, std::optional<std::string> gesture = {});
 
 /// May go before other people's leases.
 bool is_host(const Call& call, const Session& session);

@@ -1,7 +1,6 @@
 // dataset.list, dataset.describe, dataset.open, cache.status, probe.sample.
-#include "protocol/api/checked_json.hpp"
 #include "protocol/api/dataset_json.hpp"
-#include "server/limits.hpp"
+#include "protocol/api/generated/dataset.hpp"
 #include "server/rpc/cache_json.hpp"
 #include "server/rpc/dataset_entry.hpp"
 #include "server/rpc/import_waiters.hpp"
@@ -16,7 +15,6 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -27,12 +25,12 @@ using nlohmann::json;
 
 namespace {
 
-void describe(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const std::string id = in.text("dataset");
-    if (auto verdict = in.verdict(); !verdict)
-        return reply.fault(verdict.error());
-    const auto open = call.context.datasets.open(id);
+void list(const Call& call, const protocol::DatasetList&, Reply reply) {
+    reply.result({{"datasets", call.context.list_datasets()}});
+}
+
+void describe(const Call& call, const protocol::DatasetDescribe& of, Reply reply) {
+    const auto open = call.context.datasets.open(of.dataset);
     if (!open)
         return reply.fault(open.error());
     json out = protocol::dataset_json(open->info);
@@ -74,16 +72,9 @@ void answer_opening(Opening& opening, const core::Result<DatasetStatus>& status)
 }
 
 // A link's viewer may neither begin nor end what costs others so much; waiting costs nothing.
-void open_one(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const std::string id = in.text("dataset");
-    const auto patience = in.count_or("timeoutMs", 0, limits::wait_ms, limits::wait_ms);
-    in.has("workDoneToken"); // read below
-    if (auto verdict = in.verdict(); !verdict)
-        return reply.fault(verdict.error());
-    const auto token = read_work_token(call);
-    if (!token)
-        return reply.fault(token.error());
+void open_one(const Call& call, const protocol::DatasetOpen& of, Reply reply) {
+    const std::string& id = of.dataset;
+    const auto token = work_token(call, of.work_done_token);
     ImportWaiters* const imports = call.context.imports;
     const auto status = imports != nullptr ? imports->status(id)
                                            : core::fail(core::Error::Code::NotFound,
@@ -98,15 +89,15 @@ void open_one(const Call& call, Reply reply) {
     opening->place = std::move(*place);
     if (status->state == DatasetState::Stopped && !editor)
         return answer_opening(*opening, status);
-    if (*token && call.client != nullptr)
-        opening->progress.emplace(call, **token, "opening " + status->name, [imports, id] {
+    if (token && call.client != nullptr)
+        opening->progress.emplace(call, *token, "opening " + status->name, [imports, id] {
             const auto now = imports->status(id);
             return now ? look_at(*now) : json::object();
         });
     // Of a notification nobody hears the answer: it begins an import, but waits for none.
     const bool unheard = call.client != nullptr && !call.stop.stop_possible();
     const std::uint64_t ticket = imports->wait(
-        id, std::chrono::milliseconds(unheard ? 0 : patience),
+        id, std::chrono::milliseconds(unheard ? 0 : of.timeout_ms),
         [opening](const core::Result<DatasetStatus>& now) { answer_opening(*opening, now); });
     if (ticket == 0)
         return;
@@ -117,17 +108,13 @@ void open_one(const Call& call, Reply reply) {
     });
 }
 
-void cache_status(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const std::string id = in.text("dataset");
-    if (auto verdict = in.verdict(); !verdict)
-        return reply.fault(verdict.error());
-    const auto open = call.context.datasets.open(id);
+void cache_status(const Call& call, const protocol::CacheStatus& of, Reply reply) {
+    const auto open = call.context.datasets.open(of.dataset);
     if (!open)
         return reply.fault(open.error());
     // A built-in flow has no time-steps, so none of them is anywhere.
-    reply.result(
-        cache_json(id, open->cache ? open->cache->status() : core::TimeStepCache::Status()));
+    reply.result(cache_json(of.dataset,
+                            open->cache ? open->cache->status() : core::TimeStepCache::Status()));
 }
 
 json field_values(const ProbeField& field) {
@@ -139,17 +126,12 @@ json field_values(const ProbeField& field) {
     return values;
 }
 
-void probe_sample(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const std::string id = in.text("dataset");
+void probe_sample(const Call& call, const protocol::ProbeSample& of, Reply reply) {
     ProbeRequest request;
-    request.points = in.points("points", limits::probe_points);
-    request.time = in.number("time", std::numeric_limits<double>::lowest(),
-                             std::numeric_limits<double>::max());
-    request.fields = in.texts_or_none("fields", limits::probe_fields);
-    if (auto verdict = in.verdict(); !verdict)
-        return reply.fault(verdict.error());
-    auto open = call.context.datasets.open(id);
+    request.points = of.points;
+    request.time = of.time;
+    request.fields = of.fields;
+    auto open = call.context.datasets.open(of.dataset);
     if (!open)
         return reply.fault(open.error());
     auto place = take(call, Use::Probe);
@@ -171,65 +153,8 @@ void probe_sample(const Call& call, Reply reply) {
 } // namespace
 
 std::vector<Method> dataset_methods() {
-    const Parameter dataset{"dataset", R"({"type":"string"})", true, "an id from dataset.list"};
-    const Parameter patience{
-        "timeoutMs",
-        fmt::format(R"({{"type":"integer","minimum":0,"maximum":{0},"default":{0}}})",
-                    limits::wait_ms),
-        false, "left out: as long as may be; 0: no waiting"};
-    const Parameter work_token{"workDoneToken", R"({"type":["string","integer"]})", false,
-                               "on a WebSocket: $/progress with this token tells how far it is"};
-    return {
-        {"dataset.list",
-         "The datasets this server serves.",
-         {},
-         "{datasets: [{dataset, name, state: ready, importing, failed, stopped or incomplete, "
-         "progress?, "
-         "remaining?: "
-         "seconds, steps: {ready, total}, error?}]}",
-         any_viewer,
-         [](const Call& call, Reply reply) {
-             reply.result({{"datasets", call.context.list_datasets()}});
-         }},
-        {"dataset.describe",
-         "Grid, times, fields and lattice of one dataset.",
-         {dataset},
-         "the shape of `wakesurf info --json`, and lattice: {origin, step, bits}, and "
-         "surfaceFields: "
-         "what `fields` of surface.set may name",
-         any_viewer,
-         describe},
-        {"dataset.open",
-         "Answers once a dataset is imported, with an import that was stopped going on where it "
-         "ended. $/cancelRequest ends the waiting, and the import with it when no one else waits; "
-         "a connection that is lost ends no import.",
-         {dataset, patience, work_token},
-         "an entry of dataset.list; its state is importing when timeoutMs ran out, and incomplete, "
-         "with "
-         "an error that says why, where the import ended before the last time-step",
-         any_viewer,
-         open_one},
-        {"cache.status",
-         "Which time-steps of a dataset are in memory.",
-         {dataset},
-         "{dataset, steps: [resident, loading or cold, ...], bytes, budget}; no steps for a "
-         "built-in "
-         "flow",
-         any_viewer,
-         cache_status},
-        {"probe.sample",
-         "Fields at points and one time, interpolated as the surfaces' vertices are.",
-         {dataset,
-          {"points",
-           R"({"type":"array","items":{"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3}})",
-           true, "where"},
-          {"time", R"({"type":"number"})", true, "in the dataset's range"},
-          {"fields", R"({"type":"array","items":{"type":"string"}})", false,
-           "the velocity's name or scalars; left out: the velocity"}},
-         "{values: {field: [number or [x, y, z] or null, ...]}, inside: [in the fluid?, ...]}",
-         any_viewer,
-         probe_sample},
-    };
+    return {method(list), method(describe), method(open_one), method(cache_status),
+            method(probe_sample)};
 }
 
 } // namespace wakesurf::server

@@ -1,11 +1,11 @@
 #include "server/rpc/dispatcher.hpp"
 
 #include "protocol/api/nearest_name.hpp"
+#include "protocol/api/openrpc.hpp"
 #include "server/base/log_text.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/call_log.hpp"
 #include "server/rpc/held_answer.hpp"
-#include "server/rpc/openrpc.hpp"
 #include "server/rpc/permission.hpp"
 
 #include <nlohmann/json.hpp>
@@ -52,11 +52,8 @@ struct Batch {
 };
 
 /// Of all things of this kind, the one somebody may have meant by `name`.
-template <class Things>
-std::string hint(const std::string& name, const Things& things, std::string otherwise) {
-    std::vector<std::string> names;
-    for (const auto& each : things)
-        names.push_back(each.name);
+std::string
+hint(const std::string& name, const std::vector<std::string>& names, std::string otherwise) {
     const std::string meant = protocol::nearest_name(name, names);
     return meant.empty() ? std::move(otherwise) : "did you mean `" + meant + "`?";
 }
@@ -65,8 +62,7 @@ std::optional<RpcFault> unknown_parameter(const Method& method, const json& para
     if (!parameters.is_object())
         return std::nullopt;
     for (const auto& [name, value] : parameters.items()) {
-        const auto same = [&key = name](const Parameter& each) { return each.name == key; };
-        if (std::none_of(method.parameters.begin(), method.parameters.end(), same))
+        if (!method.takes(name))
             return RpcFault{
                 RpcCode::InvalidParameters,
                 "`" + name.substr(0, 64) + "` is not a parameter of " + method.name,
@@ -92,21 +88,24 @@ const json no_parameters = json::object();
 Dispatcher::Dispatcher(std::vector<Method> methods,
                        MethodContext context,
                        protocol::RpcLimits limits)
-    : methods_(std::move(methods)), context_(std::move(context)), limits_(limits) {
-    methods_.push_back(
-        {"rpc.discover",
-         "This document: every method with its parameters.",
-         {},
-         "an OpenRPC document",
-         any_viewer,
-         [this](const Call&, Reply reply) { reply.result(json::parse(document_)); }});
-    document_ = openrpc_document(methods_);
+    : methods_(std::move(methods)), context_(std::move(context)), limits_(limits),
+      document_(protocol::openrpc_document(WAKESURF_VERSION)) {
+    methods_.push_back(described("rpc.discover", [this](const Call&, Reply reply) {
+        reply.result(json::parse(document_));
+    }));
 }
 
 const Method* Dispatcher::find(std::string_view name) const {
     const auto found = std::find_if(methods_.begin(), methods_.end(),
                                     [&](const Method& each) { return each.name == name; });
     return found == methods_.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> Dispatcher::names() const {
+    std::vector<std::string> out;
+    for (const Method& each : methods_)
+        out.push_back(each.name);
+    return out;
 }
 
 void Dispatcher::dispatch(std::string_view text,
@@ -168,7 +167,7 @@ void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, An
     if (method == nullptr)
         return reply.fault({RpcCode::MethodNotFound,
                             "there is no method `" + call.method.substr(0, 64) + "`",
-                            hint(call.method, methods_, "rpc.discover lists the methods"),
+                            hint(call.method, names(), "rpc.discover lists the methods"),
                             {},
                             {}});
     if (method->traits.websocket_only && caller.client == nullptr)

@@ -23,7 +23,7 @@ class Dispatcher {
     using Answer = std::function<void(std::string)>;
     void dispatch(std::string_view text, const Visitor& identity, Client* client, Answer answer);
 
-    /// The OpenRPC document.
+    /// The OpenRPC document, of every method that is described.
     const std::string& document() const { return document_; }
 
   private:
@@ -35,6 +35,7 @@ class Dispatcher {
     void run(const protocol::RpcCall& call, const Caller& caller, bool batched, Answer answer);
     std::optional<protocol::RpcFault> too_fast(bool edits, const Caller& caller);
     const Method* find(std::string_view name) const;
+    std::vector<std::string> names() const;
 
     std::vector<Method> methods_;
     MethodContext context_;

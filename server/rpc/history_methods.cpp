@@ -1,5 +1,5 @@
 // history.undo, history.redo.
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/generated/history.hpp"
 #include "server/rpc/author.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/session_choice.hpp"
@@ -21,9 +21,8 @@ json change_json(const RecordChange& change) {
     return out;
 }
 
-void turn(Turn way, const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const auto session = read_session(in, call);
+void turn(Turn way, const Call& call, const std::optional<std::string>& named, Reply reply) {
+    const auto session = choose_session(call, named);
     if (!session)
         return reply.fault(session.error());
     const TurnResult result = (*session)->turn(way, author_of(call, **session));
@@ -42,26 +41,18 @@ void turn(Turn way, const Call& call, Reply reply) {
     reply.result(out);
 }
 
+void undo(const Call& call, const protocol::HistoryUndo& of, Reply reply) {
+    turn(Turn::Undo, call, of.session, std::move(reply));
+}
+
+void redo(const Call& call, const protocol::HistoryRedo& of, Reply reply) {
+    turn(Turn::Redo, call, of.session, std::move(reply));
+}
+
 } // namespace
 
 std::vector<Method> history_methods() {
-    return {
-        {"history.undo",
-         "Takes back the caller's newest edit, a whole gesture (or drag) at once. Never undoes "
-         "others' work: an "
-         "edit whose records someone else has changed since is skipped, once and for all.",
-         {session_parameter()},
-         "{undone: [{op, type, id, rev?}] or null, skipped: [{type, id, why}], undo, redo, seq}: "
-         "undo and redo are how many more there are",
-         any_editor,
-         [](const Call& call, Reply reply) { turn(Turn::Undo, call, std::move(reply)); }},
-        {"history.redo",
-         "Does the caller's newest undone edit again.",
-         {session_parameter()},
-         "{redone, skipped, undo, redo, seq}, as history.undo",
-         any_editor,
-         [](const Call& call, Reply reply) { turn(Turn::Redo, call, std::move(reply)); }},
-    };
+    return {method(undo), method(redo)};
 }
 
 } // namespace wakesurf::server

@@ -1,7 +1,8 @@
-// A method of the API: what it is called, what it takes, what it gives, and the code behind it. The table of these
-// is the only place a method is named; dispatch, rpc.discover and /openrpc.json follow from it.
+// A method of the API as the dispatcher calls it: its description, which protocol/api has, and the code behind it. The code gets
+// parameters that were checked against the description.
 #pragma once
 
+#include "protocol/api/checked_json.hpp"
 #include "protocol/api/json_rpc.hpp"
 #include "server/base/journal.hpp"
 #include "server/compute/budgets.hpp"
@@ -19,6 +20,8 @@
 #include <memory>
 #include <stop_token>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace wakesurf::server {
@@ -76,36 +79,40 @@ struct Call {
 /// One of a kind, of the caller's budget. Error: OverLimit.
 core::Result<Budgets::Place> take(const Call& call, Use use);
 
-struct Parameter {
-    std::string name;
-    std::string schema; ///< JSON Schema, as text
-    bool required = false;
-    std::string about;
-};
-
 /// Who may call a method, from where, and whether its answer waits for the disk.
 struct MethodTraits {
     Role least = Role::Viewer; ///< the least role in the session that may
     bool websocket_only = false;
-    bool edits = false; ///< changes records that are kept
-    const char* result_schema = R"({"type":"object"})";
+    bool edits = false;        ///< changes records that are kept
     bool whole_server = false; ///< not for share links, which are for one session
 };
 
-inline constexpr MethodTraits any_viewer{};
-inline constexpr MethodTraits websocket_viewer{Role::Viewer, true, false};
-inline constexpr MethodTraits any_editor{Role::Editor, false, true};
-inline constexpr MethodTraits any_host{Role::Host, false, true};
-inline constexpr MethodTraits server_editor{Role::Editor, false, true, R"({"type":"object"})",
-                                            true};
-
 struct Method {
+    using Handler = std::function<void(const Call&, Reply)>;
+
     std::string name;
-    std::string about;
-    std::vector<Parameter> parameters;
-    std::string result; ///< in words
     MethodTraits traits;
-    std::function<void(const Call&, Reply)> handler;
+    std::vector<std::string> parameters; ///< their names
+    Handler handler;
+
+    bool takes(std::string_view parameter) const;
 };
+
+/// The method of this name, as it is described. REQUIRES: there is one.
+Method described(std::string_view name, Method::Handler handler);
+
+/// The method whose parameters these are. `handle` is called only with parameters that keep what the description says; what does
+/// not is answered with the first fault.
+template <class Parameters>
+Method method(void (*handle)(const Call& call, const Parameters& parameters, Reply reply)) {
+    return described(Parameters::method, [handle](const Call& call, Reply reply) {
+        protocol::CheckedJson in(call.parameters);
+        Parameters parameters;
+        read(in, parameters);
+        if (const auto sound = in.verdict(); !sound)
+            return reply.fault(sound.error());
+        handle(call, parameters, std::move(reply));
+    });
+}
 
 } // namespace wakesurf::server

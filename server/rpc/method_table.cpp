@@ -1,9 +1,5 @@
 #include "server/rpc/method_table.hpp"
 
-#include "server/limits.hpp"
-
-#include <fmt/format.h>
-
 #include <iterator>
 
 namespace wakesurf::server {
@@ -18,27 +14,6 @@ std::vector<Method> method_table() {
         std::move(methods.begin(), methods.end(), std::back_inserter(table));
     }
     return table;
-}
-
-Parameter session_parameter() {
-    return {"session", R"({"type":"string"})", false,
-            "may be left out on a WebSocket that has joined one"};
-}
-
-Parameter default_parameter() {
-    return {"default", R"({"type":"boolean","default":false})", false,
-            "true: only if no one has edited the session and there is none yet; it counts as no "
-            "edit, so "
-            "undo does not turn it"};
-}
-
-Parameter gesture_parameter() {
-    return {
-        "gesture",
-        fmt::format(R"({{"type":"string","minLength":1,"maxLength":{}}})", limits::gesture_bytes),
-        false,
-        "a name for what the user does; edits that follow each other with the same one are one "
-        "step of undo"};
 }
 
 } // namespace wakesurf::server

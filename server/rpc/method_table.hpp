@@ -25,13 +25,4 @@ std::vector<Method> time_methods();
 /// All of the above.
 std::vector<Method> method_table();
 
-/// The `session` parameter of every method on a session's records.
-Parameter session_parameter();
-
-/// `default`, of what makes the first records of a session.
-Parameter default_parameter();
-
-/// `gesture`, of edits.
-Parameter gesture_parameter();
-
 } // namespace wakesurf::server

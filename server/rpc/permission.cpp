@@ -2,8 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-
 namespace wakesurf::server {
 
 using protocol::RpcCode;
@@ -18,10 +16,7 @@ RpcFault not_permitted(std::string message, std::string hint) {
 } // namespace
 
 std::string session_of(const Method& method, const Call& call) {
-    const bool about_one =
-        std::any_of(method.parameters.begin(), method.parameters.end(),
-                    [](const Parameter& each) { return each.name == "session"; });
-    if (!about_one)
+    if (!method.takes("session"))
         return {};
     if (const auto named = call.parameters.find("session");
         named != call.parameters.end() && named->is_string() && *named != "")

@@ -1,12 +1,10 @@
 // rake.set, rake.delete, rake.list.
-#include "protocol/api/messages_rake.hpp"
-#include "server/limits.hpp"
+#include "protocol/api/point_json.hpp"
 #include "server/rpc/leased.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/record_handlers.hpp"
 #include "server/rpc/records_json.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace wakesurf::server {
@@ -37,17 +35,12 @@ std::optional<protocol::RpcFault> refusal(Session& session,
     return stale_revision(if_rev, now->rev, protocol::rake_json(*now));
 }
 
-void set(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const auto setting = protocol::read_rake_setting(
-        in, {limits::seeds_least, limits::seeds_most, limits::rake_points, limits::name_bytes});
-    const std::string gesture = read_gesture(in);
-    const bool default_scene = in.flag_or("default", false);
-    const auto session = read_session(in, call);
+void set(const Call& call, const protocol::RakeSetting& setting, Reply reply) {
+    const auto session = choose_session(call, setting.session);
     if (!session)
         return reply.fault(session.error());
-    Author author = author_of(call, **session, gesture);
-    author.default_scene = default_scene;
+    Author author = author_of(call, **session, setting.gesture);
+    author.default_scene = setting.default_scene;
     if (setting.rake)
         if (const auto refused =
                 refusal(**session, *setting.rake, author, setting.if_rev, setting.force, call))
@@ -66,87 +59,26 @@ void set(const Call& call, Reply reply) {
                   {"surfaces", std::move(surfaces)}});
 }
 
-void remove(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const std::string rake = in.text("rake");
-    const auto if_rev = in.count_if("ifRev", 0, protocol::most_rev);
-    const bool force = in.flag_or("force", false);
-    const std::string gesture = read_gesture(in);
-    const auto session = read_session(in, call);
+void remove(const Call& call, const protocol::RakeDelete& of, Reply reply) {
+    const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
-    const Author author = author_of(call, **session, gesture);
-    if (const auto refused = refusal(**session, rake, author, if_rev, force, call))
+    const Author author = author_of(call, **session, of.gesture);
+    if (const auto refused = refusal(**session, of.rake, author, of.if_rev, of.force, call))
         return reply.fault(*refused);
-    if (const auto done = (*session)->delete_rake(rake, author); !done)
+    if (const auto done = (*session)->delete_rake(of.rake, author); !done)
         return reply.fault(done.error());
-    reply.result({{"seq", (*session)->seq()}});
+    reply_with_seq(std::move(reply), **session);
 }
 
-void list(const Call& call, Reply reply) {
-    list_records(call, std::move(reply), "rakes", rakes_json);
+void list(const Call& call, const protocol::RakeList& of, Reply reply) {
+    list_records(call, of.session, std::move(reply), "rakes", rakes_json);
 }
 
 } // namespace
 
 std::vector<Method> rake_methods() {
-    const char* text = R"({"type":"string"})";
-    const char* flag = R"({"type":"boolean"})";
-    const Parameter rake{"rake", text, true, "an id from rake.list"};
-    const Parameter if_rev{"ifRev", R"({"type":"integer"})", false,
-                           "refuse if the rake is at another revision"};
-    return {
-        {"rake.set",
-         "Creates a rake, or replaces one as a whole; the surfaces that hang on it are rebuilt at "
-         "once, unless only its name or colour changes.",
-         {session_parameter(),
-          {"rake", text, false, "left out: create one"},
-          {"kind", R"({"enum":["line","polyline","circle","points"]})", true, "shape of the rake"},
-          {"points",
-           fmt::format(
-               R"({{"type":"array","maxItems":{},"items":{{"type":"array","items":{{"type":"number"}},"minItems":3,"maxItems":3}}}})",
-               limits::rake_points),
-           true,
-           "line: 2; polyline and points: 2 or more; circle: centre and two points of the rim"},
-          {"seeds",
-           fmt::format(R"({{"type":"integer","minimum":{},"maximum":{}}})", limits::seeds_least,
-                       limits::seeds_most),
-           true, "how many seeds lie on it"},
-          {"name", text, false, "for people"},
-          {"colour", R"({"type":"string","pattern":"^#[0-9a-fA-F]{6}$"})", false,
-           "#rrggbb; left out: as it was, of a new rake one that few others have"},
-          {"dragging", flag, false,
-           fmt::format("true: no one else may edit the rake for {} s from now; false: they may "
-                       "again; left out: as it was",
-                       limits::lease.count() / 1000)},
-          {"force", R"({"type":"boolean","default":false})", false,
-           "a host's edit goes before someone else's lease"},
-          default_parameter(),
-          gesture_parameter(),
-          if_rev},
-         "{rake, rev, seq, clipped, points, surfaces: [{surface, epoch}]}: points as clipped to "
-         "the "
-         "domain",
-         any_editor,
-         set},
-        {"rake.delete",
-         "Deletes a rake and the surfaces that hang on it.",
-         {session_parameter(),
-          rake,
-          {"force", R"({"type":"boolean","default":false})", false,
-           "although someone else drags it"},
-          gesture_parameter(),
-          if_rev},
-         "{seq}",
-         any_editor,
-         remove},
-        {"rake.list",
-         "The rakes of a session.",
-         {session_parameter()},
-         "{rakes}",
-         any_viewer,
-         list},
-    };
+    return {method(set), method(remove), method(list)};
 }
 
 } // namespace wakesurf::server

@@ -9,11 +9,11 @@ void reply_with_seq(Reply reply, const Session& session) {
 }
 
 void list_records(const Call& call,
+                  const std::optional<std::string>& named,
                   Reply reply,
                   const char* name,
                   nlohmann::json (*all)(const Session& session)) {
-    protocol::CheckedJson in(call.parameters);
-    const auto session = read_session(in, call);
+    const auto session = choose_session(call, named);
     if (!session)
         return reply.fault(session.error());
     reply.result({{name, all(**session)}});

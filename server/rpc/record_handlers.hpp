@@ -1,7 +1,6 @@
 // What the methods on every type of record share: a list, a deletion, and a setter that may be meant for one revision only.
 #pragma once
 
-#include "protocol/api/checked_json.hpp"
 #include "server/rpc/author.hpp"
 #include "server/rpc/method.hpp"
 #include "server/rpc/session_choice.hpp"
@@ -21,6 +20,7 @@ void reply_with_seq(Reply reply, const Session& session);
 
 /// {NAME: all of them}
 void list_records(const Call& call,
+                  const std::optional<std::string>& session,
                   Reply reply,
                   const char* name,
                   nlohmann::json (*all)(const Session& session));
@@ -41,17 +41,19 @@ struct RecordHandlers {
         return now ? stale_revision(if_rev, now->rev, text(*now)) : std::nullopt;
     }
 
-    void remove(const Call& call, Reply reply) const {
-        protocol::CheckedJson in(call.parameters);
-        const std::string id = in.text(type);
-        const auto if_rev = in.count_if("ifRev", 0, protocol::most_rev);
-        const std::string gesture = read_gesture(in);
-        const auto session = read_session(in, call);
+    /// `parameters`: session, gesture and ifRev, beside the id.
+    template <class Parameters>
+    void remove(const Call& call,
+                const Parameters& parameters,
+                const std::string& id,
+                Reply reply) const {
+        const auto session = choose_session(call, parameters.session);
         if (!session)
             return reply.fault(session.error());
-        if (const auto refused = stale(**session, id, if_rev))
+        if (const auto refused = stale(**session, id, parameters.if_rev))
             return reply.fault(*refused);
-        if (const auto done = ((**session).*erase)(id, author_of(call, **session, gesture)); !done)
+        const Author author = author_of(call, **session, parameters.gesture);
+        if (const auto done = ((**session).*erase)(id, author); !done)
             return reply.fault(done.error());
         reply_with_seq(std::move(reply), **session);
     }

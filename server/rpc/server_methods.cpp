@@ -1,6 +1,8 @@
 // server.info, server.ping, server.stats.
+#include "protocol/api/api_level.hpp"
+#include "protocol/api/generated/limits.hpp"
+#include "protocol/api/generated/server.hpp"
 #include "protocol/files/mesh_file.hpp"
-#include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/stats_json.hpp"
 
@@ -22,43 +24,22 @@ json capabilities() {
     return out;
 }
 
-json info() {
-    return {{"name", "wakesurf"},
-            {"version", WAKESURF_VERSION},
-            {"apiLevel", 3},
-            {"capabilities", capabilities()},
-            {"limits",
-             {{"messageBytes", limits::message_bytes},
-              {"batch", limits::batch},
-              {"depth", limits::message_depth},
-              {"clients", limits::all.sockets},
-              {"callsPerSecond", limits::person.calls},
-              {"editsPerSecond", limits::person.edits},
-              {"sessions", limits::kept_sessions},
-              {"trash", limits::trash},
-              {"thumbnailBytes", limits::thumbnail_bytes},
-              {"participants", limits::participants},
-              {"rakes", limits::rakes},
-              {"rakePoints", limits::rake_points},
-              {"seeds", limits::seeds_most},
-              {"surfaces", limits::surfaces},
-              {"bookmarks", limits::bookmarks},
-              {"annotations", limits::annotations},
-              {"sessionBytes", limits::session_bytes},
-              {"undo", limits::undo_steps},
-              {"shareLinks", limits::grants},
-              {"subscriptions", limits::subscriptions},
-              {"waiters", limits::waiters},
-              {"pendingCalls", limits::pending_calls},
-              {"probes", limits::person.probes},
-              {"sockets", limits::person.sockets},
-              {"downloads", limits::person.downloads},
-              {"quads", limits::quads_most},
-              {"fields", limits::fields},
-              {"waitMs", limits::wait_ms}}}};
+void info(const Call&, const protocol::ServerInfo&, Reply reply) {
+    json limits = json::object();
+    for (const auto& [name, value] : protocol::limits::told)
+        limits[name] = value;
+    reply.result({{"name", "wakesurf"},
+                  {"version", WAKESURF_VERSION},
+                  {"apiLevel", protocol::api_level},
+                  {"capabilities", capabilities()},
+                  {"limits", std::move(limits)}});
 }
 
-void stats(const Call& call, Reply reply) {
+void ping(const Call&, const protocol::ServerPing&, Reply reply) {
+    reply.result(json::object());
+}
+
+void stats(const Call& call, const protocol::ServerStats&, Reply reply) {
     if (call.context.metrics == nullptr || !call.context.standing)
         return reply.fault({protocol::RpcCode::NotFound,
                             "this server counts nothing",
@@ -76,34 +57,7 @@ void stats(const Call& call, Reply reply) {
 } // namespace
 
 std::vector<Method> server_methods() {
-    return {
-        {"server.info",
-         "What this server is, what it offers, and what it grants.",
-         {},
-         "{name, version, apiLevel, capabilities, limits}",
-         any_viewer,
-         [](const Call&, Reply reply) { reply.result(info()); }},
-        {"server.ping",
-         "Answers at once: a client's heartbeat.",
-         {},
-         "{}",
-         any_viewer,
-         [](const Call&, Reply reply) { reply.result(json::object()); }},
-        {"server.stats",
-         "How long each stage from an edit to the socket took in the last minute, in seconds, and "
-         "how the server stands; with a share link how its session does.",
-         {},
-         "{participants, surfaces, uptime, connections, clients, sessions, stages: {queue, load, "
-         "advect, refine, encode, send: "
-         "{p50, p95, p99, count}}, firstFrame, cache: [{dataset, hits, loads, bytes, budget}], "
-         "memory: {rss, peak, budget, used, refused, byUse: {timeSteps, meshes, builds, surfaces, "
-         "rings, "
-         "histories, downloads, importers, records, messages, other}}, messages, "
-         "frames, bytes, keyframes, dropped}; with a share link only participants, surfaces, "
-         "stages and firstFrame",
-         any_viewer,
-         stats},
-    };
+    return {method(info), method(ping), method(stats)};
 }
 
 } // namespace wakesurf::server

@@ -2,12 +2,10 @@
 
 namespace wakesurf::server {
 
-core::Result<std::shared_ptr<Session>> read_session(protocol::CheckedJson& in, const Call& call) {
-    const std::string id = in.text_or("session", {});
-    if (auto verdict = in.verdict(); !verdict)
-        return tl::unexpected(verdict.error());
-    if (!id.empty())
-        return call.context.sessions.find(id);
+core::Result<std::shared_ptr<Session>> choose_session(const Call& call,
+                                                      const std::optional<std::string>& named) {
+    if (named && !named->empty())
+        return call.context.sessions.find(*named);
     if (call.client != nullptr && call.client->session())
         return call.client->session();
     if (!call.identity.session.empty())

@@ -1,15 +1,17 @@
 // Which session a call is about.
 #pragma once
 
-#include "protocol/api/checked_json.hpp"
 #include "server/rpc/method.hpp"
 
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace wakesurf::server {
 
-/// Reads `session`; left out, the one the WebSocket has joined, or the share link is for. Checks at the same time that every parameter read
-/// before was well-formed. Error: InvalidArgument, NotFound.
-core::Result<std::shared_ptr<Session>> read_session(protocol::CheckedJson& in, const Call& call);
+/// The session with the id `named`; without one, the session that the WebSocket has joined, or that the share link is for.
+/// Error: InvalidArgument, NotFound.
+core::Result<std::shared_ptr<Session>> choose_session(const Call& call,
+                                                      const std::optional<std::string>& named);
 
 } // namespace wakesurf::server

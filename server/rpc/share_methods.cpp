@@ -1,11 +1,10 @@
 // session.share, session.shares, session.unshare, session.setRole, session.kick: who may be in a session, and as what. For its
 // hosts.
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/generated/share.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/session_choice.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace wakesurf::server {
@@ -13,13 +12,6 @@ namespace wakesurf::server {
 using nlohmann::json;
 
 namespace {
-
-Role read_role(protocol::CheckedJson& in) {
-    const auto role = role_named(in.text("role"));
-    if (!role)
-        in.fault("role", "must be viewer, editor or host");
-    return role.value_or(Role::Viewer);
-}
 
 json grant_json(const Grant& grant, const Grants& grants) {
     json made_by{{"name", grant.maker}};
@@ -44,12 +36,11 @@ json grants_json(const std::vector<Grant>& list, const Grants& grants) {
 }
 
 /// Nothing: never. Null says so on purpose; left out it is a week, or as long as the maker's own link.
-std::optional<std::chrono::seconds> read_expiry(protocol::CheckedJson& in, const Call& call) {
+std::optional<std::chrono::seconds> lifetime(const protocol::SessionShare& of, const Call& call) {
     using std::chrono::seconds;
-    const auto given = in.count_if("expiresIn", 1, limits::grant_seconds);
-    if (given)
-        return seconds(*given);
-    if (call.parameters.contains("expiresIn"))
+    if (of.expires_in.value)
+        return seconds(*of.expires_in.value);
+    if (of.expires_in.given)
         return std::nullopt;
     const seconds week(limits::grant_seconds_default);
     return std::min(week, call.context.grants.longest_of(call.identity.grant).value_or(week));
@@ -62,15 +53,13 @@ std::string name_of(const Call& call, Session& session) {
     return me != nullptr ? me->name : std::string();
 }
 
-void share(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const Role role = read_role(in);
-    const auto expires_in = read_expiry(in, call);
-    const auto session = read_session(in, call);
+void share(const Call& call, const protocol::SessionShare& of, Reply reply) {
+    const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
-    const auto made = call.context.grants.make((*session)->id(), role, expires_in,
-                                               {call.identity.grant, name_of(call, **session)});
+    const auto made =
+        call.context.grants.make((*session)->id(), *role_named(of.role), lifetime(of, call),
+                                 {call.identity.grant, name_of(call, **session)});
     if (!made)
         return reply.fault(made.error());
     (*session)->made_on_purpose();
@@ -80,29 +69,26 @@ void share(const Call& call, Reply reply) {
     reply.result(out);
 }
 
-void shares(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const auto session = read_session(in, call);
+void shares(const Call& call, const protocol::SessionShares& of, Reply reply) {
+    const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
     const Grants& grants = call.context.grants;
     reply.result({{"shares", grants_json(grants.of((*session)->id()), grants)}});
 }
 
-void unshare(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const std::string grant = in.text("grant");
-    const bool children = in.flag_or("children", false);
-    const auto session = read_session(in, call);
+void unshare(const Call& call, const protocol::SessionUnshare& of, Reply reply) {
+    const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
     Grants& grants = call.context.grants;
-    if (const auto done = grants.revoke((*session)->id(), grant, children); !done)
+    if (const auto done = grants.revoke((*session)->id(), of.grant, of.children); !done)
         return reply.fault(done.error());
-    reply.result({{"children", grants_json(grants.descendants((*session)->id(), grant), grants)}});
+    reply.result(
+        {{"children", grants_json(grants.descendants((*session)->id(), of.grant), grants)}});
 }
 
-/// Whoever has the server's own token is not at the mercy of those who came by a link.
+/// Someone with the server's own token is not at the mercy of those who came by a link.
 std::optional<protocol::RpcFault> out_of_hand(const Participant& place, const Identity& by) {
     if (by.grant.empty() || !place.grant.empty())
         return std::nullopt;
@@ -113,13 +99,14 @@ std::optional<protocol::RpcFault> out_of_hand(const Participant& place, const Id
                               {}};
 }
 
-/// Reads `session`, where the participant is one whom the caller may do something to.
-tl::expected<std::shared_ptr<Session>, protocol::RpcFault>
-read_session_of(const std::string& participant, protocol::CheckedJson& in, const Call& call) {
-    const auto session = read_session(in, call);
+/// The session, where the participant is one whom the caller may do something to.
+template <class Parameters>
+tl::expected<std::shared_ptr<Session>, protocol::RpcFault> session_of(const Parameters& of,
+                                                                      const Call& call) {
+    const auto session = choose_session(call, of.session);
     if (!session)
         return tl::unexpected(protocol::fault_of(session.error()));
-    const auto place = (*session)->participants().find(participant);
+    const auto place = (*session)->participants().find(of.participant);
     if (!place)
         return tl::unexpected(protocol::fault_of(place.error()));
     if (const auto fault = out_of_hand(*place, call.identity))
@@ -127,11 +114,10 @@ read_session_of(const std::string& participant, protocol::CheckedJson& in, const
     return *session;
 }
 
-void set_role(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const std::string id = in.text("participant");
-    const Role role = read_role(in);
-    const auto session = read_session_of(id, in, call);
+void set_role(const Call& call, const protocol::SessionSetRole& to, Reply reply) {
+    const std::string& id = to.participant;
+    const Role role = *role_named(to.role);
+    const auto session = session_of(to, call);
     if (!session)
         return reply.fault(session.error());
     Participants& people = (*session)->participants();
@@ -152,73 +138,18 @@ void set_role(const Call& call, Reply reply) {
     reply.result(out);
 }
 
-void kick(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const std::string id = in.text("participant");
-    const auto session = read_session_of(id, in, call);
+void kick(const Call& call, const protocol::SessionKick& of, Reply reply) {
+    const auto session = session_of(of, call);
     if (!session)
         return reply.fault(session.error());
-    (*session)->participants().remove(id);
+    (*session)->participants().remove(of.participant);
     reply.result(json::object());
 }
 
 } // namespace
 
 std::vector<Method> share_methods() {
-    const char* text = R"({"type":"string"})";
-    const Parameter role{"role", R"({"enum":["viewer","editor","host"]})", true,
-                         "viewers look, editors edit, hosts also say who may be here"};
-    const Parameter participant{"participant", text, true, "an id from session.state"};
-    constexpr MethodTraits host{Role::Host};
-    return {
-        {"session.share",
-         "Makes a link that lets people into this session, in a role, until it expires or is "
-         "taken back. The key is told this once.",
-         {session_parameter(),
-          role,
-          {"expiresIn",
-           fmt::format(R"({{"type":["integer","null"],"minimum":1,"maximum":{}}})",
-                       limits::grant_seconds),
-           false,
-           "seconds from now; left out: 7 days, or as long as the link you came by; null: until it "
-           "is taken back"}},
-         "{grant, key, role, expires?, madeBy: {grant?, name}, children, link}: expires in seconds "
-         "since 1970, link goes behind the page's address",
-         any_host,
-         share},
-        {"session.shares",
-         "The links into this session that are in force, without their keys.",
-         {session_parameter()},
-         "{shares: [{grant, role, expires?, newcomers?, madeBy: {grant?, name}, children}]}",
-         host,
-         shares},
-        {"session.unshare",
-         "Takes a link back; all who came by it are disconnected. Links that were made by it stay, "
-         "unless `children` says otherwise.",
-         {session_parameter(),
-          {"grant", text, true, "an id from session.shares"},
-          {"children", R"({"type":"boolean","default":false})", false,
-           "also those made by it, and by those it made"}},
-         "{children}: the links made by it that are still in force, as in session.shares",
-         any_host,
-         unshare},
-        {"session.setRole",
-         "Sets what a participant may do here, from its next message on. A lesser role than that "
-         "of the link they came by also holds for their other places, for calls without a place, "
-         "and for all others who come by that link from now on.",
-         {session_parameter(), participant, role},
-         "{participant, role, also, newcomers?}: also are the other places of that person, "
-         "newcomers is the role of who comes by that link from now on",
-         any_host,
-         set_role},
-        {"session.kick",
-         "Disconnects a participant, whose place is lost. A link it came by stays good: take that "
-         "back as well.",
-         {session_parameter(), participant},
-         "{}",
-         any_host,
-         kick},
-    };
+    return {method(share), method(shares), method(unshare), method(set_role), method(kick)};
 }
 
 } // namespace wakesurf::server

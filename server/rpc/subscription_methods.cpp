@@ -1,7 +1,7 @@
 // surface.stats, .subscribe, .unsubscribe, frame.ack: what those who look at a surface ask of it.
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/generated/limits.hpp"
+#include "protocol/api/generated/subscription.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
-#include "server/limits.hpp"
 #include "server/rpc/lattice_json.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/outcome_json.hpp"
@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <limits>
+#include <optional>
 
 namespace wakesurf::server {
 
@@ -17,18 +17,15 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
-
-/// Reads `surface` and `session`.
-core::Result<std::shared_ptr<LiveSurface>> read_live(protocol::CheckedJson& in, const Call& call) {
-    const std::string surface = in.text("surface");
-    return read_session(in, call).and_then(
-        [&](const std::shared_ptr<Session>& session) { return session->live(surface); });
+core::Result<std::shared_ptr<LiveSurface>>
+find_live(const Call& call, const std::optional<std::string>& session, const std::string& surface) {
+    return choose_session(call, session).and_then([&](const std::shared_ptr<Session>& found) {
+        return found->live(surface);
+    });
 }
 
-void stats(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const auto live = read_live(in, call);
+void stats(const Call& call, const protocol::SurfaceStats& of, Reply reply) {
+    const auto live = find_live(call, of.session, of.surface);
     if (!live)
         return reply.fault(live.error());
     reply.result(outcome_json((*live)->outcome()));
@@ -42,27 +39,8 @@ protocol::RpcFault no_subscription() {
             {}};
 }
 
-/// Reads `from`, a place among a surface's updates.
-core::Result<std::optional<UpdatePosition>> read_position(protocol::CheckedJson& in,
-                                                          const Call& call) {
-    if (!in.has("from"))
-        return std::nullopt;
-    protocol::CheckedJson position(call.parameters.at("from"));
-    const auto epoch = position.count("epoch", 0, most);
-    const auto seq = position.count("seq", 0, most);
-    return position.verdict().map([&] {
-        return std::optional(
-            UpdatePosition{static_cast<std::uint32_t>(epoch), static_cast<std::uint32_t>(seq)});
-    });
-}
-
-void subscribe(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const std::string surface = in.text("surface");
-    const auto from = read_position(in, call);
-    if (!from)
-        return reply.fault(from.error());
-    const auto live = read_live(in, call);
+void subscribe(const Call& call, const protocol::SurfaceSubscribe& to, Reply reply) {
+    const auto live = find_live(call, to.session, to.surface);
     if (!live)
         return reply.fault(live.error());
     if (call.batched) // frames could overtake the answer that says which surface they are of
@@ -76,13 +54,16 @@ void subscribe(const Call& call, Reply reply) {
         attributes.push_back(each);
     for (const SurfaceField& each : (*live)->wanted().fields)
         attributes.push_back(each.name);
-    FrameCursor cursor = call.client->cursor(surface, **live, *from, call.context.metrics);
+    std::optional<UpdatePosition> from;
+    if (to.from)
+        from = UpdatePosition{to.from->epoch, to.from->seq};
+    FrameCursor cursor = call.client->cursor(to.surface, **live, from, call.context.metrics);
     if (!call.client->may_subscribe((*live)->number()))
         return reply.fault(core::Error{core::Error::Code::OverLimit,
                                        "the connection has as many subscriptions as it may have",
                                        "end some with surface.unsubscribe",
                                        {},
-                                       limits::subscriptions});
+                                       protocol::limits::subscriptions});
     reply.result({{"subscription", (*live)->number()},
                   {"lattice", lattice_json((*live)->wanted().lattice)},
                   {"attributes", std::move(attributes)},
@@ -92,33 +73,25 @@ void subscribe(const Call& call, Reply reply) {
     (*live)->begin_now(); // it may have rested
 }
 
-void unsubscribe(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    std::optional<std::uint64_t> number = in.count_if("subscription", 0, most);
-    if (in.has("surface")) {
-        const auto live = read_live(in, call);
+void unsubscribe(const Call& call, const protocol::SurfaceUnsubscribe& of, Reply reply) {
+    std::optional<std::uint32_t> number = of.subscription;
+    if (of.surface) {
+        const auto live = find_live(call, of.session, *of.surface);
         if (!live)
             return reply.fault(live.error());
         number = (*live)->number();
-    } else if (!number) {
-        in.fault("subscription", "is missing");
     }
-    if (auto verdict = in.verdict(); !verdict)
-        return reply.fault(verdict.error());
-    if (!call.client->unsubscribe(static_cast<std::uint32_t>(*number)))
+    if (!number)
+        return reply.fault(core::Error{core::Error::Code::InvalidArgument,
+                                       "`subscription` is missing",
+                                       "give the number, or name the surface"});
+    if (!call.client->unsubscribe(*number))
         return reply.fault(no_subscription());
     reply.result(json::object());
 }
 
-void acknowledge(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const auto number = static_cast<std::uint32_t>(in.count("subscription", 0, most));
-    const auto epoch = in.count_if("epoch", 0, most);
-    const auto seq = static_cast<std::uint32_t>(in.count("seq", 0, most));
-    if (auto verdict = in.verdict(); !verdict)
-        return reply.fault(verdict.error());
-    const auto of = epoch ? std::optional(static_cast<std::uint32_t>(*epoch)) : std::nullopt;
-    if (!call.client->acknowledge(number, of, seq))
+void acknowledge(const Call& call, const protocol::FrameAck& of, Reply reply) {
+    if (!call.client->acknowledge(of.subscription, of.epoch, of.seq))
         return reply.fault(no_subscription());
     reply.result(json::object());
 }
@@ -126,47 +99,7 @@ void acknowledge(const Call& call, Reply reply) {
 } // namespace
 
 std::vector<Method> subscription_methods() {
-    const char* text = R"({"type":"string"})";
-    const char* whole = R"({"type":"integer","minimum":0})";
-    const Parameter surface{"surface", text, true, "an id from surface.list"};
-    const Parameter session = session_parameter();
-    return {
-        {"surface.stats",
-         "What the newest state of a surface is and took.",
-         {session, surface},
-         "the shape of `--stats`, and surface, epoch, complete, crc",
-         any_viewer,
-         stats},
-        {"surface.subscribe",
-         "Sends the mesh of a surface, now and after every change, as binary frames.",
-         {session,
-          surface,
-          {"from",
-           R"({"type":"object","properties":{"epoch":{"type":"integer"},"seq":{"type":"integer"}},"required":["epoch","seq"]})",
-           false, "the newest update folded before a lost connection: go on after it if possible"}},
-         "{subscription, lattice, attributes, epoch, resumed}: resumed is false when a keyframe "
-         "comes",
-         websocket_viewer,
-         subscribe},
-        {"surface.unsubscribe",
-         "Ends a subscription.",
-         {session,
-          {"subscription", whole, false, "the number, or name the surface"},
-          {"surface", text, false, "instead of the number"}},
-         "{}",
-         websocket_viewer,
-         unsubscribe},
-        {"frame.ack",
-         "Says up to which update a subscription's frames have been folded. Who does so is "
-         "sent at "
-         "most eight updates more than that; meant as a notification.",
-         {{"subscription", whole, true, "the number"},
-          {"epoch", whole, false, "left out: the surface's current one"},
-          {"seq", whole, true, "of the update"}},
-         "{}",
-         websocket_viewer,
-         acknowledge},
-    };
+    return {method(stats), method(subscribe), method(unsubscribe), method(acknowledge)};
 }
 
 } // namespace wakesurf::server

@@ -1,7 +1,5 @@
-// time.set, time.play, time.pause: the clock of a session.
-#include "protocol/api/checked_json.hpp"
-#include "protocol/api/messages_time.hpp"
-#include "server/limits.hpp"
+// time.set, time.play, time.pause: the clock of a session. It is kept, but no one waits for the disk.
+#include "protocol/api/generated/time.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/session_choice.hpp"
 
@@ -9,28 +7,22 @@
 
 namespace wakesurf::server {
 
-using nlohmann::json;
-
 namespace {
 
 void answer(Session& session, Reply& reply) {
     reply.result({{"clock", protocol::clock_json(session.clock().record())}});
 }
 
-void set(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const auto time = protocol::read_clock_time(in, call.parameters);
-    const auto session = read_session(in, call);
+void set(const Call& call, const protocol::TimeSet& to, Reply reply) {
+    const auto session = choose_session(call, to.session);
     if (!session)
         return reply.fault(session.error());
-    (*session)->clock().set(time);
+    (*session)->clock().set(to.time.value);
     answer(**session, reply);
 }
 
-void play(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const auto setting = protocol::read_play_setting(in, limits::clock_speed);
-    const auto session = read_session(in, call);
+void play(const Call& call, const protocol::PlaySetting& setting, Reply reply) {
+    const auto session = choose_session(call, setting.session);
     if (!session)
         return reply.fault(session.error());
     if (const auto plays = (*session)->clock().play(setting, (*session)->moving_range()); !plays)
@@ -38,9 +30,8 @@ void play(const Call& call, Reply reply) {
     answer(**session, reply);
 }
 
-void pause(const Call& call, Reply reply) {
-    protocol::CheckedJson in(call.parameters);
-    const auto session = read_session(in, call);
+void pause(const Call& call, const protocol::TimePause& of, Reply reply) {
+    const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
     (*session)->clock().pause();
@@ -50,35 +41,7 @@ void pause(const Call& call, Reply reply) {
 } // namespace
 
 std::vector<Method> time_methods() {
-    const char* number = R"({"type":"number"})";
-    const Parameter session = session_parameter();
-    const std::string result = "{clock: {time, playing, speed, loop, from, to}}";
-    // It is kept, but nobody waits for the disk.
-    const MethodTraits editor{Role::Editor, false, false};
-    return {
-        {"time.set",
-         "Jumps to a time: path, streak and time surfaces are shown as they are then, within their "
-         "own "
-         "`from` and `to`.",
-         {session,
-          {"time", R"({"type":["number","null"]})", true,
-           "simulation time; null: no time, surfaces are shown at their end"}},
-         result,
-         editor,
-         set},
-        {"time.play",
-         "Lets the clock run, from where it stands or from the start.",
-         {session,
-          {"speed", R"({"type":"number","exclusiveMinimum":0})", false,
-           "simulation time a second; left out: as before, at first 1"},
-          {"loop", R"({"type":"boolean"})", false, "begin again at the end"},
-          {"from", number, false, "left out: as before, at first where the first surface begins"},
-          {"to", number, false, "left out: as before, at first where the last surface ends"}},
-         result,
-         editor,
-         play},
-        {"time.pause", "Stops the clock where it is.", {session}, result, editor, pause},
-    };
+    return {method(set), method(play), method(pause)};
 }
 
 } // namespace wakesurf::server

@@ -17,17 +17,9 @@ constexpr std::chrono::milliseconds between_reports{100};
 
 } // namespace
 
-core::Result<std::optional<std::string>> read_work_token(const Call& call) {
-    const auto found = call.parameters.find("workDoneToken");
-    if (found == call.parameters.end() || found->is_null())
-        return std::nullopt;
-    if (!(found->is_string() || found->is_number_integer()))
-        return core::fail(core::Error::Code::InvalidArgument,
-                          "`workDoneToken` must be a string or a whole number",
-                          "choose one for each call; $/progress repeats it");
-    if (!call.stop.stop_possible()) // nothing would say that the caller has gone
-        return std::nullopt;
-    return protocol::json_text(*found);
+std::optional<std::string> work_token(const Call& call, const std::optional<std::string>& given) {
+    // Without a way to stop it, nothing would say that the caller has gone.
+    return call.stop.stop_possible() ? given : std::nullopt;
 }
 
 WorkProgress::WorkProgress(const Call& call, std::string token, std::string title, Look look)

@@ -15,9 +15,8 @@
 
 namespace wakesurf::server {
 
-/// A token as its JSON text: a string or a whole number. None of a call that nothing stops when its caller goes: over HTTP,
-/// or a notification. Error: InvalidArgument for anything else.
-core::Result<std::optional<std::string>> read_work_token(const Call& call);
+/// The token that was given, as JSON text. None of a call that nothing stops when its caller goes: over HTTP, or a notification.
+std::optional<std::string> work_token(const Call& call, const std::optional<std::string>& given);
 
 /// Loop thread only. Ends with the answer: destroy it just before. Says nothing once its call was cancelled, and never
 /// touches a client that has gone, because a client stops its calls first.
@@ -26,7 +25,7 @@ class WorkProgress {
     /// What the work would report now, or nothing new. Members of `value` beside `kind`.
     using Look = std::function<nlohmann::json()>;
 
-    /// Tells `begin` at once. REQUIRES: call.client, and a token that read_work_token gave.
+    /// Tells `begin` at once. REQUIRES: call.client, and a token that work_token returned.
     WorkProgress(const Call& call, std::string token, std::string title, Look look);
     /// Tells `end`.
     ~WorkProgress();

@@ -4,7 +4,7 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
-#include "protocol/api/messages_time.hpp"
+#include "protocol/api/generated/time.hpp"
 #include "server/base/loop.hpp"
 
 #include <array>

@@ -48,7 +48,7 @@ class OpenRpcTest(unittest.TestCase):
 
     def test_every_method_says_what_it_answers_and_every_error_is_one_of_the_contract(self):
         for name, method in self.methods.items():
-            self.assertNotEqual(method["result"]["schema"], GENERIC, f"{name}: result_schemas.cpp has nothing about it")
+            self.assertNotEqual(method["result"]["schema"], GENERIC, f"{name} does not say what it answers")
             self.assertTrue(method["summary"], name)
             for each in method["params"]:
                 self.assertTrue(each["description"], f"{name} {each['name']}")

@@ -244,7 +244,7 @@ void Participants::forget(std::deque<Absent>::iterator going) {
         news_.left(gone.place.id);
 }
 
-void Participants::update(const Observer& observer, const protocol::PresenceUpdate& update) {
+void Participants::update(const Observer& observer, const protocol::PresenceChange& update) {
     for (Participant& each : present_) {
         if (each.observer != &observer)
             continue;

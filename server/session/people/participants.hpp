@@ -77,7 +77,7 @@ class Participants {
     void lose(const Observer& observer);
 
     /// New presence, told to the others. Does nothing for who is not in here.
-    void update(const Observer& observer, const protocol::PresenceUpdate& update);
+    void update(const Observer& observer, const protocol::PresenceChange& update);
 
     /// Sets somebody's role, which stays with the place. REQUIRES: find(id).
     void set_role(const std::string& id, Role role);

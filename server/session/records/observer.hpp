@@ -4,7 +4,7 @@
 
 #include "core/base/result.hpp"
 #include "core/surface/surface_statistics.hpp"
-#include "protocol/api/messages_time.hpp"
+#include "protocol/api/generated/time.hpp"
 #include "protocol/wire/mesh_stream.hpp"
 #include "server/compute/pass_seconds.hpp"
 #include "server/session/records/session_records.hpp"

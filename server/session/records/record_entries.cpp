@@ -1,7 +1,5 @@
 #include "server/session/records/record_entries.hpp"
 
-#include "server/limits.hpp"
-#include "server/session/records/surface_rules.hpp"
 #include "server/session/records/thumbnail.hpp"
 
 #include <algorithm>
@@ -14,34 +12,27 @@ using core::Error;
 
 namespace {
 
-constexpr protocol::RecordLimits record_limits{
-    {limits::seeds_least, limits::seeds_most, limits::rake_points, limits::name_bytes},
-    {limits::quads_default, limits::quads_most},
-    {limits::name_bytes, limits::view_bytes},
-    {limits::annotation_bytes, limits::name_bytes},
-    limits::clock_speed};
-
 core::Result<Record> parse(RecordType type, const std::string& text) {
     const auto wide = [](auto record) { return Record(std::move(record)); };
     switch (type) {
     case RecordType::Surface:
-        return protocol::parse_surface(text, record_limits).map(wide);
+        return protocol::parse_surface(text).map(wide);
     case RecordType::Bookmark:
-        return protocol::parse_bookmark(text, record_limits).map(wide);
+        return protocol::parse_bookmark(text).map(wide);
     case RecordType::Annotation:
-        return protocol::parse_annotation(text, record_limits).map(wide);
+        return protocol::parse_annotation(text).map(wide);
     case RecordType::Rake:
         break;
     }
-    return protocol::parse_rake(text, record_limits).map(wide);
+    return protocol::parse_rake(text).map(wide);
 }
 
-core::Result<void> check_kind_of(const protocol::SurfaceRecord& record) {
+core::Result<void> check_rules_of(const protocol::SurfaceRecord& record) {
     protocol::SurfaceSetting setting;
     setting.rake = record.rake;
     setting.rake2 = record.rake2;
     setting.parameters = record.parameters;
-    return check_kind(setting);
+    return protocol::check_rules(setting);
 }
 
 /// As it is read back: a lease is not kept.
@@ -85,7 +76,7 @@ void take_head(const JournalEntry& entry, KeptRecords& into) {
 }
 
 void take_clock(const JournalEntry& entry, KeptRecords& into) {
-    auto clock = protocol::parse_clock(*entry.record, record_limits);
+    auto clock = protocol::parse_clock(*entry.record);
     if (!clock)
         return refuse(entry, std::move(clock.error()), into);
     into.clock = *clock;
@@ -158,7 +149,7 @@ core::Result<Record> read_record(const RecordKey& key, const std::string& text) 
     if (key_of(*record) != key)
         return core::fail(Error::Code::Corrupt, "the record has another id");
     if (const auto* surface = std::get_if<protocol::SurfaceRecord>(&*record))
-        if (auto sound = check_kind_of(*surface); !sound)
+        if (auto sound = check_rules_of(*surface); !sound)
             return tl::unexpected(sound.error());
     return record;
 }
@@ -176,7 +167,7 @@ core::Result<void> check_record(const Record& record) {
 }
 
 core::Result<void> check_clock(const protocol::ClockRecord& clock) {
-    const auto again = protocol::parse_clock(protocol::record_text(clock), record_limits);
+    const auto again = protocol::parse_clock(protocol::record_text(clock));
     if (again)
         return {};
     return core::fail(Error::Code::InvalidArgument, again.error().message,

@@ -140,7 +140,7 @@ std::vector<Record> SessionRecords::list() const {
 std::vector<std::string> SessionRecords::hanging_on(const std::string& rake) const {
     std::vector<std::string> out;
     for (const auto& [id, surface] : all<protocol::SurfaceRecord>())
-        if (surface.hangs_on(rake))
+        if (surface.rake == rake || surface.rake2 == rake)
             out.push_back(id);
     return out;
 }
@@ -192,7 +192,7 @@ std::uint64_t SessionRecords::number_of(const RecordKey& key) {
     if (key.id.size() < 2 || key.id[0] != letter(key.type) || key.id[1] == '0')
         return 0;
     const auto [stopped, error] = std::from_chars(key.id.data() + 1, end, number);
-    return error == std::errc{} && stopped == end && number < protocol::most_rev ? number : 0;
+    return error == std::errc{} && stopped == end && number < protocol::most_whole ? number : 0;
 }
 
 } // namespace wakesurf::server

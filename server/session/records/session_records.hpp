@@ -2,10 +2,10 @@
 // found, put and taken away by its key, so that undo, the journal and restoring need to know no kind.
 #pragma once
 
-#include "protocol/api/messages_annotation.hpp"
-#include "protocol/api/messages_bookmark.hpp"
-#include "protocol/api/messages_rake.hpp"
-#include "protocol/api/messages_surface.hpp"
+#include "protocol/api/generated/annotation.hpp"
+#include "protocol/api/generated/bookmark.hpp"
+#include "protocol/api/generated/rake.hpp"
+#include "protocol/api/generated/surface.hpp"
 
 #include <array>
 #include <cstdint>

@@ -25,18 +25,16 @@ void run(Input input) {
     const std::string_view text = text_of(input);
     if (!protocol::parse_json(text, {.bytes = std::size_t{1} << 20, .depth = 64}))
         return; // no reader takes it: all begin with this one
-    const protocol::RecordLimits limits;
     const auto write = [](const auto& record) { return protocol::record_text(record); };
     const auto check = [&](auto parse) {
-        check_twin(parse(text, limits), write,
-                   [&](const std::string& again) { return parse(again, limits); });
+        check_twin(parse(text), write, [&](const std::string& again) { return parse(again); });
     };
-    check([](auto t, auto& l) { return protocol::parse_rake(t, l); });
-    check([](auto t, auto& l) { return protocol::parse_surface(t, l); });
-    check([](auto t, auto& l) { return protocol::parse_bookmark(t, l); });
-    check([](auto t, auto& l) { return protocol::parse_annotation(t, l); });
-    check([](auto t, auto& l) { return protocol::parse_clock(t, l); });
-    check([](auto t, auto&) { return protocol::parse_session_head(t); });
+    check([](auto t) { return protocol::parse_rake(t); });
+    check([](auto t) { return protocol::parse_surface(t); });
+    check([](auto t) { return protocol::parse_bookmark(t); });
+    check([](auto t) { return protocol::parse_annotation(t); });
+    check([](auto t) { return protocol::parse_clock(t); });
+    check([](auto t) { return protocol::parse_session_head(t); });
     check_twin(protocol::read_place(text), protocol::place_text, protocol::read_place);
     check_twin(protocol::read_grant(text), protocol::grant_text, protocol::read_grant);
 }

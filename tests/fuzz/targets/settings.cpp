@@ -1,11 +1,15 @@
 // What edits send: the parameters of a call, read as every kind of setting and as presence.
+#include "protocol/api/generated/annotation.hpp"
+#include "protocol/api/generated/bookmark.hpp"
+#include "protocol/api/generated/dataset.hpp"
+#include "protocol/api/generated/limits.hpp"
+#include "protocol/api/generated/presence.hpp"
+#include "protocol/api/generated/rake.hpp"
+#include "protocol/api/generated/session.hpp"
+#include "protocol/api/generated/subscription.hpp"
+#include "protocol/api/generated/surface.hpp"
+#include "protocol/api/generated/time.hpp"
 #include "protocol/api/json_text.hpp"
-#include "protocol/api/messages_annotation.hpp"
-#include "protocol/api/messages_bookmark.hpp"
-#include "protocol/api/messages_presence.hpp"
-#include "protocol/api/messages_rake.hpp"
-#include "protocol/api/messages_surface.hpp"
-#include "protocol/api/messages_time.hpp"
 #include "tests/fuzz/targets/all.hpp"
 
 #include <nlohmann/json.hpp>
@@ -21,10 +25,11 @@ bool finite(const core::Vec3& point) {
     return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
-template <class Read>
-auto read_as(const nlohmann::json& object, Read read) {
+template <class Parameters>
+std::optional<Parameters> read_as(const nlohmann::json& object) {
     protocol::CheckedJson in(object);
-    auto value = read(in);
+    Parameters value;
+    read(in, value);
     return in.verdict() ? std::optional(std::move(value)) : std::nullopt;
 }
 
@@ -32,25 +37,28 @@ void run(Input input) {
     const auto object = protocol::parse_json(text_of(input), {});
     if (!object || !object->is_object())
         return;
-    const protocol::RakeLimits rakes;
-    if (const auto rake =
-            read_as(*object, [&](auto& in) { return read_rake_setting(in, rakes); })) {
+    namespace limits = protocol::limits;
+    if (const auto rake = read_as<protocol::RakeSetting>(*object)) {
         demand(std::all_of(rake->shape.points.begin(), rake->shape.points.end(), finite),
                "the points of a rake are finite");
-        demand(rake->shape.points.size() <= rakes.points &&
-                   rake->shape.seeds >= rakes.seeds_least && rake->shape.seeds <= rakes.seeds_most,
+        demand(rake->shape.points.size() <= limits::rake_points &&
+                   rake->shape.seeds >= limits::seeds_least &&
+                   rake->shape.seeds <= limits::seeds_most,
                "a rake is within its limits");
     }
-    if (const auto surface =
-            read_as(*object, [](auto& in) { return protocol::read_surface_setting(in, {}); }))
+    if (const auto surface = read_as<protocol::SurfaceSetting>(*object))
         demand(std::isfinite(surface->parameters.separation) &&
-                   std::isfinite(surface->parameters.from) && std::isfinite(surface->parameters.to),
+                   std::isfinite(surface->from.value_or(0.0)) &&
+                   std::isfinite(surface->parameters.to),
                "the numbers of a surface are finite");
-    read_as(*object, [](auto& in) { return protocol::read_bookmark_setting(in, {}); });
-    read_as(*object, [](auto& in) { return protocol::read_annotation_setting(in, {}); });
-    read_as(*object, [](auto& in) { return protocol::read_play_setting(in, 1e6); });
-    read_as(*object, [&](auto& in) { return protocol::read_clock_time(in, *object); });
-    read_as(*object, [&](auto& in) { return protocol::read_presence(in, *object, 64); });
+    read_as<protocol::BookmarkSetting>(*object);
+    read_as<protocol::AnnotationSetting>(*object);
+    read_as<protocol::PlaySetting>(*object);
+    read_as<protocol::TimeSet>(*object);
+    read_as<protocol::PresenceUpdate>(*object);
+    read_as<protocol::SurfaceSubscribe>(*object);
+    read_as<protocol::SessionJoin>(*object);
+    read_as<protocol::DatasetOpen>(*object);
 }
 
 std::vector<std::string> seeds() {

@@ -60,18 +60,18 @@ TEST(RecordText, EveryRecordComesBackWithTheSameBits) {
     std::mt19937_64 random(1);
     for (int i = 0; i < 500; ++i) {
         const RakeRecord rake = some_rake(random);
-        const auto rake_again = parse_rake(record_text(rake), {});
+        const auto rake_again = parse_rake(record_text(rake));
         ASSERT_TRUE(rake_again) << rake_again.error().message;
         EXPECT_EQ(*rake_again, rake);
         const SurfaceRecord surface = some_surface(random);
-        const auto surface_again = parse_surface(record_text(surface), {});
+        const auto surface_again = parse_surface(record_text(surface));
         ASSERT_TRUE(surface_again) << surface_again.error().message;
         EXPECT_EQ(*surface_again, surface);
     }
     const BookmarkRecord bookmark{"b1", 3, "my view", R"({"camera":{"eye":[1.5,2,3]}})", 0.1};
-    EXPECT_EQ(*parse_bookmark(record_text(bookmark), {}), bookmark);
+    EXPECT_EQ(*parse_bookmark(record_text(bookmark)), bookmark);
     const AnnotationRecord annotation{"a1", 9, "one\ntwo\t\xc3\xa9", {0.1, 2, 3}, "Ada", "s3"};
-    EXPECT_EQ(*parse_annotation(record_text(annotation), {}), annotation);
+    EXPECT_EQ(*parse_annotation(record_text(annotation)), annotation);
     const SessionHead head{"a name", 1234, 5, 6, 7, 8};
     EXPECT_EQ(*parse_session_head(record_text(head)), head);
 }
@@ -81,8 +81,7 @@ TEST(RecordText, ARakeFromBeforeRakesHadColoursIsReadAndAWrongColourIsNot) {
         return parse_rake(
             R"({"rake":"r1","rev":3,"kind":"line","points":[[0,0,0],[1,0,0]],"seeds":8,)"
             R"("name":"r1","clipped":false)" +
-                more + "}",
-            {});
+            more + "}");
     };
     ASSERT_TRUE(rake(""));
     EXPECT_EQ(rake("")->colour, "");
@@ -96,7 +95,7 @@ TEST(RecordText, ASurfaceFromBeforeMayHaveMoreFieldsThanOneIsAskedForWithNow) {
     std::mt19937_64 random(1);
     SurfaceRecord record = some_surface(random);
     record.fields = {"a", "b", "c", "d", "e", "f"};
-    EXPECT_EQ(parse_surface(record_text(record), {}).value(), record);
+    EXPECT_EQ(parse_surface(record_text(record)).value(), record);
 }
 
 TEST(RecordText, ALeaseIsNotKept) {
@@ -104,7 +103,7 @@ TEST(RecordText, ALeaseIsNotKept) {
     RakeRecord record = some_rake(random);
     record.dragging = true;
     record.leased_by = "p1";
-    const auto again = parse_rake(record_text(record), {});
+    const auto again = parse_rake(record_text(record));
     ASSERT_TRUE(again);
     EXPECT_FALSE(again->dragging);
     EXPECT_EQ(again->leased_by, "");
@@ -127,16 +126,16 @@ TEST(RecordText, DamageIsAnErrorOrAnotherSoundRecord) {
         if (random() % 4 == 0)
             text.resize(random() % text.size());
         if (i % 2 == 0) {
-            const auto rake = parse_rake(text, {});
+            const auto rake = parse_rake(text);
             refused += rake ? 0 : 1;
             if (rake) {
-                EXPECT_TRUE(parse_rake(record_text(*rake), {})) << text;
+                EXPECT_TRUE(parse_rake(record_text(*rake))) << text;
             }
         } else {
-            const auto surface = parse_surface(text, {});
+            const auto surface = parse_surface(text);
             refused += surface ? 0 : 1;
             if (surface) {
-                EXPECT_TRUE(parse_surface(record_text(*surface), {})) << text;
+                EXPECT_TRUE(parse_surface(record_text(*surface))) << text;
             }
         }
     }
@@ -159,13 +158,13 @@ TEST(RecordText, RefusesWhatASetterWouldRefuse) {
             R"({"rake":"r1","rev":1,"kind":"knot","points":[[0,0,0],[1,0,0]],"seeds":5})",
             R"({"rake":7,"rev":1,"kind":"line","points":[[0,0,0],[1,0,0]],"seeds":5})",
         })
-        EXPECT_FALSE(parse_rake(text, {})) << text;
+        EXPECT_FALSE(parse_rake(text)) << text;
     const std::string deep = std::string(R"({"bookmark":"b1","rev":1,"name":"n","view":{"a":)") +
                              std::string(100, '[') + std::string(100, ']') + "}}";
-    EXPECT_FALSE(parse_bookmark(deep, {}));
+    EXPECT_FALSE(parse_bookmark(deep));
     const std::string long_view =
         R"({"bookmark":"b1","rev":1,"name":"n","view":{"a":")" + std::string(5000, 'x') + "\"}}";
-    EXPECT_FALSE(parse_bookmark(long_view, {}));
+    EXPECT_FALSE(parse_bookmark(long_view));
 }
 
 } // namespace wakesurf::protocol

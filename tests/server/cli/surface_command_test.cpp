@@ -165,7 +165,7 @@ TEST_F(SurfaceCommand, FailsWithStatusOneWhereTheRequestIsWellFormedButCannotBeD
 }
 
 TEST_F(SurfaceCommand, AnswersWrongUsageWithStatusTwo) {
-    refuses({"--kind", "iso"}, 2, "iso");
+    refuses({"--kind", "iso"}, 2, "--kind");
     refuses({"--rake", "nan,0,0 1,0,0"}, 2, "nan,0,0");
     refuses({"--rake", "0,0 1,0,0"}, 2, "--rake");
     refuses({"--separation", "-1"}, 2, "--separation");
@@ -179,6 +179,7 @@ TEST_F(SurfaceCommand, AnswersWrongUsageWithStatusTwo) {
     refuses({"--merge", "0.8"}, 2, "--merge");
     refuses({"--merge", "nan"}, 2, "--merge");
     refuses({"--angle", "-1"}, 2, "--angle");
+    refuses({"--angle", "0"}, 2, "--angle");
     refuses({"--from", "3"}, 2, "--to 2");
 }
 

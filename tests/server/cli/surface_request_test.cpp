@@ -6,63 +6,66 @@ namespace wakesurf::server {
 
 namespace {
 
-SurfaceOptions times(std::optional<double> from, std::optional<double> to) {
-    SurfaceOptions options;
-    options.from = from;
-    options.to = to;
-    return options;
+SurfaceRequest times(std::optional<double> from, std::optional<double> to) {
+    SurfaceRequest request;
+    request.parameters.kind = core::SurfaceKind::Streak;
+    request.from = from;
+    request.to = to;
+    return request;
 }
 
-core::SurfaceParameters chosen(const SurfaceOptions& options, const std::vector<double>& times) {
-    core::SurfaceParameters parameters;
-    EXPECT_TRUE(choose_times(parameters, options, times));
-    return parameters;
+core::SurfaceParameters chosen(SurfaceRequest request, const std::vector<double>& times) {
+    EXPECT_TRUE(choose_times(request, times));
+    return request.parameters;
 }
 
 } // namespace
 
 TEST(SurfaceRequest, TakesOpenTimesFromTheData) {
-    EXPECT_EQ(chosen({}, {8.5, 9, 16}).from, 8.5);
-    EXPECT_EQ(chosen({}, {8.5, 9, 16}).to, 16);
+    EXPECT_EQ(chosen(times({}, {}), {8.5, 9, 16}).from, 8.5);
+    EXPECT_EQ(chosen(times({}, {}), {8.5, 9, 16}).to, 16);
     EXPECT_EQ(chosen(times(12.0, {}), {8.5, 9, 16}).to, 16);
     EXPECT_EQ(chosen(times(9.0, 9.5), {8.5, 9, 16}).to, 9.5);
 }
 
 TEST(SurfaceRequest, IntegratesForTenTimeUnitsWhereTheDataHasOneTime) {
-    EXPECT_EQ(chosen({}, {}).to, 10);
-    EXPECT_EQ(chosen({}, {3}).from, 3);
-    EXPECT_EQ(chosen({}, {3}).to, 13);
+    EXPECT_EQ(chosen(times({}, {}), {}).to, 10);
+    EXPECT_EQ(chosen(times({}, {}), {3}).from, 3);
+    EXPECT_EQ(chosen(times({}, {}), {3}).to, 13);
     EXPECT_EQ(chosen(times(16.0, {}), {8.5, 16}).to, 26);
 }
 
 TEST(SurfaceRequest, RefusesTimesThatRunBackwards) {
-    core::SurfaceParameters parameters;
-    EXPECT_FALSE(choose_times(parameters, times(3.0, 3.0), {}));
-    EXPECT_FALSE(choose_times(parameters, times({}, -1.0), {0, 1}));
+    auto none = times(3.0, 3.0);
+    EXPECT_FALSE(choose_times(none, {}));
+    auto backwards = times({}, -1.0);
+    EXPECT_FALSE(choose_times(backwards, {0, 1}));
 }
 
 TEST(SurfaceRequest, HasTheReleaseEndBetweenFromAndTo) {
-    auto options = times(1.0, 4.0);
-    EXPECT_FALSE(chosen(options, {}).release_until);
+    auto request = times(1.0, 4.0);
+    EXPECT_FALSE(chosen(request, {}).release_until);
     for (const double until : {1.5, 4.0}) {
-        options.release_until = until;
-        EXPECT_EQ(chosen(options, {}).release_until, until);
+        request.parameters.release_until = until;
+        EXPECT_EQ(chosen(request, {}).release_until, until);
     }
     for (const double until : {0.5, 1.0, 4.5}) {
-        options.release_until = until;
-        core::SurfaceParameters parameters;
-        EXPECT_FALSE(choose_times(parameters, options, {})) << until;
+        request.parameters.release_until = until;
+        const auto refused = choose_times(request, {});
+        ASSERT_FALSE(refused) << until;
+        EXPECT_TRUE(refused.error().message.starts_with("--release-until"))
+            << refused.error().message;
     }
 }
 
 TEST(SurfaceRequest, CarriesEverythingTheEngineIsToKnow) {
-    SurfaceOptions options = times(0.0, 1.0);
-    options.kind = "time";
+    SurfaceOptions options;
+    options.asked = {{"from", "0"}, {"to", "+1e0"}, {"kind", "time"}};
     options.rake = "0,0,0 1,0,0";
-    options.rake2 = "0,1,0 1,1,0 2,1,0";
+    options.asked["rake2"] = "0,1,0 1,1,0 2,1,0";
     options.seeds = 9;
-    options.merge = 0.5;
-    options.angle = 12;
+    options.asked["merge"] = "0.5";
+    options.asked["angle"] = "12";
     options.output = "out.vtp";
     const auto between = check_surface_options(options);
     ASSERT_TRUE(between) << between.error().message;
@@ -72,11 +75,36 @@ TEST(SurfaceRequest, CarriesEverythingTheEngineIsToKnow) {
     EXPECT_EQ(between->parameters.merge, 0.5);
     EXPECT_EQ(between->parameters.angle, 12.0);
     EXPECT_FALSE(between->parameters.sweep);
-    options.rake2.clear();
-    options.sweep = "0,-1,2.5";
+    EXPECT_EQ(between->from, 0.0);
+    EXPECT_EQ(between->to, 1.0);
+    options.asked["rake2"].clear();
+    options.asked["sweep"] = "0,-1,2.5";
     const auto swept = check_surface_options(options);
     ASSERT_TRUE(swept) << swept.error().message;
     EXPECT_EQ(swept->parameters.sweep, core::Vec3(0, -1, 2.5));
+}
+
+TEST(SurfaceRequest, RefusesWhatSurfaceSetRefusesUnderTheNameOfTheOption) {
+    SurfaceOptions options;
+    options.rake = "0,0,0 1,0,0";
+    options.output = "out.vtp";
+    const auto complaint = [&](const char* parameter, const char* text) {
+        SurfaceOptions asked = options;
+        asked.asked = {{"kind", "stream"}};
+        asked.asked[parameter] = text;
+        const auto request = check_surface_options(asked);
+        return request ? std::string() : request.error().message;
+    };
+    EXPECT_EQ(complaint("angle", "0"), "--angle must be a number greater than 0");
+    EXPECT_EQ(complaint("angle", "0.5"), "");
+    EXPECT_EQ(complaint("angle", "181"), "--angle must be a number between 0 and 180");
+    EXPECT_EQ(complaint("merge", "0.6"), "--merge must be a number between 0 and 0.5");
+    EXPECT_EQ(complaint("merge", "much"), "--merge: 'much' is not a number");
+    EXPECT_EQ(complaint("separation", "0"), "--separation must be a number greater than 0");
+    EXPECT_EQ(complaint("kind", "sheet"), "--kind must be stream, path, streak or time");
+    EXPECT_EQ(complaint("sweep", "0,1,0"), "--sweep belongs to time surfaces");
+    EXPECT_EQ(complaint("releaseUntil", "1"), "--release-until belongs to streak surfaces");
+    EXPECT_EQ(complaint("kind", "time"), "a time surface takes one of --rake2 and --sweep");
 }
 
 } // namespace wakesurf::server

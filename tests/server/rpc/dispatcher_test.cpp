@@ -1,4 +1,5 @@
 // The examples of the JSON-RPC 2.0 specification, section 7, all 15 of them, against the methods they assume.
+#include "protocol/api/methods.hpp"
 #include "server/base/log_text.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/dispatcher.hpp"
@@ -10,6 +11,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -41,50 +43,27 @@ std::vector<Method> example_methods() {
             total += each.get<int>();
         reply.result(total);
     };
-    const std::vector<Parameter> terms{{"minuend", "{}", true, ""}, {"subtrahend", "{}", true, ""}};
+    const std::vector<std::string> terms{"minuend", "subtrahend"};
+    constexpr MethodTraits websocket{Role::Viewer, true};
     return {
-        {"subtract", "", terms, "", any_viewer, subtract},
-        {"sum", "", {}, "", any_viewer, sum},
-        {"update",
-         "",
-         {},
-         "",
-         any_viewer,
-         [](const Call&, Reply reply) { reply.result(json::object()); }},
-        {"notify_hello",
-         "",
-         {},
-         "",
-         any_viewer,
-         [](const Call&, Reply reply) { reply.result(json::object()); }},
-        {"notify_sum", "", {}, "", any_viewer, sum},
+        {"subtract", {}, terms, subtract},
+        {"sum", {}, {}, sum},
+        {"update", {}, {}, [](const Call&, Reply reply) { reply.result(json::object()); }},
+        {"notify_hello", {}, {}, [](const Call&, Reply reply) { reply.result(json::object()); }},
+        {"notify_sum", {}, {}, sum},
         {"get_data",
-         "",
          {},
-         "",
-         any_viewer,
+         {},
          [](const Call&, Reply reply) {
              reply.result({"hello", 5});
          }},
-        {"throws",
-         "",
-         {},
-         "",
-         any_viewer,
-         [](const Call&, Reply) { throw std::runtime_error("/secret/path"); }},
+        {"throws", {}, {}, [](const Call&, Reply) { throw std::runtime_error("/secret/path"); }},
         {"tells_much",
-         "",
          {},
-         "",
-         any_viewer,
+         {},
          [](const Call&, Reply reply) { reply.result(std::string(1 << 20, 'x')); }},
-        {"forgets", "", {}, "", any_viewer, [](const Call&, Reply) {}},
-        {"on_socket",
-         "",
-         {},
-         "",
-         websocket_viewer,
-         [](const Call&, Reply reply) { reply.result(1); }},
+        {"forgets", {}, {}, [](const Call&, Reply) {}},
+        {"on_socket", websocket, {}, [](const Call&, Reply reply) { reply.result(1); }},
     };
 }
 
@@ -260,6 +239,16 @@ TEST(MethodTable, NamesEveryMethodOfTheContractOnceAndDocumentsIt) {
           "surface.subscribe", "surface.unsubscribe", "surface.stats"})
         EXPECT_TRUE(methods.contains(name)) << name;
     EXPECT_EQ(methods["surface.subscribe"]["x-websocketOnly"], true);
+}
+
+TEST(MethodTable, HasCodeForEveryMethodThatIsDescribedAndForNoOther) {
+    std::set<std::string> described{};
+    for (const protocol::MethodDescription& each : protocol::described_methods())
+        described.insert(std::string(each.name));
+    std::set<std::string> there{"rpc.discover"}; // the dispatcher's own
+    for (const Method& each : method_table())
+        EXPECT_TRUE(there.insert(each.name).second) << each.name << " twice";
+    EXPECT_EQ(there, described);
 }
 
 TEST_F(DispatcherTest, AnswersNoBatchWithMoreThanAMessageMayHave) {

@@ -139,7 +139,7 @@ TEST(Document, TheClockComesBackStoppedWhereItWas) {
         return once;
     };
     EXPECT_EQ(restored(), before.session->clock().record());
-    ASSERT_TRUE(before.session->clock().play({0.5, true, 1.0, 40.0}, std::nullopt));
+    ASSERT_TRUE(before.session->clock().play({{}, 0.5, true, 1.0, 40.0}, std::nullopt));
     const std::size_t batches = before.journal.batches;
     before.loop.pass(std::chrono::milliseconds(20'700));
     EXPECT_LE(before.journal.batches, batches + 21) << "one a second, not one a tick";

@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 class ClockTest : public testing::Test {
   protected:
     void play(double speed, bool again = false) {
-        ASSERT_TRUE(clock.play({speed, again, {}, {}}, std::array{10.0, 20.0}));
+        ASSERT_TRUE(clock.play({{}, speed, again, {}, {}}, std::array{10.0, 20.0}));
     }
 
     HandClock wall;
@@ -107,10 +107,10 @@ TEST_F(ClockTest, IsToldWhatToPlayOrKnowsItFromTheSurfaces) {
     ASSERT_FALSE(nothing);
     EXPECT_EQ(nothing.error().code, core::Error::Code::InvalidArgument);
     EXPECT_TRUE(told.empty());
-    ASSERT_TRUE(clock.play({{}, {}, 1.0, 2.0}, std::nullopt));
+    ASSERT_TRUE(clock.play({{}, {}, {}, 1.0, 2.0}, std::nullopt));
     ASSERT_TRUE(clock.play({}, std::array{10.0, 20.0}));
     EXPECT_EQ(clock.record().from, 1.0) << "what was said stays";
-    EXPECT_FALSE(clock.play({{}, {}, 3.0, {}}, std::nullopt)) << "3 to 2";
+    EXPECT_FALSE(clock.play({{}, {}, {}, 3.0, {}}, std::nullopt)) << "3 to 2";
 }
 
 } // namespace wakesurf::server

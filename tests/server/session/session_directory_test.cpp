@@ -104,7 +104,7 @@ TEST(SessionDirectory, AClockStopsOnceNobodyIsThereToLook) {
     SessionBench bench;
     Onlooker ada;
     const auto place = bench.session->join({"Ada", "", "", {}}, ada);
-    ASSERT_TRUE(bench.session->clock().play({1.0, true, 0.0, 10.0}, std::nullopt));
+    ASSERT_TRUE(bench.session->clock().play({{}, 1.0, true, 0.0, 10.0}, std::nullopt));
     bench.session->lose(ada);
     bench.loop.pass(5s);
     ASSERT_TRUE(bench.session->join({"", "", place->resume_token, {}}, ada));

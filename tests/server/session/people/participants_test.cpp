@@ -84,8 +84,8 @@ struct ParticipantsTest : testing::Test {
         return protocol::participant_json(record, member::person | protocol::said(record.presence));
     }
 
-    static protocol::PresenceUpdate pointing(double x) {
-        protocol::PresenceUpdate update;
+    static protocol::PresenceChange pointing(double x) {
+        protocol::PresenceChange update;
         update.values.pointer = core::Vec3{x, 0.0, 0.0};
         update.given = member::pointer;
         return update;
@@ -438,7 +438,7 @@ TEST_F(ParticipantsTest, TellsLessOftenWhereManyWouldHaveToBeToldOfMany) {
     loop.advance(seconds(2));
     for (Watcher& each : watchers)
         each.messages.clear();
-    protocol::PresenceUpdate update; // an entry of 1 KB: told every 50 ms, 80 MB a second
+    protocol::PresenceChange update; // an entry of 1 KB: told every 50 ms, 80 MB a second
     update.given = member::dragging;
     update.values.dragging = {"", std::vector<core::Vec3>(limits::presence_points)};
     for (int step = 0; step < 100; ++step) {

@@ -1,0 +1,73 @@
+// Made by protocol/api/generate from annotation.schema.json: do not edit.
+#include "protocol/api/generated/annotation.hpp"
+
+#include "protocol/api/generated/limits.hpp"
+#include "protocol/api/point_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::protocol {
+
+void read(CheckedJson& in, AnnotationRecord& out) {
+    out.annotation = in.text("annotation", 256);
+    if (out.annotation.empty())
+        in.fault("annotation", "must not be empty");
+    out.rev = in.count("rev", 0, 9007199254740992);
+    out.text = in.lines("text", limits::annotation_bytes);
+    out.position = in.point("position");
+    out.author = in.text_or("author", "", limits::name_bytes);
+    if (in.has("surface"))
+        out.surface = in.text("surface", 256);
+}
+
+nlohmann::json annotation_json(const AnnotationRecord& record) {
+    return kept_json(record);
+}
+
+nlohmann::json kept_json(const AnnotationRecord& record) {
+    nlohmann::json out = nlohmann::json::object();
+    out["annotation"] = record.annotation;
+    out["rev"] = record.rev;
+    out["text"] = record.text;
+    out["position"] = point_json(record.position);
+    out["author"] = record.author;
+    if (record.surface)
+        out["surface"] = *record.surface;
+    return out;
+}
+
+void read(CheckedJson& in, AnnotationSetting& out) {
+    if (in.has("session"))
+        out.session = in.text("session", 256);
+    if (in.has("annotation"))
+        out.annotation = in.text("annotation", 256);
+    out.text = in.lines("text", limits::annotation_bytes);
+    out.position = in.point("position");
+    if (in.has("surface"))
+        out.surface = in.text("surface", 256);
+    if (in.has("gesture")) {
+        out.gesture = in.text("gesture", limits::gesture_bytes);
+        if (out.gesture->empty())
+            in.fault("gesture", "must not be empty: leave it out");
+    }
+    out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
+}
+
+void read(CheckedJson& in, AnnotationDelete& out) {
+    if (in.has("session"))
+        out.session = in.text("session", 256);
+    out.annotation = in.text("annotation", 256);
+    if (in.has("gesture")) {
+        out.gesture = in.text("gesture", limits::gesture_bytes);
+        if (out.gesture->empty())
+            in.fault("gesture", "must not be empty: leave it out");
+    }
+    out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
+}
+
+void read(CheckedJson& in, AnnotationList& out) {
+    if (in.has("session"))
+        out.session = in.text("session", 256);
+}
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,102 @@
+// Made by protocol/api/generate from annotation.schema.json: do not edit.
+// Annotations: what methods take, and the record. Readers leave what is wrong in `in`.
+#pragma once
+
+#include "core/base/vec3.hpp"
+#include "protocol/api/checked_json.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace wakesurf::protocol {
+
+/// An annotation as the session keeps it.
+struct AnnotationRecord {
+    /// its id
+    std::string annotation;
+    /// counts the edits of a record
+    std::uint64_t rev = 0;
+    /// of one line or several
+    std::string text;
+    /// where it points to (the dataset's unit of length)
+    core::Vec3 position{0.0};
+    /// the name of the one who made it
+    std::string author;
+    /// the surface it speaks of, which may be gone since
+    std::optional<std::string> surface;
+
+    bool operator==(const AnnotationRecord&) const = default;
+};
+
+void read(CheckedJson& in, AnnotationRecord& out);
+
+nlohmann::json annotation_json(const AnnotationRecord& record);
+
+/// As it is kept: what read() reads.
+nlohmann::json kept_json(const AnnotationRecord& record);
+
+/// Parameters of annotation.set: Creates an annotation, or replaces one as a whole; it keeps the
+/// name of the one who made it.
+struct AnnotationSetting {
+    static constexpr std::string_view method = "annotation.set";
+
+    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
+    /// share link
+    std::optional<std::string> session;
+    /// left out: create one
+    std::optional<std::string> annotation;
+    /// of one line or several
+    std::string text;
+    /// where it points to (the dataset's unit of length)
+    core::Vec3 position{0.0};
+    /// the surface it speaks of, which may be gone since
+    std::optional<std::string> surface;
+    /// a name for what the user does; edits that follow each other with the same one are one step
+    /// of undo
+    std::optional<std::string> gesture;
+    /// refuse the edit if the record is at another revision
+    std::optional<std::uint64_t> if_rev;
+
+    bool operator==(const AnnotationSetting&) const = default;
+};
+
+void read(CheckedJson& in, AnnotationSetting& out);
+
+/// Parameters of annotation.delete: Deletes an annotation.
+struct AnnotationDelete {
+    static constexpr std::string_view method = "annotation.delete";
+
+    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
+    /// share link
+    std::optional<std::string> session;
+    /// an id from annotation.list
+    std::string annotation;
+    /// a name for what the user does; edits that follow each other with the same one are one step
+    /// of undo
+    std::optional<std::string> gesture;
+    /// refuse the edit if the record is at another revision
+    std::optional<std::uint64_t> if_rev;
+
+    bool operator==(const AnnotationDelete&) const = default;
+};
+
+void read(CheckedJson& in, AnnotationDelete& out);
+
+/// Parameters of annotation.list: The annotations of a session.
+struct AnnotationList {
+    static constexpr std::string_view method = "annotation.list";
+
+    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
+    /// share link
+    std::optional<std::string> session;
+
+    bool operator==(const AnnotationList&) const = default;
+};
+
+void read(CheckedJson& in, AnnotationList& out);
+
+} // namespace wakesurf::protocol

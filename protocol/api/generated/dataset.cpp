@@ -1,0 +1,31 @@
+// Made by protocol/api/generate from dataset.schema.json: do not edit.
+#include "protocol/api/generated/dataset.hpp"
+
+#include "protocol/api/generated/limits.hpp"
+
+namespace wakesurf::protocol {
+
+void read(CheckedJson&, DatasetList&) {}
+
+void read(CheckedJson& in, DatasetDescribe& out) {
+    out.dataset = in.text("dataset", 256);
+}
+
+void read(CheckedJson& in, DatasetOpen& out) {
+    out.dataset = in.text("dataset", 256);
+    out.timeout_ms = in.count_or("timeoutMs", 0, limits::wait_ms, limits::wait_ms);
+    out.work_done_token = in.token_if("workDoneToken", true);
+}
+
+void read(CheckedJson& in, CacheStatus& out) {
+    out.dataset = in.text("dataset", 256);
+}
+
+void read(CheckedJson& in, ProbeSample& out) {
+    out.dataset = in.text("dataset", 256);
+    out.points = in.points("points", limits::probe_points);
+    out.time = in.number("time", -any_number, any_number);
+    out.fields = in.texts_or_none("fields", limits::probe_fields);
+}
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,102 @@
+// Made by protocol/api/generate from *.schema.json: do not edit.
+#include "protocol/api/generated/names.hpp"
+
+namespace wakesurf::protocol {
+
+std::string_view name(core::Rake::Kind value) {
+    switch (value) {
+    case core::Rake::Kind::Line:
+        return "line";
+    case core::Rake::Kind::Polyline:
+        return "polyline";
+    case core::Rake::Kind::Circle:
+        return "circle";
+    case core::Rake::Kind::Points:
+        return "points";
+    }
+    return {};
+}
+
+std::optional<core::Rake::Kind> rake_kind(std::string_view word) {
+    if (word == "line")
+        return core::Rake::Kind::Line;
+    if (word == "polyline")
+        return core::Rake::Kind::Polyline;
+    if (word == "circle")
+        return core::Rake::Kind::Circle;
+    if (word == "points")
+        return core::Rake::Kind::Points;
+    return std::nullopt;
+}
+
+std::string_view name(core::SurfaceKind value) {
+    switch (value) {
+    case core::SurfaceKind::Stream:
+        return "stream";
+    case core::SurfaceKind::Path:
+        return "path";
+    case core::SurfaceKind::Streak:
+        return "streak";
+    case core::SurfaceKind::Time:
+        return "time";
+    }
+    return {};
+}
+
+std::optional<core::SurfaceKind> surface_kind(std::string_view word) {
+    if (word == "stream")
+        return core::SurfaceKind::Stream;
+    if (word == "path")
+        return core::SurfaceKind::Path;
+    if (word == "streak")
+        return core::SurfaceKind::Streak;
+    if (word == "time")
+        return core::SurfaceKind::Time;
+    return std::nullopt;
+}
+
+std::string_view name(core::Direction value) {
+    switch (value) {
+    case core::Direction::Forward:
+        return "forward";
+    case core::Direction::Backward:
+        return "backward";
+    case core::Direction::Both:
+        return "both";
+    }
+    return {};
+}
+
+std::optional<core::Direction> direction(std::string_view word) {
+    if (word == "forward")
+        return core::Direction::Forward;
+    if (word == "backward")
+        return core::Direction::Backward;
+    if (word == "both")
+        return core::Direction::Both;
+    return std::nullopt;
+}
+
+std::string_view name(core::Accuracy value) {
+    switch (value) {
+    case core::Accuracy::Fast:
+        return "fast";
+    case core::Accuracy::Balanced:
+        return "balanced";
+    case core::Accuracy::Exact:
+        return "exact";
+    }
+    return {};
+}
+
+std::optional<core::Accuracy> accuracy(std::string_view word) {
+    if (word == "fast")
+        return core::Accuracy::Fast;
+    if (word == "balanced")
+        return core::Accuracy::Balanced;
+    if (word == "exact")
+        return core::Accuracy::Exact;
+    return std::nullopt;
+}
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,41 @@
+// Made by protocol/api/generate from presence.schema.json: do not edit.
+#include "protocol/api/generated/presence.hpp"
+
+#include "protocol/api/generated/limits.hpp"
+
+namespace wakesurf::protocol {
+
+void read(CheckedJson& in, CameraPose& out) {
+    out.position = in.point("position");
+    out.target = in.point("target");
+    out.up = in.point("up");
+    out.fov = in.number_if("fov", 1.0, 179.0);
+}
+
+void read(CheckedJson& in, DraggedRake& out) {
+    out.rake = in.text("rake", 64);
+    if (in.has("points"))
+        out.points = in.points("points", limits::presence_points);
+}
+
+void read(CheckedJson& in, PresenceUpdate& out) {
+    if (in.has("session"))
+        out.session = in.text("session", 256);
+    out.pointer.given = in.given("pointer");
+    out.pointer.value = in.point_if("pointer");
+    out.camera.given = in.given("camera");
+    if (in.has("camera")) {
+        out.camera.value.emplace();
+        in.inside("camera", [&](CheckedJson& inner) { read(inner, *out.camera.value); });
+    }
+    out.dragging.given = in.given("dragging");
+    if (in.has("dragging")) {
+        out.dragging.value.emplace();
+        in.inside("dragging", [&](CheckedJson& inner) { read(inner, *out.dragging.value); });
+    }
+    out.selected.given = in.given("selected");
+    if (in.has("selected"))
+        out.selected.value = in.text("selected", 64);
+}
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,66 @@
+// Made by protocol/api/generate from presence.schema.json: do not edit.
+// Presence: what methods take. Readers leave what is wrong in `in`.
+#pragma once
+
+#include "core/base/vec3.hpp"
+#include "protocol/api/checked_json.hpp"
+#include "protocol/api/nullable.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::protocol {
+
+/// Where someone looks from.
+struct CameraPose {
+    /// of the eye (the dataset's unit of length)
+    core::Vec3 position{0.0};
+    /// what is in the middle of the picture (the dataset's unit of length)
+    core::Vec3 target{0.0};
+    /// points up in the picture (the dataset's unit of length)
+    core::Vec3 up{0.0};
+    /// from top to bottom; left out: orthographic, or unknown (degrees)
+    std::optional<double> fov;
+
+    bool operator==(const CameraPose&) const = default;
+};
+
+void read(CheckedJson& in, CameraPose& out);
+
+/// A rake as it is on its way.
+struct DraggedRake {
+    /// its id
+    std::string rake;
+    /// where it is now
+    std::vector<core::Vec3> points;
+
+    bool operator==(const DraggedRake&) const = default;
+};
+
+void read(CheckedJson& in, DraggedRake& out);
+
+/// Parameters of presence.update: Tells the others what one points at, looks at, drags and has
+/// selected. What is left out stays; null takes it away. Best sent as a notification.
+struct PresenceUpdate {
+    static constexpr std::string_view method = "presence.update";
+
+    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
+    /// share link
+    std::optional<std::string> session;
+    /// what they point at (the dataset's unit of length)
+    Nullable<core::Vec3> pointer;
+    /// where they look from
+    Nullable<CameraPose> camera;
+    /// what they drag
+    Nullable<DraggedRake> dragging;
+    /// id of the record they have selected
+    Nullable<std::string> selected;
+
+    bool operator==(const PresenceUpdate&) const = default;
+};
+
+void read(CheckedJson& in, PresenceUpdate& out);
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,103 @@
+// Made by protocol/api/generate from rake.schema.json: do not edit.
+#include "protocol/api/generated/rake.hpp"
+
+#include "protocol/api/colour_text.hpp"
+#include "protocol/api/generated/limits.hpp"
+#include "protocol/api/generated/names.hpp"
+#include "protocol/api/point_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::protocol {
+
+void read(CheckedJson& in, RakeRecord& out) {
+    out.rake = in.text("rake", 256);
+    if (out.rake.empty())
+        in.fault("rake", "must not be empty");
+    out.rev = in.count("rev", 0, 9007199254740992);
+    if (const auto found = rake_kind(in.text("kind")))
+        out.shape.kind = *found;
+    else
+        in.fault("kind", "must be line, polyline, circle or points");
+    out.shape.points = in.points("points", limits::rake_points);
+    out.shape.seeds =
+        static_cast<std::uint32_t>(in.count("seeds", limits::seeds_least, limits::seeds_most));
+    out.name = in.text_or("name", "", limits::name_bytes);
+    out.colour = in.text_or("colour", "", 256);
+    if (!out.colour.empty() && !is_colour(out.colour))
+        in.fault("colour", "must be written #rrggbb");
+    out.author = in.text_or("author", "", limits::name_bytes);
+    out.clipped = in.flag_or("clipped", false);
+}
+
+nlohmann::json rake_json(const RakeRecord& record) {
+    nlohmann::json out = kept_json(record);
+    out["dragging"] = record.dragging;
+    if (!record.leased_by.empty())
+        out["leasedBy"] = record.leased_by;
+    return out;
+}
+
+nlohmann::json kept_json(const RakeRecord& record) {
+    nlohmann::json out = nlohmann::json::object();
+    out["rake"] = record.rake;
+    out["rev"] = record.rev;
+    out["kind"] = name(record.shape.kind);
+    out["points"] = points_json(record.shape.points);
+    out["seeds"] = record.shape.seeds;
+    out["name"] = record.name;
+    out["colour"] = record.colour;
+    out["author"] = record.author;
+    out["clipped"] = record.clipped;
+    return out;
+}
+
+void read(CheckedJson& in, RakeSetting& out) {
+    if (in.has("session"))
+        out.session = in.text("session", 256);
+    if (in.has("rake"))
+        out.rake = in.text("rake", 256);
+    if (const auto found = rake_kind(in.text("kind")))
+        out.shape.kind = *found;
+    else
+        in.fault("kind", "must be line, polyline, circle or points");
+    out.shape.points = in.points("points", limits::rake_points);
+    out.shape.seeds =
+        static_cast<std::uint32_t>(in.count("seeds", limits::seeds_least, limits::seeds_most));
+    out.name = in.text_or("name", "", limits::name_bytes);
+    if (in.has("colour")) {
+        out.colour = in.text("colour", 256);
+        if (!is_colour(*out.colour))
+            in.fault("colour", "must be written #rrggbb");
+    }
+    if (in.has("dragging"))
+        out.dragging = in.flag_or("dragging", false);
+    out.force = in.flag_or("force", false);
+    out.default_scene = in.flag_or("default", false);
+    if (in.has("gesture")) {
+        out.gesture = in.text("gesture", limits::gesture_bytes);
+        if (out.gesture->empty())
+            in.fault("gesture", "must not be empty: leave it out");
+    }
+    out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
+}
+
+void read(CheckedJson& in, RakeDelete& out) {
+    if (in.has("session"))
+        out.session = in.text("session", 256);
+    out.rake = in.text("rake", 256);
+    out.force = in.flag_or("force", false);
+    if (in.has("gesture")) {
+        out.gesture = in.text("gesture", limits::gesture_bytes);
+        if (out.gesture->empty())
+            in.fault("gesture", "must not be empty: leave it out");
+    }
+    out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
+}
+
+void read(CheckedJson& in, RakeList& out) {
+    if (in.has("session"))
+        out.session = in.text("session", 256);
+}
+
+} // namespace wakesurf::protocol

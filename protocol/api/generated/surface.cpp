@@ -1,0 +1,179 @@
+// Made by protocol/api/generate from surface.schema.json: do not edit.
+#include "protocol/api/generated/surface.hpp"
+
+#include "protocol/api/generated/limits.hpp"
+#include "protocol/api/generated/names.hpp"
+#include "protocol/api/point_json.hpp"
+#include "protocol/api/rules.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::protocol {
+
+void read(CheckedJson& in, SurfaceRecord& out) {
+    out.surface = in.text("surface", 256);
+    if (out.surface.empty())
+        in.fault("surface", "must not be empty");
+    out.rev = in.count("rev", 0, 9007199254740992);
+    out.epoch = static_cast<std::uint32_t>(in.count("epoch", 0, 4294967295));
+    out.rake = in.text("rake", 256);
+    if (in.has("rake2"))
+        out.rake2 = in.text("rake2", 256);
+    out.dataset = in.text("dataset", 256);
+    if (const auto found = surface_kind(in.text("kind")))
+        out.parameters.kind = *found;
+    else
+        in.fault("kind", "must be stream, path, streak or time");
+    if (const auto found = direction(in.text_or("direction", "forward")))
+        out.parameters.direction = *found;
+    else
+        in.fault("direction", "must be forward, backward or both");
+    if (const auto found = accuracy(in.text_or("accuracy", "balanced")))
+        out.parameters.accuracy = *found;
+    else
+        in.fault("accuracy", "must be fast, balanced or exact");
+    out.parameters.to = in.number("to", -3.4028234663852886e+38, 3.4028234663852886e+38);
+    out.parameters.release_until =
+        in.number_if("releaseUntil", -3.4028234663852886e+38, 3.4028234663852886e+38);
+    out.parameters.sweep = in.point_if("sweep");
+    out.parameters.merge = in.number_or("merge", 0.0, 0.5, 0.35);
+    out.parameters.angle = in.number_or("angle", 0.0, 180.0, 20.0);
+    if (in.has("angle") && !(out.parameters.angle > 0.0))
+        in.fault("angle", "must be a number greater than 0");
+    out.parameters.max_quads =
+        in.count_or("maxQuads", 1, limits::quads_most, limits::quads_default);
+    out.parameters.from = in.number("from", -3.4028234663852886e+38, 3.4028234663852886e+38);
+    out.parameters.separation = in.number_or("separation", 0.0, any_number, 0.0);
+    out.fields = in.texts_or_none("fields", 16);
+}
+
+nlohmann::json surface_json(const SurfaceRecord& record) {
+    return kept_json(record);
+}
+
+nlohmann::json kept_json(const SurfaceRecord& record) {
+    nlohmann::json out = nlohmann::json::object();
+    out["surface"] = record.surface;
+    out["rev"] = record.rev;
+    out["epoch"] = record.epoch;
+    out["rake"] = record.rake;
+    if (record.rake2)
+        out["rake2"] = *record.rake2;
+    out["dataset"] = record.dataset;
+    out["kind"] = name(record.parameters.kind);
+    out["direction"] = name(record.parameters.direction);
+    out["accuracy"] = name(record.parameters.accuracy);
+    out["to"] = record.parameters.to;
+    if (record.parameters.release_until)
+        out["releaseUntil"] = *record.parameters.release_until;
+    if (record.parameters.sweep)
+        out["sweep"] = point_json(*record.parameters.sweep);
+    out["merge"] = record.parameters.merge;
+    out["angle"] = record.parameters.angle;
+    out["maxQuads"] = record.parameters.max_quads;
+    out["from"] = record.parameters.from;
+    out["separation"] = record.parameters.separation;
+    out["fields"] = record.fields;
+    return out;
+}
+
+void read(CheckedJson& in, SurfaceSetting& out) {
+    if (in.has("session"))
+        out.session = in.text("session", 256);
+    if (in.has("surface"))
+        out.surface = in.text("surface", 256);
+    out.rake = in.text("rake", 256);
+    if (in.has("rake2"))
+        out.rake2 = in.text("rake2", 256);
+    out.dataset = in.text("dataset", 256);
+    if (const auto found = surface_kind(in.text("kind")))
+        out.parameters.kind = *found;
+    else
+        in.fault("kind", "must be stream, path, streak or time");
+    out.from = in.number_if("from", -3.4028234663852886e+38, 3.4028234663852886e+38);
+    out.parameters.to = in.number("to", -3.4028234663852886e+38, 3.4028234663852886e+38);
+    if (const auto found = direction(in.text_or("direction", "forward")))
+        out.parameters.direction = *found;
+    else
+        in.fault("direction", "must be forward, backward or both");
+    if (const auto found = accuracy(in.text_or("accuracy", "balanced")))
+        out.parameters.accuracy = *found;
+    else
+        in.fault("accuracy", "must be fast, balanced or exact");
+    out.parameters.release_until =
+        in.number_if("releaseUntil", -3.4028234663852886e+38, 3.4028234663852886e+38);
+    out.parameters.sweep = in.point_if("sweep");
+    out.parameters.merge = in.number_or("merge", 0.0, 0.5, 0.35);
+    out.parameters.angle = in.number_or("angle", 0.0, 180.0, 20.0);
+    if (in.has("angle") && !(out.parameters.angle > 0.0))
+        in.fault("angle", "must be a number greater than 0");
+    out.parameters.max_quads =
+        in.count_or("maxQuads", 1, limits::quads_most, limits::quads_default);
+    out.parameters.separation = in.number_or("separation", 0.0, any_number, 0.0);
+    if (in.has("separation") && !(out.parameters.separation > 0.0))
+        in.fault("separation", "must be a number greater than 0");
+    out.fields = in.texts_or_none("fields", limits::fields);
+    out.default_scene = in.flag_or("default", false);
+    if (in.has("gesture")) {
+        out.gesture = in.text("gesture", limits::gesture_bytes);
+        if (out.gesture->empty())
+            in.fault("gesture", "must not be empty: leave it out");
+    }
+    out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
+}
+
+core::Result<void> check_kind(const SurfaceSetting& setting) {
+    if (setting.rake2 && setting.parameters.kind != core::SurfaceKind::Time)
+        return wrong("`rake2` belongs to time surfaces", "leave it out");
+    if (setting.parameters.release_until && setting.parameters.kind != core::SurfaceKind::Streak)
+        return wrong("`releaseUntil` belongs to streak surfaces", "leave it out");
+    if (setting.parameters.sweep && setting.parameters.kind != core::SurfaceKind::Time)
+        return wrong("`sweep` belongs to time surfaces", "leave it out");
+    if (setting.parameters.kind == core::SurfaceKind::Time &&
+        setting.rake2.has_value() == setting.parameters.sweep.has_value())
+        return wrong("a time surface takes one of `rake2` and `sweep`",
+                     "the patch lies between two rakes, or is one swept along a vector");
+    if (setting.rake2 == setting.rake)
+        return wrong("`rake2` is the rake itself", "name another one");
+    if (setting.parameters.sweep == core::Vec3(0.0))
+        return wrong("`sweep` has no length", "give a vector that is not zero");
+    return {};
+}
+
+core::Result<void> check_rules(const SurfaceSetting& setting) {
+    if (auto sound = check_kind(setting); !sound)
+        return sound;
+    if (setting.parameters.release_until &&
+        !between(*setting.parameters.release_until, setting.parameters.from, setting.parameters.to))
+        return wrong(fmt::format("`releaseUntil` {} does not lie between `from` {} and `to` {}",
+                                 *setting.parameters.release_until, setting.parameters.from,
+                                 setting.parameters.to),
+                     "leave it out, or choose a time between them");
+    return {};
+}
+
+void read(CheckedJson& in, SurfaceDelete& out) {
+    if (in.has("session"))
+        out.session = in.text("session", 256);
+    out.surface = in.text("surface", 256);
+    if (in.has("gesture")) {
+        out.gesture = in.text("gesture", limits::gesture_bytes);
+        if (out.gesture->empty())
+            in.fault("gesture", "must not be empty: leave it out");
+    }
+    out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
+}
+
+void read(CheckedJson& in, SurfaceStop& out) {
+    if (in.has("session"))
+        out.session = in.text("session", 256);
+    out.surface = in.text("surface", 256);
+}
+
+void read(CheckedJson& in, SurfaceList& out) {
+    if (in.has("session"))
+        out.session = in.text("session", 256);
+}
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,1 @@
+"""From protocol/api/*.schema.json to everything that says what the API is: see protocol/api/README.md."""

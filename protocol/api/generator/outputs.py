@@ -1,0 +1,75 @@
+"""All outputs, by path from the root of the repository, formatted as the tools of the repository format."""
+import os
+import shutil
+import subprocess
+import tempfile
+
+from . import cpp_table, markdown
+from .cpp import Cpp
+from .schema import FOLDER
+
+ROOT = os.path.dirname(os.path.dirname(FOLDER))
+CPP = "protocol/api/generated"
+
+
+class ToolError(Exception):
+    """A formatter is missing, or refuses what was made."""
+
+
+def clang_format():
+    tool = shutil.which("clang-format") or shutil.which("clang-format-14")
+    if tool is None:
+        raise ToolError("clang-format is missing: see docker/packages.txt")
+    return tool
+
+
+def formatted_cpp(files):
+    """name -> text, all in one run of clang-format."""
+    with tempfile.TemporaryDirectory(dir=os.path.join(ROOT, "protocol")) as folder:
+        for name, text in files.items():
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        done = subprocess.run([clang_format(), "-i", *sorted(files)], cwd=folder, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise ToolError(done.stderr)
+        return {name: text_of(os.path.join(folder, name)) for name in files}
+
+
+def text_of(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def make(api):
+    """path -> text. Error: ToolError."""
+    out = {f"{CPP}/{name}": text for name, text in formatted_cpp(cpp_table.files(api, Cpp(api))).items()}
+    out["docs/api.md"] = markdown.text(api)
+    return out
+
+
+def kept(path):
+    """What is there now, or nothing."""
+    try:
+        return text_of(os.path.join(ROOT, path))
+    except FileNotFoundError:
+        return None
+
+
+def left_over(made):
+    """Files in folders of ours that nothing makes any more."""
+    found = []
+    for folder in (CPP,):
+        full = os.path.join(ROOT, folder)
+        found += [f"{folder}/{name}" for name in sorted(os.listdir(full))] if os.path.isdir(full) else []
+    return [path for path in found if path not in made]
+
+
+def write(path, text):
+    """Nothing: the file goes."""
+    full = os.path.join(ROOT, path)
+    if text is None:
+        os.remove(full)
+        return
+    os.makedirs(os.path.dirname(full), exist_ok=True)
+    with open(full, "w", encoding="utf-8") as file:
+        file.write(text)

@@ -1,0 +1,25 @@
+// What is said of every method of the API beside its parameters: who may call it, and from where.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace wakesurf::protocol {
+
+/// All views have static storage.
+struct MethodDescription {
+    std::string_view name;
+    std::string_view least_role; ///< viewer, editor or host
+    bool websocket_only;
+    bool edits;        ///< changes records that are kept
+    bool whole_server; ///< not for share links, which are for one session
+    std::span<const std::string_view> parameters;
+};
+
+/// In the order of the documents.
+std::span<const MethodDescription> described_methods();
+
+/// Null where there is none of this name.
+const MethodDescription* described_method(std::string_view name);
+
+} // namespace wakesurf::protocol

@@ -1,0 +1,12 @@
+// The description of the API as an OpenRPC document, for rpc.discover and GET /openrpc.json.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace wakesurf::protocol {
+
+/// JSON text. `version` is the program's.
+std::string openrpc_document(std::string_view version);
+
+} // namespace wakesurf::protocol

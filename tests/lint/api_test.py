@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""What is made from protocol/api/*.schema.json is what protocol/api/generate makes of it today.
+
+Needs clang-format and, for TypeScript, prettier. Run it alone with: python3 tests/lint/api_test.py
+"""
+import copy
+import os
+import sys
+import tempfile
+import json
+import unittest
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(ROOT, "protocol", "api"))
+from generator import outputs, schema  # noqa: E402
+
+
+class TheDescription(unittest.TestCase):
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.api = schema.load()
+
+    def test_is_what_all_that_is_made_from_it_says(self):
+        made = outputs.make(self.api)
+        other = [path for path, text in made.items() if outputs.kept(path) != text] + outputs.left_over(made)
+        self.assertEqual(other, [], "run protocol/api/generate")
+
+    def test_makes_no_file_that_is_longer_than_a_file_may_be(self):
+        for path, text in outputs.make(self.api).items():
+            if path.endswith((".cpp", ".hpp", ".ts")):
+                self.assertLessEqual(text.count("\n"), 500, path)
+
+    def test_has_an_example_that_names_only_parameters_there_are(self):
+        for method in self.api.methods:
+            example = method.data.get("x-example", {"params": {}})
+            names = {each.name for each in method.params.fields}
+            self.assertLessEqual(set(example["params"]), names, method.name)
+
+    def test_gives_each_default_within_its_range(self):
+        for method in self.api.methods:
+            for each in method.params.fields:
+                node = each.node
+                if node.kind in ("number", "count") and "default" in node:
+                    self.assertGreaterEqual(node["default"], node.get("minimum", node["default"]), each.name)
+                    self.assertLessEqual(node["default"], node.get("maximum", node["default"]), each.name)
+                if node.kind == "enum" and "default" in node:
+                    self.assertIn(node["default"], node["enum"])
+
+
+class TheLoader(unittest.TestCase):
+    """A mistake in a schema file is a message, not an output."""
+
+    def refused(self, noun, change):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in (*schema.OTHERS, *schema.NOUNS):
+                with open(os.path.join(schema.FOLDER, name + ".schema.json"), encoding="utf-8") as file:
+                    data = json.load(file)
+                if name == noun:
+                    data = copy.deepcopy(data)
+                    change(data)
+                with open(os.path.join(folder, name + ".schema.json"), "w", encoding="utf-8") as file:
+                    json.dump(data, file)
+            with self.assertRaises(schema.SchemaError):
+                schema.load(folder)
+
+    def test_refuses_a_word_that_it_does_not_know(self):
+        self.refused("rake", lambda data: data["$defs"]["RakeKind"].update(minimun=3))
+
+    def test_refuses_a_reference_that_leads_nowhere(self):
+        self.refused("rake", lambda data: data["x-methods"]["rake.list"].update(params={"$ref": "#/$defs/No"}))
+
+    def test_refuses_a_limit_that_there_is_not(self):
+        self.refused("rake", lambda data: data["$defs"]["RakeShape"]["properties"]["seeds"].update({"x-limit": {"maximum": "no"}}))
+
+    def test_refuses_a_member_without_words(self):
+        self.refused("surface", lambda data: data["x-methods"]["surface.set"]["params"]["properties"].update(
+            {"speed": {"type": "number"}}))
+
+    def test_refuses_a_required_member_that_is_not_described(self):
+        self.refused("surface", lambda data: data["x-methods"]["surface.stop"]["params"]["required"].append("no"))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]] + sys.argv[1:])
