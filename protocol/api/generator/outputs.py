@@ -7,9 +7,11 @@ import tempfile
 from . import cpp_table, markdown
 from .cpp import Cpp
 from .schema import FOLDER
+from .typescript import TypeScript
 
 ROOT = os.path.dirname(os.path.dirname(FOLDER))
 CPP = "protocol/api/generated"
+TYPESCRIPT = "web-client/src/protocol/generated"
 
 
 class ToolError(Exception):
@@ -40,9 +42,27 @@ def text_of(path):
         return file.read()
 
 
+def formatted_typescript(files):
+    """name -> text, all in one run of prettier."""
+    web = os.path.join(ROOT, "web-client")
+    tool = os.path.join(web, "node_modules", "prettier", "bin", "prettier.cjs")
+    if shutil.which("node") is None or not os.path.isfile(tool):
+        raise ToolError("prettier is missing: run npm ci in web-client")
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in files.items():
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        command = ["node", tool, "--config", os.path.join(web, ".prettierrc.json"), "--log-level", "warn", "--write", *sorted(files)]
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise ToolError(done.stderr)
+        return {name: text_of(os.path.join(folder, name)) for name in files}
+
+
 def make(api):
     """path -> text. Error: ToolError."""
     out = {f"{CPP}/{name}": text for name, text in formatted_cpp(cpp_table.files(api, Cpp(api))).items()}
+    out.update({f"{TYPESCRIPT}/{name}": text for name, text in formatted_typescript(TypeScript(api).files()).items()})
     out["docs/api.md"] = markdown.text(api)
     return out
 
@@ -58,7 +78,7 @@ def kept(path):
 def left_over(made):
     """Files in folders of ours that nothing makes any more."""
     found = []
-    for folder in (CPP,):
+    for folder in (CPP, TYPESCRIPT):
         full = os.path.join(ROOT, folder)
         found += [f"{folder}/{name}" for name in sorted(os.listdir(full))] if os.path.isdir(full) else []
     return [path for path in found if path not in made]

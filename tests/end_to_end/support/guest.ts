@@ -15,7 +15,7 @@ interface Message {
 export class Guest {
     private readonly socket: WebSocket;
     /** What the page has told of what it drags. */
-    readonly told: ({ rake: string; points: Vec3[] } | null)[] = [];
+    readonly told: ({ rake: string; points?: Vec3[] } | null)[] = [];
     private readonly answers = new Map<number, (answer: { error?: unknown }) => void>();
     private calls = 0;
 

@@ -1,19 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { errorWords } from './records.ts';
 import { readNotification } from './notifications.ts';
+import { sampleRake, sampleSurface } from './testing/sampleRecords.ts';
 
-const rake = {
-    rake: 'r1',
-    rev: 3,
-    kind: 'line',
-    points: [
-        [0, 0, 0],
-        [1, 0, 0],
-    ],
-    seeds: 8,
-    name: 'inlet',
-    clipped: false,
-};
+const rake = sampleRake();
 
 describe('readNotification', () => {
     it('reads patches that put and delete records', () => {
@@ -26,10 +16,11 @@ describe('readNotification', () => {
             session: 'a',
             seq: 4,
             patches,
+            faults: [],
         });
     });
 
-    it('leaves out patches that it cannot trust', () => {
+    it('leaves out patches that it cannot trust, and says why', () => {
         const broken = { ...rake, points: [[0, 0, null]] };
         const patches = [
             { op: 'put', type: 'rake', id: 'r1', record: broken },
@@ -38,7 +29,14 @@ describe('readNotification', () => {
             7,
         ];
         const read = readNotification('session.patched', { session: 'a', seq: 4, patches });
-        expect(read).toMatchObject({ patches: [] });
+        expect(read).toMatchObject({
+            patches: [],
+            faults: [
+                'rake r1.points[0] is not three finite numbers',
+                'rake r1 is neither put nor deleted',
+                'a patch is not an object',
+            ],
+        });
     });
 
     it('keeps what and what to do of the error of a surface', () => {
@@ -79,6 +77,7 @@ describe('readNotification', () => {
             session: 's',
             seq: 1,
             patches: [patches[0], patches[3]],
+            faults: ['clock.speed is not a finite number', 'bookmark b1.bookmark is not a text'],
         });
         expect(readNotification('presence.patched', {})).toBeNull();
         expect(readNotification('cache.patched', {})).toBeNull();
@@ -110,10 +109,7 @@ describe('readNotification', () => {
     });
 
     it('takes streak and time surfaces, and drops records whose parts are not what they say', () => {
-        const record = {
-            ...{ surface: 's1', rake: 'r1', dataset: 'd', kind: 'time', epoch: 2, from: 0, to: 1 },
-            ...{ separation: 0.1, fields: ['p'] },
-        };
+        const record = sampleSurface({ kind: 'time', to: 1, fields: ['p'] });
         const patched = (more: object): number => {
             const patches = [{ op: 'put', type: 'surface', id: 's1', record: { ...record, ...more } }];
             const read = readNotification('session.patched', { session: 'main', seq: 1, patches });
@@ -128,6 +124,7 @@ describe('readNotification', () => {
         expect(patched({ kind: 'steam' })).toBe(0);
         expect(patched({ dataset: undefined })).toBe(0);
         expect(patched({ fields: [1] })).toBe(0);
+        for (const name of Object.keys(record)) expect(patched({ [name]: undefined }), name).toBe(0);
     });
 
     it('ignores what it does not know', () => {

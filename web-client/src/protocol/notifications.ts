@@ -1,31 +1,29 @@
-// Notifications of the server, checked field by field as they come: what this client does not know or cannot trust is left
-// out. Shapes: protocol/api/README.md, JSON-RPC.
+// Notifications of the server, checked as they come: what this client does not know is left out, and of what it cannot trust it says
+// why. Shapes: docs/api.md.
+import { is } from './checks.ts';
+import { type DatasetEntry, datasetStateCheck, stepStateCheck } from './generated/dataset.ts';
+import { cameraCheck, draggedRakeCheck } from './generated/presence.ts';
+import type { RecordType } from './generated/session.ts';
+import { recordTypes } from './generated/session.ts';
+import { problemCheck, roleCheck } from './generated/shared.ts';
+import { type PassSeconds, passSecondsCheck } from './generated/subscription.ts';
 import { isObject } from './jsonRpc.ts';
 import { type Phase, phases } from './meshFrame.ts';
 import {
     type AnnotationRecord,
     type BookmarkRecord,
-    type CameraPlace,
     type ClockRecord,
-    type DatasetEntry,
-    type DatasetState,
-    datasetStates,
-    isAnnotationRecord,
-    isBookmarkRecord,
-    isClockRecord,
-    isRakeRecord,
-    isSurfaceRecord,
     isVec3,
     type Participant,
     type RakeRecord,
     readError,
+    recordChecks,
     type ReportedError,
     type StepState,
     type SurfaceRecord,
-    type Vec3,
 } from './records.ts';
 
-export type RecordType = 'rake' | 'surface' | 'bookmark' | 'annotation';
+export type { RecordType };
 
 export type Patch =
     | { op: 'put'; type: 'rake'; id: string; record: RakeRecord }
@@ -39,16 +37,9 @@ export type Patch =
 /** What changed of a participant; what is null has been taken away. */
 export type ParticipantChange = Partial<Participant> & { participant: string };
 
-/** Seconds that the pass behind a state took on the server. */
-export interface PassSeconds {
-    queue: number;
-    load: number;
-    compute: number;
-    encode: number;
-}
-
 export type Notification =
-    | { method: 'session.patched'; session: string; seq: number; patches: Patch[] }
+    /** `faults`: what is wrong with patches that are left out. */
+    | { method: 'session.patched'; session: string; seq: number; patches: Patch[]; faults: string[] }
     | { method: 'presence.patched'; participants: ParticipantChange[]; left: string[] }
     | { method: 'cache.patched'; dataset: string; changes: { step: number; state: StepState }[] }
     | { method: 'surface.progress'; surface: string; epoch: number; phase: Phase; seconds: PassSeconds | null }
@@ -96,31 +87,35 @@ function readSessionPatched(params: Record<string, unknown>): Notification | nul
     if (typeof session !== 'string' || typeof seq !== 'number' || !Array.isArray(patches)) {
         return null;
     }
-    const known = patches.map(readPatch).filter((patch) => patch !== null);
-    return { method: 'session.patched', session, seq, patches: known };
+    const known: Patch[] = [];
+    const faults: string[] = [];
+    for (const each of patches) {
+        const patch = readPatch(each);
+        if (typeof patch === 'string') faults.push(patch);
+        else if (patch !== null) known.push(patch);
+    }
+    return { method: 'session.patched', session, seq, patches: known, faults };
 }
 
-const recordTypes: readonly RecordType[] = ['rake', 'surface', 'bookmark', 'annotation'];
-
-function readPatch(value: unknown): Patch | null {
-    if (!isObject(value)) return null;
-    const { op, id, record } = value;
-    if (value['type'] === 'clock') {
-        return op === 'put' && isClockRecord(record) ? { op, type: 'clock', record } : null;
-    }
-    if (value['type'] === 'session') {
+/** What is wrong with it, where it is of a type that is known; null: of another, which newer servers may have. */
+function readPatch(value: unknown): Patch | string | null {
+    if (!isObject(value)) return 'a patch is not an object';
+    const { op, type, id, record } = value;
+    if (type === 'session') {
         const name = isObject(record) ? record['name'] : null;
-        return op === 'put' && typeof name === 'string' ? { op, type: 'session', record: { name } } : null;
+        return op === 'put' && typeof name === 'string' ? { op, type, record: { name } } : 'session.name is not a text';
     }
-    const type = recordTypes.find((known) => known === value['type']);
-    if (typeof id !== 'string' || type === undefined) return null;
-    if (op === 'delete') return { op, type, id };
-    if (op !== 'put') return null;
-    if (type === 'rake' && isRakeRecord(record)) return { op, type, id, record };
-    if (type === 'surface' && isSurfaceRecord(record)) return { op, type, id, record };
-    if (type === 'bookmark' && isBookmarkRecord(record)) return { op, type, id, record };
-    if (type === 'annotation' && isAnnotationRecord(record)) return { op, type, id, record };
-    return null;
+    if (type === 'clock') {
+        if (op !== 'put') return 'clock is not put';
+        return is(record, recordChecks.clock) ? { op, type, record } : `clock${recordChecks.clock(record) ?? ''}`;
+    }
+    const kind = recordTypes.find((each) => each === type);
+    if (kind === undefined) return null;
+    if (typeof id !== 'string') return `${kind} has no id`;
+    if (op === 'delete') return { op, type: kind, id };
+    if (op !== 'put') return `${kind} ${id} is neither put nor deleted`;
+    const fault = recordChecks[kind](record);
+    return fault === null ? ({ op, type: kind, id, record } as Patch) : `${kind} ${id}${fault}`;
 }
 
 function readPresencePatched({ participants, left }: Record<string, unknown>): Notification | null {
@@ -139,41 +134,27 @@ export function readParticipant(value: unknown): ParticipantChange | null {
     const { name, colour, role, connected, pointer, camera, dragging, selected } = value;
     if (typeof name === 'string') change.name = name;
     if (typeof colour === 'string' && /^#[0-9a-f]{6}$/i.test(colour)) change.colour = colour;
-    if (role === 'viewer' || role === 'editor' || role === 'host') change.role = role;
+    if (is(role, roleCheck)) change.role = role;
     if (typeof connected === 'boolean') change.connected = connected;
     if (pointer === null || isVec3(pointer)) change.pointer = pointer;
-    if (camera === null || isCamera(camera)) change.camera = camera;
-    if (dragging === null || isDragged(dragging)) change.dragging = dragging;
+    if (camera === null || is(camera, cameraCheck)) change.camera = camera;
+    if (dragging === null || is(dragging, draggedRakeCheck)) change.dragging = dragging;
     if (selected === null || typeof selected === 'string') change.selected = selected;
     return change;
 }
-
-function isCamera(value: unknown): value is CameraPlace & Record<string, unknown> {
-    return isObject(value) && isVec3(value['position']) && isVec3(value['target']) && isVec3(value['up']);
-}
-
-function isDragged(value: unknown): value is { rake: string; points: Vec3[] } & Record<string, unknown> {
-    return (
-        isObject(value) && typeof value['rake'] === 'string' && Array.isArray(value['points']) && value['points'].every(isVec3)
-    );
-}
-
-const stepStates: readonly StepState[] = ['resident', 'loading', 'cold'];
 
 function readCachePatched({ dataset, changes }: Record<string, unknown>): Notification | null {
     if (typeof dataset !== 'string' || !Array.isArray(changes)) return null;
     const known = changes.flatMap((change: unknown) => {
         if (!Array.isArray(change) || typeof change[0] !== 'number') return [];
-        const state = stepStates.find((each) => each === change[1]);
-        return state === undefined ? [] : [{ step: change[0], state }];
+        const state: unknown = change[1];
+        return is(state, stepStateCheck) ? [{ step: change[0], state }] : [];
     });
     return { method: 'cache.patched', dataset, changes: known };
 }
 
 function readSeconds(value: unknown): PassSeconds | null {
-    if (!isObject(value)) return null;
-    const of = (name: string): number => (typeof value[name] === 'number' ? value[name] : 0);
-    return { queue: of('queue'), load: of('load'), compute: of('compute'), encode: of('encode') };
+    return is(value, passSecondsCheck) ? value : null;
 }
 
 function readProgress({ token, value }: Record<string, unknown>): Notification | null {
@@ -188,23 +169,18 @@ function readProgress({ token, value }: Record<string, unknown>): Notification |
     };
 }
 
-function isDatasetState(state: unknown): state is DatasetState {
-    return datasetStates.some((each) => each === state);
-}
-
 function readDatasetPatched(params: Record<string, unknown>): Notification | null {
     const { dataset, state, progress, remaining, steps, error } = params;
     if (typeof dataset !== 'string') return null;
     const change: Partial<DatasetEntry> = {};
-    if (isDatasetState(state)) change.state = state;
+    if (is(state, datasetStateCheck)) change.state = state;
     if (typeof progress === 'number') change.progress = progress;
     if (typeof remaining === 'number') change.remaining = remaining;
     if (isObject(steps)) {
         const { ready, total } = steps;
         if (typeof ready === 'number' && typeof total === 'number') change.steps = { ready, total };
     }
-    const reported = readError(error);
-    if (reported !== null) change.error = reported;
+    if (is(error, problemCheck)) change.error = error;
     return { method: 'dataset.patched', dataset, change };
 }
 

@@ -8,7 +8,8 @@ import { ImportWait } from './importWait.ts';
 const stopped = new CallError({ kind: 'rpc', code: -32800, message: 'cancelled', hint: '' });
 const lost = new CallError({ kind: 'disconnected', code: 0, message: 'gone', hint: '' });
 
-const importing: DatasetEntry = { dataset: 'd', name: 'd', state: 'importing' };
+const steps = { ready: 0, total: 4 };
+const importing: DatasetEntry = { dataset: 'd', name: 'd', state: 'importing', steps };
 
 function bench(first: DatasetEntry['state'] = 'importing') {
     const state = new AppState();
@@ -93,7 +94,7 @@ describe('waiting for an import', () => {
         void imports.begin('d');
         imports.stop();
         await settled();
-        state.datasetEntry.value = { dataset: 'd', name: 'd', state: 'ready' };
+        state.datasetEntry.value = { dataset: 'd', name: 'd', state: 'ready', steps };
         expect(imports.left.value).toBe(false);
     });
 });

@@ -51,3 +51,24 @@ describe('a notice of the server', () => {
         expect([said(), deleted()]).toEqual([[], 1]);
     });
 });
+
+describe('records that the page cannot read', () => {
+    it('are reported, once for the same reason', () => {
+        const state = new AppState();
+        const patched: string[] = [];
+        const options = { state, patched: (session: string) => patched.push(session) };
+        const news = new ServerNews(options as unknown as ServerNewsOptions);
+        const faults = ['rake r1.seeds is not a whole number', 'rake r2.name is not a text'];
+        news.take({ method: 'session.patched', session: 'main', seq: 1, patches: [], faults });
+        expect([...state.notices.all.value]).toEqual([
+            [
+                'unreadable',
+                'This page cannot read what the server sent: rake r1.seeds is not a whole number and 1 more. Reload the page.',
+            ],
+        ]);
+        state.notices.solved('unreadable');
+        news.take({ method: 'session.patched', session: 'main', seq: 2, patches: [], faults });
+        expect([...state.notices.all.value]).toEqual([]);
+        expect(patched).toEqual(['main', 'main']);
+    });
+});

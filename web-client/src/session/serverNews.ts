@@ -35,6 +35,7 @@ export class ServerNews {
         switch (notification.method) {
             case 'session.patched':
                 patched(notification.session, notification.patches);
+                this.unreadable(notification.faults);
                 break;
             case 'surface.done':
                 feed.done(notification.surface, notification.epoch, notification.error);
@@ -70,6 +71,14 @@ export class ServerNews {
             else surfaces.delete(surface);
             state.catchingUp.value = surfaces;
         } else if (text !== null && !farewells.has(kind)) this.say(subjects[kind] ?? kind, sentence(text));
+    }
+
+    /** What the page shows is not all there is, until it is loaded by a server that it understands. */
+    private unreadable(faults: readonly string[]): void {
+        const [first] = faults;
+        if (first === undefined) return;
+        const more = faults.length > 1 ? ` and ${faults.length - 1} more` : '';
+        this.say('unreadable', `This page cannot read what the server sent: ${first}${more}. Reload the page.`);
     }
 
     /** Some notices come again whenever the session is joined; what was sent away stays away. */

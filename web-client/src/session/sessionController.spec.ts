@@ -2,6 +2,7 @@ import { signal } from '@preact/signals-core';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { settled } from '../connection/fakeClock.ts';
 import type { DatasetEntry, RakeRecord, SessionSnapshot, SurfaceRecord } from '../protocol/messages.ts';
+import { emptySnapshot } from '../protocol/testing/sampleRecords.ts';
 import { apiLevel } from '../protocol/version.ts';
 import { AppState } from '../state/appState.ts';
 import { CallError } from '../worker/workerClient.ts';
@@ -27,7 +28,7 @@ class Bench {
     begun: string[] = [];
     left = signal(false);
     entry: Partial<DatasetEntry> = { state: 'ready' };
-    records: SessionSnapshot = { session: 'session-1', name: '', rakes: [], surfaces: [] };
+    records: SessionSnapshot = emptySnapshot('session-1');
     edited = true;
     created = 'then';
     trash: string[] = [];
@@ -78,7 +79,7 @@ class Bench {
         const surfaces = this.records.surfaces.filter((record) => record.surface !== id);
         this.records.surfaces = op === 'put' ? [...surfaces, surfaceOf(id)] : surfaces;
         const patches = [{ op, type: 'surface', id, record: surfaceOf(id) }];
-        const notification = { method: 'session.patched', session: this.records.session, seq: 1, patches };
+        const notification = { method: 'session.patched', session: this.records.session, seq: 1, patches, faults: [] };
         this.controller.handle({ type: 'notification', notification } as never);
     }
 
@@ -94,7 +95,7 @@ class Bench {
             return { dataset: 'flow', bounds: [0, 1, 0, 1, 0, 1], times: [0], fields: [], velocity: 'u' };
         }
         if (method === 'session.create') {
-            this.records = { session: `session-${++this.made}`, name: String(params['name']), rakes: [], surfaces: [] };
+            this.records = emptySnapshot(`session-${++this.made}`, String(params['name']));
             this.edited = false;
             return { session: this.records.session };
         }
@@ -181,7 +182,7 @@ describe('the session on a page', () => {
         await bench.connect();
         expect(bench.state.rakes.value.size).toBe(2);
 
-        bench.records = { session: 'session-1', name: '', rakes: [], surfaces: [] };
+        bench.records = emptySnapshot('session-1');
         [bench.edited, bench.token] = [false, 'of another life'];
         bench.refusals.set('surface.set', disconnected);
         await bench.connect();

@@ -135,7 +135,8 @@ export class AppState {
     readonly speedRange = computed((): [number, number] => {
         const dataset = this.dataset.value;
         const field = dataset?.fields.find(({ name }) => name === dataset.velocity);
-        const [low, high] = field?.range ?? [0, 1];
+        const [low, high] = field?.range ?? [null, null];
+        if (low === null || high === null) return [0, 1];
         return high > low ? [low, high] : [low, low + 1];
     });
 }

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { settled } from '../../connection/fakeClock.ts';
 import type { DatasetDescription, RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
+import { sampleRake, sampleSurface } from '../../protocol/testing/sampleRecords.ts';
 import { AppState } from '../../state/appState.ts';
 import { LatencyLog } from '../../state/latency.ts';
 import { CallError } from '../../worker/workerClient.ts';
@@ -17,12 +18,11 @@ function rakeOf(rake: string, rest: Partial<RakeRecord> = {}): RakeRecord {
         [0, 0, 0],
         [0, 0, 1],
     ];
-    return { rake, rev: 1, kind: 'line', points, seeds: 8, name: rake, clipped: false, dragging: false, ...rest };
+    return sampleRake({ rake, rev: 1, points, name: rake, ...rest });
 }
 
 function surfaceOf(surface: string, rake: string): SurfaceRecord {
-    const asked = { direction: 'forward', separation: 0.2, accuracy: 'balanced', fields: [] as string[] } as const;
-    return { surface, rake, rev: 1, epoch: 1, kind: 'stream', dataset: 'd', from: 0, to: 4, ...asked } as SurfaceRecord & object;
+    return sampleSurface({ surface, rake });
 }
 
 /** A page whose server answers when the test lets it. */

@@ -1,4 +1,5 @@
 // The user's edits, whatever of: what is chosen, the rakes and surfaces on their way to the server, and the way back.
+import { limits } from '../../protocol/generated/limits.ts';
 import { effect, untracked } from '@preact/signals-core';
 import { type AppState, withEntry } from '../../state/appState.ts';
 import type { SurfaceEpoch, Vec3 } from '../../protocol/messages.ts';
@@ -15,7 +16,7 @@ import type { SurfaceIntent } from './surfaceIntent.ts';
 import { UndoHistory } from './undoHistory.ts';
 
 /** The server tells others of no more. */
-const mostToldPoints = 64;
+const mostToldPoints = limits.presencePoints;
 
 export interface EditsOptions {
     state: AppState;

@@ -1,24 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import type { SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
+import { sampleSurface } from '../../protocol/testing/sampleRecords.ts';
 import { fulfils, intentOf, settingAnew, settingOf, withSecondCurve } from './surfaceIntent.ts';
 
-const record: SurfaceRecord = {
-    surface: 's1',
-    rev: 1,
-    epoch: 1,
-    rake: 'r1',
-    kind: 'stream',
-    dataset: 'd',
-    from: 8.5,
-    to: 20.5,
-    direction: 'forward',
-    separation: 0.2,
-    accuracy: 'balanced',
-    merge: 0.35,
-    angle: 20,
-    maxQuads: 1000,
-    fields: [],
-};
+const record = sampleSurface({ from: 8.5, to: 20.5, maxQuads: 1000 });
 const times = [8.5, 12, 16];
 
 describe('settingOf', () => {

@@ -8,6 +8,7 @@ import type {
     SurfaceSetting,
     Vec3,
 } from '../../protocol/messages.ts';
+import { surfaceAskedNames, surfaceSetOnlyFor } from '../../protocol/generated/surface.ts';
 import { defaultSweep } from './defaults.ts';
 
 export interface SurfaceIntent {
@@ -58,9 +59,8 @@ export function settingOf(
     const sign = intent.direction === 'backward' ? -1 : 1;
     const to = intent.from + sign * length;
     return {
+        ...askedOf(record, null),
         surface: record.surface,
-        rake: record.rake,
-        dataset: record.dataset,
         kind: intent.kind,
         from: intent.from,
         to,
@@ -68,12 +68,19 @@ export function settingOf(
         direction: intent.direction,
         accuracy: intent.accuracy,
         fields: [...intent.fields],
-        merge: record.merge,
-        angle: record.angle,
-        maxQuads: record.maxQuads,
         ...releaseOf(intent, sign * length),
         ...secondCurveOf(intent),
     };
+}
+
+/** What of a record its setter asks for; `kind`: also what only surfaces of this kind take. */
+function askedOf(record: SurfaceRecord, kind: SurfaceKind | null): SurfaceSetting {
+    const takenBy: Partial<Record<string, readonly SurfaceKind[]>> = surfaceSetOnlyFor;
+    const names = surfaceAskedNames.filter((name) => {
+        const kinds = takenBy[name];
+        return record[name] !== undefined && (kinds === undefined || (kind !== null && kinds.includes(kind)));
+    });
+    return Object.fromEntries(names.map((name) => [name, record[name]])) as unknown as SurfaceSetting;
 }
 
 /** How long particles can be followed before the data end, in every direction in which they are. */
@@ -100,16 +107,10 @@ function secondCurveOf({ kind, sweep, rake2 }: SurfaceIntent): Partial<SurfaceSe
 export function settingAnew(record: SurfaceRecord, rakes: ReadonlyMap<string, string>): SurfaceSetting | null {
     const rake = rakes.get(record.rake);
     if (rake === undefined) return null;
-    const { kind, dataset, from, to, direction, separation, accuracy, merge, angle, maxQuads, fields } = record;
-    const { releaseUntil, sweep } = record;
     // A link may have anything else in it, which is not the server's to hear.
-    const asked = {
-        ...{ kind, dataset, from, to, direction, separation, accuracy, merge, angle, maxQuads, fields },
-        ...(releaseUntil === undefined ? {} : { releaseUntil }),
-        ...(sweep === undefined ? {} : { sweep }),
-    };
-    if (record.rake2 === undefined) return { ...asked, rake };
-    const rake2 = rakes.get(record.rake2);
+    const { rake2: second, ...asked } = askedOf(record, record.kind);
+    if (second === undefined) return { ...asked, rake };
+    const rake2 = rakes.get(second);
     return rake2 === undefined ? null : { ...asked, rake, rake2 };
 }
 

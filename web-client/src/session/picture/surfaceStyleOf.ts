@@ -106,7 +106,8 @@ function knownRange(
     if (colourBy === 'speed') return speedRange;
     if (colourBy === 'approximated' || colourBy === 's') return [0, 1];
     const field = dataset?.fields.find(({ name }) => colourByField(name) === colourBy);
-    return field?.range ?? null;
+    const [least, most] = field?.range ?? [null, null];
+    return least === null || most === null ? null : [least, most];
 }
 
 function lengthOf(points: readonly Vec3[]): number {

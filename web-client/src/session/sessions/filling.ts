@@ -26,7 +26,8 @@ export async function addDefaultScene(
     const description = state.dataset.value;
     // A page that was closed in the middle of this has left a rake without a surface.
     if (description === null || surfaces.length > 0 || rakes.length > 1) return false;
-    const first = { kind: 'line', points: defaultRake(description.bounds), seeds: defaultSeeds, name: 'Rake 1', default: true };
+    const kind = 'line' as const;
+    const first = { kind, points: defaultRake(description.bounds), seeds: defaultSeeds, name: 'Rake 1', default: true };
     try {
         const { rake } = rakes[0] ?? (await worker.call('rake.set', first));
         const from = state.times.value[0] ?? 0;

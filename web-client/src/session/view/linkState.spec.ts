@@ -3,7 +3,7 @@ import type { RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts
 import { decodeLinkState, encodeLinkState } from './linkState.ts';
 
 const rake: RakeRecord = {
-    ...{ rake: 'r1', rev: 4, kind: 'line', seeds: 8, name: 'Zulauf – größer', colour: '#0072b2' },
+    ...{ rake: 'r1', rev: 4, kind: 'line', seeds: 8, name: 'Zulauf – größer', colour: '#0072b2', author: '' },
     ...{
         points: [
             [0, 0.123456789, 0],

@@ -1,5 +1,6 @@
 // The state of a page as a part of its address: view and records, as JSON in base64url. A link opens the same view of the
 // same session, and, where the server has forgotten the session, the same rakes and surfaces in a new one.
+import { surfaceDefaults } from '../../protocol/generated/surface.ts';
 import { isRakeRecord, isSurfaceRecord, type RakeRecord, type SurfaceRecord } from '../../protocol/messages.ts';
 import { type PageView, readPageView } from '../../state/pageView.ts';
 
@@ -24,8 +25,12 @@ export function decodeLinkState(text: string): LinkState {
     const list = (name: string): unknown[] => (Array.isArray(value[name]) ? value[name] : []);
     return {
         view: readPageView(value['v']),
-        rakes: list('r').map(withCounters).filter(isRakeRecord),
-        surfaces: list('s').map(withCounters).filter(isSurfaceRecord),
+        rakes: list('r')
+            .map((each) => completed(each, rakeRest))
+            .filter(isRakeRecord),
+        surfaces: list('s')
+            .map((each) => completed(each, surfaceRest))
+            .filter(isSurfaceRecord),
     };
 }
 
@@ -37,9 +42,12 @@ function keptOfSurface({ rev: _rev, epoch: _epoch, ...setting }: SurfaceRecord):
     return setting;
 }
 
-/** Revisions are the server's; a link has none. */
-function withCounters(record: unknown): unknown {
-    return typeof record === 'object' && record !== null ? { ...record, rev: 0, epoch: 0 } : null;
+/** What a link does not have: counters are the server's, and a link that was made before may lack what came since. */
+const rakeRest = { name: '', colour: '#0072b2', author: '', clipped: false, dragging: false };
+const surfaceRest = { ...surfaceDefaults, separation: 0 };
+
+function completed(record: unknown, rest: object): unknown {
+    return typeof record === 'object' && record !== null ? { ...rest, ...record, rev: 0, epoch: 0 } : null;
 }
 
 function jsonOf(value: object): string {

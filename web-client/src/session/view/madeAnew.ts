@@ -46,7 +46,7 @@ export function isNothing({ rakes, bookmarks, annotations }: Remembered): boolea
 export async function makeAnew(
     worker: Pick<WorkerClient, 'call'>,
     remembered: Remembered,
-    there: Pick<SessionSnapshot, 'rakes' | 'surfaces' | 'bookmarks' | 'annotations'> = { rakes: [], surfaces: [] },
+    there: Pick<SessionSnapshot, 'rakes' | 'surfaces'> & Partial<SessionSnapshot> = { rakes: [], surfaces: [] },
 ): Promise<MadeAnew> {
     const [rakes, surfaces] = [new Map<string, string>(), new Map<string, string>()];
     const refusals = new Refusals();

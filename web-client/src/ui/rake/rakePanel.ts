@@ -1,4 +1,5 @@
 // The chosen rake in numbers, by buttons and by keys: everything a pointer can do to it, without dragging.
+import { limits } from '../../protocol/generated/limits.ts';
 import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import type { RakeKind, Vec3 } from '../../protocol/messages.ts';
@@ -30,7 +31,7 @@ const turnKeys: Record<string, 1 | -1> = { ArrowLeft: 1, ArrowUp: 1, ArrowRight:
 /** Of the domain's diagonal; ten times as much with Shift. */
 const stepFractions = [0.002, 0.01, 0.05];
 const turnDegrees = 5;
-const mostSeeds = 4096;
+const mostSeeds = limits.seeds;
 const axes = ['x', 'y', 'z'] as const;
 const shapes: [RakeKind, string][] = [
     ['line', 'Line'],

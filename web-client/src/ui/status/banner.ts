@@ -109,7 +109,7 @@ export class Banner extends SignalElement {
         const there =
             ready === 0
                 ? `The import of ${name} was stopped before its first time-step.`
-                : `The import of ${name} was stopped: ${ready} of ${steps!.total} time-steps are here.`;
+                : `The import of ${name} was stopped: ${ready} of ${steps.total} time-steps are here.`;
         const viewer = state.role.value === 'viewer';
         const next = viewer ? 'Anyone who can edit can resume it.' : 'It can resume where it stopped.';
         return html`<div class="banner down" id="import-stopped">

@@ -1,0 +1,90 @@
+// Checks of values from the wire, each of which says what is wrong with a value and where. generated/ puts them together to
+// shapes, member by member; members that a shape does not name are left to newer servers. Functions without side effects are marked,
+// so that the bundle has only the shapes that the page checks.
+import { isObject } from './jsonRpc.ts';
+import { isVec3, type Vec3 } from './vec3.ts';
+
+/** What is wrong with a value that should be a T, beginning with the path to it; null: nothing. */
+export type Check<T> = ((value: unknown) => string | null) & { readonly of?: T };
+
+/** Whether a value is what a check asks for. */
+export function is<T>(value: unknown, check: Check<T>): value is T {
+    return check(value) === null;
+}
+
+// @__NO_SIDE_EFFECTS__
+function plain<T>(sound: (value: unknown) => boolean, what: string): Check<T> {
+    return (value) => (sound(value) ? null : ` is not ${what}`);
+}
+
+export const anything: Check<unknown> = () => null;
+export const text = plain<string>((value) => typeof value === 'string', 'a text');
+export const number = plain<number>(Number.isFinite, 'a finite number');
+export const whole = plain<number>(Number.isSafeInteger, 'a whole number');
+export const flag = plain<boolean>((value) => typeof value === 'boolean', 'true or false');
+export const point = plain<Vec3>(isVec3, 'three finite numbers');
+export const anyObject = plain<Record<string, unknown>>(isObject, 'an object');
+
+// @__NO_SIDE_EFFECTS__
+export function oneOf<const T extends string | number>(values: readonly T[]): Check<T> {
+    return plain((value) => values.some((each) => each === value), `one of ${values.join(', ')}`);
+}
+
+// @__NO_SIDE_EFFECTS__
+export function matching(pattern: RegExp): Check<string> {
+    return plain((value) => typeof value === 'string' && pattern.test(value), `written as ${pattern.source}`);
+}
+
+/** `length`: exactly so many, which the type of the list says. */
+export function list<T>(inner: Check<T>): Check<T[]>;
+export function list(inner: Check<unknown>, length: number): Check<never>;
+// @__NO_SIDE_EFFECTS__
+export function list(inner: Check<unknown>, length?: number): Check<never> {
+    return (value) => {
+        if (!Array.isArray(value)) return ' is not a list';
+        if (length !== undefined && value.length !== length) return ` has ${value.length} entries, not ${length}`;
+        return firstFault(value, (each, i) => at(`[${i}]`, inner(each)));
+    };
+}
+
+/** An object of which every member is alike. */
+// @__NO_SIDE_EFFECTS__
+export function mapOf<T>(inner: Check<T>): Check<Record<string, T>> {
+    return (value) =>
+        isObject(value) ? firstFault(Object.entries(value), ([name, each]) => at(`.${name}`, inner(each))) : ' is not an object';
+}
+
+// @__NO_SIDE_EFFECTS__
+export function members<T>(checks: { [Name in keyof T]-?: Check<T[Name]> }): Check<T> {
+    const named = Object.entries<Check<unknown>>(checks);
+    return (value) =>
+        isObject(value) ? firstFault(named, ([name, check]) => at(`.${name}`, check(value[name]))) : ' is not an object';
+}
+
+// @__NO_SIDE_EFFECTS__
+export function optional<T>(inner: Check<T>): Check<T | undefined> {
+    return (value) => (value === undefined ? null : inner(value));
+}
+
+// @__NO_SIDE_EFFECTS__
+export function orNull<T>(inner: Check<T>): Check<T | null> {
+    return (value) => (value === null ? null : inner(value));
+}
+
+/** One of several shapes, which the type of the member says. */
+// @__NO_SIDE_EFFECTS__
+export function either(inner: readonly Check<unknown>[]): Check<never> {
+    return (value) => (inner.some((check) => check(value) === null) ? null : ' is none of what it may be');
+}
+
+function at(place: string, fault: string | null): string | null {
+    return fault === null ? null : place + fault;
+}
+
+function firstFault<T>(values: readonly T[], faultOf: (value: T, i: number) => string | null): string | null {
+    for (const [i, value] of values.entries()) {
+        const fault = faultOf(value, i);
+        if (fault !== null) return fault;
+    }
+    return null;
+}

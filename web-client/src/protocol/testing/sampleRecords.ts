@@ -1,0 +1,22 @@
+// Whole records for tests, of which each says only what it is about.
+import { surfaceDefaults } from '../generated/surface.ts';
+import type { RakeRecord, SessionSnapshot, SurfaceRecord } from '../records.ts';
+
+export function sampleRake(rest: Partial<RakeRecord> = {}): RakeRecord {
+    const points: RakeRecord['points'] = [
+        [0, 0, 0],
+        [1, 0, 0],
+    ];
+    const about = { name: 'inlet', colour: '#336699', author: 'Ada', clipped: false, dragging: false };
+    return { rake: 'r1', rev: 3, kind: 'line', points, seeds: 8, ...about, ...rest };
+}
+
+export function sampleSurface(rest: Partial<SurfaceRecord> = {}): SurfaceRecord {
+    const names = { surface: 's1', rake: 'r1', dataset: 'd', rev: 1, epoch: 1 };
+    return { ...surfaceDefaults, ...names, kind: 'stream', from: 0, to: 4, separation: 0.2, ...rest };
+}
+
+export function emptySnapshot(session: string, name = ''): SessionSnapshot {
+    const clock = { time: null, playing: false, speed: 1, loop: false, from: null, to: null };
+    return { session, name, rakes: [], surfaces: [], bookmarks: [], annotations: [], clock };
+}
