@@ -35,7 +35,7 @@ import urllib.request
 import zlib
 import xml.etree.ElementTree
 from dataclasses import dataclass, field
-from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, TypedDict, Union
 
 import numpy as np
 
@@ -50,7 +50,500 @@ _LONGEST_WAIT_MS = 60_000
 _NULL = object()  # a parameter that is null, not left out
 _USUAL = object()  # a parameter that is left out where null means something
 _FORMATS = (".vtp", ".glb", ".ply", ".obj", ".drc")
-_PROBE_BYTES, _PROBE_POINTS = 48_000, 4096  # of one call; the server takes 65,536 bytes
+# <limits: made by protocol/api/generate>
+_PROBE_POINTS = 4096  # of one call
+_MESSAGE_BYTES = 65536  # that the server takes
+# </limits>
+_PROBE_BYTES = _MESSAGE_BYTES * 3 // 4  # of one call's points
+# <spelling: made by protocol/api/generate>
+_SURFACE_NAMES = {"rake": "rake", "kind": "kind", "dataset": "dataset", "to": "to", "from_": "from", "rake2": "rake2",
+                  "direction": "direction", "accuracy": "accuracy", "release_until": "releaseUntil", "sweep": "sweep",
+                  "merge": "merge", "angle": "angle", "max_quads": "maxQuads", "separation": "separation",
+                  "fields": "fields"}
+# </spelling>
+
+
+# What the server answers. Members that may be missing are not there then.
+# <records: made by protocol/api/generate>
+class Lattice(TypedDict, total=False):
+    """The integer grid of a dataset's frames: node (i, j, k) lies at origin + step * (i, j, k)."""
+
+    origin: List[float]  # of node (0, 0, 0) (the dataset's unit of length)
+    step: float  # between nodes (the dataset's unit of length)
+    bits: int  # there are 2^bits nodes a side
+
+
+class Problem(TypedDict, total=False):
+    """An error as a value, where the call itself did not fail."""
+
+    code: int  # as of an error
+    message: str  # what is wrong
+    kind: str  # a word for programs
+    hint: str  # a sentence for people: what to do; may be empty
+    limit: float  # of overLimit: the most that is granted; may be missing
+
+
+class Quantiles(TypedDict, total=False):
+    """Of the last minute."""
+
+    p50: float  # half took no longer (s)
+    p95: float  # 95 % took no longer (s)
+    p99: float  # 99 % took no longer (s)
+    count: int  # how many there were
+
+
+class CacheStanding(TypedDict, total=False):
+    """A dataset's cache of time-steps."""
+
+    dataset: str  # its id
+    hits: int  # time-steps that were there
+    loads: int  # time-steps that were read
+    bytes: int  # in memory (bytes)
+    budget: int  # that may be in memory (bytes)
+
+
+class MemoryStanding(TypedDict, total=False):
+    """The memory of the process."""
+
+    rss: int  # that it holds (bytes)
+    peak: int  # the most that it held (bytes)
+    budget: int  # --memory (bytes)
+    used: int  # of the budget (bytes)
+    refused: int  # how often there was none left
+    byUse: Dict[str, int]  # by what it is for: timeSteps, meshes, builds, surfaces, rings, histories, downloads, ...
+
+
+class Stages(TypedDict, total=False):
+    """From an edit to the socket."""
+
+    queue: Quantiles  # until the pass began
+    load: Quantiles  # waiting for time-steps
+    advect: Quantiles  # moving particles
+    refine: Quantiles  # putting in vertices and taking them out
+    encode: Quantiles  # making frames
+    send: Quantiles  # until the socket took them
+
+
+class Steps(TypedDict, total=False):
+    """Time-steps."""
+
+    ready: int  # that can be used
+    total: int  # that there will be
+
+
+class DatasetEntry(TypedDict, total=False):
+    """A dataset in a list."""
+
+    dataset: str  # its id
+    name: str  # for people
+    state: str  # how far the import is
+    steps: Steps  # its time-steps
+    progress: float  # of the import; may be missing
+    remaining: float  # that the import will still take (s); may be missing
+    error: Problem  # why the import failed or ended early; may be missing
+
+
+class Field(TypedDict, total=False):
+    """A field of a dataset."""
+
+    name: str  # as in the files
+    components: int  # 3: a vector
+    source: str  # where the files have it
+    range: List[Optional[float]]  # least and largest value, of a vector's length; null: unknown
+    unit: str  # as in the files; may be missing
+
+
+class Dataset(TypedDict, total=False):
+    """What a dataset is."""
+
+    dataset: str  # its id
+    name: str  # for people
+    reader: str  # what read the files
+    grid: str  # kind of grid
+    bounds: List[float]  # x0, x1, y0, y1, z0, z1 (the dataset's unit of length)
+    points: int  # of the grid
+    cells: int  # of the grid
+    times: List[float]  # of the time-steps (the dataset's unit of time)
+    steady: bool  # it does not change in time
+    fields: List[Field]  # all of them
+    velocity: str  # name of the field that particles follow
+    why: str  # this field is the velocity because
+    obstacle: bool  # there is an obstacle in the flow
+    bytesPerStep: int  # of a time-step in memory (bytes)
+    finestSpacing: float  # of the grid (the dataset's unit of length)
+    lattice: Lattice  # of the frames of its surfaces
+    surfaceFields: List[str]  # what `fields` of surface.set may name
+    note: str  # something to know about the data, for people; may be missing
+    precision: str  # half: kept with 16 bits a number; may be missing
+    dimensions: List[int]  # points along x, y, z; may be missing
+    spacing: List[float]  # of a uniform grid (the dataset's unit of length); may be missing
+
+
+class CacheStatus(TypedDict, total=False):
+    """Which time-steps are in memory."""
+
+    dataset: str  # its id
+    steps: List[str]  # one state a time-step; none of a built-in flow
+    bytes: int  # in memory (bytes)
+    budget: int  # that may be in memory (bytes)
+
+
+class AsideRecord(TypedDict, total=False):
+    """A record that could not be used when the server started."""
+
+    type: str  # rake, surface, bookmark or annotation
+    id: str  # of the record
+    why: str  # it could not be used
+    since: int  # when it was put aside (s since 1970)
+
+
+class KeptAside(TypedDict, total=False):
+    """Records that could not be used when the server started; nothing of them is deleted."""
+
+    count: int  # of all of them
+    records: List[AsideRecord]  # the newest 50
+
+
+class Snapshot(TypedDict, total=False):
+    """Every record of a session."""
+
+    session: str  # its id
+    name: str  # for people
+    rakes: List[RakeRecord]  # all of them
+    surfaces: List[SurfaceRecord]  # all of them
+    bookmarks: List[BookmarkRecord]  # all of them
+    annotations: List[AnnotationRecord]  # all of them
+    clock: ClockRecord  # A session's clock. `time` is as the message is written; it runs on by `speed` while ...
+    keptAside: KeptAside  # where there are such records; may be missing
+
+
+class SessionName(TypedDict, total=False):
+    """A session and what it is called."""
+
+    session: str  # its id
+    name: str  # for people
+
+
+class SessionMade(TypedDict, total=False):
+    """A new session."""
+
+    session: str  # its id
+    name: str  # for people
+    remaining: int  # how many more sessions can be made
+
+
+class TimesOfDataset(TypedDict, total=False):
+    """The time-steps of a dataset."""
+
+    count: int  # how many
+    first: float  # time of the first one (the dataset's unit of time)
+    last: float  # time of the last one (the dataset's unit of time)
+
+
+class NamedDataset(TypedDict, total=False):
+    """A dataset that surfaces of a file name; only its id where it could not be used when the file was written."""
+
+    dataset: str  # its id
+    name: str  # for people; may be missing
+    fingerprint: str  # of the mesh and the names of the fields, the same for a dataset that grows; may be missing
+    times: TimesOfDataset  # The time-steps of a dataset.; may be missing
+    bounds: List[float]  # x0, x1, y0, y1, z0, z1 (the dataset's unit of length); may be missing
+
+
+class FileRecords(TypedDict, total=False):
+    """As in a snapshot, without rev and epoch; ids stay."""
+
+    rakes: List[Json]  # all of them
+    surfaces: List[Json]  # all of them
+    bookmarks: List[Json]  # all of them
+    annotations: List[Json]  # all of them
+    clock: ClockRecord  # A session's clock. `time` is as the message is written; it runs on by `speed` while ...
+
+
+class SessionFile(TypedDict, total=False):
+    """A session as one document, which any wakesurf takes in, checked like edits and as a whole or not at all."""
+
+    wakesurfSession: int  # version of the format
+    name: str  # for people
+    exported: str  # when it was written, in UTC
+    wakesurf: str  # version of the program
+    records: FileRecords  # As in a snapshot, without rev and epoch; ids stay.
+    datasets: List[NamedDataset]  # that surfaces name
+
+
+class Visitor(TypedDict, total=False):
+    """Someone who was in a session."""
+
+    name: str  # what they were called
+    colour: str  # #rrggbb
+
+
+class SessionEntry(TypedDict, total=False):
+    """A session in a list."""
+
+    session: str  # its id
+    name: str  # for people
+    participants: int  # who are here now
+    people: List[Visitor]  # who were here; the last to come is the first
+    created: str  # in UTC; missing where the session is older than this was noted; may be missing
+    lastUsed: str  # in UTC
+    edited: bool  # by anyone, beyond the first rake and surface that a page puts there
+    rakes: int  # how many
+    surfaces: int  # how many
+    bookmarks: int  # how many
+    annotations: int  # how many
+    thumbnail: bool  # there is a picture of it
+    deletedAt: str  # in UTC; of a session in the trash; may be missing
+    deletedUntil: str  # in UTC; it can be restored until then; may be missing
+
+
+class Patch(TypedDict, total=False):
+    """A record as it is now, or that it is gone."""
+
+    op: str  # what became of it
+    type: str  # of the record
+    id: str  # of the record
+    record: Any  # as it is now; of put; may be missing
+
+
+class Joined(TypedDict, total=False):
+    """What session.join answers: either `snapshot` or `patches`."""
+
+    you: str  # your id as a participant
+    role: str  # what someone may do: each role includes the one before
+    resumeToken: str  # to come back with; another one than was sent means that nothing from before holds: no epoch, ...
+    seq: int  # of the session now
+    participants: List[Participant]  # all of them
+    created: str  # in UTC, as in session.list; may be missing
+    resumed: bool  # true: `patches` come; false: `snapshot` comes
+    snapshot: Snapshot  # Every record of a session.; may be missing
+    patches: List[Patch]  # what changed after `lastSeq`: of each record the newest change; may be missing
+
+
+class ShareMaker(TypedDict, total=False):
+    """The one who made a link."""
+
+    grant: str  # the link its maker came by; left out: the server's own token; may be missing
+    name: str  # of the participant; empty: a script
+
+
+class Share(TypedDict, total=False):
+    """A share link in force, without its key."""
+
+    grant: str  # its id
+    role: str  # what someone may do: each role includes the one before
+    expires: float  # left out: never (s since 1970); may be missing
+    newcomers: str  # where a host gave someone who came by it a lesser role: what those are who come by it from ...
+    madeBy: ShareMaker  # who made it
+    children: int  # links in force that were made by it, or by those it made
+
+
+class Camera(TypedDict, total=False):
+    """Where someone looks from."""
+
+    position: List[float]  # of the eye (the dataset's unit of length)
+    target: List[float]  # what is in the middle of the picture (the dataset's unit of length)
+    up: List[float]  # points up in the picture (the dataset's unit of length)
+    fov: float  # from top to bottom; left out: orthographic, or unknown (degrees); may be missing
+
+
+class DraggedRake(TypedDict, total=False):
+    """A rake as it is on its way."""
+
+    rake: str  # its id
+    points: List[List[float]]  # where it is now; may be missing
+
+
+class Presence(TypedDict, total=False):
+    """What someone does just now."""
+
+    pointer: Optional[List[float]]  # what they point at (the dataset's unit of length); may be missing
+    camera: Optional[Camera]  # where they look from; may be missing
+    dragging: Optional[DraggedRake]  # what they drag; may be missing
+    selected: Optional[str]  # id of the record they have selected; may be missing
+
+
+class Participant(TypedDict, total=False):
+    """Someone in a session."""
+
+    participant: str  # their id
+    name: str  # two people of a session are never called the same
+    colour: str  # #rrggbb
+    role: str  # what someone may do: each role includes the one before
+    connected: bool  # false: the connection was lost less than 10 s ago
+    pointer: Optional[List[float]]  # what they point at (the dataset's unit of length); may be missing
+    camera: Optional[Camera]  # where they look from; may be missing
+    dragging: Optional[DraggedRake]  # what they drag; may be missing
+    selected: Optional[str]  # id of the record they have selected; may be missing
+
+
+class RakeRecord(TypedDict, total=False):
+    """A rake as the session keeps it."""
+
+    rake: str  # its id
+    rev: int  # counts the edits of a record
+    kind: str  # what the points are: line: 2; polyline and points: 2 or more; circle: the centre and two points of ...
+    points: List[List[float]]  # where it lies; a part outside of the domain is cut away (the dataset's unit of length)
+    seeds: int  # how many seeds lie on it
+    name: str  # for people
+    colour: str  # #rrggbb
+    author: str  # the name of the one who made it
+    clipped: bool  # a part was outside the domain and is cut away
+    dragging: bool  # someone holds it just now
+    leasedBy: str  # the participant who holds it; only while someone does; may be missing
+
+
+class SurfaceEpoch(TypedDict, total=False):
+    """A surface that is built again."""
+
+    surface: str  # an id that the server gave
+    epoch: int  # counts the surfaces that a record has had; only grows
+
+
+SurfaceRecord = TypedDict("SurfaceRecord", {  # A surface as the session keeps it: its parameters, not its mesh.
+    "surface": "str",  # its id
+    "rev": "int",  # counts the edits of a record
+    "epoch": "int",  # counts the surfaces that a record has had; only grows
+    "rake": "str",  # an id from rake.list: the particles start there
+    "rake2": "str",  # the patch lies between the rake and this one; may be missing
+    "dataset": "str",  # an id from dataset.list
+    "kind": "str",  # stream: of the field frozen at `from`; path: particles released at `from`; streak: particles ...
+    "direction": "str",  # which way in time particles go
+    "accuracy": "str",  # of the integration, and of how vertices are put in
+    "to": "float",  # the surface is shown until this time; the integration takes to - from (the dataset's unit of time)
+    "releaseUntil": "float",  # the release stops here; left out: at `to` (the dataset's unit of time); may be missing
+    "sweep": "List[float]",  # the patch is the rake swept along this vector (the dataset's unit of length); may be ...
+    "merge": "float",  # cells smaller than this merge; 0: never (part of the separation)
+    "angle": "float",  # cells that meet at more than this are refined, as far as the separation and `maxQuads` ...
+    "maxQuads": "int",  # quads to build at most
+    "from": "float",  # time of the (first) release (the dataset's unit of time)
+    "separation": "float",  # the longest edge (the dataset's unit of length)
+    "fields": "List[str]",  # further attributes of the vertices, in frames and exports: scalar fields of the ...
+}, total=False)
+
+
+class SurfaceSetResult(TypedDict, total=False):
+    """What surface.set answers."""
+
+    surface: str  # its id
+    rev: int  # counts the edits of a record
+    epoch: int  # counts the surfaces that a record has had; only grows
+    seq: int  # of the session after the edit
+
+
+class PassSeconds(TypedDict, total=False):
+    """What the pass that made the newest state took."""
+
+    queue: float  # from the edit, or the state before, until it began (s)
+    load: float  # waiting for time-steps of the velocity (s)
+    compute: float  # all else of building (s)
+    encode: float  # making frames (s)
+
+
+class Terminations(TypedDict, total=False):
+    """Particles by what ended them."""
+
+    domain: int  # left the domain
+    time: int  # reached the end of the time asked for
+    obstacle: int  # came to an obstacle
+    stagnation: int  # came to rest
+    budget: int  # used up the steps allowed
+
+
+class BuildSeconds(TypedDict, total=False):
+    """What building a surface took."""
+
+    load: float  # waiting for time-steps (s)
+    advect: float  # moving particles (s)
+    refine: float  # putting in vertices and taking them out (s)
+    other: float  # all else (s)
+    total: float  # all of it (s)
+
+
+Statistics = TypedDict("Statistics", {  # What the newest state of a surface is and took, in the shape of `wakesurf surface --stats`.
+    "surface": "str",  # its id
+    "epoch": "int",  # counts the surfaces that a record has had; only grows
+    "complete": "bool",  # it is the final surface of this epoch
+    "kind": "str",  # stream: of the field frozen at `from`; path: particles released at `from`; streak: particles ...
+    "quads": "int",  # of the mesh
+    "vertices": "int",  # of the mesh
+    "steps": "int",  # of the surface, in time or along its curves
+    "vertexSteps": "int",  # of the integrator, all particles together
+    "approximated": "int",  # vertices that were interpolated, not traced from the rake
+    "terminated": "Terminations",  # of streak and time surfaces of all particles there have been
+    "maxEdge": "float",  # the longest edge there is (the dataset's unit of length)
+    "separation": "float",  # the longest edge asked for (the dataset's unit of length)
+    "seconds": "BuildSeconds",  # what building it took
+    "pass": "PassSeconds",  # what making this state took; may be missing
+    "peakBytes": "int",  # the most memory that building it took (bytes)
+    "stopped": "str",  # why the surface ends early; may be missing
+    "crc": "int",  # state checksum of what clients show, as in the frames (protocol/README.md, State checksum)
+    "error": "Problem",  # why there is none; may be missing
+}, total=False)
+
+
+class BookmarkRecord(TypedDict, total=False):
+    """A bookmark as the session keeps it."""
+
+    bookmark: str  # its id
+    rev: int  # counts the edits of a record
+    name: str  # for people
+    view: Json  # camera, colours and the like, as the client that made it likes; at most 4 KiB as JSON text
+    time: float  # the session's time the view belongs to (the dataset's unit of time); may be missing
+
+
+class AnnotationRecord(TypedDict, total=False):
+    """An annotation as the session keeps it."""
+
+    annotation: str  # its id
+    rev: int  # counts the edits of a record
+    text: str  # of one line or several
+    position: List[float]  # where it points to (the dataset's unit of length)
+    author: str  # the name of the one who made it
+    surface: str  # the surface it speaks of, which may be gone since; may be missing
+
+
+class Change(TypedDict, total=False):
+    """A record that was changed."""
+
+    op: str  # what became of it
+    type: str  # rake, surface, bookmark or annotation
+    id: str  # of the record
+    rev: int  # counts the edits of a record; may be missing
+
+
+class Skip(TypedDict, total=False):
+    """A record that someone else has changed since."""
+
+    type: str  # rake, surface, bookmark or annotation
+    id: str  # of the record
+    why: str  # it was skipped, for people
+
+
+class HistoryDepth(TypedDict, total=False):
+    """What there is to undo and redo."""
+
+    seq: int  # of the session after the edit
+    skipped: List[Skip]  # edits that are forgotten, once and for all
+    undo: int  # edits that can still be taken back
+    redo: int  # edits that can be made again
+
+
+ClockRecord = TypedDict("ClockRecord", {  # A session's clock.
+    "time": "Optional[float]",  # simulation time; null: never set, surfaces are shown at their end (the dataset's ...
+    "playing": "bool",  # it runs
+    "speed": "float",  # how fast it runs (simulation time a second)
+    "loop": "bool",  # it begins again at the end
+    "from": "Optional[float]",  # what is played begins here; null before it first was (the dataset's unit of time)
+    "to": "Optional[float]",  # and ends here (the dataset's unit of time)
+}, total=False)
+
+
+class ClockAnswer(TypedDict, total=False):
+    """The clock after the call."""
+
+    clock: ClockRecord  # as it is now
+# </records>
 
 
 class WakesurfError(Exception):
@@ -137,10 +630,12 @@ class WaitTimeout(WakesurfError, TimeoutError):
     """The surface was not complete in time; it is still being computed."""
 
 
+# <errors: made by protocol/api/generate>
 _BY_CODE = {-32700: InvalidRequest, -32600: InvalidRequest, -32601: MethodNotFound, -32602: InvalidParameters,
             -32603: ServerFault, -32800: Cancelled, -32801: Stale, -32001: Unauthenticated, -32003: NotPermitted,
             -32004: NotFound, -32011: Leased, -32012: OutsideDomain, -32013: OutsideTimeRange, -32014: OverLimit,
             -32015: DatasetError}
+# </errors>
 
 
 def _error(fault: Mapping[str, Any]) -> WakesurfError:
@@ -246,15 +741,15 @@ class Client:
         """Name, version, capabilities and limits of the server."""
         return self.call("server.info")
 
-    def datasets(self) -> List[Json]:
+    def datasets(self) -> List[DatasetEntry]:
         """What there is to look at: {dataset, name, state, ...} each."""
         return self.call("dataset.list")["datasets"]
 
-    def describe(self, dataset: str) -> Json:
+    def describe(self, dataset: str) -> Dataset:
         """Grid, bounds, times and fields of a dataset."""
         return self.call("dataset.describe", dataset=dataset)
 
-    def cache(self, dataset: str) -> Json:
+    def cache(self, dataset: str) -> CacheStatus:
         """Which of its time-steps are in the server's memory."""
         return self.call("cache.status", dataset=dataset)
 
@@ -391,24 +886,48 @@ class Session:
     def rakes(self) -> List["Rake"]:
         return [Rake(self, each["rake"]) for each in self.call("rake.list")["rakes"]]
 
+    # <surface: made by protocol/api/generate>
     def surface(self, rake: Union["Rake", str], kind: str, dataset: str, to: float, from_: Optional[float] = None, *,
-                direction: Optional[str] = None, separation: Optional[float] = None, accuracy: Optional[str] = None,
+                rake2: Optional[Union["Rake", str]] = None, direction: Optional[str] = None,
+                accuracy: Optional[str] = None, release_until: Optional[float] = None, sweep: Optional[Point] = None,
                 merge: Optional[float] = None, angle: Optional[float] = None, max_quads: Optional[int] = None,
-                release_until: Optional[float] = None, sweep: Optional[Point] = None,
-                rake2: Optional[Union["Rake", str]] = None, fields: Optional[Sequence[str]] = None,
-                **more: Any) -> "Surface":
-        """Makes a surface and starts computing it: `kind` is stream, path, streak or time. Without `from_` it begins at
-        the dataset's first time. The rest as in `surface.set`, whose spelling, as in maxQuads, is taken too. What `fields`
-        names (at most 4) is also in `Surface.mesh`, by name."""
-        given = {"from": from_, "direction": direction, "separation": separation, "accuracy": accuracy, "merge": merge,
-                 "angle": angle, "maxQuads": max_quads, "releaseUntil": release_until, "sweep": sweep, "rake2": rake2,
-                 "fields": fields}
+                separation: Optional[float] = None, fields: Optional[Sequence[str]] = None, **more: Any) -> "Surface":
+        """Makes a surface and starts computing it. What is left out has the default of `surface.set`, whose spelling, as in
+        maxQuads, is taken too. What `fields` names is also in `Surface.mesh`, by name.
+
+        `rake`: an id from rake.list: the particles start there.
+        `kind`: stream: of the field frozen at `from`; path: particles released at `from`; streak: particles released
+            from `from` on; time: a patch of particles released at `from`.
+        `dataset`: an id from dataset.list.
+        `to`: the surface is shown until this time; the integration takes to - from (the dataset's unit of time).
+        `from_`: time of release; streak: of the first one; left out: the dataset's first time (the dataset's unit of
+            time).
+        `rake2`: the patch lies between the rake and this one; only for time surfaces.
+        `direction`: which way in time particles go; default forward.
+        `accuracy`: of the integration, and of how vertices are put in; default balanced.
+        `release_until`: the release stops here; left out: at `to` (the dataset's unit of time); only for streak
+            surfaces.
+        `sweep`: the patch is the rake swept along this vector (the dataset's unit of length); only for time surfaces.
+        `merge`: cells smaller than this merge; 0: never (part of the separation); 0 to 0.5; default 0.35.
+        `angle`: cells that meet at more than this are refined, as far as the separation and `max_quads` allow; 180:
+            never (degrees); above 0, at most 180; default 20.
+        `max_quads`: quads to build at most; 1 to 4,000,000; default 1,000,000.
+        `separation`: the longest edge; left out: the dataset's finest spacing (the dataset's unit of length); above 0.
+        `fields`: further attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity
+            (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude), `q_criterion`.
+        """
+        given: Json = {"rake": _id(rake), "kind": kind, "dataset": dataset, "to": to, "from": from_, "rake2": rake2,
+                       "direction": direction, "accuracy": accuracy, "releaseUntil": release_until, "sweep": sweep,
+                       "merge": merge, "angle": angle, "maxQuads": max_quads, "separation": separation,
+                       "fields": fields}
+        return self._surface(given, more)
+    # </surface>
+
+    def _surface(self, given: Json, more: Json) -> "Surface":
         twice = [name for name, value in given.items() if value is not None and name in more]
         if twice:
             raise InvalidParameters(f"`{twice[0]}` is given twice", -32602, "invalidParameters", "give it once")
-        given.update(more)
-        answer = self.call("surface.set", rake=_id(rake), kind=kind, dataset=dataset, to=to, **given)
-        return Surface(self, answer["surface"])
+        return Surface(self, self.call("surface.set", **{**given, **more})["surface"])
 
     def surfaces(self) -> List["Surface"]:
         return [Surface(self, each["surface"]) for each in self.call("surface.list")["surfaces"]]
@@ -497,8 +1016,6 @@ class Surface(_Record):
     """A surface that the server keeps up to date with its rake and its parameters."""
 
     noun = "surface"
-    _MEMBERS = ("rake", "kind", "dataset", "from", "to", "direction", "separation", "accuracy", "merge", "angle",
-                "maxQuads", "fields", "releaseUntil", "sweep", "rake2")
 
     def __init__(self, session: Session, id: str):
         super().__init__(session, id)
@@ -506,15 +1023,14 @@ class Surface(_Record):
 
     def set(self, if_rev: Optional[int] = None, **changes: Any) -> Json:
         """Changes the parameters given, as in `Session.surface`, and computes it again. {rev, epoch, ...}"""
-        spelt = {"from_": "from", "max_quads": "maxQuads", "release_until": "releaseUntil"}
-        changes = {spelt.get(name, name): value for name, value in changes.items()}
-        return self._change(self._MEMBERS, changes, if_rev)
+        changes = {_SURFACE_NAMES.get(name, name): value for name, value in changes.items()}
+        return self._change(tuple(_SURFACE_NAMES.values()), changes, if_rev)
 
-    def stats(self) -> Json:
+    def stats(self) -> Statistics:
         """What the newest state is and took; `complete` says whether it is the final one."""
         return self.session.call("surface.stats", surface=self.id)
 
-    def wait(self, timeout: Optional[float] = None, progress: Optional[Callable[[Json], None]] = None) -> Json:
+    def wait(self, timeout: Optional[float] = None, progress: Optional[Callable[[Statistics], None]] = None) -> Statistics:
         """The statistics, once the surface is complete. `progress` is called with those so far, every second or so.
         Error: WaitTimeout after `timeout` seconds; what computing it failed with."""
         end = None if timeout is None else time.monotonic() + timeout

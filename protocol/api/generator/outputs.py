@@ -6,11 +6,13 @@ import tempfile
 
 from . import cpp_table, markdown
 from .cpp import Cpp
+from .python import Python
 from .schema import FOLDER
 from .typescript import TypeScript
 
 ROOT = os.path.dirname(os.path.dirname(FOLDER))
 CPP = "protocol/api/generated"
+CLIENT = "protocol/python/wakesurf.py"
 TYPESCRIPT = "web-client/src/protocol/generated"
 
 
@@ -64,6 +66,7 @@ def make(api):
     out = {f"{CPP}/{name}": text for name, text in formatted_cpp(cpp_table.files(api, Cpp(api))).items()}
     out.update({f"{TYPESCRIPT}/{name}": text for name, text in formatted_typescript(TypeScript(api).files()).items()})
     out["docs/api.md"] = markdown.text(api)
+    out[CLIENT] = Python(api).text(kept(CLIENT))
     return out
 
 
