@@ -26,6 +26,10 @@ struct SurfaceParameters {
     /// degrees: neighbouring cells that meet at more are refined, along the flow and across, those of stream and path
     /// surfaces down to an eighth of the separation; 180: never
     double angle = 20.0;
+    /// part of the largest speed: a particle that is slower counts as at rest and ends, in all four kinds of surface. While the fastest
+    /// crosses the domain, one of a millionth of its speed moves a fifteenth of a step of the 2^16 a side on which positions travel:
+    /// ending it cannot be seen. 0: only what does not move at all
+    double stagnation_speed = 1e-6;
     bool reconnect =
         true; ///< false: shear is met by cutting cells alone, to measure what reconnecting them gains
     std::uint64_t max_quads = 1'000'000;

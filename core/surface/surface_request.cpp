@@ -84,6 +84,9 @@ Result<void> check_request(const SurfaceParameters& p) {
     if (!(p.angle > 0.0 && p.angle <= 180.0))
         return fail(Error::Code::InvalidArgument, "'angle' must lie between 0 and 180 degrees",
                     "leave it out for 20");
+    if (!(p.stagnation_speed >= 0.0 && p.stagnation_speed <= 0.1))
+        return fail(Error::Code::InvalidArgument, "'stagnationSpeed' must lie between 0 and 0.1",
+                    "it is a part of the largest speed; leave it out for 1e-6");
     if (auto fits = check_kind(p); !fits)
         return fits;
     if (p.max_quads < 1)
@@ -135,7 +138,7 @@ Result<std::vector<SheetOptions>> sheet_options(const Flow& flow,
     one.trace.tolerance = trace_tolerance(p.accuracy);
     one.trace.smooth = p.accuracy == Accuracy::Exact;
     one.trace.longest_step = flow.finest_spacing();
-    one.trace.stagnation_speed = 1e-6 * largest_speed;
+    one.trace.stagnation_speed = p.stagnation_speed * largest_speed;
     one.trace.most_steps = steps_per_curve(rake, separation, p.max_quads);
     one.trace.stretch = p.deformation;
     one.release = p.from;

@@ -58,8 +58,8 @@ _PROBE_BYTES = _MESSAGE_BYTES * 3 // 4  # of one call's points
 # <spelling: made by protocol/api/generate>
 _SURFACE_NAMES = {"rake": "rake", "kind": "kind", "dataset": "dataset", "to": "to", "from_": "from", "rake2": "rake2",
                   "direction": "direction", "accuracy": "accuracy", "release_until": "releaseUntil", "sweep": "sweep",
-                  "merge": "merge", "angle": "angle", "max_quads": "maxQuads", "separation": "separation",
-                  "fields": "fields"}
+                  "merge": "merge", "angle": "angle", "stagnation_speed": "stagnationSpeed", "max_quads": "maxQuads",
+                  "separation": "separation", "fields": "fields"}
 # </spelling>
 
 
@@ -415,6 +415,7 @@ SurfaceRecord = TypedDict("SurfaceRecord", {  # A surface as the session keeps i
     "sweep": "List[float]",  # the patch is the rake swept along this vector (the dataset's unit of length); may be ...
     "merge": "float",  # cells smaller than this merge; 0: never (part of the separation)
     "angle": "float",  # cells that meet at more than this are refined, as far as the separation and `maxQuads` ...
+    "stagnationSpeed": "float",  # a particle that is slower counts as at rest and ends; 0: only one that does not ...
     "maxQuads": "int",  # quads to build at most
     "from": "float",  # time of the (first) release (the dataset's unit of time)
     "separation": "float",  # the longest edge (the dataset's unit of length)
@@ -890,8 +891,9 @@ class Session:
     def surface(self, rake: Union["Rake", str], kind: str, dataset: str, to: float, from_: Optional[float] = None, *,
                 rake2: Optional[Union["Rake", str]] = None, direction: Optional[str] = None,
                 accuracy: Optional[str] = None, release_until: Optional[float] = None, sweep: Optional[Point] = None,
-                merge: Optional[float] = None, angle: Optional[float] = None, max_quads: Optional[int] = None,
-                separation: Optional[float] = None, fields: Optional[Sequence[str]] = None, **more: Any) -> "Surface":
+                merge: Optional[float] = None, angle: Optional[float] = None, stagnation_speed: Optional[float] = None,
+                max_quads: Optional[int] = None, separation: Optional[float] = None,
+                fields: Optional[Sequence[str]] = None, **more: Any) -> "Surface":
         """Makes a surface and starts computing it. What is left out has the default of `surface.set`, whose spelling, as in
         maxQuads, is taken too. What `fields` names is also in `Surface.mesh`, by name.
 
@@ -911,6 +913,8 @@ class Session:
         `merge`: cells smaller than this merge; 0: never (part of the separation); 0 to 0.5; default 0.35.
         `angle`: cells that meet at more than this are refined, as far as the separation and `max_quads` allow; 180:
             never (degrees); above 0, at most 180; default 20.
+        `stagnation_speed`: a particle that is slower counts as at rest and ends; 0: only one that does not move at all
+            (part of the largest speed); 0 to 0.1; default 1e-06.
         `max_quads`: quads to build at most; 1 to 4,000,000; default 1,000,000.
         `separation`: the longest edge; left out: the dataset's finest spacing (the dataset's unit of length); above 0.
         `fields`: further attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity
@@ -918,8 +922,8 @@ class Session:
         """
         given: Json = {"rake": _id(rake), "kind": kind, "dataset": dataset, "to": to, "from": from_, "rake2": rake2,
                        "direction": direction, "accuracy": accuracy, "releaseUntil": release_until, "sweep": sweep,
-                       "merge": merge, "angle": angle, "maxQuads": max_quads, "separation": separation,
-                       "fields": fields}
+                       "merge": merge, "angle": angle, "stagnationSpeed": stagnation_speed, "maxQuads": max_quads,
+                       "separation": separation, "fields": fields}
         return self._surface(given, more)
     # </surface>
 

@@ -140,7 +140,7 @@ Result<MovingSurface> MovingSurface::start(const Flow& flow,
                                                                 : AdvanceOptions::Method::Rk4;
     carry.tolerance = trace_tolerance(p.accuracy);
     carry.longest_step = flow.finest_spacing();
-    carry.stagnation_speed = 1e-4 * *speed;
+    carry.stagnation_speed = p.stagnation_speed * *speed;
     carry.smooth = p.accuracy == Accuracy::Exact;
     std::vector<double> places = seed_places(origin, flow, columns, rules.tear_size * separation);
     const double until = p.release_until ? std::abs(*p.release_until - p.from) : span;

@@ -120,6 +120,17 @@ const std::string_view methods_5 = R"json({
     "description": "cells that meet at more than this are refined, as far as the separation and `maxQuads` allow; 180: never",
     "x-unit": "degrees"}},
   {
+   "name": "stagnationSpeed",
+   "required": false,
+   "description": "a particle that is slower counts as at rest and ends; 0: only one that does not move at all",
+   "schema": {
+    "type": "number",
+    "minimum": 0,
+    "maximum": 0.1,
+    "default": 1e-06,
+    "description": "a particle that is slower counts as at rest and ends; 0: only one that does not move at all",
+    "x-unit": "part of the largest speed"}},
+  {
    "name": "maxQuads",
    "required": false,
    "description": "quads to build at most",

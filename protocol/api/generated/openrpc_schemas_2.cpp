@@ -299,6 +299,13 @@ const std::string_view schemas_2 = R"json("SessionFile": {
    "default": 20,
    "description": "cells that meet at more than this are refined, as far as the separation and `maxQuads` allow; 180: never",
    "x-unit": "degrees"},
+  "stagnationSpeed": {
+   "type": "number",
+   "minimum": 0,
+   "maximum": 0.1,
+   "default": 1e-06,
+   "description": "a particle that is slower counts as at rest and ends; 0: only one that does not move at all",
+   "x-unit": "part of the largest speed"},
   "maxQuads": {"type": "integer", "minimum": 1, "maximum": 4000000, "default": 1000000, "description": "quads to build at most"}},
  "required": ["rake", "dataset", "kind", "to"],
  "additionalProperties": false},
@@ -352,6 +359,13 @@ const std::string_view schemas_2 = R"json("SessionFile": {
    "default": 20,
    "description": "cells that meet at more than this are refined, as far as the separation and `maxQuads` allow; 180: never",
    "x-unit": "degrees"},
+  "stagnationSpeed": {
+   "type": "number",
+   "minimum": 0,
+   "maximum": 0.1,
+   "default": 1e-06,
+   "description": "a particle that is slower counts as at rest and ends; 0: only one that does not move at all",
+   "x-unit": "part of the largest speed"},
   "maxQuads": {"type": "integer", "minimum": 1, "maximum": 4000000, "default": 1000000, "description": "quads to build at most"},
   "from": {
    "type": "number",
@@ -377,30 +391,11 @@ const std::string_view schemas_2 = R"json("SessionFile": {
   "to",
   "merge",
   "angle",
+  "stagnationSpeed",
   "maxQuads",
   "from",
   "separation",
   "fields"],
- "additionalProperties": false},
-"SurfaceSetResult": {
- "type": "object",
- "description": "What surface.set answers.",
- "properties": {
-  "surface": {"type": "string", "minLength": 1, "maxLength": 256, "description": "its id"},
-  "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"},
-  "epoch": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "counts the surfaces that a record has had; only grows"},
-  "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "of the session after the edit"}},
- "required": ["surface", "rev", "epoch", "seq"],
- "additionalProperties": false},
-"PassSeconds": {
- "type": "object",
- "description": "What the pass that made the newest state took.",
- "properties": {
-  "queue": {"type": "number", "minimum": 0, "description": "from the edit, or the state before, until it began", "x-unit": "s"},
-  "load": {"type": "number", "minimum": 0, "description": "waiting for time-steps of the velocity", "x-unit": "s"},
-  "compute": {"type": "number", "minimum": 0, "description": "all else of building", "x-unit": "s"},
-  "encode": {"type": "number", "minimum": 0, "description": "making frames", "x-unit": "s"}},
- "required": ["queue", "load", "compute", "encode"],
  "additionalProperties": false})json";
 
 } // namespace wakesurf::protocol::openrpc

@@ -3,7 +3,27 @@
 
 namespace wakesurf::protocol::openrpc {
 
-const std::string_view schemas_3 = R"json("Terminations": {
+const std::string_view schemas_3 = R"json("SurfaceSetResult": {
+ "type": "object",
+ "description": "What surface.set answers.",
+ "properties": {
+  "surface": {"type": "string", "minLength": 1, "maxLength": 256, "description": "its id"},
+  "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"},
+  "epoch": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "counts the surfaces that a record has had; only grows"},
+  "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "of the session after the edit"}},
+ "required": ["surface", "rev", "epoch", "seq"],
+ "additionalProperties": false},
+"PassSeconds": {
+ "type": "object",
+ "description": "What the pass that made the newest state took.",
+ "properties": {
+  "queue": {"type": "number", "minimum": 0, "description": "from the edit, or the state before, until it began", "x-unit": "s"},
+  "load": {"type": "number", "minimum": 0, "description": "waiting for time-steps of the velocity", "x-unit": "s"},
+  "compute": {"type": "number", "minimum": 0, "description": "all else of building", "x-unit": "s"},
+  "encode": {"type": "number", "minimum": 0, "description": "making frames", "x-unit": "s"}},
+ "required": ["queue", "load", "compute", "encode"],
+ "additionalProperties": false},
+"Terminations": {
  "type": "object",
  "description": "Particles by what ended them.",
  "properties": {

@@ -41,6 +41,7 @@ void read(CheckedJson& in, SurfaceRecord& out) {
     out.parameters.angle = in.number_or("angle", 0.0, 180.0, 20.0);
     if (in.has("angle") && !(out.parameters.angle > 0.0))
         in.fault("angle", "must be a number greater than 0");
+    out.parameters.stagnation_speed = in.number_or("stagnationSpeed", 0.0, 0.1, 1e-06);
     out.parameters.max_quads =
         in.count_or("maxQuads", 1, limits::quads_most, limits::quads_default);
     out.parameters.from = in.number("from", -3.4028234663852886e+38, 3.4028234663852886e+38);
@@ -71,6 +72,7 @@ nlohmann::json kept_json(const SurfaceRecord& record) {
         out["sweep"] = point_json(*record.parameters.sweep);
     out["merge"] = record.parameters.merge;
     out["angle"] = record.parameters.angle;
+    out["stagnationSpeed"] = record.parameters.stagnation_speed;
     out["maxQuads"] = record.parameters.max_quads;
     out["from"] = record.parameters.from;
     out["separation"] = record.parameters.separation;
@@ -108,6 +110,7 @@ void read(CheckedJson& in, SurfaceSetting& out) {
     out.parameters.angle = in.number_or("angle", 0.0, 180.0, 20.0);
     if (in.has("angle") && !(out.parameters.angle > 0.0))
         in.fault("angle", "must be a number greater than 0");
+    out.parameters.stagnation_speed = in.number_or("stagnationSpeed", 0.0, 0.1, 1e-06);
     out.parameters.max_quads =
         in.count_or("maxQuads", 1, limits::quads_most, limits::quads_default);
     out.parameters.separation = in.number_or("separation", 0.0, any_number, 0.0);

@@ -29,7 +29,8 @@ struct SurfaceRecord {
     std::optional<std::string> rake2;
     /// an id from dataset.list
     std::string dataset;
-    /// kind, direction, accuracy, to, releaseUntil, sweep, merge, angle, maxQuads, from, separation
+    /// kind, direction, accuracy, to, releaseUntil, sweep, merge, angle, stagnationSpeed, maxQuads,
+    /// from, separation
     core::SurfaceParameters parameters;
     /// further attributes of the vertices, in frames and exports: scalar fields of the dataset, its
     /// velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude),
@@ -62,7 +63,8 @@ struct SurfaceSetting {
     std::optional<std::string> rake2;
     /// an id from dataset.list
     std::string dataset;
-    /// kind, to, direction, accuracy, releaseUntil, sweep, merge, angle, maxQuads, separation
+    /// kind, to, direction, accuracy, releaseUntil, sweep, merge, angle, stagnationSpeed, maxQuads,
+    /// separation
     core::SurfaceParameters parameters;
     /// time of release; streak: of the first one; left out: the dataset's first time (the dataset's
     /// unit of time)

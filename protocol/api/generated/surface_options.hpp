@@ -43,6 +43,10 @@ inline constexpr SurfaceOption surface_options[]{
      "Cells that meet at more than this are refined, as far as the separation and --max-quads "
      "allow; 180: never (degrees; above 0, at most 180)",
      "20", false},
+    {"--stagnation-speed", "stagnationSpeed", "number",
+     "A particle that is slower counts as at rest and ends; 0: only one that does not move at all "
+     "(part of the largest speed; 0 to 0.1)",
+     "1e-06", false},
     {"--separation", "separation", "number",
      "The longest edge; left out: the dataset's finest spacing (the dataset's unit of length; "
      "above 0)",

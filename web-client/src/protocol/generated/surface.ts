@@ -50,6 +50,11 @@ export interface SurfaceFields {
      * (degrees)
      */
     angle?: number;
+    /**
+     * a particle that is slower counts as at rest and ends; 0: only one that does not move at all (part of the largest
+     * speed)
+     */
+    stagnationSpeed?: number;
     /** quads to build at most */
     maxQuads?: number;
 }
@@ -66,6 +71,7 @@ export const surfaceFieldsCheck = members<SurfaceFields>({
     sweep: optional(point),
     merge: optional(number),
     angle: optional(number),
+    stagnationSpeed: optional(number),
     maxQuads: optional(whole),
 });
 
@@ -105,6 +111,11 @@ export interface SurfaceRecord {
      * (degrees)
      */
     angle: number;
+    /**
+     * a particle that is slower counts as at rest and ends; 0: only one that does not move at all (part of the largest
+     * speed)
+     */
+    stagnationSpeed: number;
     /** quads to build at most */
     maxQuads: number;
     /** time of the (first) release (the dataset's unit of time) */
@@ -133,6 +144,7 @@ export const surfaceRecordCheck = members<SurfaceRecord>({
     sweep: optional(point),
     merge: number,
     angle: number,
+    stagnationSpeed: number,
     maxQuads: whole,
     from: number,
     separation: number,
@@ -189,6 +201,11 @@ export interface SurfaceSetParams {
      * (degrees)
      */
     angle?: number;
+    /**
+     * a particle that is slower counts as at rest and ends; 0: only one that does not move at all (part of the largest
+     * speed)
+     */
+    stagnationSpeed?: number;
     /** quads to build at most */
     maxQuads?: number;
     /** the longest edge; left out: the dataset's finest spacing (the dataset's unit of length) */
@@ -263,6 +280,7 @@ export const surfaceAskedNames = [
     'sweep',
     'merge',
     'angle',
+    'stagnationSpeed',
     'maxQuads',
     'separation',
     'fields',
@@ -274,6 +292,7 @@ export const surfaceDefaults = {
     accuracy: 'balanced' as Accuracy,
     merge: 0.35,
     angle: 20,
+    stagnationSpeed: 1e-6,
     maxQuads: 1000000,
     fields: [] as string[],
 };
@@ -289,5 +308,6 @@ export const surfaceSetOnlyFor = {
 export const surfaceSetNumbers = {
     merge: { usual: 0.35, least: 0, most: 0.5 },
     angle: { usual: 20, most: 180 },
+    stagnationSpeed: { usual: 1e-6, least: 0, most: 0.1 },
     maxQuads: { usual: 1000000, least: 1, most: 4000000 },
 } as const;
