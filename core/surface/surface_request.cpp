@@ -15,7 +15,7 @@ std::size_t steps_per_curve(const Rake& rake, double separation, std::uint64_t m
         std::clamp(4.0 * static_cast<double>(max_quads) / columns, 500.0, 50'000.0));
 }
 
-/// What only one kind of surface takes.
+/// What the engine cannot compute. What users are told of it, by parameter, is in protocol/api.
 Result<void> check_kind(const SurfaceParameters& p) {
     const auto refuse = [](const char* what, const char* hint) {
         return fail(Error::Code::InvalidArgument, what, hint);
