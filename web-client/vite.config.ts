@@ -9,8 +9,10 @@ const pythonClient: Plugin = {
     name: 'python-client',
     apply: 'build',
     generateBundle() {
-        const file = fileURLToPath(new URL('../protocol/python/wakesurf.py', import.meta.url));
-        this.emitFile({ type: 'asset', fileName: 'wakesurf.py', source: readFileSync(file) });
+        for (const fileName of ['wakesurf.py', 'wakesurf_frames.py']) {
+            const file = fileURLToPath(new URL(`../protocol/python/${fileName}`, import.meta.url));
+            this.emitFile({ type: 'asset', fileName, source: readFileSync(file) });
+        }
     },
 };
 

@@ -3,6 +3,6 @@
 
 namespace wakesurf::protocol {
 
-inline constexpr int api_level = 3;
+inline constexpr int api_level = 4;
 
 } // namespace wakesurf::protocol

@@ -11,10 +11,10 @@
         mesh = surface.mesh()                                      # mesh.points, mesh.polygons, mesh["speed"]: numpy
         surface.export("wake.vtp")                                 # for ParaView, see also .glb, .ply, .obj
 
-Everything goes over HTTP (urllib). Only `Surface.watch` needs a WebSocket, and for it the package `websocket-client`
-(Debian: python3-websocket). What live frames carry is compressed with Draco, which this file does not decode: `watch`
-tells *that* a surface changed and how, and `mesh` fetches it, in full precision. The protocol itself is described in
-protocol/api/README.md and, machine readable, by the server at /openrpc.json.
+Everything goes over HTTP (urllib). Only `Surface.watch` and `Surface.live` need a WebSocket, and for it the package
+`websocket-client` (Debian: python3-websocket). `watch` tells *that* a surface changed and how, `live` decodes each state
+as clients show it (with wakesurf_frames.py), and `mesh` fetches the newest, in full precision. The protocol itself is
+described in protocol/README.md and, machine readable, by the server at /openrpc.json.
 
 Failures are subclasses of `WakesurfError`; each has `code`, `kind`, `hint` and `data` as the server gave them.
 Objects may be used by one thread at a time.
@@ -478,7 +478,7 @@ Statistics = TypedDict("Statistics", {  # What the newest state of a surface is 
     "pass": "PassSeconds",  # what making this state took; may be missing
     "peakBytes": "int",  # the most memory that building it took (bytes)
     "stopped": "str",  # why the surface ends early; may be missing
-    "crc": "int",  # state checksum of what clients show, as in the frames (protocol/README.md, State checksum)
+    "stateSum": "int",  # checksum of what clients show, as in the frames (protocol/wire/FORMAT.md, State sum)
     "error": "Problem",  # why there is none; may be missing
 }, total=False)
 
@@ -1115,20 +1115,46 @@ class Surface(_Record):
         change, coarse before final. Yields `Update`s, not meshes; see `Update.mesh`. Joins the session as `name` while it
         runs; close the generator, or leave its loop, to end it. Error: WaitTimeout after `timeout` seconds without
         any; Unreachable."""
+        for header, frames, _ in self._updates(name, timeout):
+            yield Update(self, bytes=sum(map(len, frames)), **header)
+
+    def live(self, name: str = "python", timeout: Optional[float] = 60.0) -> Iterator["Mesh"]:
+        """The same as meshes: each state as it reaches the clients, on the dataset's lattice, with speed, s, t and the
+        surface's fields. `Mesh.about` tells epoch, seq, phase, time and whether it is `lossless`. Needs wakesurf_frames.py
+        beside this file and the library that it names, which wakesurf's build makes. Cost: some 10 us a vertex that moves.
+        Error: as `watch`; ImportError or OSError without those."""
+        import wakesurf_frames
+        decoder, joined = None, None
+        for header, frames, agreed in self._updates(name, timeout):
+            if joined is not agreed:
+                decoder, joined = wakesurf_frames.MeshDecoder(wakesurf_frames.Draco()), agreed
+            for frame in frames:
+                state = decoder.fold(frame)
+            names = agreed["attributes"]
+            if len(names) != len(state.codes):  # an edit has changed the fields
+                names = names[:3] + self.record()["fields"]
+            connectivity, offsets = state.polygons()
+            arrays = {each: state.attribute(i) for i, each in enumerate(names[:len(state.codes)])}
+            about = {**{each: header[each] for each in ("epoch", "seq", "phase", "time")}, "lossless": state.header.lossless}
+            yield Mesh(state.points(agreed["lattice"]), connectivity, offsets, arrays, about)
+
+    def _updates(self, name: str, timeout: Optional[float]) -> Iterator[Tuple[Json, List[bytes], Json]]:
+        """Whole updates: what their header says, their frames, and what was agreed with the subscription."""
         with _Socket(self.session.client, timeout) as socket:
             socket.call("session.join", session=self.session.id, name=name)
-            subscription = socket.call("surface.subscribe", surface=self.id)["subscription"]
-            size = 0
+            agreed = socket.call("surface.subscribe", surface=self.id)
+            frames: List[bytes] = []
             while True:
                 frame = socket.frame()
-                size += len(frame)
                 header = _header(frame)
-                if header is None or header.pop("subscription") != subscription:
+                if header is None or header.pop("subscription") != agreed["subscription"]:
                     continue
+                frames.append(frame)
                 if header.pop("last"):
-                    socket.notify("frame.ack", subscription=subscription, epoch=header["epoch"], seq=header["seq"])
-                    yield Update(self, bytes=size, **header)
-                    size = 0
+                    socket.notify("frame.ack", subscription=agreed["subscription"], epoch=header["epoch"],
+                                  seq=header["seq"])
+                    yield header, frames, agreed
+                    frames = []
 
     def _repr_html_(self) -> str:
         stats = self.stats()
@@ -1139,7 +1165,7 @@ class Surface(_Record):
 
 @dataclass(frozen=True)
 class Update:
-    """A state of a surface that has arrived, in `bytes` bytes. `phase` is coarse, refined, final or live; `crc` is the
+    """A state of a surface that has arrived, in `bytes` bytes. `phase` is coarse, refined, final or live; `state_sum` is the
     checksum of what clients show; `time` is the simulation time shown, NaN where the server does not tell."""
 
     surface: Surface = field(repr=False)
@@ -1148,7 +1174,7 @@ class Update:
     phase: str
     vertices: int
     cells: int
-    crc: int
+    state_sum: int
     time: float
     bytes: int
 
@@ -1312,18 +1338,17 @@ class _Socket:
 
 
 def _header(frame: bytes) -> Optional[Json]:
-    """What a mesh frame says about its update, see Frame in protocol/wire/README.md; None for what is none."""
-    if len(frame) < 64 or frame[:2] != b"WS":
+    """What a mesh frame says about its update, see Frame in protocol/wire/FORMAT.md; None for what is none."""
+    if len(frame) < 48 or frame[:2] != b"WS":
         return None
-    if frame[2] != 3:
-        raise WakesurfError(f"the server sends mesh frames of version {frame[2]}, this client reads version 3",
+    if frame[2] != 4:
+        raise WakesurfError(f"the server sends mesh frames of version {frame[2]}, this client reads version 4",
                             hint="use the wakesurf.py that came with the server")
-    number, epoch, seq, _, index, count, phase = struct.unpack_from("<4I2HB", frame, 4)
-    vertices, cells, _, when = struct.unpack_from("<3Id", frame, 28)
-    (crc,) = struct.unpack_from("<I", frame, 56)
+    number, epoch, seq, index, count, phase = struct.unpack_from("<3I2HB", frame, 4)
+    vertices, cells, when, state_sum = struct.unpack_from("<2IdI", frame, 24)
     return {"subscription": number, "epoch": epoch, "seq": seq,
             "phase": dict(enumerate(("coarse", "refined", "final", "live"))).get(phase, "live"), "vertices": vertices,
-            "cells": cells, "crc": crc, "time": when, "last": index + 1 == count}
+            "cells": cells, "state_sum": state_sum, "time": when, "last": index + 1 == count}
 
 
 def _plain(value: Any, where: str = "") -> Any:

@@ -1,5 +1,5 @@
 // Residuals as a Draco sequential point cloud, the only Draco encoding that keeps their order. The only file of the wire that
-// knows Draco. protocol/wire/README.md, Draco block. Twin: web-client/src/protocol/dracoPoints.ts.
+// knows Draco. protocol/wire/FORMAT.md, Draco block. Twin: web-client/src/protocol/dracoPoints.ts.
 #pragma once
 
 #include "core/base/result.hpp"

@@ -7,9 +7,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 namespace wakesurf::protocol {
 
@@ -21,11 +23,81 @@ tl::unexpected<Error> corrupt(std::string message) {
     return core::fail(Error::Code::Corrupt, std::move(message), "subscribe to the surface again");
 }
 
-std::vector<std::uint32_t> numbers_from(std::uint32_t first, std::uint32_t last) {
-    std::vector<std::uint32_t> all;
-    for (std::uint32_t v = first; v < last; ++v)
-        all.push_back(v);
-    return all;
+core::Result<std::vector<AttributeRange>> read_ranges(Numbers& numbers, std::size_t count) {
+    const auto bounds = numbers.take(2 * count);
+    std::vector<AttributeRange> ranges;
+    for (std::size_t i = 0; i + 1 < bounds.size(); i += 2)
+        ranges.push_back({std::bit_cast<float>(bounds[i]), std::bit_cast<float>(bounds[i + 1])});
+    for (const AttributeRange& range : ranges)
+        if (!std::isfinite(range.lo) || !std::isfinite(range.hi) || range.lo > range.hi)
+            return corrupt("a mesh update has an attribute without a range");
+    if (ranges.size() < count)
+        return corrupt("a mesh update ends within its ranges");
+    return ranges;
+}
+
+/// Of the vertices that moved, then of those that were added.
+core::Result<void> read_points(Numbers& numbers,
+                               std::span<const std::byte> draco,
+                               const TopologyEdit& edit,
+                               WireDraft& draft) {
+    std::array<std::vector<std::uint32_t>, 2> coded;
+    for (const Run& run : edit.moved_vertices.all())
+        for (std::uint32_t v = run.begin; v < run.end; ++v)
+            coded[0].push_back(v);
+    for (std::uint32_t v = draft.stay; v < draft.vertices(); ++v)
+        coded[1].push_back(v);
+    const auto attributes = static_cast<std::uint8_t>(draft.after.codes.size());
+    for (const PointKind kind : {PointKind::Moved, PointKind::Added})
+        for (std::span<const std::uint32_t> left = coded[static_cast<std::size_t>(kind)];
+             !left.empty();) {
+            const auto most = static_cast<std::uint32_t>(left.size());
+            const auto block = read_block(numbers, draco, {kind, attributes, most});
+            if (!block)
+                return tl::unexpected(block.error());
+            apply_residuals(draft, *block, left.first(block->count));
+            left = left.subspan(block->count);
+        }
+    if (numbers.left() > 0 || !draco.empty())
+        return corrupt("a mesh update goes on after its last vertex");
+    return {};
+}
+
+/// The state after an update of which all bytes are there.
+core::Result<WireMesh>
+decoded(const FrameHeader& header, std::span<const std::byte> bytes, WireMesh before) {
+    auto numbers = unpack_numbers(bytes);
+    if (!numbers)
+        return tl::unexpected(numbers.error());
+    if (header.is_key()) {
+        auto ranges = read_ranges(*numbers, header.attribute_count);
+        if (!ranges)
+            return tl::unexpected(ranges.error());
+        before = {};
+        before.lattice_bits = header.lattice_bits;
+        before.ranges = std::move(*ranges);
+        before.codes.resize(header.attribute_count);
+    }
+    const auto vertices = static_cast<std::uint32_t>(before.vertices());
+    auto read = read_edit(*numbers, {vertices, before.cells()}, {header.vertices, header.cells});
+    if (!read)
+        return tl::unexpected(read.error());
+    const TopologyEdit& edit = read->edit;
+    if (edit.moved_vertices.count() + std::uint64_t{edit.added_vertices} >
+        std::uint64_t{max_block_vertices} * header.frame_count)
+        return corrupt("a mesh update announces more vertices than its frames may hold");
+    auto topology = before.topology;
+    if (!edit.keeps_topology())
+        topology = std::make_shared<const WireTopology>(
+            edit.only_adds() ? *before.topology : WireTopology(),
+            edited_cells(std::move(read->kept), edit), header.vertices);
+    WireDraft draft = begin_draft(before, edit, std::move(topology));
+    if (auto points = read_points(*numbers, bytes, edit, draft); !points)
+        return tl::unexpected(points.error());
+    draft.after.time = header.time;
+    if (state_sum(draft.after) != header.state_sum)
+        return corrupt("the mesh does not match the server's checksum");
+    return std::move(draft.after);
 }
 
 } // namespace
@@ -33,18 +105,7 @@ std::vector<std::uint32_t> numbers_from(std::uint32_t first, std::uint32_t last)
 /// The frames of an update so far.
 struct MeshDecoder::Update {
     FrameHeader header; ///< of the newest frame
-    WireMesh before;    ///< of a KEY: nothing, else the state it starts from
-    Bytes topology;
-    WireDraft draft; ///< once the topology is whole
-    bool drafted = false;
-    /// Vertices to come of each kind, and how many of them have.
-    std::array<std::vector<std::uint32_t>, 3> coded;
-    std::array<std::size_t, 3> done{};
-
-    core::Result<void> take(const MeshFrame& frame);
-    core::Result<void> begin();
-    core::Result<void> take_points(std::span<const std::byte> points);
-    bool all_points_in() const;
+    Bytes bytes;        ///< of all
 };
 
 MeshDecoder::MeshDecoder() = default;
@@ -83,7 +144,7 @@ core::Result<void> MeshDecoder::check_order(const FrameHeader& h) const {
         return {};
     }
     if (!intact_ || update_ || !newest_ || h.epoch != newest_->header.epoch ||
-        h.base_seq != newest_->header.seq || h.lattice_bits != newest_->mesh->lattice_bits ||
+        h.seq != newest_->header.seq + 1 || h.lattice_bits != newest_->mesh->lattice_bits ||
         h.attribute_count != newest_->mesh->codes.size())
         return corrupt(fmt::format("epoch {} update {} does not start from the state there is",
                                    h.epoch, h.seq));
@@ -92,97 +153,18 @@ core::Result<void> MeshDecoder::check_order(const FrameHeader& h) const {
 
 core::Result<bool> MeshDecoder::take(const MeshFrame& frame) {
     const FrameHeader& h = frame.header;
-    if (h.frame_index == 0) {
+    if (h.frame_index == 0)
         update_ = std::make_unique<Update>();
-        if (h.is_key()) {
-            update_->before.lattice_bits = h.lattice_bits;
-            update_->before.ranges = frame.ranges;
-            update_->before.codes.resize(h.attribute_count);
-        } else {
-            update_->before = *newest_->mesh;
-        }
-    }
-    if (auto taken = update_->take(frame); !taken)
-        return tl::unexpected(taken.error());
+    update_->header = h;
+    update_->bytes.insert(update_->bytes.end(), frame.body.begin(), frame.body.end());
     if (h.frame_index + 1 < h.frame_count)
         return false;
     const std::unique_ptr<Update> whole = std::move(update_);
-    if (!whole->drafted || !whole->all_points_in())
-        return corrupt("a mesh update ended before all of it was there");
-    WireMesh& mesh = whole->draft.after;
-    mesh.time = h.time;
-    if ((h.flags & FrameHeader::history) == 0)
-        finish_changes(whole->draft);
-    if (state_sum(mesh) != h.state_sum)
-        return corrupt("the mesh does not match the server's checksum");
-    newest_ = DecodedState{h, std::make_shared<const WireMesh>(std::move(mesh))};
+    auto mesh = decoded(h, whole->bytes, h.is_key() ? WireMesh() : *newest_->mesh);
+    if (!mesh)
+        return tl::unexpected(mesh.error());
+    newest_ = DecodedState{h, std::make_shared<const WireMesh>(std::move(*mesh))};
     intact_ = true;
-    return true;
-}
-
-core::Result<void> MeshDecoder::Update::take(const MeshFrame& frame) {
-    header = frame.header;
-    topology.insert(topology.end(), frame.topology.begin(), frame.topology.end());
-    if (topology.size() > header.topology_size)
-        return corrupt("a mesh update has more topology than it announced");
-    if (!drafted && topology.size() == header.topology_size)
-        if (auto begun = begin(); !begun)
-            return begun;
-    if (!drafted && !frame.points.empty())
-        return corrupt("points of a mesh update came before its topology was whole");
-    return take_points(frame.points);
-}
-
-core::Result<void> MeshDecoder::Update::begin() {
-    const MeshSize after{header.vertices, header.cells};
-    auto read =
-        read_edit(topology, {static_cast<std::uint32_t>(before.vertices()), before.cells()}, after);
-    if (!read)
-        return tl::unexpected(read.error());
-    const TopologyEdit& edit = read->edit;
-    if (edit.moved_vertices.count() + std::uint64_t{edit.added_vertices} >
-        std::uint64_t{max_frame_vertices} * header.frame_count)
-        return corrupt("a mesh update announces more vertices than its frames can hold");
-    auto shared = before.topology;
-    if (!edit.keeps_topology()) {
-        auto cells = edited_cells(std::move(read->kept.cells), edit);
-        shared = std::make_shared<const WireTopology>(*before.topology, read->kept, edit,
-                                                      std::move(cells), after.vertices);
-    }
-    draft = begin_draft(before, edit, std::move(shared));
-    for (const Run& run : edit.moved_vertices.all())
-        for (std::uint32_t v = run.begin; v < run.end; ++v)
-            coded[0].push_back(v);
-    coded[1] = numbers_from(draft.stay, draft.vertices());
-    if ((header.flags & FrameHeader::history) != 0)
-        coded[2] = coded[1];
-    drafted = true;
-    return {};
-}
-
-core::Result<void> MeshDecoder::Update::take_points(std::span<const std::byte> points) {
-    std::uint32_t left_in_frame = max_frame_vertices;
-    for (std::size_t at = 0; at < points.size();) {
-        auto block = read_block(points, at, header.attribute_count, left_in_frame);
-        if (!block)
-            return tl::unexpected(block.error());
-        const auto kind = static_cast<std::size_t>(block->coding.kind);
-        for (std::size_t earlier = 0; earlier < kind; ++earlier)
-            if (done[earlier] < coded[earlier].size())
-                return corrupt("the points of a mesh update are out of order");
-        if (block->count > coded[kind].size() - done[kind])
-            return corrupt("a mesh update has more points than its topology says");
-        apply_residuals(draft, *block, std::span(coded[kind]).subspan(done[kind], block->count));
-        done[kind] += block->count;
-        left_in_frame -= block->count;
-    }
-    return {};
-}
-
-bool MeshDecoder::Update::all_points_in() const {
-    for (std::size_t kind = 0; kind < coded.size(); ++kind)
-        if (done[kind] < coded[kind].size())
-            return false;
     return true;
 }
 

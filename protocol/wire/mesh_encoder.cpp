@@ -10,7 +10,7 @@ encode_state(const core::QuadComplex& mesh, const Lattice& lattice, const Encode
     UpdateOptions update;
     update.phase = options.final ? Phase::Final : Phase::Coarse;
     return stream.next(with_ids(mesh), update).map([](EncodedUpdate key) {
-        return EncodedState{std::move(key.frames), key.crc};
+        return EncodedState{std::move(key.frames), key.state_sum};
     });
 }
 

@@ -19,7 +19,7 @@ struct EncodeOptions {
 
 struct EncodedState {
     SharedFrames frames; ///< at least one
-    std::uint32_t state_crc = 0;
+    std::uint32_t state_sum = 0;
 };
 
 /// Encodes a mesh as update `seq`. A mesh without cells becomes a state without vertices.

@@ -1,24 +1,21 @@
-// The envelope of one binary message: header, attribute ranges, a piece of the topology, point blocks. protocol/wire/README.md
-// has the byte map. Twin: web-client/src/protocol/meshFrame.ts.
+// The envelope of one binary message: a header, and a piece of an update. protocol/wire/FORMAT.md has the byte map. Twin: web-client/src/protocol/meshFrame.ts.
 #pragma once
 
 #include "core/base/result.hpp"
 #include "protocol/wire/bytes.hpp"
-#include "protocol/wire/wire_mesh.hpp"
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace wakesurf::protocol {
 
 inline constexpr std::uint16_t frame_magic = 0x5357; ///< "WS" as bytes
-inline constexpr std::uint8_t frame_version = 3;
-inline constexpr std::size_t frame_header_bytes = 64;
+inline constexpr std::uint8_t frame_version = 4;
+inline constexpr std::size_t frame_header_bytes = 48;
 
 // What a reader accepts; a writer keeps its frames below 512 KiB.
 inline constexpr std::size_t max_frame_bytes = 4u << 20;
-inline constexpr std::uint32_t max_frame_vertices = 1u << 16;
+inline constexpr std::uint32_t max_block_vertices = 1u << 16;
 inline constexpr std::uint32_t max_mesh_vertices = 1u << 24;
 inline constexpr std::uint32_t max_mesh_cells = 1u << 24;
 inline constexpr std::uint8_t max_attributes = 7;
@@ -30,13 +27,11 @@ struct FrameHeader {
     static constexpr std::uint8_t key = 1; ///< starts from the empty state
     static constexpr std::uint8_t lossless =
         2; ///< the state is the server's surface, exact on the lattice
-    static constexpr std::uint8_t history = 4; ///< a KEY with the changes of its vertices
 
     std::uint8_t flags = 0;
     std::uint32_t surface = 0; ///< the subscription
     std::uint32_t epoch = 0;
-    std::uint32_t seq = 0; ///< of the update
-    std::uint32_t base_seq = 0;
+    std::uint32_t seq = 0; ///< of the update; a DELTA starts from the state of the one before
     std::uint16_t frame_index = 0;
     std::uint16_t frame_count = 1;
     Phase phase = Phase::Final;
@@ -44,10 +39,7 @@ struct FrameHeader {
     std::uint8_t attribute_count = 0;
     std::uint32_t vertices = 0; ///< of the state after the update
     std::uint32_t cells = 0;
-    std::uint32_t topology_size = 0; ///< of the update, all frames together
     double time = 0.0;
-    std::uint32_t topology_bytes = 0;
-    std::uint32_t points_bytes = 0;
     std::uint32_t state_sum = 0;
 
     bool is_key() const { return (flags & key) != 0; }
@@ -55,18 +47,22 @@ struct FrameHeader {
     bool operator==(const FrameHeader&) const = default;
 };
 
-/// Whether two frames can be of one update: alike but for their index and the sizes of their parts.
+/// Whether two frames can be of one update: alike but for their index.
 bool same_update(FrameHeader a, const FrameHeader& b);
 
-/// A frame taken apart; the parts point into the bytes it was read from.
+/// A frame taken apart; the body points into the bytes it was read from.
 struct MeshFrame {
     FrameHeader header;
-    std::vector<AttributeRange> ranges; ///< of frame 0 of a KEY, else empty
-    std::span<const std::byte> topology;
-    std::span<const std::byte> points;
+    std::span<const std::byte> body;
 };
 
-/// Fills in the byte counts from the parts, and the checksum.
+/// The checksum of a frame's bytes, which stands in its header: CRC-32 as in zlib and PNG.
+/// REQUIRES: at least frame_header_bytes.
+std::uint32_t frame_crc(std::span<const std::byte> frame);
+
+inline constexpr std::size_t frame_crc_at = 44;
+
+/// Fills in the checksum.
 Bytes write_frame(const MeshFrame& frame);
 
 /// Error: Unsupported for another version, OverLimit, Corrupt for anything else that is not a whole, undamaged frame.

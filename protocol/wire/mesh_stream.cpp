@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <numeric>
 #include <optional>
@@ -84,11 +85,6 @@ Runs moved_of(const WireMesh& truth, const WireDraft& draft, const PointCoding& 
     return moved;
 }
 
-bool any_change(const WireMesh& mesh) {
-    return std::ranges::any_of(mesh.change,
-                               [](const LatticePoint& change) { return change != LatticePoint{}; });
-}
-
 Residuals predicted(WireDraft& draft,
                     const WireMesh& truth,
                     const PointCoding& coding,
@@ -116,11 +112,19 @@ std::vector<std::uint32_t> numbers(const Runs& runs) {
 struct Step {
     FrameHeader header;
     TopologyEdit edit;
-    KeptCells kept;
+    std::vector<core::Cell> kept;
     WireMesh truth;
     std::shared_ptr<const WireTopology> topology; ///< after the edit
     Tolerance tolerance;
 };
+
+/// As the bits of floats.
+void append_ranges(std::vector<std::uint32_t>& numbers, std::span<const AttributeRange> ranges) {
+    for (const AttributeRange& range : ranges) {
+        numbers.push_back(std::bit_cast<std::uint32_t>(range.lo));
+        numbers.push_back(std::bit_cast<std::uint32_t>(range.hi));
+    }
+}
 
 core::Result<EncodedUpdate> encode(const WireMesh& before, Step step) {
     const std::size_t attributes = step.truth.codes.size();
@@ -134,16 +138,8 @@ core::Result<EncodedUpdate> encode(const WireMesh& before, Step step) {
     step.edit.moved_vertices =
         moved_of(step.truth, draft, coding_of(PointKind::Moved, attributes, step.tolerance));
     code(PointKind::Moved, numbers(step.edit.moved_vertices));
-    const auto added = numbers(draft.stay, draft.vertices());
-    code(PointKind::Added, added);
+    code(PointKind::Added, numbers(draft.stay, draft.vertices()));
     FrameHeader& header = step.header;
-    if (header.is_key() && any_change(step.truth)) {
-        header.flags |= FrameHeader::history;
-        points.push_back(
-            make_residuals(draft, step.truth, coding_of(PointKind::Change, 0, {}), added));
-    } else {
-        finish_changes(draft);
-    }
     draft.after.time = header.time;
     header.flags = static_cast<std::uint8_t>(
         header.flags | (step.tolerance.exact() ? FrameHeader::lossless : std::uint8_t{0}));
@@ -152,14 +148,16 @@ core::Result<EncodedUpdate> encode(const WireMesh& before, Step step) {
     header.vertices = draft.vertices();
     header.cells = static_cast<std::uint32_t>(draft.after.cells().size());
     header.state_sum = state_sum(draft.after);
-    const auto ranges = header.is_key() ? std::span<const AttributeRange>(draft.after.ranges)
-                                        : std::span<const AttributeRange>{};
-    auto frames = write_update(header, ranges, write_edit(step.edit, step.kept), points);
+    std::vector<std::uint32_t> leading;
+    if (header.is_key())
+        append_ranges(leading, draft.after.ranges);
+    append_edit(leading, step.edit, step.kept, draft.stay);
+    auto frames = write_update(header, std::move(leading), points);
     if (!frames)
         return tl::unexpected(frames.error());
     EncodedUpdate update;
     update.epoch = header.epoch;
-    update.base_seq = header.base_seq;
+    update.base_seq = header.is_key() ? header.seq : header.seq - 1;
     update.seq = header.seq;
     update.key = header.is_key();
     update.phase = header.phase;
@@ -167,7 +165,7 @@ core::Result<EncodedUpdate> encode(const WireMesh& before, Step step) {
     update.frames = std::move(*frames);
     for (const auto& frame : update.frames)
         update.bytes += frame->size();
-    update.crc = header.state_sum;
+    update.state_sum = header.state_sum;
     update.state = std::make_shared<const WireMesh>(std::move(draft.after));
     return update;
 }
@@ -205,7 +203,6 @@ struct MeshStream::Held {
         header.surface = surface;
         header.epoch = epoch;
         header.seq = next_seq;
-        header.base_seq = key ? next_seq : next_seq - 1;
         header.phase = phase;
         header.time = mesh.time;
         return header;
@@ -285,7 +282,7 @@ core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
     step.topology = !key && matched.edit.keeps_topology()
                         ? held.state->topology
                         : std::make_shared<const WireTopology>(
-                              key ? none : *held.state->topology, matched.kept, matched.edit,
+                              !key && matched.edit.only_adds() ? *held.state->topology : none,
                               std::move(matched.cells), mesh.mesh.vertices());
     step.edit = std::move(matched.edit);
     step.kept = std::move(matched.kept);
@@ -307,7 +304,6 @@ core::Result<EncodedUpdate> encode_key(std::uint32_t surface, const EncodedUpdat
     step.header.surface = surface;
     step.header.epoch = update.epoch;
     step.header.seq = update.seq;
-    step.header.base_seq = update.seq;
     step.header.phase = update.phase;
     step.header.time = state.time;
     step.edit.added_vertices = static_cast<std::uint32_t>(state.vertices());

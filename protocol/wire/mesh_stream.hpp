@@ -51,7 +51,7 @@ struct EncodedUpdate {
     bool lossless = false; ///< the state is the surface, exact on the lattice
     SharedFrames frames;   ///< at least one
     std::size_t bytes = 0; ///< of all frames
-    std::uint32_t crc = 0; ///< the state's checksum
+    std::uint32_t state_sum = 0;
     std::shared_ptr<const WireMesh> state;
 };
 

@@ -1,4 +1,4 @@
-// Which things of a list are meant, as runs of consecutive ones; and what becomes of a list when some go. protocol/wire/README.md,
+// Which things of a list are meant, as runs of consecutive ones; and what becomes of a list when some go. protocol/wire/FORMAT.md,
 // Topology. Twin: web-client/src/protocol/runs.ts.
 #pragma once
 

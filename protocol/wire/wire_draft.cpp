@@ -33,16 +33,4 @@ WireDraft begin_draft(const WireMesh& before,
     return draft;
 }
 
-void finish_changes(WireDraft& draft) {
-    auto& change = draft.after.change;
-    const auto& neighbours = draft.after.topology->neighbours;
-    for (std::uint32_t v = draft.stay; v < draft.vertices(); ++v) {
-        const Neighbours& near = neighbours[v];
-        if (near.highest == core::no_vertex)
-            continue;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            change[v][axis] = (change[near.highest][axis] + change[near.lowest][axis]) >> 1;
-    }
-}
-
 } // namespace wakesurf::protocol

@@ -1,5 +1,5 @@
 // A state in the making: vertices that stay as they were, room for those that come, and what predictions need of the state
-// before. Both ends begin it alike and then fill it in, vertex by vertex. Twin: web-client/src/protocol/wireDraft.ts.
+// before. Both ends begin it alike and then fill it in, vertex by vertex.
 #pragma once
 
 #include "protocol/wire/wire_edit.hpp"
@@ -27,8 +27,5 @@ struct WireDraft {
 WireDraft begin_draft(const WireMesh& before,
                       const TopologyEdit& edit,
                       std::shared_ptr<const WireTopology> topology);
-
-/// Gives the added vertices the change of their neighbours.
-void finish_changes(WireDraft& draft);
 
 } // namespace wakesurf::protocol

@@ -1,10 +1,10 @@
-// The topology of an update: which vertices and cells go, come and change, as runs and a cells code.
-// protocol/wire/README.md, Topology. Twin: web-client/src/protocol/wireEdit.ts.
+// The topology of an update: which vertices and cells go, come and change. protocol/wire/FORMAT.md, Topology.
+// Twin: web-client/src/protocol/wireEdit.ts.
 #pragma once
 
 #include "core/base/result.hpp"
-#include "protocol/wire/bytes.hpp"
-#include "protocol/wire/kept_cells.hpp"
+#include "protocol/wire/numbers.hpp"
+#include "protocol/wire/runs.hpp"
 
 #include <cstdint>
 #include <span>
@@ -21,11 +21,12 @@ struct TopologyEdit {
     std::uint32_t added_cells = 0;
     std::vector<core::Cell> cells; ///< the replaced, then the added ones
 
-    /// Cells stay as they are and keep their vertices' numbers.
-    bool keeps_topology() const {
-        return removed_vertices.count() == 0 && added_vertices == 0 && removed_cells.count() == 0 &&
-               cells.empty();
+    /// Vertices and cells that were there keep their numbers, and cells their vertices.
+    bool only_adds() const {
+        return removed_vertices.count() + removed_cells.count() + replaced_cells.count() == 0;
     }
+
+    bool keeps_topology() const { return only_adds() && added_vertices == 0 && cells.empty(); }
 
     bool operator==(const TopologyEdit&) const = default;
 };
@@ -36,24 +37,31 @@ struct MeshSize {
     std::uint32_t cells = 0;
 };
 
-/// @param kept  the cells that stay, the replaced ones left out
-Bytes write_edit(const TopologyEdit& edit, const KeptCells& kept);
-
 /// The state an edit starts from.
 struct EditedFrom {
     std::uint32_t vertices = 0;
     std::span<const core::Cell> cells;
 };
 
+/// The cells that stay, in the numbers vertices have after the update; removed vertices are `core::no_vertex`. Cost: O(before).
+std::vector<core::Cell>
+kept_cells(const Runs& removed_vertices, const Runs& removed_cells, const EditedFrom& before);
+
+/// @param kept  the cells that stay, the replaced ones as they were; not looked at where none is replaced
+/// @param stay  vertices that stay
+void append_edit(std::vector<std::uint32_t>& numbers,
+                 const TopologyEdit& edit,
+                 std::span<const core::Cell> kept,
+                 std::uint32_t stay);
+
 struct ReadEdit {
     TopologyEdit edit;
-    KeptCells kept; ///< the replaced ones as they were
+    std::vector<core::Cell> kept; ///< the replaced ones as they were
 };
 
 /// Error: Corrupt when it is damaged, does not lead from `before` to `after`, or takes a corner from a cell that stays.
-/// Allocates O(before + after) at most.
-core::Result<ReadEdit>
-read_edit(std::span<const std::byte> bytes, const EditedFrom& before, MeshSize after);
+/// Allocates O(before + numbers) at most.
+core::Result<ReadEdit> read_edit(Numbers& numbers, const EditedFrom& before, MeshSize after);
 
 /// The cells after the edit, from those that stay.
 std::vector<core::Cell> edited_cells(std::vector<core::Cell> kept, const TopologyEdit& edit);

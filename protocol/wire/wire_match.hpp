@@ -30,7 +30,8 @@ struct MeshPlaces {
 
 struct MeshMatch {
     TopologyEdit edit; ///< but for the moved vertices
-    KeptCells kept;    ///< the replaced ones left out; nothing where the topology stays
+    std::vector<core::Cell>
+        kept;          ///< that stay, the replaced ones as they were; none where no cell changes
     MeshPlaces places; ///< of the new mesh
     /// All cells of the new mesh, by place, with places for vertices.
     std::vector<core::Cell> cells;
@@ -39,9 +40,9 @@ struct MeshMatch {
 
 /// @param held      of the mesh before; empty for a KEY
 /// @param before    its cells
-/// @param in_order  a KEY has its vertices and cells in order along the surface, by s and t, which are finite; else by their ids
+/// @param in_order  a KEY has its vertices in order along the surface, by s and t, which are finite; else by their ids
 /// REQUIRES: ids ascend, as many as there are vertices and cells, and cells name vertices that exist.
-/// Cost: O(both), of a KEY in order O(n log n).
+/// Cost: O(both + new log new).
 MeshMatch match(const MeshPlaces& held,
                 std::span<const core::Cell> before,
                 const core::KeyedMesh& mesh,

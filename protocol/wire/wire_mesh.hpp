@@ -1,5 +1,5 @@
-// The state of a surface on the wire: integers that the server and all its clients hold alike. protocol/wire/README.md, Mesh
-// frames. Twin: web-client/src/protocol/wireMesh.ts.
+// The state of a surface on the wire: integers that the server and all its clients hold alike. protocol/wire/FORMAT.md,
+// State. Twin: web-client/src/protocol/wireMesh.ts.
 #pragma once
 
 #include "protocol/wire/lattice.hpp"

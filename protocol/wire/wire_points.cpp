@@ -22,27 +22,35 @@ tl::unexpected<Error> corrupt(const char* message) {
     return core::fail(Error::Code::Corrupt, message, "subscribe to the surface again");
 }
 
-std::size_t channels_of(const PointCoding& coding) {
-    return std::size_t{1} + coding.attributes;
-}
-
-std::size_t components_of(std::size_t channel) {
-    return channel == 0 ? 3 : 1;
-}
-
 using Slice = Channel<const std::int32_t>;
 
+/// The position, the attributes, and of added vertices the change.
 std::vector<Slice> slices_of(const Residuals& all, std::uint32_t begin, std::uint32_t end) {
-    std::vector<Slice> slices{{std::span(all.position).subspan(3 * begin, 3 * (end - begin)), 3}};
+    const auto slice = [&](const std::vector<std::int32_t>& values, std::size_t components) {
+        return Slice{std::span(values).subspan(components * begin, components * (end - begin)),
+                     components};
+    };
+    std::vector<Slice> slices{slice(all.position, 3)};
     for (const auto& codes : all.codes)
-        slices.push_back({std::span(codes).subspan(begin, end - begin), 1});
+        slices.push_back(slice(codes, 1));
+    if (all.coding.kind == PointKind::Added)
+        slices.push_back(slice(all.change, 3));
     return slices;
+}
+
+std::vector<Channel<std::int32_t>> channels_of(Residuals& all) {
+    std::vector<Channel<std::int32_t>> channels{{all.position, 3}};
+    for (auto& codes : all.codes)
+        channels.push_back({codes, 1});
+    if (all.coding.kind == PointKind::Added)
+        channels.push_back({all.change, 3});
+    return channels;
 }
 
 /// Which vertices escape, and which channels are left for Draco.
 struct Division {
     std::vector<std::uint32_t> escaped; ///< ascending
-    std::uint8_t channels = 0;
+    std::uint32_t channels = 0;
 };
 
 void sort_unique(std::vector<std::uint32_t>& values) {
@@ -67,7 +75,7 @@ Division divide(std::span<const Slice> slices, std::uint32_t count) {
     for (std::size_t c = 0; c < slices.size(); ++c) {
         const auto [values, components] = slices[c];
         if (all_for_draco(slices[c])) {
-            division.channels = static_cast<std::uint8_t>(division.channels | (1u << c));
+            division.channels |= 1u << c;
             continue;
         }
         std::vector<std::uint32_t> large;
@@ -85,26 +93,23 @@ Division divide(std::span<const Slice> slices, std::uint32_t count) {
         if (small.size() <= few)
             division.escaped.insert(division.escaped.end(), small.begin(), small.end());
         else
-            division.channels = static_cast<std::uint8_t>(division.channels | (1u << c));
+            division.channels |= 1u << c;
     }
     sort_unique(division.escaped);
     return division;
 }
 
-void append_signed(Bytes& bytes, std::int32_t value) {
-    append_varint(bytes, zigzag(static_cast<std::uint32_t>(value)));
-}
-
-void append_escapes(Bytes& bytes,
+void append_escapes(std::vector<std::uint32_t>& numbers,
                     std::span<const Slice> slices,
                     std::span<const std::uint32_t> escaped) {
-    append_varint(bytes, static_cast<std::uint32_t>(escaped.size()));
+    numbers.push_back(static_cast<std::uint32_t>(escaped.size()));
     std::uint32_t at = 0;
     for (const std::uint32_t i : escaped) {
-        append_varint(bytes, i - at);
+        numbers.push_back(i - at);
         for (const Slice& slice : slices)
             for (std::size_t k = 0; k < slice.components; ++k)
-                append_signed(bytes, slice.values[i * slice.components + k]);
+                numbers.push_back(
+                    zigzag(static_cast<std::uint32_t>(slice.values[i * slice.components + k])));
         at = i + 1;
     }
 }
@@ -129,155 +134,88 @@ draco_block(std::span<const Slice> slices, const Division& division, std::uint32
     return coded.empty() ? Bytes{} : encode_points(coded, count);
 }
 
-/// Reads a block's numbers; once one does not fit, all that follow are 0.
-class BlockReader {
-  public:
-    BlockReader(std::span<const std::byte> bytes, std::size_t at) : bytes_(bytes), at_(at) {}
-
-    std::size_t at() const { return at_; }
-
-    bool failed() const { return failed_; }
-
-    std::uint8_t byte() {
-        failed_ = failed_ || at_ == bytes_.size();
-        return failed_ ? std::uint8_t{0} : std::to_integer<std::uint8_t>(bytes_[at_++]);
-    }
-
-    std::uint32_t number(std::uint32_t most) {
-        const auto value = failed_ ? std::nullopt : take_varint(bytes_, at_);
-        failed_ = !value || *value > most;
-        return failed_ ? 0 : *value;
-    }
-
-    std::int32_t signed_number() {
-        return static_cast<std::int32_t>(unzigzag(number(0xffffffffu)));
-    }
-
-    std::span<const std::byte> take(std::size_t count) {
-        failed_ = failed_ || count > bytes_.size() - at_;
-        if (failed_)
-            return {};
-        at_ += count;
-        return bytes_.subspan(at_ - count, count);
-    }
-
-  private:
-    std::span<const std::byte> bytes_;
-    std::size_t at_;
-    bool failed_ = false;
-};
-
-struct BlockHead {
-    PointCoding coding;
-    std::uint32_t count = 0;
-    std::uint8_t channels = 0;
-};
-
-BlockHead read_head(BlockReader& in, std::uint8_t attributes, std::uint32_t most, bool& known) {
-    BlockHead head;
-    const std::uint8_t kind = in.byte();
-    known = kind < predictors_of_kind.size();
-    if (!known)
-        return head;
-    head.coding.kind = static_cast<PointKind>(kind);
-    head.coding.attributes = head.coding.kind == PointKind::Change ? std::uint8_t{0} : attributes;
-    head.count = in.number(most);
-    head.channels = in.byte();
-    const std::size_t channels = channels_of(head.coding);
-    for (std::size_t c = 0; c < channels; ++c) {
-        head.coding.predictor[c] = in.byte();
-        known = known && head.coding.predictor[c] < predictors_of_kind[kind];
-    }
-    if (head.coding.kind != PointKind::Change)
-        for (std::size_t c = 0; c < channels; ++c)
-            head.coding.tolerance[c] = static_cast<std::uint16_t>(in.number(max_tolerance));
-    known = known && (head.channels >> channels) == 0;
-    return head;
-}
-
 /// (vertex, its residuals) one after the other.
 struct Escapes {
     std::vector<std::uint32_t> vertex;
     std::vector<std::int32_t> residual;
 };
 
-Escapes read_escapes(BlockReader& in, std::uint32_t count, std::size_t components) {
+Escapes read_escapes(Numbers& numbers, std::uint32_t count, std::size_t components) {
     Escapes escapes;
-    const std::uint32_t announced = in.number(count);
     std::uint32_t at = 0;
-    for (std::uint32_t e = 0; e < announced && !in.failed() && at < count; ++e) {
-        const std::uint32_t vertex = at + in.number(count - 1 - at);
+    for (std::uint32_t left = numbers.next(count); left > 0 && !numbers.failed(); --left) {
+        if (at == count)
+            numbers.take(numbers.left() + 1); // more escapes than vertices
+        const std::uint32_t vertex = at + numbers.next(count - at - 1);
         escapes.vertex.push_back(vertex);
         for (std::size_t k = 0; k < components; ++k)
-            escapes.residual.push_back(in.signed_number());
+            escapes.residual.push_back(numbers.next_signed());
         at = vertex + 1;
     }
-    if (escapes.vertex.size() < announced)
-        in.take(static_cast<std::size_t>(-1)); // more escapes than vertices
     return escapes;
 }
 
-std::span<std::int32_t> values_of(Residuals& residuals, std::size_t channel) {
-    return channel == 0 ? std::span(residuals.position) : std::span(residuals.codes[channel - 1]);
-}
-
-void put_escapes(Residuals& residuals, const Escapes& escapes) {
+void put_escapes(std::span<const Channel<std::int32_t>> channels, const Escapes& escapes) {
     auto source = escapes.residual.begin();
     for (const std::uint32_t v : escapes.vertex)
-        for (std::size_t c = 0; c < channels_of(residuals.coding); ++c)
-            for (std::size_t k = 0; k < components_of(c); ++k)
-                values_of(residuals, c)[v * components_of(c) + k] = *source++;
+        for (const auto& [values, components] : channels)
+            for (std::size_t k = 0; k < components; ++k)
+                values[v * components + k] = *source++;
 }
 
 } // namespace
 
-core::Result<Bytes>
+core::Result<PointBlock>
 write_block(const Residuals& residuals, std::uint32_t begin, std::uint32_t end) {
     const PointCoding& coding = residuals.coding;
     const auto slices = slices_of(residuals, begin, end);
     const Division division = divide(slices, end - begin);
     auto draco = draco_block(slices, division, end - begin);
     if (!draco)
-        return draco;
-    Bytes bytes;
-    append(bytes, static_cast<std::uint8_t>(coding.kind));
-    append_varint(bytes, end - begin);
-    append(bytes, division.channels);
-    for (std::size_t c = 0; c < channels_of(coding); ++c)
-        append(bytes, coding.predictor[c]);
-    if (coding.kind != PointKind::Change)
-        for (std::size_t c = 0; c < channels_of(coding); ++c)
-            append_varint(bytes, coding.tolerance[c]);
-    append_escapes(bytes, slices, division.escaped);
-    append_varint(bytes, static_cast<std::uint32_t>(draco->size()));
-    bytes.insert(bytes.end(), draco->begin(), draco->end());
-    return bytes;
+        return tl::unexpected(draco.error());
+    std::vector<std::uint32_t> numbers{end - begin, division.channels};
+    for (std::size_t c = 0; c <= coding.attributes; ++c) {
+        numbers.push_back(coding.predictor[c]);
+        numbers.push_back(coding.tolerance[c]);
+    }
+    append_escapes(numbers, slices, division.escaped);
+    if (division.channels != 0)
+        numbers.push_back(static_cast<std::uint32_t>(draco->size()));
+    return PointBlock{std::move(numbers), std::move(*draco)};
 }
 
-core::Result<Residuals> read_block(std::span<const std::byte> bytes,
-                                   std::size_t& at,
-                                   std::uint8_t attributes,
-                                   std::uint32_t most) {
-    BlockReader in(bytes, at);
-    bool known = false;
-    const BlockHead head = read_head(in, attributes, most, known);
-    if (!known || in.failed() || head.count == 0)
-        return corrupt("a block of points in a mesh frame is of an unknown kind or too long");
-    const Escapes escapes = read_escapes(in, head.count, 3u + head.coding.attributes);
-    const auto draco = in.take(in.number(0xffffffffu));
-    if (in.failed() || draco.empty() != (head.channels == 0))
-        return corrupt("a block of points in a mesh frame is damaged");
-    Residuals residuals{head.coding, head.count, std::vector<std::int32_t>(3 * head.count), {}};
-    residuals.codes.assign(head.coding.attributes, std::vector<std::int32_t>(head.count));
+core::Result<Residuals>
+read_block(Numbers& numbers, std::span<const std::byte>& draco, const BlockPlace& place) {
+    Residuals residuals;
+    PointCoding& coding = residuals.coding;
+    coding.kind = place.kind;
+    coding.attributes = place.attributes;
+    residuals.count = numbers.next(std::min(place.most, max_block_vertices));
+    const bool added = place.kind == PointKind::Added;
+    const std::uint32_t bits = numbers.next((2u << (place.attributes + (added ? 1u : 0u))) - 1u);
+    for (std::size_t c = 0; c <= place.attributes; ++c) {
+        const auto known = predictors_of_kind[static_cast<std::size_t>(place.kind)];
+        coding.predictor[c] = static_cast<std::uint8_t>(numbers.next(known - 1u));
+        coding.tolerance[c] = static_cast<std::uint16_t>(numbers.next(max_tolerance));
+    }
+    const std::size_t components = 3u + place.attributes + (added ? 3u : 0u);
+    const Escapes escapes = read_escapes(numbers, residuals.count, components);
+    const std::size_t size = bits == 0 ? 0u : numbers.next();
+    if (numbers.failed() || residuals.count == 0 || size > draco.size())
+        return corrupt("a block of points in a mesh update is damaged or too long");
+    residuals.position.resize(3 * std::size_t{residuals.count});
+    residuals.codes.assign(place.attributes, std::vector<std::int32_t>(residuals.count));
+    residuals.change.resize(added ? residuals.position.size() : 0u);
+    const auto channels = channels_of(residuals);
     std::vector<Channel<std::int32_t>> coded;
-    for (std::size_t c = 0; c < channels_of(head.coding); ++c)
-        if ((head.channels & (1u << c)) != 0)
-            coded.push_back({values_of(residuals, c), components_of(c)});
+    for (std::size_t c = 0; c < channels.size(); ++c)
+        if ((bits >> c & 1u) != 0)
+            coded.push_back(channels[c]);
     if (!coded.empty())
-        if (auto decoded = decode_points(draco, coded, head.count); !decoded)
+        if (auto decoded = decode_points(draco.first(size), coded, residuals.count); !decoded)
             return tl::unexpected(decoded.error());
-    put_escapes(residuals, escapes);
-    at = in.at();
+    put_escapes(channels, escapes);
+    draco = draco.subspan(size);
     return residuals;
 }
 

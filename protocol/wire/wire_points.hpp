@@ -1,27 +1,36 @@
-// Blocks of residuals as bytes: what stands out as escapes, the rest by Draco. protocol/wire/README.md, Points.
+// Blocks of residuals as bytes: what stands out as escapes, the rest by Draco. protocol/wire/FORMAT.md, Points.
 // Twin: web-client/src/protocol/wirePoints.ts.
 #pragma once
 
 #include "core/base/result.hpp"
-#include "protocol/wire/bytes.hpp"
+#include "protocol/wire/numbers.hpp"
 #include "protocol/wire/wire_residuals.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace wakesurf::protocol {
 
-/// Residuals begin .. end - 1, at least one, as a block. Error: what encode_points reports.
-core::Result<Bytes> write_block(const Residuals& residuals, std::uint32_t begin, std::uint32_t end);
+/// A block: its numbers, and what Draco makes of most residuals, empty where none is left for it.
+struct PointBlock {
+    std::vector<std::uint32_t> numbers;
+    Bytes draco;
+};
 
-/// Reads a block and moves `at` behind it.
-/// @param attributes  of the mesh
-/// @param most        vertices the block may have
-/// Error: Corrupt. Never reads outside `bytes`, and allocates for `most` vertices at most.
-core::Result<Residuals> read_block(std::span<const std::byte> bytes,
-                                   std::size_t& at,
-                                   std::uint8_t attributes,
-                                   std::uint32_t most);
+/// Residuals begin .. end - 1, at least one and at most max_block_vertices. Error: what encode_points reports.
+core::Result<PointBlock>
+write_block(const Residuals& residuals, std::uint32_t begin, std::uint32_t end);
+
+/// Which block is read.
+struct BlockPlace {
+    PointKind kind = PointKind::Moved;
+    std::uint8_t attributes = 0; ///< of the mesh
+    std::uint32_t most = 0;      ///< vertices it may have
+};
+
+/// Reads a block; `draco` is then the blocks behind it. Error: Corrupt. Allocates for `most` vertices at most.
+core::Result<Residuals>
+read_block(Numbers& numbers, std::span<const std::byte>& draco, const BlockPlace& place);
 
 } // namespace wakesurf::protocol

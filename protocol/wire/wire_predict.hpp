@@ -1,4 +1,4 @@
-// The predictors, in integers, the same for those who encode and those who decode. protocol/wire/README.md, Points.
+// The predictors, in integers, the same for those who encode and those who decode. protocol/wire/FORMAT.md, Points.
 // Twin: web-client/src/protocol/wirePredict.ts.
 #pragma once
 
@@ -12,9 +12,11 @@
 namespace wakesurf::protocol {
 
 /// Which vertices a block of points codes.
-enum class PointKind : std::uint8_t { Moved, Added, Change };
+enum class PointKind : std::uint8_t { Moved, Added };
 
-inline constexpr std::array<std::uint8_t, 3> predictors_of_kind{6, 8, 1};
+inline constexpr std::array<std::uint8_t, 2> predictors_of_kind{4, 6};
+/// Of the changes of added vertices: the mean of those of two neighbours.
+inline constexpr int change_predictor = 4;
 
 /// Values with the three components of a position, or one code: what the predictors see of a draft.
 struct PositionSeries {
@@ -65,13 +67,15 @@ struct CodeSeries {
     std::int32_t clamped(std::int32_t value) const { return std::clamp(value, 0, 65535); }
 };
 
-/// The changes of a KEY with history.
+/// The changes of added vertices.
 struct ChangeSeries {
     static constexpr std::size_t components = 3;
     static constexpr std::int32_t most = 1 << 20;
     LatticePoint* changed;
 
-    std::int32_t change(std::uint32_t v, std::size_t k) const { return changed[v][k]; }
+    std::int32_t at(std::uint32_t v, std::size_t k) const { return changed[v][k]; }
+
+    std::int32_t at_before(std::uint32_t v, std::size_t k) const { return changed[v][k]; }
 
     void add(std::uint32_t v, std::size_t k, std::int32_t value) const { changed[v][k] = value; }
 
@@ -99,75 +103,59 @@ predicted_move(const Series& x, const Neighbours& near, std::uint32_t v, std::si
     std::int32_t change = 0;
     if (predictor == 0 || a == core::no_vertex)
         change = x.last_change(v, k);
-    else if (predictor == 1)
-        change = x.change(a, k);
-    else if (predictor == 3)
-        change = x.last_change(v, k) + x.change(a, k) - x.last_change(a, k);
-    else if (predictor == 4)
+    else if (predictor == 2)
         change =
             x.last_change(v, k) +
             ((x.change(a, k) - x.last_change(a, k) + x.change(b, k) - x.last_change(b, k)) >> 1);
-    else if (predictor == 5 && near.opposite != core::no_vertex)
+    else if (predictor == 3 && near.opposite != core::no_vertex)
         change = x.change(near.beside, k) + x.change(near.beside2, k) - x.change(near.opposite, k);
     else
         change = (x.change(a, k) + x.change(b, k)) >> 1;
     return x.at_before(v, k) + change;
 }
 
-/// The predictor an added vertex really gets: the first of the fallbacks for which it has the neighbours.
-inline int possible_predictor(int wanted,
-                              const Neighbours& near,
-                              std::span<const Neighbours> all,
-                              std::uint32_t stay) {
-    constexpr auto none = core::no_vertex;
-    if (near.highest == none)
-        return -1;
-    const Neighbours& lowest = all[near.lowest];
-    const Neighbours& highest = all[near.highest];
-    if (wanted == 5 &&
-        (lowest.lowest == none || highest.lowest == none || all[highest.lowest].lowest == none))
-        wanted = 4;
-    if (wanted == 4 && near.beside == none)
-        wanted = 2;
-    if (wanted == 2 && highest.highest == none)
-        wanted = 0;
-    if ((wanted == 3 && lowest.lowest == none) || (wanted == 7 && near.lowest >= stay))
-        wanted = 1;
-    return wanted;
-}
+/// What an added vertex is predicted from: x(p) + x(q) - x(o), or without o the mean of x(p) and x(q).
+struct Corner {
+    std::uint32_t p, q, o;
+    bool before = false; ///< x0 in place of x
+};
 
-template <class Series>
-std::int32_t predicted_addition(const Series& x,
-                                int predictor,
-                                std::span<const Neighbours> all,
-                                std::uint32_t v,
-                                std::size_t k) {
+/// REQUIRES: v > 0.
+inline Corner
+corner_of(int predictor, std::span<const Neighbours> all, std::uint32_t v, std::uint32_t stay) {
     const Neighbours& near = all[v];
     const std::uint32_t a = near.highest;
     const std::uint32_t b = near.lowest;
+    constexpr auto none = core::no_vertex;
+    if (a == none)
+        return {v - 1, v - 1, none};
     switch (predictor) {
-    case 0:
-        return x.at(a, k);
     case 1:
-        return x.at(b, k);
+        return {b, b, none};
     case 2:
-        return 2 * x.at(a, k) - x.at(all[a].highest, k);
+        return {a, a, all[a].highest};
     case 3:
-        return 2 * x.at(b, k) - x.at(all[b].lowest, k);
-    case 4: {
-        const std::int32_t sum = x.at(near.beside, k) + x.at(near.beside2, k);
-        return near.opposite == core::no_vertex ? sum >> 1 : sum - x.at(near.opposite, k);
-    }
+        if (near.beside != none)
+            return {near.beside, near.beside2, near.opposite};
+        break;
+    case 4:
+        return {a, b, none};
     case 5:
-        return 2 * x.at(b, k) - x.at(all[b].lowest, k) + x.at(a, k) - 2 * x.at(all[a].lowest, k) +
-               x.at(all[all[a].lowest].lowest, k);
-    case 6:
-        return (x.at(a, k) + x.at(b, k)) >> 1;
-    case 7:
-        return x.at_before(b, k);
+        if (b < stay)
+            return {b, b, none, true};
+        break;
     default:
-        return v > 0 ? x.at(v - 1, k) : 0;
+        break;
     }
+    return {a, a, none};
+}
+
+template <class Series>
+std::int32_t predicted_addition(const Series& x, const Corner& corner, std::size_t k) {
+    if (corner.before)
+        return x.at_before(corner.p, k);
+    const std::int32_t sum = x.at(corner.p, k) + x.at(corner.q, k);
+    return corner.o == core::no_vertex ? sum >> 1 : sum - x.at(corner.o, k);
 }
 
 /// Calls each(index in `coded`, v, component, prediction) for one vertex after the other; `each` settles the value before the
@@ -190,12 +178,8 @@ void predict_moved(const Series& x,
         return run(std::integral_constant<int, 1>());
     case 2:
         return run(std::integral_constant<int, 2>());
-    case 3:
-        return run(std::integral_constant<int, 3>());
-    case 4:
-        return run(std::integral_constant<int, 4>());
     default:
-        return run(std::integral_constant<int, 5>());
+        return run(std::integral_constant<int, 3>());
     }
 }
 
@@ -207,24 +191,10 @@ void predict_added(const Series& x,
                    std::span<const std::uint32_t> coded,
                    Each each) {
     for (std::size_t i = 0; i < coded.size(); ++i) {
-        const int possible = possible_predictor(predictor, all[coded[i]], all, stay);
+        const std::uint32_t v = coded[i];
+        const Corner corner = v > 0 ? corner_of(predictor, all, v, stay) : Corner{};
         for (std::size_t k = 0; k < Series::components; ++k)
-            each(i, coded[i], k, predicted_addition(x, possible, all, coded[i], k));
-    }
-}
-
-template <class Each>
-void predict_changes(const ChangeSeries& x,
-                     std::span<const Neighbours> all,
-                     std::span<const std::uint32_t> coded,
-                     Each each) {
-    for (std::size_t i = 0; i < coded.size(); ++i) {
-        const Neighbours& near = all[coded[i]];
-        for (std::size_t k = 0; k < ChangeSeries::components; ++k)
-            each(i, coded[i], k,
-                 near.highest == core::no_vertex
-                     ? 0
-                     : (x.change(near.highest, k) + x.change(near.lowest, k)) >> 1);
+            each(i, v, k, v > 0 ? predicted_addition(x, corner, k) : 0);
     }
 }
 

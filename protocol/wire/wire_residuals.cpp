@@ -11,6 +11,17 @@ namespace {
 
 using Coded = std::span<const std::uint32_t>;
 
+/// In place of a channel that has a predictor and a tolerance.
+constexpr std::size_t change_channel = max_attributes + 1;
+
+int predictor_of(const PointCoding& coding, std::size_t channel) {
+    return channel == change_channel ? change_predictor : coding.predictor[channel];
+}
+
+std::uint16_t tolerance_of(const PointCoding& coding, std::size_t channel) {
+    return channel == change_channel ? std::uint16_t{0} : coding.tolerance[channel];
+}
+
 /// Sums wrap, because damaged bytes may hold any residual.
 std::int32_t wrapped(std::int32_t prediction, std::int32_t residual, std::int32_t step) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(prediction) +
@@ -56,13 +67,10 @@ void predict(const WireDraft& draft,
              Coded coded,
              Each each) {
     const auto& all = draft.after.topology->neighbours;
-    if constexpr (std::is_same_v<Series, ChangeSeries>) {
-        predict_changes(x, all, coded, each);
-    } else if (kind == PointKind::Moved) {
-        predict_moved(x, predictor, all, coded, each);
-    } else {
-        predict_added(x, predictor, all, draft.stay, coded, each);
-    }
+    if constexpr (!std::is_same_v<Series, ChangeSeries>)
+        if (kind == PointKind::Moved)
+            return predict_moved(x, predictor, all, coded, each);
+    predict_added(x, predictor, all, draft.stay, coded, each);
 }
 
 template <class Series, class Truth>
@@ -73,9 +81,9 @@ void encode(const WireDraft& draft,
             std::size_t channel,
             Coded coded,
             std::span<std::int32_t> residuals) {
-    const Steps steps(coding.tolerance[channel]);
+    const Steps steps(tolerance_of(coding, channel));
     const bool moved = coding.kind == PointKind::Moved;
-    predict(draft, x, coding.kind, coding.predictor[channel], coded,
+    predict(draft, x, coding.kind, predictor_of(coding, channel), coded,
             [&](std::size_t i, std::uint32_t v, std::size_t k, std::int32_t prediction) {
                 const std::int32_t residual = steps.residual(truth(v, k) - prediction);
                 residuals[i * Series::components + k] = residual;
@@ -90,9 +98,9 @@ void decode(const WireDraft& draft,
             std::size_t channel,
             Coded coded,
             std::span<const std::int32_t> residuals) {
-    const Steps steps(coding.tolerance[channel]);
+    const Steps steps(tolerance_of(coding, channel));
     const bool moved = coding.kind == PointKind::Moved;
-    predict(draft, x, coding.kind, coding.predictor[channel], coded,
+    predict(draft, x, coding.kind, predictor_of(coding, channel), coded,
             [&](std::size_t i, std::uint32_t v, std::size_t k, std::int32_t prediction) {
                 const std::int32_t residual = residuals[i * Series::components + k];
                 settle(x, moved, v, k, x.clamped(wrapped(prediction, residual, steps.step())));
@@ -156,8 +164,8 @@ std::uint8_t best_predictor(const WireDraft& draft,
     double fewest = std::numeric_limits<double>::infinity();
     const auto candidates = predictors_of_kind[static_cast<std::size_t>(coding.kind)];
     for (std::uint8_t candidate = 0; candidate < candidates && fewest > 0.0; ++candidate) {
-        if (moved && Series::components == 1 && (candidate == 3 || candidate == 4))
-            continue; // attributes have no last change: these are 1 and 2
+        if (moved && Series::components == 1 && candidate == 2)
+            continue; // attributes have no last change: this is 1
         coding.predictor[channel] = candidate;
         BitEstimate estimate;
         for (std::size_t s = 0; s < segments; ++s) {
@@ -207,7 +215,7 @@ PointCoding choose_predictors(WireDraft& draft,
                               PointCoding coding,
                               std::span<const std::uint32_t> coded) {
     coding.predictor.fill(0);
-    if (coding.kind == PointKind::Change || coded.empty())
+    if (coded.empty())
         return coding;
     coding.predictor[0] =
         best_predictor(draft, positions_of(draft), position_of(truth), coding, 0, coded);
@@ -222,18 +230,22 @@ Residuals make_residuals(WireDraft& draft,
                          const WireMesh& truth,
                          const PointCoding& coding,
                          std::span<const std::uint32_t> coded) {
-    Residuals result{coding, static_cast<std::uint32_t>(coded.size()), {}, {}};
+    Residuals result{coding, static_cast<std::uint32_t>(coded.size()), {}, {}, {}};
     result.position.resize(3 * coded.size());
-    if (coding.kind == PointKind::Change) {
-        encode(draft, changes_of(draft), change_of(truth), coding, 0, coded, result.position);
-        return result;
-    }
     encode(draft, positions_of(draft), position_of(truth), coding, 0, coded, result.position);
     for (std::size_t a = 0; a < coding.attributes; ++a) {
         auto& codes = result.codes.emplace_back(coded.size());
         if (coding.kind != PointKind::Moved || coding.predictor[a + 1] != 0 ||
             !keeps_codes(draft, truth, a))
             encode(draft, codes_of(draft, a), code_of(truth, a), coding, a + 1, coded, codes);
+    }
+    if (coding.kind == PointKind::Added) {
+        result.change.resize(3 * coded.size());
+        if (truth.change.empty())
+            decode(draft, changes_of(draft), coding, change_channel, coded, result.change);
+        else
+            encode(draft, changes_of(draft), change_of(truth), coding, change_channel, coded,
+                   result.change);
     }
     return result;
 }
@@ -242,13 +254,11 @@ void apply_residuals(WireDraft& draft,
                      const Residuals& residuals,
                      std::span<const std::uint32_t> coded) {
     const PointCoding& coding = residuals.coding;
-    if (coding.kind == PointKind::Change) {
-        decode(draft, changes_of(draft), coding, 0, coded, residuals.position);
-        return;
-    }
     decode(draft, positions_of(draft), coding, 0, coded, residuals.position);
     for (std::size_t a = 0; a < coding.attributes; ++a)
         decode(draft, codes_of(draft, a), coding, a + 1, coded, residuals.codes[a]);
+    if (coding.kind == PointKind::Added)
+        decode(draft, changes_of(draft), coding, change_channel, coded, residuals.change);
 }
 
 } // namespace wakesurf::protocol

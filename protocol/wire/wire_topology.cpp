@@ -81,28 +81,6 @@ class Finder {
     std::vector<Neighbours>& of_;
 };
 
-Neighbours renumbered(const Neighbours& near, std::span<const std::uint32_t> now) {
-    const auto number = [now](std::uint32_t v) { return v == no_vertex ? no_vertex : now[v]; };
-    return {number(near.highest), number(near.lowest), number(near.beside), number(near.beside2),
-            number(near.opposite)};
-}
-
-/// Whether a cell that replaces another takes a vertex that has lost nothing: which cell is the first there may then be another
-/// one. Forgets the neighbours of those.
-bool forget_taken(const TopologyEdit& edit,
-                  const KeptCells& kept,
-                  std::vector<Neighbours>& neighbours) {
-    bool taken = false;
-    for (const Cell& cell : std::span(edit.cells).first(edit.replaced_cells.count()))
-        for (const auto* ids : {&cell.corner, &cell.mid})
-            for (const std::uint32_t v : *ids)
-                if (v < kept.stay && kept.touched[v] == 0) {
-                    neighbours[v] = {};
-                    taken = true;
-                }
-    return taken;
-}
-
 } // namespace
 
 WireTopology::WireTopology(std::vector<Cell> all, std::size_t vertices)
@@ -112,40 +90,13 @@ WireTopology::WireTopology(std::vector<Cell> all, std::size_t vertices)
         find.add(cell);
 }
 
-WireTopology::WireTopology(const WireTopology& before,
-                           const KeptCells& kept,
-                           const TopologyEdit& edit,
-                           std::vector<Cell> all,
-                           std::size_t vertices)
+WireTopology::WireTopology(const WireTopology& before, std::vector<Cell> all, std::size_t vertices)
     : cells(std::move(all)) {
-    // Vertices keep their order, so that which neighbour is the highest or the lowest stays as well.
     neighbours.reserve(vertices);
-    if (kept.now.empty())
-        neighbours = before.neighbours;
-    else
-        for (std::size_t v = 0; v < kept.now.size(); ++v)
-            if (kept.now[v] != no_vertex)
-                neighbours.push_back(renumbered(before.neighbours[v], kept.now));
+    neighbours = before.neighbours;
     neighbours.resize(vertices);
-    for (std::size_t v = 0; v < kept.stay; ++v)
-        if (kept.touched[v] != 0)
-            neighbours[v] = {};
     Finder find(neighbours);
-    if (forget_taken(edit, kept, neighbours)) {
-        for (const Cell& cell : cells)
-            find.add(cell);
-        return;
-    }
-    auto near = kept.near.begin();
-    for (const Run& run : edit.replaced_cells.all()) {
-        for (; near != kept.near.end() && *near < run.begin; ++near)
-            find.add(cells[*near]);
-        for (std::uint32_t i = run.begin; i < run.end; ++i)
-            find.add(cells[i]);
-    }
-    for (; near != kept.near.end(); ++near)
-        find.add(cells[*near]);
-    for (std::size_t i = cells.size() - edit.added_cells; i < cells.size(); ++i)
+    for (std::size_t i = before.cells.size(); i < cells.size(); ++i)
         find.add(cells[i]);
 }
 

@@ -1,11 +1,10 @@
 // The cells of a state and what predictions need of them: for each vertex the neighbours of lower index.
-// protocol/wire/README.md, Neighbours. Twin: web-client/src/protocol/wireTopology.ts.
+// protocol/wire/FORMAT.md, Neighbours. Twin: web-client/src/protocol/neighbours.ts.
 #pragma once
 
-#include "protocol/wire/wire_edit.hpp"
+#include "core/surface/quad_complex.hpp"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace wakesurf::protocol {
@@ -31,14 +30,8 @@ struct WireTopology {
     /// REQUIRES: every id of the cells is below `vertices`. Cost: O(vertices + cells).
     WireTopology(std::vector<core::Cell> cells, std::size_t vertices);
 
-    /// The same, looking only at what an edit has changed.
-    /// @param kept   what stayed of `before`
-    /// @param cells  all after the edit
-    WireTopology(const WireTopology& before,
-                 const KeptCells& kept,
-                 const TopologyEdit& edit,
-                 std::vector<core::Cell> cells,
-                 std::size_t vertices);
+    /// The same where those of `before` come first and have kept their vertices. Looks at the others only.
+    WireTopology(const WireTopology& before, std::vector<core::Cell> cells, std::size_t vertices);
 
     WireTopology() = default;
 };

@@ -1,4 +1,5 @@
-// An update as frames: its topology, cut where it is long, then its blocks of points. Blocks are encoded in parallel.
+// An update as frames: its numbers, then what Draco makes of its points, cut where that is long. Blocks of points are encoded in
+// parallel.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -6,6 +7,7 @@
 #include "protocol/wire/wire_residuals.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -14,13 +16,12 @@ namespace wakesurf::protocol {
 
 using SharedFrames = std::vector<std::shared_ptr<const std::vector<std::byte>>>;
 
-/// @param header  of the update; what differs from frame to frame is filled in
-/// @param ranges  of a KEY
-/// @param points  in their order on the wire; may be empty
+/// @param header   of the update; what differs from frame to frame is filled in
+/// @param numbers  the ranges of a KEY, and the topology
+/// @param points   in their order on the wire; may be empty
 /// Error: OverLimit, and what write_block reports.
 core::Result<SharedFrames> write_update(FrameHeader header,
-                                        std::span<const AttributeRange> ranges,
-                                        std::span<const std::byte> topology,
+                                        std::vector<std::uint32_t> numbers,
                                         std::span<const Residuals> points);
 
 } // namespace wakesurf::protocol

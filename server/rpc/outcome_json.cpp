@@ -31,7 +31,7 @@ nlohmann::json outcome_json(const SurfaceOutcome& outcome) {
     out["surface"] = outcome.surface;
     out["epoch"] = outcome.epoch;
     out["complete"] = outcome.complete;
-    out["crc"] = outcome.crc;
+    out["stateSum"] = outcome.state_sum;
     if (outcome.took)
         out["pass"] = pass_json(*outcome.took);
     if (outcome.error)

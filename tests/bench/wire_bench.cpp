@@ -128,7 +128,6 @@ struct Measured {
     protocol::Tolerance tolerance;
     protocol::MeshDecoder decoder{};
     double bytes = 0.0, vertices = 0.0, encode_seconds = 0.0, decode_seconds = 0.0;
-    double topology_bytes = 0.0, cells_gained = 0.0;
     bool counting = false;
     std::optional<protocol::EncodedUpdate> newest{}; ///< of all, counted or not
     double first_bytes_a_vertex = 0.0;
@@ -146,7 +145,6 @@ struct Measured {
                 if (const auto folded = decoder.fold(*frame); !folded)
                     throw std::runtime_error(folded.error().message);
         });
-        const auto cells = static_cast<double>(newest ? newest->state->cells().size() : 0);
         newest = std::move(update);
         if (first_bytes_a_vertex == 0.0)
             first_bytes_a_vertex = bytes_a_vertex(*newest);
@@ -155,9 +153,6 @@ struct Measured {
         if (newest->key)
             throw std::runtime_error("an update came as a KEY");
         bytes += static_cast<double>(newest->bytes);
-        const auto header = protocol::read_frame(*newest->frames.front()).value().header;
-        topology_bytes += header.topology_size;
-        cells_gained += static_cast<double>(header.cells) - cells;
         vertices += count;
         encode_seconds += encoding;
         decode_seconds += decoding;
@@ -219,7 +214,6 @@ void measure_moves(benchmark::State& state, const std::function<Scene()>& make) 
             state.counters["target_percent_of_draco_mesh"] = target_move_percent_of_draco;
             state.counters["percent_of_draco_mesh_speed_3"] =
                 100.0 * live.bytes / static_cast<double>(draco_fine);
-            state.counters["topology_percent_of_bytes"] = 100.0 * live.topology_bytes / live.bytes;
             state.counters["key_bytes_per_vertex"] = live.first_bytes_a_vertex;
             const auto late = protocol::encode_key(1, *live.newest);
             if (!late)
@@ -290,7 +284,6 @@ void measure_appends(benchmark::State& state,
             }
             state.SetIterationTime(grown.encode_seconds / sent);
             state.counters["vertices_an_update"] = grown.vertices / sent;
-            state.counters["topology_bytes_per_cell"] = grown.topology_bytes / grown.cells_gained;
             state.counters["bytes_per_vertex"] = grown.bytes / grown.vertices;
             state.counters["percent_of_raw"] = 100.0 * grown.bytes / grown.vertices / raw_bytes;
             state.counters["target_percent_of_raw"] = target_append_percent_of_raw;

@@ -48,7 +48,7 @@ describe('the page', () => {
         expect(await ask(page, (hook) => hook.camera)).toEqual(camera);
         await expectNewSurface(before?.epoch ?? 0);
         const after = await ask(page, (hook) => hook.displayed);
-        expect(after?.stateCrc).not.toBe(before?.stateCrc);
+        expect(after?.stateSum).not.toBe(before?.stateSum);
         const updates = (shown: typeof after): number => shown!.keys + shown!.deltas;
         expect(updates(after) - updates(before)).toBeGreaterThan(2);
         const session = await ask(page, (hook) => hook.session);
@@ -83,7 +83,7 @@ describe('the keyboard', () => {
         for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowRight');
         await expectNewSurface(before?.epoch ?? 0);
         const after = await ask(page, (hook) => hook.displayed);
-        expect(after?.stateCrc).not.toBe(before?.stateCrc);
+        expect(after?.stateSum).not.toBe(before?.stateSum);
         const session = await ask(page, (hook) => hook.session);
         const list = await stand.server.call('surface.list', { session });
         expect((list['surfaces'] as { from: number }[])[0]?.from).toBeCloseTo(11);
@@ -115,8 +115,8 @@ describe('a link', () => {
         await expectNewSurface(epoch);
         const shown = await ask(page, (hook) => hook.displayed);
         await other.waitForFunction(
-            (crc) => window.wakesurf?.phase === 'final' && window.wakesurf.displayed?.stateCrc === crc,
-            shown?.stateCrc ?? 0,
+            (sum) => window.wakesurf?.phase === 'final' && window.wakesurf.displayed?.stateSum === sum,
+            shown?.stateSum ?? 0,
         );
         const [mine, theirs] = [await ask(page, (h) => h.rakePoints), await ask(other, (h) => h.rakePoints)];
         theirs.flat().forEach((value, i) => expect(value).toBeCloseTo(mine.flat()[i]!, 9));

@@ -171,7 +171,7 @@ describe('a session that is deleted', () => {
         const banner = other.locator('#gone');
         await banner.getByText(/“Shared work” was moved to the trash\. It can be restored until/).waitFor();
         // What was on the screen stays there, and nothing can be edited.
-        expect(await ask(other, (hook) => hook.displayed!.stateCrc)).toBe(before.stateCrc);
+        expect(await ask(other, (hook) => hook.displayed!.stateSum)).toBe(before.stateSum);
         expect(await other.getByRole('spinbutton', { name: 'Start x' }).isDisabled()).toBe(true);
         await screenshot(other, 'session-deleted');
         await banner.getByRole('button', { name: 'Restore' }).click();

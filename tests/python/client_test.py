@@ -7,8 +7,11 @@ import unittest
 
 import numpy as np
 
-from real_server import RealServer
+from real_server import BINARY, RealServer
 import wakesurf
+
+os.environ.setdefault("WAKESURF_DRACO", os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(BINARY))),
+                                                     "lib/libwakesurf_draco.so"))
 
 LINE = [(0.2, 0, -1), (1, 0, -1)]
 
@@ -326,7 +329,7 @@ class ClientTest(unittest.TestCase):
         updates = surface.watch(timeout=30)
         first = next(update for update in updates if update.phase == "final")
         stats = surface.stats()
-        self.assertEqual((first.vertices, first.cells, first.crc), (stats["vertices"], stats["quads"], stats["crc"]))
+        self.assertEqual((first.vertices, first.cells, first.state_sum), (stats["vertices"], stats["quads"], stats["stateSum"]))
         self.assertGreater(first.bytes, 100)
 
         def edit():
@@ -337,6 +340,37 @@ class ClientTest(unittest.TestCase):
         updates.close()
         self.assertGreater(later.vertices, first.vertices)
         self.assertEqual(len(later.mesh().points), later.vertices)
+
+    def test_live_meshes_are_the_servers_on_its_lattice_through_edits(self):
+        surface = self.surface(fields=["vorticity"])
+        surface.wait()
+        live = surface.live(timeout=30)
+        first = next(mesh for mesh in live if mesh.about["phase"] == "final")
+        self.same_surface(first, surface)
+
+        def edit():
+            wakesurf.Client(self.server.url).session(self.session.id).surfaces()[0].set(to=4)
+
+        threading.Thread(target=edit).start()
+        later = next(mesh for mesh in live if mesh.about["epoch"] > first.about["epoch"] and mesh.about["phase"] == "final")
+        live.close()
+        self.assertGreater(len(later.points), len(first.points))
+        self.same_surface(later, surface)
+
+    def same_surface(self, live, surface):
+        """In any order: the wire has its own."""
+        exact = surface.mesh()
+        self.assertTrue(live.about["lossless"])
+        self.assertEqual((len(live.points), len(live.polygons)), (len(exact.points), len(exact.polygons)))
+        step = self.client.describe("lamb-oseen")["lattice"]["step"]
+        np.testing.assert_allclose(live.points.min(axis=0), exact.points.min(axis=0), atol=step)
+        np.testing.assert_allclose(live.points.max(axis=0), exact.points.max(axis=0), atol=step)
+        np.testing.assert_allclose(live.points.mean(axis=0), exact.points.mean(axis=0), atol=step)
+        for name in ("speed", "s", "t", "vorticity"):
+            width = np.ptp(exact[name]) / 65535 + 1e-5
+            np.testing.assert_allclose(np.sort(live[name]), np.sort(exact[name]), atol=width, err_msg=name)
+        sizes = np.bincount(np.diff(live.offsets))
+        np.testing.assert_array_equal(sizes, np.bincount(np.diff(exact.offsets)))
 
     def test_watching_says_when_nothing_comes(self):
         updates = self.long_surface().watch(timeout=0.5)

@@ -34,8 +34,10 @@ class InstallTest(unittest.TestCase):
                 self.assertEqual(file.read(), expected)
 
     def test_it_has_nothing_of_the_engine_for_other_programs(self):
-        self.assertEqual(sorted(os.listdir(self.prefix)), ["bin", "share"])
+        self.assertEqual(sorted(os.listdir(self.prefix)), ["bin", "lib", "share"])
         self.assertEqual(sorted(os.listdir(os.path.join(self.prefix, "bin"))), ["wakesurf", "wakesurf-import"])
+        libraries = [name for _, _, names in os.walk(os.path.join(self.prefix, "lib")) for name in names]
+        self.assertEqual(libraries, ["libwakesurf_draco.so"])  # what the Python client decodes live frames with
 
     def test_without_arguments_it_serves_the_bundled_simulation_and_its_page(self):
         page = os.path.join(self.prefix, "share/wakesurf/web")

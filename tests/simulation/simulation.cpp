@@ -166,7 +166,7 @@ class Simulation {
             return "surface " + id + " is not complete";
         const server::SharedUpdate newest = live->newest();
         ++story_.surfaces;
-        world_.note(outcome.crc);
+        world_.note(outcome.state_sum);
         // Of a key the server keeps the frames alone; what is left of the state is its sum.
         std::shared_ptr<const protocol::WireMesh> truth = live->ring()->state();
         for (const auto& person : people_) {
@@ -177,8 +177,8 @@ class Simulation {
                 return person->name() + " sees an old surface " + id;
             if (!truth)
                 truth = state->mesh;
-            if (state->header.state_sum != outcome.crc ||
-                protocol::state_sum(*state->mesh) != outcome.crc ||
+            if (state->header.state_sum != outcome.state_sum ||
+                protocol::state_sum(*state->mesh) != outcome.state_sum ||
                 !protocol::same_state(*state->mesh, *truth))
                 return person->name() + " sees another surface " + id;
         }

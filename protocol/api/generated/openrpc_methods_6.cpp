@@ -61,7 +61,7 @@ const std::string_view methods_6 = R"json({
     "value": {
      "approximated": 0,
      "complete": true,
-     "crc": 1157798037,
+     "stateSum": 1157798037,
      "epoch": 1,
      "kind": "stream",
      "maxEdge": 0.0997601,

@@ -67,11 +67,11 @@ const std::string_view schemas_3 = R"json("SurfaceSetResult": {
   "pass": {"$ref": "#/components/schemas/PassSeconds"},
   "peakBytes": {"type": "integer", "minimum": 0, "description": "the most memory that building it took", "x-unit": "bytes"},
   "stopped": {"type": "string", "description": "why the surface ends early"},
-  "crc": {
+  "stateSum": {
    "type": "integer",
    "minimum": 0,
    "maximum": 4294967295,
-   "description": "state checksum of what clients show, as in the frames (protocol/README.md, State checksum)"},
+   "description": "checksum of what clients show, as in the frames (protocol/wire/FORMAT.md, State sum)"},
   "error": {"$ref": "#/components/schemas/Problem"}},
  "required": [
   "surface",
@@ -88,7 +88,7 @@ const std::string_view schemas_3 = R"json("SurfaceSetResult": {
   "separation",
   "seconds",
   "peakBytes",
-  "crc"],
+  "stateSum"],
  "additionalProperties": false},
 "BookmarkFields": {
  "type": "object",

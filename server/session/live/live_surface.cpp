@@ -366,7 +366,7 @@ SurfaceOutcome LiveSurface::outcome() const {
     if (const SharedUpdate state = ring_->newest()) {
         const bool playing = full_ && full_->phase == Phase::Live && playing_;
         out.complete = full_ && !error_ && (playing || !next_pass());
-        out.crc = state->wire.crc;
+        out.state_sum = state->wire.state_sum;
         out.statistics = state->statistics;
         out.took = state->took;
     }

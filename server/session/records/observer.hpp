@@ -51,7 +51,7 @@ struct SurfaceOutcome {
     std::string surface;
     std::uint32_t epoch = 0;
     bool complete = false;
-    std::uint32_t crc = 0;
+    std::uint32_t state_sum = 0;
     core::SurfaceStatistics statistics; ///< of the newest state; all zero before the first
     std::optional<PassSeconds> took;    ///< making the newest state
     std::optional<core::Error> error;

@@ -23,7 +23,7 @@ export async function expectServersMesh(server: ServerProcess, page: Page): Prom
         epoch: stats.epoch,
         vertices: stats.vertices,
         cells: stats.quads,
-        stateCrc: stats.crc,
+        stateSum: stats.stateSum,
         phase: 'final',
     });
     expect(stats.quads).toBeGreaterThan(100);

@@ -2,7 +2,7 @@
 // each frame is corrected first, or no mutation would get past it.
 #include "protocol/wire/mesh_decoder.hpp"
 
-#include "core/base/crc32c.hpp"
+#include "protocol/wire/mesh_frame.hpp"
 #include "tests/fuzz/targets/all.hpp"
 #include "tests/support/places.hpp"
 
@@ -17,15 +17,11 @@ namespace wakesurf::fuzz {
 
 namespace {
 
-constexpr std::size_t checksum_at = 60; ///< of a frame's header: protocol/wire/README.md
-constexpr std::size_t header_bytes = protocol::frame_header_bytes;
-
 void correct_checksum(std::span<std::byte> frame) {
-    if (frame.size() < header_bytes)
+    if (frame.size() < protocol::frame_header_bytes)
         return;
-    const std::uint32_t sum =
-        core::crc32c(frame.subspan(header_bytes), core::crc32c(frame.first(checksum_at)));
-    std::memcpy(frame.data() + checksum_at, &sum, sizeof sum);
+    const std::uint32_t sum = protocol::frame_crc(frame);
+    std::memcpy(frame.data() + protocol::frame_crc_at, &sum, sizeof sum);
 }
 
 void check_ids(const protocol::WireMesh& mesh) {

@@ -1,9 +1,11 @@
-#include "core/base/crc32c.hpp"
 #include "protocol/wire/mesh_decoder.hpp"
+#include "protocol/wire/numbers.hpp"
 #include "tests/protocol/wire/sample_sequences.hpp"
 
+#include <bit>
 #include <chrono>
 #include <cstring>
+#include <limits>
 #include <map>
 
 namespace wakesurf::protocol {
@@ -120,7 +122,7 @@ TEST(MeshDecoder, ShufflingFramesNeverGivesAWrongMesh) {
     const Sequence sequence(12);
     std::map<std::uint32_t, std::uint32_t> sums;
     for (const EncodedUpdate& update : sequence.updates)
-        sums[update.seq] = update.crc;
+        sums[update.seq] = update.state_sum;
     for (int round = 0; round < 200; ++round) {
         MeshDecoder decoder;
         for (std::size_t i = 0; i < sequence.updates.size(); ++i) {
@@ -163,9 +165,8 @@ TEST(MeshDecoder, RefusesEveryMutatedOrTruncatedFrameAndComesBackWithAKey) {
 
 /// Overwrites the frame's own checksum with the right one.
 Bytes sealed(Bytes frame) {
-    const std::uint32_t crc = core::crc32c(std::span(frame).subspan(frame_header_bytes),
-                                           core::crc32c(std::span(frame).first(60)));
-    std::memcpy(frame.data() + 60, &crc, 4);
+    const std::uint32_t crc = frame_crc(frame);
+    std::memcpy(frame.data() + frame_crc_at, &crc, 4);
     return frame;
 }
 
@@ -185,7 +186,7 @@ TEST(MeshDecoder, NeverShowsAWrongMeshFromDamageBehindARightChecksum) {
             if (good == last.frames) {
                 ASSERT_TRUE(folds(decoder, base->frames));
             }
-            const auto right = good == last.frames ? last.crc : base->crc;
+            const auto right = good == last.frames ? last.state_sum : base->state_sum;
             if (decoder.fold(sealed(bad)).value_or(false)) {
                 ASSERT_EQ(state_sum(*decoder.newest()->mesh), right) << i;
             }
@@ -193,9 +194,41 @@ TEST(MeshDecoder, NeverShowsAWrongMeshFromDamageBehindARightChecksum) {
     }
 }
 
+/// An update of numbers alone, with no vertex.
+Bytes update_of(const std::vector<std::uint32_t>& numbers, std::uint8_t attributes = 0) {
+    FrameHeader header;
+    header.flags = FrameHeader::key;
+    header.attribute_count = attributes;
+    header.state_sum = state_sum(WireMesh());
+    return write_frame({header, *pack_numbers(numbers)});
+}
+
+TEST(MeshDecoder, RefusesAnUpdateThatEndsEarlyOrGoesOn) {
+    const std::vector<std::uint32_t> empty(6); // no runs, nothing added
+    ASSERT_TRUE(MeshDecoder().fold(update_of(empty)).has_value());
+    EXPECT_EQ(MeshDecoder().fold(update_of({empty.begin(), empty.end() - 1})).error().message,
+              "the topology of a mesh update is damaged");
+    EXPECT_EQ(MeshDecoder().fold(update_of(std::vector<std::uint32_t>(7))).error().message,
+              "a mesh update goes on after its last vertex");
+    EXPECT_EQ(MeshDecoder().fold(update_of({}, 1)).error().message,
+              "a mesh update ends within its ranges");
+}
+
+TEST(MeshDecoder, RefusesAnAttributeWithoutUsableRange) {
+    for (const auto& [lo, hi] : {std::pair{2.f, 1.f},
+                                 {0.f, std::numeric_limits<float>::infinity()},
+                                 {std::numeric_limits<float>::quiet_NaN(), 1.f}}) {
+        std::vector<std::uint32_t> numbers(8);
+        numbers[0] = std::bit_cast<std::uint32_t>(lo);
+        numbers[1] = std::bit_cast<std::uint32_t>(hi);
+        EXPECT_EQ(MeshDecoder().fold(update_of(numbers, 1)).error().message,
+                  "a mesh update has an attribute without a range");
+    }
+}
+
 TEST(MeshDecoder, NoticesAMeshThatIsNotTheServersByTheStateChecksum) {
     Bytes frame = *short_key(1, 0)[0];
-    frame[56] ^= std::byte{1};
+    frame[40] ^= std::byte{1};
     MeshDecoder decoder;
     const auto result = decoder.fold(sealed(frame));
     ASSERT_FALSE(result.has_value());

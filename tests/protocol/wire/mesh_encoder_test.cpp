@@ -19,7 +19,7 @@ DecodedState decode(const EncodedState& state) {
         EXPECT_TRUE(folded.has_value()) << folded.error().message;
     }
     EXPECT_TRUE(decoder.newest().has_value());
-    EXPECT_EQ(decoder.newest()->header.state_sum, state.state_crc);
+    EXPECT_EQ(decoder.newest()->header.state_sum, state.state_sum);
     return *decoder.newest();
 }
 

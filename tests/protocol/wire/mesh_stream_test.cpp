@@ -26,7 +26,7 @@ bool folds(MeshDecoder& decoder, const EncodedUpdate& update) {
 }
 
 bool holds(const MeshDecoder& decoder, const EncodedUpdate& update) {
-    return decoder.newest() && decoder.newest()->header.state_sum == update.crc &&
+    return decoder.newest() && decoder.newest()->header.state_sum == update.state_sum &&
            same_state(*decoder.newest()->mesh, *update.state);
 }
 

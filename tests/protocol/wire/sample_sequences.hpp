@@ -145,27 +145,26 @@ class RandomSurface {
     std::uint32_t next_cell_id_ = 0;
 };
 
-/// Where the wire's rule puts vertices and cells: those that stay keep their order, new ones follow by id, those of a KEY by
-/// s and t. The simplest way to say it.
+/// Where the wire's rule puts vertices and cells: those that stay keep their order, new vertices follow by id, those of a KEY by
+/// s and t, new cells by their first corners. The simplest way to say it.
 class PlacesTwin {
   public:
     void follow(const core::KeyedMesh& mesh, bool key) {
         follow(vertices_, mesh.vertex_id, key);
-        follow(cells_, mesh.cell_id, key);
-        if (!key)
-            return;
+        const std::size_t stayed = follow(cells_, mesh.cell_id, key);
         const auto vertex = [&](std::uint32_t id) { return index(mesh.vertex_id, id); };
-        const auto first_corner = [&](std::uint32_t id) {
-            return mesh.mesh.cells[index(mesh.cell_id, id)].corner[0];
-        };
+        if (key)
+            std::ranges::stable_sort(vertices_, {}, [&](std::uint32_t id) {
+                return std::pair(mesh.mesh.s[vertex(id)], mesh.mesh.t[vertex(id)]);
+            });
         std::map<std::size_t, std::size_t> place;
-        std::ranges::stable_sort(vertices_, {}, [&](std::uint32_t id) {
-            return std::pair(mesh.mesh.s[vertex(id)], mesh.mesh.t[vertex(id)]);
-        });
         for (const std::uint32_t id : vertices_)
             place.emplace(vertex(id), place.size());
-        std::ranges::stable_sort(cells_, {},
-                                 [&](std::uint32_t id) { return place.at(first_corner(id)); });
+        std::ranges::stable_sort(cells_.begin() + static_cast<std::ptrdiff_t>(stayed), cells_.end(),
+                                 {}, [&](std::uint32_t id) {
+                                     return place.at(
+                                         mesh.mesh.cells[index(mesh.cell_id, id)].corner[0]);
+                                 });
     }
 
     const std::vector<std::uint32_t>& vertices() const { return vertices_; }
@@ -177,7 +176,8 @@ class PlacesTwin {
         return static_cast<std::size_t>(std::ranges::lower_bound(ids, id) - ids.begin());
     }
 
-    static void
+    /// How many of those held stay.
+    static std::size_t
     follow(std::vector<std::uint32_t>& held, const std::vector<std::uint32_t>& ids, bool key) {
         if (key)
             held.clear();
@@ -187,6 +187,7 @@ class PlacesTwin {
         for (const std::uint32_t id : ids)
             if (!std::ranges::binary_search(known, id))
                 held.push_back(id);
+        return known.size();
     }
 
     std::vector<std::uint32_t> vertices_;

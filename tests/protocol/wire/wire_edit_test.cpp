@@ -25,7 +25,7 @@ Runs random_runs(std::mt19937& random, std::uint32_t over) {
 struct RandomEdit {
     std::uint32_t vertices = 0; ///< before
     std::vector<core::Cell> cells;
-    KeptCells kept;
+    std::vector<core::Cell> kept;
     MeshSize after;
     TopologyEdit edit;
 
@@ -56,14 +56,20 @@ RandomEdit random_edit(std::uint32_t seed) {
     r.edit.cells =
         samples::chaos(r.after.vertices, r.edit.replaced_cells.count() + r.edit.added_cells, seed)
             .cells;
-    r.kept = keep_cells(r.edit.removed_vertices, r.vertices, r.edit.removed_cells, r.cells);
-    r.kept.leave_out(r.edit.replaced_cells);
+    r.kept = kept_cells(r.edit.removed_vertices, r.edit.removed_cells, r.before());
     return r;
 }
 
+std::vector<std::uint32_t> written(const RandomEdit& r) {
+    std::vector<std::uint32_t> numbers;
+    append_edit(numbers, r.edit, r.kept, r.vertices - r.edit.removed_vertices.count());
+    return numbers;
+}
+
 /// Why an edit is refused; empty where it is read.
-std::string refusal(std::span<const std::byte> bytes, const EditedFrom& before, MeshSize after) {
-    const auto read = read_edit(bytes, before, after);
+std::string refusal(std::vector<std::uint32_t> given, const EditedFrom& before, MeshSize after) {
+    Numbers numbers(std::move(given));
+    const auto read = read_edit(numbers, before, after);
     return read ? std::string() : read.error().message;
 }
 
@@ -72,19 +78,21 @@ std::string leads_to_other_than(MeshSize size) {
            std::to_string(size.vertices) + " and " + std::to_string(size.cells);
 }
 
-/// In its numbers, or in the code of its cells behind them.
+/// In its runs, or in the cells behind them.
 bool is_damaged(const std::string& message) {
     return message == "the topology of a mesh update is damaged" ||
-           message.starts_with("the cells of a mesh frame are damaged near cell ");
+           message == "a cell of a mesh update has a vertex that is not there";
 }
 
 TEST(WireEdit, ReadsBackWhatItWrote) {
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
         const RandomEdit r = random_edit(seed);
-        const auto read = read_edit(write_edit(r.edit, r.kept), r.before(), r.after);
+        Numbers numbers(written(r));
+        const auto read = read_edit(numbers, r.before(), r.after);
         ASSERT_TRUE(read.has_value()) << read.error().message;
         ASSERT_EQ(read->edit, r.edit) << seed;
-        ASSERT_EQ(read->kept.cells, r.kept.cells) << seed;
+        ASSERT_EQ(read->kept, r.kept) << seed;
+        ASSERT_EQ(numbers.left(), 0u) << seed;
     }
 }
 
@@ -92,7 +100,7 @@ TEST(WireEdit, IsRefusedWhenItLeadsToAnotherMeshOrIsDamaged) {
     std::mt19937 random(4);
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         const RandomEdit r = random_edit(seed);
-        const Bytes good = write_edit(r.edit, r.kept);
+        const auto good = written(r);
         MeshSize other = r.after;
         ++other.vertices;
         EXPECT_EQ(refusal(good, r.before(), other), leads_to_other_than(other));
@@ -100,19 +108,22 @@ TEST(WireEdit, IsRefusedWhenItLeadsToAnotherMeshOrIsDamaged) {
         ++other.cells;
         EXPECT_EQ(refusal(good, r.before(), other), leads_to_other_than(other));
         for (std::size_t size = 0; size < good.size(); ++size)
-            EXPECT_TRUE(is_damaged(refusal(std::span(good).first(size), r.before(), r.after)))
+            EXPECT_TRUE(
+                is_damaged(refusal({good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size)},
+                                   r.before(), r.after)))
                 << size;
         for (int i = 0; i < 200; ++i) {
-            Bytes bad = good;
-            bad[random() % bad.size()] ^= static_cast<std::byte>(1 + random() % 255);
+            auto bad = good;
+            bad[random() % bad.size()] ^= 1u << (random() % (i % 4 == 0 ? 32 : 4));
+            Numbers numbers(bad);
             if (const auto read =
-                    read_edit(bad, r.before(), r.after)) { // another edit, but a whole one
+                    read_edit(numbers, r.before(), r.after)) { // another edit, but a whole one
                 const TopologyEdit& edit = read->edit;
                 EXPECT_EQ(edit.cells.size(),
                           edit.replaced_cells.count() + std::size_t{edit.added_cells});
                 EXPECT_EQ(r.vertices - edit.removed_vertices.count() + edit.added_vertices,
                           r.after.vertices);
-                for (const core::Cell& cell : edited_cells(read->kept.cells, edit))
+                for (const core::Cell& cell : edited_cells(read->kept, edit))
                     for (const auto corner : cell.corner)
                         ASSERT_LT(corner, r.after.vertices);
             }
@@ -121,14 +132,25 @@ TEST(WireEdit, IsRefusedWhenItLeadsToAnotherMeshOrIsDamaged) {
 }
 
 TEST(WireEdit, AnnouncingMoreThanThereIsAllocatesNothing) {
-    Bytes huge(5);
-    append_varint(huge, 1u << 24); // cells, and a code that ends at once
-    huge.insert(huge.end(), 4, std::byte{0});
+    const std::vector<std::uint32_t> huge{0, 0,        0,  0,
+                                          0, 1u << 24, 15, 15}; // cells, two of which are there
     EXPECT_TRUE(is_damaged(refusal(huge, {}, {0, 1u << 24})));
     EXPECT_EQ(refusal(huge, {}, {0, 1}), leads_to_other_than({0, 1}));
+    EXPECT_TRUE(is_damaged(refusal({0xffffffffu}, {}, {0, 0}))) << "runs";
 }
 
-TEST(KeptCells, HaveNewNumbersAndTellWhichVerticesHaveLostSomething) {
+TEST(WireEdit, SaysOfAStripOfCellsTheSameDifferencesAgainAndAgain) {
+    TopologyEdit edit;
+    edit.cells = samples::sheet(2, 50).cells;
+    edit.added_vertices = 100;
+    edit.added_cells = 49;
+    std::vector<std::uint32_t> numbers;
+    append_edit(numbers, edit, {}, 0);
+    EXPECT_EQ(numbers.size(), 6u + 49u * 5u);
+    EXPECT_LT(pack_numbers(numbers)->size(), 40u);
+}
+
+TEST(KeptCells, HaveNewNumbersAndNoVertexThatHasGone) {
     core::Cell cell;
     cell.corner = {0, 2, 4, 6};
     cell.mid = {3, core::no_vertex, core::no_vertex, 5};
@@ -137,11 +159,14 @@ TEST(KeptCells, HaveNewNumbersAndTellWhichVerticesHaveLostSomething) {
     Runs removed;
     removed.take({1, 2});
     removed.take({5, 6}); // a mid
-    const KeptCells kept = keep_cells(removed, 11, {}, std::array{cell, apart});
-    EXPECT_EQ(kept.cells.front().corner, (std::array<core::VertexId, 4>{0, 1, 3, 4}));
-    EXPECT_EQ(kept.cells.front().mid, (std::array<core::VertexId, 4>{
-                                          2, core::no_vertex, core::no_vertex, core::no_vertex}));
-    EXPECT_EQ(kept.touched, (std::vector<std::uint8_t>{1, 1, 1, 1, 1, 0, 0, 0, 0}));
+    Runs removed_cells;
+    removed_cells.take(1);
+    const std::array before{cell, apart};
+    const auto kept = kept_cells(removed, removed_cells, {11, before});
+    ASSERT_EQ(kept.size(), 1u);
+    EXPECT_EQ(kept.front().corner, (std::array<core::VertexId, 4>{0, 1, 3, 4}));
+    EXPECT_EQ(kept.front().mid, (std::array<core::VertexId, 4>{2, core::no_vertex, core::no_vertex,
+                                                               core::no_vertex}));
 }
 
 TEST(WireEdit, IsRefusedWhenItTakesACornerFromACellThatStaysUnlessItReplacesTheCell) {
@@ -152,16 +177,17 @@ TEST(WireEdit, IsRefusedWhenItTakesACornerFromACellThatStaysUnlessItReplacesTheC
     edit.added_vertices = 1;
     const std::array before{cell};
     const auto read = [&] {
-        KeptCells kept = keep_cells(edit.removed_vertices, 4, {}, before);
-        kept.leave_out(edit.replaced_cells);
-        return read_edit(write_edit(edit, kept), {4, before}, {4, 1});
+        std::vector<std::uint32_t> written;
+        append_edit(written, edit, kept_cells(edit.removed_vertices, {}, {4, before}), 3);
+        Numbers numbers(written);
+        return read_edit(numbers, {4, before}, {4, 1});
     };
     EXPECT_EQ(read().error().message, "a mesh update takes a corner from a cell that stays");
     edit.replaced_cells.take(0);
     edit.cells = {cell};
     const auto replaced = read();
     ASSERT_TRUE(replaced.has_value());
-    EXPECT_EQ(edited_cells(replaced->kept.cells, replaced->edit), std::vector{cell});
+    EXPECT_EQ(edited_cells(replaced->kept, replaced->edit), std::vector{cell});
 }
 
 TEST(Runs, TakeGapsAlongThatAreShorterThanTheBridge) {

@@ -20,13 +20,13 @@ random_residuals(std::uint32_t seed, std::uint32_t count, PointKind kind, std::u
     Residuals residuals;
     residuals.count = count;
     residuals.coding.kind = kind;
-    residuals.coding.attributes = kind == PointKind::Change ? 0 : 3;
-    if (kind != PointKind::Change) {
-        residuals.coding.predictor = {4, 2, 1, 5};
-        residuals.coding.tolerance = {2, 128, 0, 32767};
-    }
+    residuals.coding.attributes = 3;
+    residuals.coding.predictor = {3, 2, 1, 0};
+    residuals.coding.tolerance = {2, 128, 0, 32767};
     for (std::uint32_t i = 0; i < 3 * count; ++i)
         residuals.position.push_back(any());
+    for (std::uint32_t i = 0; kind == PointKind::Added && i < 3 * count; ++i)
+        residuals.change.push_back(any());
     for (std::size_t a = 0; a < residuals.coding.attributes; ++a)
         for (std::uint32_t i = 0; i < count; ++i) {
             if (i == 0)
@@ -36,20 +36,24 @@ random_residuals(std::uint32_t seed, std::uint32_t count, PointKind kind, std::u
     return residuals;
 }
 
-/// Why a block is refused; empty where it is read.
-std::string refusal(std::span<const std::byte> bytes,
-                    std::size_t& at,
-                    std::uint32_t most,
-                    std::uint8_t attributes = 3) {
-    const auto read = read_block(bytes, at, attributes, most);
-    return read ? std::string() : read.error().message;
+/// Reads a block of its own.
+core::Result<Residuals> read_back(const PointBlock& block,
+                                  PointKind kind,
+                                  std::uint32_t most,
+                                  std::uint8_t attributes = 3) {
+    Numbers numbers(block.numbers);
+    std::span<const std::byte> draco = block.draco;
+    auto read = read_block(numbers, draco, {kind, attributes, most});
+    if (read) {
+        EXPECT_EQ(numbers.left(), 0u);
+        EXPECT_TRUE(draco.empty());
+    }
+    return read;
 }
 
-const std::string unknown_or_too_long =
-    "a block of points in a mesh frame is of an unknown kind or too long";
-const std::string damaged = "a block of points in a mesh frame is damaged";
+const std::string damaged = "a block of points in a mesh update is damaged or too long";
 
-constexpr PointKind kinds[] = {PointKind::Moved, PointKind::Added, PointKind::Change};
+constexpr PointKind kinds[] = {PointKind::Moved, PointKind::Added};
 
 TEST(WirePoints, ReadBackEveryResidualSmallOrLarge) {
     std::uint32_t seed = 0;
@@ -57,13 +61,11 @@ TEST(WirePoints, ReadBackEveryResidualSmallOrLarge) {
         for (const std::uint32_t count : {1u, 2u, 5u, 100u, 3000u})
             for (const std::uint32_t rare : {2u, 50u, 1000000u}) {
                 const Residuals residuals = random_residuals(++seed, count, kind, rare);
-                const auto bytes = write_block(residuals, 0, count);
-                ASSERT_TRUE(bytes.has_value()) << bytes.error().message;
-                std::size_t at = 0;
-                const auto back = read_block(*bytes, at, 3, count);
+                const auto block = write_block(residuals, 0, count);
+                ASSERT_TRUE(block.has_value()) << block.error().message;
+                const auto back = read_back(*block, kind, count);
                 ASSERT_TRUE(back.has_value()) << back.error().message;
                 EXPECT_EQ(*back, residuals);
-                EXPECT_EQ(at, bytes->size());
             }
 }
 
@@ -72,54 +74,65 @@ TEST(WirePoints, NeedNoDracoForAFewResidualsOrNone) {
     residuals.position.assign(90'000, 0);
     for (auto& codes : residuals.codes)
         codes.assign(30'000, 0);
-    EXPECT_LE(write_block(residuals, 0, 30'000)->size(), 20u);
+    const auto none = write_block(residuals, 0, 30'000);
+    EXPECT_LE(none->numbers.size(), 11u);
+    EXPECT_TRUE(none->draco.empty());
     residuals.position[4000] = 7;
     residuals.codes[2][9000] = -40'000;
-    const auto bytes = write_block(residuals, 0, 30'000);
-    EXPECT_LE(bytes->size(), 40u);
-    std::size_t at = 0;
-    EXPECT_EQ(*read_block(*bytes, at, 3, 30'000), residuals);
+    const auto few = write_block(residuals, 0, 30'000);
+    EXPECT_LE(few->numbers.size(), 11u + 2u * 7u);
+    EXPECT_TRUE(few->draco.empty());
+    EXPECT_EQ(*read_back(*few, PointKind::Moved, 30'000), residuals);
 }
 
 TEST(WirePoints, StandSideBySideAndAreHeldToTheVerticesLeft) {
     const Residuals residuals = random_residuals(7, 300, PointKind::Added, 40);
-    Bytes both = *write_block(residuals, 0, 100);
-    const Bytes second = *write_block(residuals, 100, 300);
-    both.insert(both.end(), second.begin(), second.end());
-    std::size_t at = 0;
-    EXPECT_EQ(refusal(both, at, 99), unknown_or_too_long);
-    EXPECT_EQ(at, 0u);
-    ASSERT_TRUE(read_block(both, at, 3, 300).has_value());
-    EXPECT_EQ(read_block(both, at, 3, 200)->count, 200u);
-    EXPECT_EQ(at, both.size());
-    at = 0;
-    EXPECT_EQ(refusal(both, at, 300, 2), unknown_or_too_long) << "another number of attributes";
+    PointBlock both = *write_block(residuals, 0, 100);
+    const PointBlock second = *write_block(residuals, 100, 300);
+    both.numbers.insert(both.numbers.end(), second.numbers.begin(), second.numbers.end());
+    both.draco.insert(both.draco.end(), second.draco.begin(), second.draco.end());
+    EXPECT_EQ(read_back(both, PointKind::Added, 99).error().message, damaged);
+    EXPECT_EQ(read_back(both, PointKind::Added, 300, 2).error().message, damaged)
+        << "another number of attributes";
+    Numbers numbers(both.numbers);
+    std::span<const std::byte> draco = both.draco;
+    ASSERT_TRUE(read_block(numbers, draco, {PointKind::Added, 3, 300}).has_value());
+    EXPECT_EQ(read_block(numbers, draco, {PointKind::Added, 3, 200})->count, 200u);
+    EXPECT_EQ(numbers.left(), 0u);
+    EXPECT_TRUE(draco.empty());
 }
 
-TEST(WirePoints, AreRefusedCutOffAndNeverReadBeyondTheirEnd) {
+TEST(WirePoints, AreRefusedCutOff) {
     for (const PointKind kind : kinds) {
-        const Bytes good = *write_block(random_residuals(5, 200, kind, 30), 0, 200);
-        // kind, count in two bytes, channels, a predictor of each, and their tolerances in seven
-        const std::size_t head = kind == PointKind::Change ? 5 : 15;
-        for (std::size_t size = 0; size < good.size(); ++size) {
-            std::size_t at = 0;
-            EXPECT_EQ(refusal(std::span(good).first(size), at, 200),
-                      size < head ? unknown_or_too_long : damaged)
-                << size;
+        const PointBlock good = *write_block(random_residuals(5, 200, kind, 30), 0, 200);
+        for (std::size_t size = 0; size < good.numbers.size(); ++size) {
+            PointBlock cut = good;
+            cut.numbers.resize(size);
+            EXPECT_EQ(read_back(cut, kind, 200).error().message, damaged) << size;
+        }
+        for (std::size_t size = 0; size < good.draco.size(); ++size) {
+            PointBlock cut = good;
+            cut.draco.resize(size);
+            EXPECT_EQ(read_back(cut, kind, 200).error().message, damaged) << size;
         }
     }
 }
 
-TEST(WirePoints, RefuseUnknownKindsPredictorsAndChannels) {
-    const Bytes good = *write_block(random_residuals(5, 200, PointKind::Moved, 30), 0, 200);
-    // kind, count in two bytes, channels, predictors
-    for (const auto& [at, value] : {std::pair{0, 3}, {1, 0x80}, {3, 0x10}, {4, 6}, {7, 6}}) {
-        Bytes bad = good;
-        bad[static_cast<std::size_t>(at)] = static_cast<std::byte>(value);
-        if (at == 1)
-            bad[2] = std::byte{0}; // no vertices
-        std::size_t begin = 0;
-        EXPECT_EQ(refusal(bad, begin, 200), unknown_or_too_long) << at;
+TEST(WirePoints, RefuseUnknownPredictorsChannelsTolerancesAndEscapes) {
+    const PointBlock good = *write_block(random_residuals(5, 200, PointKind::Moved, 30), 0, 200);
+    ASSERT_TRUE(read_back(good, PointKind::Moved, 200).has_value());
+    // count, channels, predictor and tolerance of each channel, escapes, the first one's vertex
+    for (const auto& [at, value] : {std::pair{0u, 0u},
+                                    {0u, 201u},
+                                    {1u, 16u},
+                                    {2u, 4u},
+                                    {8u, 4u},
+                                    {3u, 32768u},
+                                    {10u, 201u},
+                                    {11u, 200u}}) {
+        PointBlock bad = good;
+        bad.numbers[at] = value;
+        EXPECT_EQ(read_back(bad, PointKind::Moved, 200).error().message, damaged) << at;
     }
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <random>
 
 namespace wakesurf::protocol {
 namespace {
@@ -85,47 +84,18 @@ TEST(WireTopology, FindsWhatTheDefinitionsSayInAnyCells) {
         }
 }
 
-TEST(WireTopology, FollowsAnEditToWhatItWouldFindAnew) {
+TEST(WireTopology, FindsTheSameFromTheCellsThatAreAddedAlone) {
     for (std::uint32_t seed = 1; seed < 60; ++seed) {
-        std::mt19937 random(seed);
         const auto mesh = seed % 2 == 0 ? samples::hanging_sheet(9, 20, seed)
                                         : samples::chaos(60 + seed, 40, seed);
         const auto vertices = static_cast<std::uint32_t>(mesh.vertices());
-        Runs gone;
-        for (std::uint32_t v = 0; v < vertices; ++v)
-            if (random() % 30 == 0)
-                gone.take(v);
-        const auto now = numbers_after(gone, vertices);
-        Runs removed;
-        for (std::uint32_t i = 0; i < mesh.cells.size(); ++i)
-            if (random() % 15 == 0 ||
-                std::ranges::any_of(mesh.cells[i].corner,
-                                    [&](std::uint32_t v) { return now[v] == no_vertex; }))
-                removed.take(i);
-        KeptCells kept = keep_cells(gone, vertices, removed, mesh.cells);
-        Runs replaced;
-        for (std::uint32_t i = 0; i < kept.cells.size(); ++i)
-            if (random() % 15 == 0)
-                replaced.take(i);
-        kept.leave_out(replaced);
-        std::vector<core::Cell> old_cells;
-        for (const auto& run : replaced.all())
-            for (std::uint32_t i = run.begin; i < run.end; ++i) {
-                old_cells.push_back(kept.cells[i]);
-                std::ranges::fill(old_cells.back().mid, no_vertex);
-            }
-        const std::uint32_t after = kept.stay + 10;
-        TopologyEdit edit;
-        edit.replaced_cells = replaced;
-        edit.added_cells = 12;
-        edit.cells = samples::chaos(after, replaced.count() + edit.added_cells, seed + 100).cells;
-        if (seed % 3 == 0) // as refinement does: what was there is cut, and nothing else taken
-            for (std::uint32_t i = 0; i < replaced.count(); ++i)
-                edit.cells[i] = old_cells[i];
-        const auto cells = edited_cells(kept.cells, edit);
-        const WireTopology anew(cells, after);
-        const WireTopology followed(WireTopology(mesh.cells, vertices), kept, edit, cells, after);
+        auto cells = mesh.cells;
+        const auto added = samples::chaos(vertices + 10, 12, seed + 100).cells;
+        cells.insert(cells.end(), added.begin(), added.end());
+        const WireTopology anew(cells, vertices + 10);
+        const WireTopology followed(WireTopology(mesh.cells, vertices), cells, vertices + 10);
         ASSERT_EQ(followed.neighbours, anew.neighbours) << seed;
+        ASSERT_EQ(followed.cells, cells);
     }
 }
 

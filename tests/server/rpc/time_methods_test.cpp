@@ -91,8 +91,8 @@ TEST_F(TimeMethods, PlaysAStreakToAStateWhoseChecksumIsTheServers) {
     EXPECT_EQ(stats["complete"], true);
     const auto state = fold_until(client, decoder, is_final);
     EXPECT_DOUBLE_EQ(state.header.time, paused["time"].get<double>());
-    EXPECT_EQ(state.header.state_sum, stats["crc"].get<std::uint32_t>());
-    EXPECT_EQ(protocol::state_sum(*state.mesh), stats["crc"].get<std::uint32_t>());
+    EXPECT_EQ(state.header.state_sum, stats["stateSum"].get<std::uint32_t>());
+    EXPECT_EQ(protocol::state_sum(*state.mesh), stats["stateSum"].get<std::uint32_t>());
     EXPECT_EQ(state.mesh->cells().size(), stats["quads"].get<std::size_t>());
 }
 
@@ -134,7 +134,7 @@ TEST_F(TimeMethods, GoesOnFromTheUpdateAnEarlierConnectionHad) {
     EXPECT_EQ(back.result("surface.subscribe", {{"surface", surface}, {"from", from}})["resumed"],
               true);
     const auto state = fold_until(back, decoder, is_final);
-    EXPECT_EQ(state.header.state_sum, stats["crc"].get<std::uint32_t>());
+    EXPECT_EQ(state.header.state_sum, stats["stateSum"].get<std::uint32_t>());
     const json stranger{{"epoch", epoch + 7}, {"seq", 0}};
     EXPECT_EQ(
         back.result("surface.subscribe", {{"surface", surface}, {"from", stranger}})["resumed"],

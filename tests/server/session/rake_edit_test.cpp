@@ -78,7 +78,7 @@ TEST(RakeEdit, TheFramesFoldToTheMeshTheStatisticsDescribe) {
     EXPECT_EQ(decoder.newest()->header.surface, scene.number);
     EXPECT_EQ(decoder.newest()->mesh->cells().size(), stats["quads"]);
     EXPECT_EQ(decoder.newest()->mesh->vertices(), stats["vertices"]);
-    EXPECT_EQ(decoder.newest()->header.state_sum, stats["crc"]);
+    EXPECT_EQ(decoder.newest()->header.state_sum, stats["stateSum"]);
 }
 
 TEST(RakeEdit, OfFiftyEditsAtOnceOnlyTheNewestIsComputedToItsEnd) {
@@ -99,7 +99,7 @@ TEST(RakeEdit, OfFiftyEditsAtOnceOnlyTheNewestIsComputedToItsEnd) {
     EXPECT_LE(epochs.size(), 12u);
     const json stats = wait_for(client, scene);
     EXPECT_EQ(stats["epoch"], 51);
-    EXPECT_EQ(decoder.newest()->header.state_sum, stats["crc"]);
+    EXPECT_EQ(decoder.newest()->header.state_sum, stats["stateSum"]);
     // The seeds lie where the last edit put them.
     const json state = client.result("session.state");
     EXPECT_DOUBLE_EQ(state["rakes"][0]["points"][0][2], -1.0);
@@ -121,8 +121,8 @@ TEST(RakeEdit, TwoPeopleSeeTheSameMesh) {
     fold_until(one, ones, 2);
     fold_until(other, others, 2);
     const json stats = wait_for(one, scene);
-    EXPECT_EQ(ones.newest()->header.state_sum, stats["crc"]);
-    EXPECT_EQ(others.newest()->header.state_sum, stats["crc"]);
+    EXPECT_EQ(ones.newest()->header.state_sum, stats["stateSum"]);
+    EXPECT_EQ(others.newest()->header.state_sum, stats["stateSum"]);
     EXPECT_EQ(one.result("session.state")["participants"].size(), 2u);
 }
 
@@ -135,7 +135,7 @@ TEST(RakeEdit, WhoeverComesLateGetsTheMeshThatIsThere) {
     late.result("surface.subscribe", {{"surface", scene.surface}});
     protocol::MeshDecoder decoder;
     fold_until(late, decoder, 1);
-    EXPECT_EQ(decoder.newest()->header.state_sum, stats["crc"]);
+    EXPECT_EQ(decoder.newest()->header.state_sum, stats["stateSum"]);
 }
 
 TEST(RakeEdit, AnEditStopsALongComputationAndShowsTheNewSurfaceSoon) {
@@ -167,7 +167,7 @@ TEST(RakeEdit, AClientThatVanishesInTheMiddleDisturbsNobody) {
     }
     protocol::MeshDecoder decoder;
     fold_until(stays, decoder, 9);
-    EXPECT_EQ(decoder.newest()->header.state_sum, wait_for(stays, scene)["crc"]);
+    EXPECT_EQ(decoder.newest()->header.state_sum, wait_for(stays, scene)["stateSum"]);
     EXPECT_TRUE(server.running());
 }
 

@@ -172,7 +172,7 @@ TEST_F(SessionTest, BuildsTheSurfaceOfTheNewestEditAndDropsTheOthers) {
     EXPECT_EQ(me.phases.back().second, protocol::Phase::Final);
     ASSERT_TRUE(live->newest());
     EXPECT_EQ(live->newest()->wire.epoch, 21u);
-    EXPECT_EQ(me.outcomes[0].crc, live->newest()->wire.crc);
+    EXPECT_EQ(me.outcomes[0].state_sum, live->newest()->wire.state_sum);
 }
 
 TEST_F(SessionTest, GivesRakesTheColoursOfThePaletteInTurnUntilTheyHaveTheirOwn) {

@@ -69,7 +69,8 @@ TEST_F(CarefulStart, ComputesNothingOfBeforeAndTellsPeopleWhyAndWhatToDo) {
     EXPECT_NE(error["data"]["hint"].get<std::string>().find("set a surface or move its rake"),
               std::string::npos);
     client.result("rake.set", rake_at(1));
-    EXPECT_EQ(wait(client)["result"]["crc"], before["crc"]) << "the same, once someone asks for it";
+    EXPECT_EQ(wait(client)["result"]["stateSum"], before["stateSum"])
+        << "the same, once someone asks for it";
     const auto end = server.stop();
     EXPECT_NE(end.log.find("event=careful_start died=3"), std::string::npos);
 }
@@ -79,13 +80,13 @@ TEST_F(CarefulStart, DoesNotComeAfterTwoNorAfterACleanEnd) {
     {
         ServerProcess third(arguments());
         WebSocketClient client(third);
-        EXPECT_EQ(wait(client)["result"]["crc"], before["crc"]);
+        EXPECT_EQ(wait(client)["result"]["stateSum"], before["stateSum"]);
         EXPECT_EQ(third.stop().status, 0);
     }
     die(2);
     ServerProcess server(arguments());
     WebSocketClient client(server);
-    EXPECT_EQ(wait(client)["result"]["crc"], before["crc"]);
+    EXPECT_EQ(wait(client)["result"]["stateSum"], before["stateSum"]);
 }
 
 } // namespace wakesurf::tests

@@ -1,53 +1,84 @@
-// Little-endian varints in byte strings: the atoms of the binary wire. Twin: protocol/wire/bytes.hpp.
+// The numbers that an update begins with: varints, deflated. protocol/wire/FORMAT.md, Update. Twin: protocol/wire/bytes.hpp.
+import { inflateSync } from 'fflate';
 import { FrameError } from './frameError.ts';
+
+/** Deflate makes nothing more than so many times smaller. */
+const mostInflation = 1032;
 
 /** Differences near zero, of either sign, stand as small numbers: 0, 1, 2, 3 ... are 0, -1, 1, -2 ... */
 export function unzigzag(code: number): number {
     return (code >>> 1) ^ -(code & 1);
 }
 
-/** Reads numbers one after the other. Throws FrameError at the end of the bytes. */
-export class ByteReader {
+/** Reads one number, seven bits a byte and at most 32 in all, lowest first, into `into[count]`; where the next one begins. */
+function readVarint(bytes: Uint8Array, from: number, into: Uint32Array, count: number): number {
+    let value = 0;
+    for (let at = from, shift = 0; at < bytes.length; ++at, shift += 7) {
+        const byte = bytes[at]!;
+        if (shift === 28 && byte > 0x0f) break;
+        value |= (byte & 0x7f) << shift;
+        if (byte >= 0x80) continue;
+        into[count] = value;
+        return at + 1;
+    }
+    throw new FrameError('a mesh update holds a number that is cut off or has more than 32 bits');
+}
+
+function inflated(bytes: Uint8Array, size: number): Uint8Array {
+    if (size > mostInflation * bytes.length) throw new FrameError('a mesh update announces more numbers than it can hold');
+    let result: Uint8Array;
+    try {
+        result = inflateSync(bytes, { out: new Uint8Array(size + 1) });
+    } catch (error) {
+        throw new FrameError(`the numbers of a mesh update are damaged: ${String(error)}`);
+    }
+    if (result.length !== size) throw new FrameError('a mesh update holds other numbers than it announces');
+    return result;
+}
+
+/** Numbers, to be taken one after the other. */
+export class Numbers {
+    /** What follows the numbers. */
+    readonly rest: Uint8Array;
+    private readonly all: Uint32Array;
     private at = 0;
-    private readonly bytes: Uint8Array;
 
-    constructor(bytes: Uint8Array) {
-        this.bytes = bytes;
-    }
-
-    get atEnd(): boolean {
-        return this.at === this.bytes.length;
-    }
-
-    byte(): number {
-        if (this.atEnd) throw new FrameError('a part of a mesh frame ends too early');
-        return this.bytes[this.at++]!;
-    }
-
-    /** Seven bits a byte, lowest first, at most 32 bits. */
-    varint(): number {
-        let value = 0;
-        for (let shift = 0; shift < 35; shift += 7) {
-            const byte = this.byte();
-            if (shift === 28 && byte > 0x0f) break;
-            value |= (byte & 0x7f) << shift;
-            if ((byte & 0x80) === 0) return value >>> 0;
+    /** Of the bytes of a whole update. Throws FrameError. Allocates O(bytes). */
+    constructor(update: Uint8Array) {
+        const lengths = new Uint32Array(2);
+        const begin = readVarint(update, readVarint(update, 0, lengths, 0), lengths, 1);
+        const [packed, size] = lengths as unknown as [number, number];
+        if (packed > update.length - begin) throw new FrameError('a mesh update ends within its numbers');
+        const bytes = inflated(update.subarray(begin, begin + packed), size);
+        const room = new Uint32Array(bytes.length);
+        let count = 0;
+        for (let at = 0; at < bytes.length; ++count) {
+            if (bytes[at]! < 0x80) room[count] = bytes[at++]!;
+            else at = readVarint(bytes, at, room, count);
         }
-        throw new FrameError('a mesh frame holds a number of more than 32 bits');
+        this.all = room.subarray(0, count);
+        this.rest = update.subarray(begin + packed);
+    }
+
+    get left(): number {
+        return this.all.length - this.at;
+    }
+
+    /** Throws FrameError where there is none, or a larger one than `most`. */
+    next(most = 0xffffffff): number {
+        if (this.at === this.all.length) throw new FrameError('a mesh update holds too few numbers');
+        const value = this.all[this.at++]!;
+        if (value > most) throw new FrameError(`a mesh update holds ${value} where at most ${most} may stand`);
+        return value;
     }
 
     signed(): number {
-        return unzigzag(this.varint());
+        return unzigzag(this.next());
     }
 
-    /** The next `count` bytes, not copied. */
-    take(count: number): Uint8Array {
-        if (count > this.bytes.length - this.at) throw new FrameError('a part of a mesh frame ends too early');
+    take(count: number): Uint32Array {
+        if (count > this.left) throw new FrameError('a mesh update holds too few numbers');
         this.at += count;
-        return this.bytes.subarray(this.at - count, this.at);
-    }
-
-    rest(): Uint8Array {
-        return this.take(this.bytes.length - this.at);
+        return this.all.subarray(this.at - count, this.at);
     }
 }

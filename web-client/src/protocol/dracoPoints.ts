@@ -1,5 +1,5 @@
 // The residuals of a point block, a Draco sequential point cloud. The only file that knows Draco.
-// protocol/wire/README.md, Draco block. Twin: protocol/wire/draco_points.hpp.
+// protocol/wire/FORMAT.md, Draco block. Twin: protocol/wire/draco_points.hpp.
 import type { DecoderModule } from 'draco3d';
 import { FrameError } from './frameError.ts';
 

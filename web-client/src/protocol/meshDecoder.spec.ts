@@ -43,7 +43,7 @@ describe('random sequences', () => {
     test('of a thousand frames decode to what a plain reading of the specification makes of them', () => {
         const into = decoder();
         let count = 0;
-        for (const { frames, state } of randomUpdates(41, 400)) {
+        for (const { frames, state } of randomUpdates(41, 450)) {
             for (const [i, frame] of frames.entries()) {
                 ++count;
                 const applied = into.fold(frame);
@@ -55,13 +55,12 @@ describe('random sequences', () => {
         expect(count).toBeGreaterThan(1000);
     }, 60_000);
 
-    test('come out alike from a KEY with history and from all updates before it', () => {
+    test('come out alike from a KEY and from all updates before it', () => {
         const updates = randomUpdates(42, 60);
         const [early, late] = [decoder(), decoder()];
         let joined = 0;
         for (const [i, { frames }] of updates.entries()) {
-            const history = i > 0 && readFrame(frames[0]!).header.history;
-            if (history) joined = i;
+            if (i > 0 && readFrame(frames[0]!).header.key) joined = i;
             expect(accepts(early, frames)).toBe(true);
             if (joined > 0) expect(accepts(late, frames)).toBe(true);
         }
@@ -188,7 +187,7 @@ describe('what is announced', () => {
                 new DataView(bytes.buffer).setUint32(offset, value, true);
                 return sealed(bytes);
             });
-        for (const offset of [28, 32, 36]) {
+        for (const offset of [24, 28]) {
             for (const value of [0xffffffff, (1 << 24) + 1, 1 << 24]) {
                 expect(accepts(decoder(), announcing(offset, value))).toBe(false);
             }

@@ -19,16 +19,11 @@ function changed(offset: number, value: number, size = 4): Uint8Array {
 }
 
 test('reads the header of a frame', () => {
-    const { header, ranges, topology, points } = readFrame(good);
-    expect(header).toMatchObject({ key: true, lossless: false, history: true, surface: 3, epoch: 1, seq: 0, baseSeq: 0 });
+    const { header, body } = readFrame(good);
+    expect(header).toMatchObject({ key: true, lossless: false, surface: 3, epoch: 1, seq: 0 });
     expect(header).toMatchObject({ phase: 'refined', latticeBits: 12, attributeCount: 3, time: 0, frameIndex: 0 });
     expect(header).toMatchObject({ frameCount: frames.length, vertices: 30, cells: wanted.cells.length });
-    expect(ranges).toEqual([
-        { lo: -1, hi: 3 },
-        { lo: 0, hi: 1 },
-        { lo: 2, hi: 2 },
-    ]);
-    expect(topology.length + points.length + frameHeaderBytes + 24).toBe(good.length);
+    expect(body.length + frameHeaderBytes).toBe(good.length);
     expect(surfaceOf(good)).toBe(3);
 });
 
@@ -63,25 +58,19 @@ test('refuses a frame cut off or followed by more', () => {
 test('refuses a header that cannot be true', () => {
     expect(readFrame(changed(4, 8)).header.surface).toBe(8);
     for (const bad of [
-        changed(2, 1, 1), // version
-        changed(3, 8, 1), // unknown flag
-        changed(3, 4, 1), // changes without a KEY
-        changed(16, 1), // a KEY based on another update
-        changed(20, frames.length, 2), // beyond the last frame
-        changed(22, 0, 2), // no frames
-        changed(24, 4, 1), // phase
-        changed(25, 0, 1), // lattice bits
-        changed(25, 21, 1),
-        changed(26, 2, 1), // attributes
-        changed(26, 8, 1),
-        changed(27, 1, 1), // reserved
-        changed(28, (1 << 24) + 1), // vertices
-        changed(32, 0xffffffff), // cells
-        changed(36, 0), // less topology than this frame has
-        changed(44, 0x7ff00000), // time
-        changed(48, 1), // parts
-        changed(52, 0xffffffff),
-        changed(64, 0x7fc00000), // a range from NaN
+        changed(2, 3, 1), // version
+        changed(3, 4 + 1, 1), // unknown flag
+        changed(3, 0, 1), // a DELTA without an update before it
+        changed(16, frames.length, 2), // beyond the last frame
+        changed(18, 0, 2), // no frames
+        changed(20, 4, 1), // phase
+        changed(21, 0, 1), // lattice bits
+        changed(21, 21, 1),
+        changed(22, 8, 1), // attributes
+        changed(23, 1, 1), // reserved
+        changed(24, (1 << 24) + 1), // vertices
+        changed(28, 0xffffffff), // cells
+        changed(36, 0x7ff00000), // time
     ]) {
         expect(() => readFrame(bad)).toThrow();
     }

@@ -1,5 +1,7 @@
 // Which things of a list are meant, as runs of consecutive ones; and what becomes of a list when some go. Twin:
 // protocol/wire/runs.hpp.
+import type { Numbers } from './bytes.ts';
+import { FrameError } from './frameError.ts';
 
 /** Things begin .. end - 1 of a list. */
 export interface Run {
@@ -13,42 +15,45 @@ export interface Runs {
     count: number;
 }
 
-/** Calls each(begin, end) for the runs of those of `count` things that are not taken. */
-export function forEachGap(taken: Runs, count: number, each: (begin: number, end: number) => void): void {
+/** Runs over `over` things. Throws FrameError. */
+export function readRuns(numbers: Numbers, over: number): Runs {
+    const all: Run[] = [];
     let at = 0;
-    for (const { begin, end } of taken.all) {
-        if (at < begin) each(at, begin);
+    let count = 0;
+    for (let left = numbers.next(over); left > 0; --left) {
+        const begin = at + numbers.next(over);
+        const end = begin + numbers.next(over);
+        if (begin === end || end > over) throw new FrameError('a mesh update names vertices or cells that are not there');
+        all.push({ begin, end });
+        count += end - begin;
         at = end;
     }
-    if (at < count) each(at, count);
+    return { all, count };
+}
+
+/** The things themselves, ascending. */
+export function thingsIn({ all, count }: Runs): Int32Array {
+    const things = new Int32Array(count);
+    let next = 0;
+    for (const { begin, end } of all) for (let thing = begin; thing < end; ++thing) things[next++] = thing;
+    return things;
 }
 
 /** The number each of `count` things has when the removed ones are gone, -1 for those. */
 export function numbersAfter(removed: Runs, count: number): Int32Array {
     const now = new Int32Array(count);
-    let next = 0;
-    let at = 0;
-    // Without a callback: a variable that one changes lies in memory, and this is done for every vertex.
-    for (const { begin, end } of removed.all) {
-        while (at < begin) now[at++] = next++;
-        now.fill(-1, begin, end);
-        at = end;
-    }
-    while (at < count) now[at++] = next++;
+    for (const { begin, end } of removed.all) now.fill(-1, begin, end);
+    for (let at = 0, next = 0; at < count; ++at) if (now[at] === 0) now[at] = next++;
     return now;
 }
-
-/** A call that moves memory costs as much as moving so many numbers one by one. */
-const worthACall = 64;
 
 /** Closes up what stays of the first `count` things of `stride` numbers each. */
 export function removeRuns(array: Int32Array, { all }: Runs, count: number, stride: number): void {
     let to = (all[0]?.begin ?? count) * stride;
-    for (let run = 0; run < all.length; ++run) {
-        const begin = all[run]!.end * stride;
-        const end = (all[run + 1]?.begin ?? count) * stride;
-        if (end - begin > worthACall) array.copyWithin(to, begin, end);
-        else for (let from = begin, into = to; from < end; ++from, ++into) array[into] = array[from]!;
+    all.forEach((run, i) => {
+        const begin = run.end * stride;
+        const end = (all[i + 1]?.begin ?? count) * stride;
+        array.copyWithin(to, begin, end);
         to += end - begin;
-    }
+    });
 }

@@ -1,5 +1,5 @@
 // A checksum of 32 bit words that scripts and vector units compute fast: sums, and sums of sums, in four lanes.
-// protocol/wire/README.md, State checksum. Twin: protocol/wire/state_sum.hpp.
+// protocol/wire/FORMAT.md, State sum. Twin: protocol/wire/state_sum.hpp.
 
 function stir(sum: number, word: number): number {
     const x = sum ^ word;

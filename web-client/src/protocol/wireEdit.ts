@@ -1,85 +1,101 @@
-// The topology of an update: which vertices and cells go, come and change, as runs and a cells code.
-// protocol/wire/README.md, Topology. Twin: protocol/wire/wire_edit.hpp.
-import { ByteReader } from './bytes.ts';
-import { cellStride } from './cell.ts';
-import { decodeCells } from './cellsCode.ts';
+// The topology of an update: which vertices and cells go, come and change. protocol/wire/FORMAT.md, Topology.
+// Twin: protocol/wire/wire_edit.hpp.
+import { type Numbers, unzigzag } from './bytes.ts';
+import { cellStride, noVertex } from './cell.ts';
 import { FrameError } from './frameError.ts';
-import { type EditedRuns, keepCells } from './keptCells.ts';
-import type { Run, Runs } from './runs.ts';
+import { type FrameHeader, maxBlockVertices } from './meshFrame.ts';
+import { numbersAfter, readRuns, type Runs } from './runs.ts';
 import type { WireMesh } from './wireMesh.ts';
 
-export interface TopologyEdit extends EditedRuns {
+export interface TopologyEdit {
+    removedVertices: Runs; // of the old ones
     addedVertices: number;
     movedVertices: Runs; // of those that stay
-    addedCells: number;
-    cellsCode: Uint8Array; // of the replaced, then of the added ones
-}
-
-export interface MeshSize {
-    vertices: number;
-    cells: number;
-}
-
-function readRuns(reader: ByteReader, over: number): Runs {
-    const all: Run[] = [];
-    let at = 0;
-    let count = 0;
-    for (let left = reader.varint(); left > 0; --left) {
-        const begin = at + reader.varint();
-        const end = begin + reader.varint();
-        if (begin === end || end > over) {
-            throw new FrameError('the topology of a mesh update names vertices or cells that are not there');
-        }
-        all.push({ begin, end });
-        count += end - begin;
-        at = end;
-    }
-    return { all, count };
-}
-
-/** Throws FrameError unless the edit leads from `before` to `after`. Allocates O(after) at most. */
-export function readEdit(bytes: Uint8Array, before: MeshSize, after: MeshSize): TopologyEdit {
-    const reader = new ByteReader(bytes);
-    const removedVertices = readRuns(reader, before.vertices);
-    const addedVertices = reader.varint();
-    const verticesStay = before.vertices - removedVertices.count;
-    const movedVertices = readRuns(reader, verticesStay);
-    const removedCells = readRuns(reader, before.cells);
-    const cellsStay = before.cells - removedCells.count;
-    const replacedCells = readRuns(reader, cellsStay);
-    const addedCells = reader.varint();
-    if (verticesStay + addedVertices !== after.vertices || cellsStay + addedCells !== after.cells) {
-        throw new FrameError('a mesh update leads to other numbers of vertices and cells than it announces');
-    }
-    const cellsCode = reader.rest();
-    return { removedVertices, addedVertices, movedVertices, removedCells, replacedCells, addedCells, cellsCode };
+    removedCells: Runs; // of the old ones
+    replacedCells: Runs; // of those that stay
+    cells: Int32Array; // those that are new: the replaced, then the added ones
 }
 
 /**
- * Gives the cells that are new: the replaced, then the added ones. Throws FrameError when they do not fit; the mesh is then unusable.
- * Cost: O(state) where cells go, come or change.
+ * Reads the topology of an update that leads to a mesh of the size that its header says, and makes the mesh so. Throws FrameError; the mesh is then
+ * unusable. Cost: O(state) where cells go, come or change. Allocates O(numbers + state) at most.
  */
-export function applyEdit(mesh: WireMesh, edit: TopologyEdit): Int32Array {
-    const { removedVertices, addedVertices, removedCells, replacedCells, addedCells } = edit;
+export function applyEdit(mesh: WireMesh, numbers: Numbers, after: FrameHeader): TopologyEdit {
     const verticesBefore = mesh.vertices;
+    const removedVertices = readRuns(numbers, verticesBefore);
+    const addedVertices = numbers.next();
     const stay = verticesBefore - removedVertices.count;
-    mesh.beginVertices(removedVertices, stay + addedVertices);
-    if (removedVertices.count + addedVertices + removedCells.count + replacedCells.count + addedCells === 0) {
-        if (edit.cellsCode.length > 0) throw new FrameError('a mesh update has cells that it does not announce');
-        return new Int32Array(0);
+    const movedVertices = readRuns(numbers, stay);
+    const removedCells = readRuns(numbers, mesh.cellCount);
+    const cellsStay = mesh.cellCount - removedCells.count;
+    const replacedCells = readRuns(numbers, cellsStay);
+    const addedCells = numbers.next();
+    if (stay + addedVertices !== after.vertices || cellsStay + addedCells !== after.cells) {
+        throw new FrameError('a mesh update leads to other numbers of vertices and cells than it announces');
     }
-    const kept = keepCells(mesh, edit, verticesBefore);
-    const context = { vertices: mesh.vertices, stay, kept: mesh.cells, replaced: replacedCells, near: kept.near };
-    const cells = decodeCells(edit.cellsCode, replacedCells.count + addedCells, context);
-    const keptCells = mesh.cellCount;
+    if (movedVertices.count + addedVertices > maxBlockVertices * after.frameCount) {
+        throw new FrameError('a mesh update announces more vertices than its frames may hold');
+    }
+    mesh.beginVertices(removedVertices, after.vertices);
+    mesh.removeCells(removedCells);
+    if (removedVertices.count > 0) renumber(mesh.cells, numbersAfter(removedVertices, verticesBefore));
+    const cells = readCells(numbers, replacedOf(mesh.cells, replacedCells), addedCells, stay, after.vertices);
+    const edit = { removedVertices, addedVertices, movedVertices, removedCells, replacedCells, cells };
+    if (removedVertices.count + addedVertices + removedCells.count + cells.length === 0) return edit;
     let next = 0;
     for (const { begin, end } of replacedCells.all) {
         const length = (end - begin) * cellStride;
         mesh.cells.set(cells.subarray(next, next + length), begin * cellStride);
         next += length;
     }
+    if (removedVertices.count > 0) checkCorners(mesh.cells);
     mesh.appendCells(cells.subarray(next));
-    const onlyAdded = removedVertices.count + removedCells.count + replacedCells.count === 0;
-    mesh.cellsChanged(kept, replacedCells, keptCells, onlyAdded);
+    mesh.cellsChanged(removedVertices.count + removedCells.count + replacedCells.count === 0 ? cellsStay : 0);
+    return edit;
+}
+
+function replacedOf(cells: Int32Array, replaced: Runs): Int32Array {
+    const old = new Int32Array(replaced.count * cellStride);
+    let at = 0;
+    for (const { begin, end } of replaced.all) {
+        old.set(cells.subarray(begin * cellStride, end * cellStride), at);
+        at += (end - begin) * cellStride;
+    }
+    return old;
+}
+
+/** In place; a vertex that has gone is none. */
+function renumber(cells: Int32Array, now: Int32Array): void {
+    for (let at = 0; at < cells.length; ++at) if (cells[at]! >= 0) cells[at] = now[cells[at]!]!;
+}
+
+function checkCorners(cells: Int32Array): void {
+    for (let at = 0; at < cells.length; at += cellStride) {
+        if ((cells[at]! | cells[at + 1]! | cells[at + 2]! | cells[at + 3]!) < 0) {
+            throw new FrameError('a cell that stays in a mesh update has lost a corner');
+        }
+    }
+}
+
+/** Of each slot: the one of the same cell that a new vertex is near; corners 0 and 1 have that of the cell before. */
+const near = [0, 1, 1, 0, 0, 1, 2, 3];
+
+/** Slot by slot, each vertex as the difference from the one it replaces, or else from one that it is near. */
+function readCells(numbers: Numbers, old: Int32Array, added: number, stay: number, vertices: number): Int32Array {
+    const count = old.length / cellStride + added;
+    const mids = numbers.take(count);
+    const cells = new Int32Array(count * cellStride).fill(noVertex);
+    for (let slot = 0; slot < cellStride; ++slot) {
+        let before = stay;
+        for (let i = 0, cell = 0; i < count; ++i, cell += cellStride) {
+            if (slot >= 4 && ((mids[i]! >> (slot - 4)) & 1) === 0) continue;
+            const replaced = cell < old.length ? old[cell + slot]! : noVertex;
+            const base = replaced >= 0 ? replaced : slot < 2 ? before : cells[cell + near[slot]!]!;
+            const vertex = (base + unzigzag(numbers.next())) | 0;
+            if (vertex < 0 || vertex >= vertices) throw new FrameError('a cell of a mesh update has a vertex that is not there');
+            cells[cell + slot] = vertex;
+            if (replaced < 0) before = vertex;
+        }
+    }
     return cells;
 }

@@ -1,11 +1,10 @@
 // The state of a surface on the wire: integers that the server and all its clients hold alike.
-// protocol/wire/README.md, Mesh frames. Twin: protocol/wire/wire_mesh.hpp; unlike there, updates change it in place.
+// protocol/wire/FORMAT.md, State. Twin: protocol/wire/wire_mesh.hpp; unlike there, updates change it in place.
 import { cellStride } from './cell.ts';
-import type { KeptCells } from './keptCells.ts';
+import { Neighbours } from './neighbours.ts';
 import { roomFor } from './room.ts';
 import { removeRuns, type Runs } from './runs.ts';
 import { WordSum, wordSum } from './stateSum.ts';
-import { Neighbours } from './wireTopology.ts';
 
 /** What the codes 0 and 65535 of an attribute stand for, until the next KEY. */
 export interface AttributeRange {
@@ -18,7 +17,8 @@ export const lastCode = 65535;
 /** One number (or three, of a position) a vertex. Arrays may be longer than there are vertices. */
 export class Channel {
     readonly components: number;
-    readonly last: number; // values are 0 .. last
+    readonly first = 0; // values are first .. last
+    readonly last: number;
     values = new Int32Array(0);
     change = new Int32Array(0); // by the update that is being made, or else by the last
     changeBefore = new Int32Array(0); // of positions: by the update before that one
@@ -88,14 +88,12 @@ export class WireMesh {
         this.cellCount += cells.length / cellStride;
     }
 
-    /**
-     * After cells have changed: some of `kept` have been replaced, those from `keptCells` on were added. `onlyAdded`: the others are
-     * as they were.
-     */
-    cellsChanged(kept: KeptCells, replaced: Runs, keptCells: number, onlyAdded: boolean): void {
-        if (!onlyAdded) this.cellSum = new WordSum();
-        this.cellSum.add(onlyAdded ? this.cells.subarray(keptCells * cellStride) : this.cells);
-        this.neighbours.follow(kept, replaced, keptCells, this.cells, this.vertices);
+    /** After cells have changed: those below `unchanged`, and the numbers of their vertices, are as they were. */
+    cellsChanged(unchanged: number): void {
+        const from = unchanged === this.cellCount ? 0 : unchanged;
+        if (from === 0) this.cellSum = new WordSum();
+        this.cellSum.add(this.cells.subarray(from * cellStride));
+        this.neighbours.find(this.cells, from, this.vertices);
     }
 
     /** The checksum of everything but the changes. Cost: O(vertices), cells were summed when they came. */

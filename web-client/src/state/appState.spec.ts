@@ -7,7 +7,7 @@ const displayed: DisplayedSurface = {
     vertices: 9,
     cells: 4,
     triangles: 8,
-    stateCrc: 1,
+    stateSum: 1,
     keys: 1,
     deltas: 0,
     phase: 'final' as const,

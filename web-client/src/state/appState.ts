@@ -28,7 +28,7 @@ export interface DisplayedSurface {
     vertices: number;
     cells: number;
     triangles: number;
-    stateCrc: number;
+    stateSum: number;
     phase: Phase;
     /** Simulation time. */
     time: number;

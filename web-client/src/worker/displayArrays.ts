@@ -53,8 +53,8 @@ export class DisplayArrays {
     }
 
     /** Notes what an update has changed; cheap, because states that are never shown need no arrays. */
-    note({ header, edit, cells, mesh }: AppliedUpdate): void {
-        const { removedVertices, movedVertices, removedCells, replacedCells } = edit;
+    note({ header, edit, mesh }: AppliedUpdate): void {
+        const { removedVertices, movedVertices, removedCells, replacedCells, cells } = edit;
         const stayed = mesh.vertices - edit.addedVertices;
         // Those behind a vertex that goes close up.
         const born = header.key ? 0 : Math.min(stayed, removedVertices.all[0]?.begin ?? stayed);

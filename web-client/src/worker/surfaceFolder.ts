@@ -176,7 +176,7 @@ export class SurfaceFolder {
         const decodeMs = followed.decodeMs + performance.now() - start;
         followed.decodeMs = 0;
         this.options.onState({
-            ...{ surface, epoch, phase, time, stateCrc: stateSum, cells: mesh.cellCount, keys, deltas, decodeMs },
+            ...{ surface, epoch, phase, time, stateSum, cells: mesh.cellCount, keys, deltas, decodeMs },
             ...arrays,
         });
     }

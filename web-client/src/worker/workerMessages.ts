@@ -51,7 +51,7 @@ export interface SurfaceState extends TimedMeshChange {
     surface: string;
     epoch: number;
     phase: Phase;
-    stateCrc: number;
+    stateSum: number;
     cells: number;
     /** Updates applied so far: whole states, and changes of the state before. */
     keys: number;

@@ -109,7 +109,7 @@ TEST_F(LiveSurfaceTest, ShowsACoarseARefinedAndAFinalStateWhereTheFinalOneIsLong
     EXPECT_EQ(progress, (std::vector<std::pair<std::uint32_t, Phase>>{
                             {1, Phase::Coarse}, {1, Phase::Refined}, {1, Phase::Final}}));
     ASSERT_EQ(done.size(), 1U);
-    EXPECT_EQ(done[0].crc, seen[2].header.state_sum);
+    EXPECT_EQ(done[0].state_sum, seen[2].header.state_sum);
     EXPECT_EQ(done[0].statistics.vertices, seen[2].vertices);
 }
 
@@ -150,7 +150,7 @@ TEST_F(LiveSurfaceTest, StopsWhatIsUnderWayKeepsWhatIsThereAndBuildsAgainWhenItI
     ASSERT_EQ(done.size(), 1U);
     EXPECT_FALSE(done[0].complete);
     EXPECT_EQ(done[0].error->code, core::Error::Code::Cancelled);
-    EXPECT_EQ(done[0].crc, seen[0].header.state_sum) << "the coarse state stays";
+    EXPECT_EQ(done[0].state_sum, seen[0].header.state_sum) << "the coarse state stays";
     surface->rebuild(job_of(core::SurfaceKind::Stream, 0.05));
     settle();
     EXPECT_EQ(seen.back().header.phase, Phase::Final);
@@ -177,7 +177,7 @@ TEST_F(LiveSurfaceTest, BuildsOnlyTheNewestOfManyEdits) {
     EXPECT_EQ(done[0].epoch, 10U);
     for (const Seen& each : seen)
         EXPECT_EQ(each.header.epoch, 10U);
-    EXPECT_EQ(surface->newest()->wire.crc, seen.back().header.state_sum);
+    EXPECT_EQ(surface->newest()->wire.state_sum, seen.back().header.state_sum);
 }
 
 TEST_F(LiveSurfaceTest, ShowsMovingSurfacesAtTheClocksTime) {
@@ -197,7 +197,7 @@ TEST_F(LiveSurfaceTest, ShowsMovingSurfacesAtTheClocksTime) {
             EXPECT_EQ(decoder.newest()->mesh->cells().size(), cells_at(kind, time)) << time;
             const SurfaceOutcome outcome = surface->outcome();
             EXPECT_TRUE(outcome.complete);
-            EXPECT_EQ(outcome.crc, protocol::state_sum(*decoder.newest()->mesh));
+            EXPECT_EQ(outcome.state_sum, protocol::state_sum(*decoder.newest()->mesh));
         }
         EXPECT_EQ(surface->epoch(), seen.back().header.epoch) << "the clock begins no epoch";
     }
@@ -254,7 +254,7 @@ TEST_F(LiveSurfaceTest, EndsPlayingWithALosslessState) {
     EXPECT_NE(seen.back().header.flags & protocol::FrameHeader::lossless, 0);
     EXPECT_FALSE(seen.back().header.is_key()) << "what was within the tolerance";
     ASSERT_EQ(done.size(), 1U);
-    EXPECT_EQ(done[0].crc, protocol::state_sum(*decoder.newest()->mesh));
+    EXPECT_EQ(done[0].state_sum, protocol::state_sum(*decoder.newest()->mesh));
     SurfaceBuild alone(job_of(core::SurfaceKind::Streak), wall);
     const auto exact = alone.run({Phase::Final, 0, 1.5}, {});
     ASSERT_TRUE(exact);
@@ -276,7 +276,7 @@ TEST_F(LiveSurfaceTest, AnswersWhoWaitsOnceTheClocksTimeIsShown) {
     EXPECT_EQ(answers.size(), 1U);
     settle();
     ASSERT_EQ(answers.size(), 2U);
-    EXPECT_EQ(answers[1]->crc, seen.back().header.state_sum);
+    EXPECT_EQ(answers[1]->state_sum, seen.back().header.state_sum);
     surface->show(0.5, false, true);
     surface->wait(1, milliseconds(1000), keep);
     loop.advance(milliseconds(1001));

@@ -171,7 +171,8 @@ TEST(ImportedSurfaces, AreNotBuiltUntilSomebodyLooks) {
     const auto looking = look_at(*live);
     life.settle();
     EXPECT_TRUE(live->outcome().complete);
-    EXPECT_EQ(live->outcome().crc, life.outcome(ids[7]).crc) << "the same as where it comes from";
+    EXPECT_EQ(live->outcome().state_sum, life.outcome(ids[7]).state_sum)
+        << "the same as where it comes from";
     EXPECT_FALSE((*(*imported)->live(ids[8]))->outcome().complete);
 }
 
@@ -208,13 +209,13 @@ TEST(IdleSurface, FallsBackToItsParametersWhenOthersNeedMemoryAndIsBuiltAgainBit
     EXPECT_EQ(life.memory.used(), life.memory.used(core::MemoryUse::Records))
         << "all of it has been given back";
     EXPECT_TRUE(life.outcome(id).complete) << "what it was is still told";
-    EXPECT_EQ(life.outcome(id).crc, built.crc);
+    EXPECT_EQ(life.outcome(id).state_sum, built.state_sum);
 
     const auto looking = look_at(*life.live(id));
     EXPECT_FALSE(life.outcome(id).complete) << "it is being built again";
     life.settle();
     EXPECT_TRUE(life.outcome(id).complete);
-    EXPECT_EQ(life.outcome(id).crc, built.crc);
+    EXPECT_EQ(life.outcome(id).state_sum, built.state_sum);
     EXPECT_EQ(life.outcome(id).epoch, built.epoch) << "nothing was edited";
     ASSERT_TRUE(life.live(id)->ring()->first()) << "a new reader begins with a keyframe";
 }
@@ -252,7 +253,8 @@ TEST(IdleSurface, OfATimeThatTheClockHasLeftIsBuiltForTheNewOne) {
     life.live(id)->show(0.5, false, true);
     const auto looking = look_at(*life.live(id));
     life.settle();
-    EXPECT_EQ(life.outcome(id).crc, half.crc) << "the same at the same time, however it came there";
+    EXPECT_EQ(life.outcome(id).state_sum, half.state_sum)
+        << "the same at the same time, however it came there";
 }
 
 TEST(IdleSurface, StaysAsLongAsSomebodyLooksAtItOrWaits) {

@@ -98,8 +98,8 @@ export interface Statistics {
     peakBytes: number;
     /** why the surface ends early */
     stopped?: string;
-    /** state checksum of what clients show, as in the frames (protocol/README.md, State checksum) */
-    crc: number;
+    /** checksum of what clients show, as in the frames (protocol/wire/FORMAT.md, State sum) */
+    stateSum: number;
     /** why there is none */
     error?: Problem;
 }
@@ -121,7 +121,7 @@ export const statisticsCheck = members<Statistics>({
     pass: optional(passSecondsCheck),
     peakBytes: whole,
     stopped: optional(text),
-    crc: whole,
+    stateSum: whole,
     error: optional(problemCheck),
 });
 

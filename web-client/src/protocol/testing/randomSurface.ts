@@ -38,7 +38,7 @@ export function randomStep(before: PlainState, dice: Dice, seq: number, key: boo
     const edit = randomEdit(from, dice);
     const wanted = applied(from, edit, dice);
     const options = {
-        ...{ surface: 3, epoch: 1, seq, baseSeq: key ? seq : seq - 1, key, history: key && dice.oneIn(2) },
+        ...{ surface: 3, epoch: 1, seq, key, history: dice.oneIn(key ? 2 : 9) },
         ...{ latticeBits: 12, ranges, time: seq / 8, phase: dice.below(4), random: dice.random },
     };
     return { edit, wanted, options };

@@ -1,8 +1,8 @@
-// Writes frames as protocol/wire/README.md has them, slowly and plainly: every list is searched, every number is a BigInt or
+// Writes frames as protocol/wire/FORMAT.md has them, slowly and plainly: every list is searched, every number is a BigInt or
 // small. Shares no code with the reader but the byte counts, so that each checks the other.
-import { crc32c } from '../crc32c.ts';
+import { deflateRawSync } from 'node:zlib';
+import { crc32 } from '../crc32.ts';
 import { frameCrcAt, frameHeaderBytes } from '../meshFrame.ts';
-import { type PlainKept, writeCells } from './cellsWriter.ts';
 
 export interface PlainState {
     positions: number[][];
@@ -23,7 +23,6 @@ export interface WriteOptions {
     surface: number;
     epoch: number;
     seq: number;
-    baseSeq: number;
     key: boolean;
     history: boolean;
     latticeBits: number;
@@ -41,7 +40,7 @@ export function emptyState(): PlainState {
 
 /**
  * The frames from `before` to about `wanted`, and the state that a reader must have after them: `wanted` to within the
- * tolerances that chance chose. `wanted.changes` are looked at for a KEY with history only.
+ * tolerances that chance chose. `wanted.changes` are looked at with `history` only.
  */
 export function writeUpdate(
     before: PlainState,
@@ -60,24 +59,17 @@ export function writeUpdate(
     const state: PlainState = { ...emptyState(), cells: wanted.cells };
     const x = old.x.map((values) => [...values]);
     const last = [...Array<number>(3).fill(2 ** options.latticeBits - 1), ...options.ranges.map(() => 65535)];
-    const blocks: { bytes: number[]; count: number }[] = [];
+    const blocks: Block[] = [];
     const code = (kind: number, all: number[]): void => {
         for (let at = 0; at < all.length;) {
             const count = Math.min(all.length - at, 1 + (random() % 60));
-            const channels = kind === 2 ? 1 : 1 + options.ranges.length;
-            const predictors = Array.from({ length: channels }, () => (kind === 2 ? 0 : random() % [6, 8][kind]!));
-            const tolerances = Array.from({ length: channels }, () => (kind === 2 || random() % 2 ? 0 : random() % 5));
+            const coded = 1 + options.ranges.length;
+            const predictors = Array.from({ length: coded }, () => random() % [4, 6][kind]!);
+            const tolerances = Array.from({ length: coded }, () => (random() % 2 ? 0 : random() % 5));
             const residuals = all.slice(at, at + count).map((v) => {
-                const components = kind === 2 ? 3 : 3 + options.ranges.length;
-                return Array.from({ length: components }, (_, i) => {
+                const values = Array.from({ length: 3 + options.ranges.length }, (_, i) => {
                     const channel = Math.max(0, i - 2);
                     const step = 2 * tolerances[channel]! + 1;
-                    if (kind === 2) {
-                        const expected = meanChange(near[v]!, state.changes, i);
-                        state.changes[v] ??= [0, 0, 0];
-                        state.changes[v][i] = wanted.changes[v]![i]!;
-                        return wanted.changes[v]![i]! - expected;
-                    }
                     const goal = i < 3 ? wanted.positions[v]![i]! : wanted.codes[v]![i - 3]!;
                     const expected = predicted(kind, predictors[channel]!, v, i, near, x, old);
                     const residual = Math.round((goal - expected) / step);
@@ -85,11 +77,19 @@ export function writeUpdate(
                     x[v][i] = Math.min(last[i]!, Math.max(0, expected + residual * step));
                     return residual;
                 });
+                if (kind === 0) {
+                    state.changes[v] = [0, 1, 2].map((k) => x[v]![k]! - old.x[v]![k]!);
+                    return values;
+                }
+                const changes = [0, 1, 2].map((k) => meanChange(near[v]!, state.changes, v, k));
+                state.changes[v] = options.history ? wanted.changes[v]! : changes;
+                return [...values, ...state.changes[v].map((change, k) => change - changes[k]!)];
             });
-            blocks.push({ bytes: writeBlock(kind, predictors, tolerances, residuals, random), count });
+            blocks.push(writeBlock(kind, predictors, tolerances, residuals, random));
             at += count;
         }
     };
+    stay.forEach((_, v) => (state.changes[v] = [0, 0, 0]));
     code(
         0,
         stay.flatMap((_, v) => (edit.movedVertices[v] ? [v] : [])),
@@ -98,20 +98,19 @@ export function writeUpdate(
         1,
         Array.from({ length: edit.addedVertices }, (_, i) => stay.length + i),
     );
-    for (let v = 0; v < x.length; ++v) {
-        if (v < stay.length) state.changes.push([0, 1, 2].map((k) => x[v]![k]! - old.x[v]![k]!));
-        else state.changes.push([0, 1, 2].map((k) => meanChange(near[v]!, state.changes, k)));
-    }
-    if (options.history) {
-        state.changes = [];
-        code(
-            2,
-            x.map((_, v) => v),
-        );
-    }
     state.positions = x.map((values) => values.slice(0, 3));
     state.codes = x.map((values) => values.slice(3));
-    return { frames: pack(topology, blocks, state, options), state };
+    return { frames: pack([...rangesOf(options), ...topology], blocks, state, options), state };
+}
+
+interface Block {
+    numbers: number[];
+    draco: number[];
+    count: number;
+}
+
+function rangesOf({ key, ranges }: WriteOptions): number[] {
+    return key ? [...new Uint32Array(Float32Array.from(ranges.flat()).buffer)] : [];
 }
 
 function writeBlock(
@@ -120,27 +119,24 @@ function writeBlock(
     tolerances: number[],
     residuals: number[][],
     random: () => number,
-): number[] {
+): Block {
     const channels = predictors.map((_, c) => (c === 0 ? [0, 1, 2] : [c + 2]));
+    const behind = predictors.length + 2;
+    if (kind === 1) channels.push([behind, behind + 1, behind + 2]);
     const escaped = residuals.map((values) => values.some((r) => Math.abs(r) > 4000) || random() % 40 === 0);
     const coded = channels.map((parts) => residuals.some((r, v) => !escaped[v] && parts.some((i) => r[i] !== 0)));
-    const bytes = [kind, ...varint(residuals.length), coded.reduce((bits, is, c) => bits | (is ? 1 << c : 0), 0)];
-    bytes.push(...predictors);
-    if (kind !== 2) bytes.push(...tolerances.flatMap(varint));
+    const numbers = [residuals.length, coded.reduce((bits, is, c) => bits | (is ? 1 << c : 0), 0)];
+    predictors.forEach((predictor, c) => numbers.push(predictor, tolerances[c]!));
     const all = escaped.flatMap((is, v) => (is ? [v] : []));
-    bytes.push(...varint(all.length));
-    all.forEach((v, i) => {
-        bytes.push(...varint(i === 0 ? v : v - all[i - 1]! - 1), ...residuals[v]!.flatMap(signed));
-    });
+    numbers.push(all.length);
+    all.forEach((v, i) => numbers.push(i === 0 ? v : v - all[i - 1]! - 1, ...residuals[v]!.map(zigzag)));
     const kept = residuals.map((values, v) => (escaped[v] ? values.map(() => 0) : values));
-    const draco = coded.includes(true)
-        ? dracoBlock(
-              kept,
-              channels.filter((_, c) => coded[c]),
-          )
-        : [];
-    bytes.push(...varint(draco.length));
-    return bytes.concat(draco);
+    if (!coded.includes(true)) return { numbers, draco: [], count: residuals.length };
+    const draco = dracoBlock(
+        kept,
+        channels.filter((_, c) => coded[c]),
+    );
+    return { numbers: [...numbers, draco.length], draco, count: residuals.length };
 }
 
 /** With the values as they are: entropy coding is what golden files are for. */
@@ -163,8 +159,8 @@ function varint(value: number): number[] {
     return [...bytes, rest];
 }
 
-function signed(value: number): number[] {
-    return varint(((value << 1) ^ (value >> 31)) >>> 0);
+function zigzag(value: number): number {
+    return ((value << 1) ^ (value >> 31)) >>> 0;
 }
 
 function runs(flags: boolean[]): number[] {
@@ -176,36 +172,37 @@ function runs(flags: boolean[]): number[] {
         end = end < 0 ? flags.length : end;
         pairs.push([begin - at, end - begin]);
     }
-    return [...varint(pairs.length), ...pairs.flat().flatMap(varint)];
+    return [pairs.length, ...pairs.flat()];
 }
 
 function writeTopology(edit: PlainEdit, cells: number[][], before: PlainState): number[] {
-    const stay = before.cells.length - edit.removedCells.filter(Boolean).length;
-    const changed = cells.filter((_, i) => i >= stay || edit.replacedCells[i]);
-    const kept = keptOf(edit, before);
+    const stays = before.positions.flatMap((_, v) => (edit.removedVertices[v] ? [] : [v]));
+    const now = (id: number): number => (id === none ? none : stays.indexOf(id));
+    const kept = before.cells.filter((_, i) => !edit.removedCells[i]).map((cell) => cell.map(now));
+    const replaced = kept.flatMap((old, i) => (edit.replacedCells[i] ? [{ cell: cells[i]!, old }] : []));
+    const added = cells.slice(kept.length).map((cell) => ({ cell, old: Array<number>(8).fill(none) }));
     return [
         ...runs(edit.removedVertices),
-        ...varint(edit.addedVertices),
+        edit.addedVertices,
         ...runs(edit.movedVertices),
         ...runs(edit.removedCells),
         ...runs(edit.replacedCells),
-        ...varint(cells.length - stay),
-        ...writeCells(changed, kept, kept.stay + edit.addedVertices),
+        added.length,
+        ...writeCells([...replaced, ...added], stays.length),
     ];
 }
 
-function keptOf(edit: PlainEdit, before: PlainState): PlainKept {
-    const stays = before.positions.flatMap((_, v) => (edit.removedVertices[v] ? [] : [v]));
-    const now = before.positions.map((_, v) => stays.indexOf(v));
-    const renumbered = before.cells.map((cell) => cell.map((id) => (id === none ? none : now[id]!)));
-    const cells = renumbered.filter((_, i) => !edit.removedCells[i]);
-    const lost = before.cells.map((cell, i) => cell.some((id, k) => id !== renumbered[i]![k] && renumbered[i]![k] === none));
-    const touching = [
-        ...renumbered.filter((_, i) => edit.removedCells[i] || lost[i]),
-        ...cells.filter((_, i) => edit.replacedCells[i]),
-    ];
-    const touched = new Set(touching.flat().filter((id) => id !== none));
-    return { cells, replaced: cells.map((_, i) => edit.replacedCells[i] ?? false), touched, stay: stays.length };
+function writeCells(all: { cell: number[]; old: number[] }[], stay: number): number[] {
+    const numbers = all.map(({ cell }) => [4, 5, 6, 7].reduce((bits, slot, i) => bits | (cell[slot] === none ? 0 : 1 << i), 0));
+    for (let slot = 0; slot < 8; ++slot) {
+        all.forEach(({ cell, old }, i) => {
+            if (cell[slot] === none) return;
+            const before = all.slice(0, i).findLast((other) => other.old[slot] === none)?.cell[slot] ?? stay;
+            const near = [before, before, cell[1]!, cell[0]!, ...cell];
+            numbers.push(zigzag(cell[slot]! - (old[slot] === none ? near[slot]! : old[slot]!)));
+        });
+    }
+    return numbers;
 }
 
 interface Near {
@@ -240,8 +237,9 @@ function neighboursOf(cells: number[][], vertices: number): Near[] {
     });
 }
 
-function meanChange({ a, b }: Near, changes: number[][], k: number): number {
-    return a === none ? 0 : Math.floor((changes[a]![k]! + changes[b]![k]!) / 2);
+function meanChange({ a, b }: Near, changes: number[][], v: number, k: number): number {
+    if (a === none) return v === 0 ? 0 : changes[v - 1]![k]!;
+    return Math.floor((changes[a]![k]! + changes[b]![k]!) / 2);
 }
 
 function predicted(
@@ -258,31 +256,24 @@ function predicted(
     if (kind === 0) {
         const d = (id: number): number => x[id]![i]! - old.x[id]![i]!;
         const h = (id: number): number => (i < 3 ? old.h[id]![i]! : 0);
-        const usable = a === none ? 0 : predictor === 5 && o === none ? 2 : predictor;
+        const usable = a === none ? 0 : predictor === 3 && o === none ? 1 : predictor;
         const changes = [
             () => h(v),
-            () => d(a),
             () => half(d(a) + d(b)),
-            () => h(v) + d(a) - h(a),
             () => h(v) + half(d(a) - h(a) + d(b) - h(b)),
             () => d(p) + d(n) - d(o),
         ];
         return old.x[v]![i]! + changes[usable]!();
     }
     const at = (id: number): number => x[id]![i]!;
-    const bb = b === none ? none : near[b]!.b;
-    const ba = a === none ? none : near[a]!.b;
-    const bba = ba === none ? none : near[ba]!.b;
     const aa = a === none ? none : near[a]!.a;
     const additions: (() => number)[] = [
         () => (a !== none ? at(a) : v > 0 ? at(v - 1) : 0),
-        () => (b !== none ? at(b) : additions[0]!()),
+        () => at(b),
         () => (aa !== none ? 2 * at(a) - at(aa) : additions[0]!()),
-        () => (bb !== none ? 2 * at(b) - at(bb) : additions[1]!()),
-        () => (p === none ? additions[2]!() : o === none ? half(at(p) + at(n)) : at(p) + at(n) - at(o)),
-        () => (bb !== none && bba !== none ? 2 * at(b) - at(bb) + at(a) - 2 * at(ba) + at(bba) : additions[4]!()),
-        () => (a !== none ? half(at(a) + at(b)) : additions[0]!()),
-        () => (b !== none && b < old.x.length ? old.x[b]![i]! : additions[1]!()),
+        () => (p === none ? additions[0]!() : o === none ? half(at(p) + at(n)) : at(p) + at(n) - at(o)),
+        () => half(at(a) + at(b)),
+        () => (b < old.x.length ? old.x[b]![i]! : additions[0]!()),
     ];
     // Even of a corner of a cell with lower ones, where only mids are beside it.
     return a === none ? additions[0]!() : additions[predictor]!();
@@ -317,51 +308,38 @@ export function stateSumOf(state: PlainState): number {
     return sumOf([positions.length, sumOf(positions.flat()), cells.length, sumOf(cells.flat()), ...attributes]);
 }
 
-function pack(
-    topology: number[],
-    blocks: { bytes: number[]; count: number }[],
-    state: PlainState,
-    options: WriteOptions,
-): Uint8Array[] {
-    const parts: { topology: number[]; points: number[] }[] = [];
-    const cut = options.random() % 3 === 0 ? 1 + (options.random() % topology.length) : topology.length;
-    for (let at = 0; at < topology.length; at += cut) parts.push({ topology: topology.slice(at, at + cut), points: [] });
-    for (const { bytes } of blocks) {
-        if (options.random() % 4 === 0) parts.push({ topology: [], points: [] });
-        parts.at(-1)!.points.push(...bytes);
-    }
-    return parts.map((part, index) => {
-        const ranges = options.key && index === 0 ? options.ranges : [];
-        const body = frameHeaderBytes + 8 * ranges.length;
-        const bytes = new Uint8Array(body + part.topology.length + part.points.length);
+function pack(head: number[], blocks: Block[], state: PlainState, options: WriteOptions): Uint8Array[] {
+    const { random, surface, epoch, seq } = options;
+    const numbers = Uint8Array.from([...head, ...blocks.flatMap((block) => block.numbers)].flatMap(varint));
+    const packed = [...deflateRawSync(numbers, { level: random() % 10 })];
+    const update = [...varint(packed.length), ...varint(numbers.length), ...packed, ...blocks.flatMap(({ draco }) => draco)];
+    const frames = 1 + (random() % 4);
+    const cuts = Array.from({ length: frames - 1 }, () => random() % update.length).sort((a, b) => a - b);
+    return [...cuts, update.length].map((end, index) => {
+        const body = update.slice(cuts[index - 1] ?? 0, end);
+        const bytes = new Uint8Array(frameHeaderBytes + body.length);
         const view = new DataView(bytes.buffer);
         view.setUint16(0, 0x5357, true);
-        view.setUint8(2, 3);
-        view.setUint8(3, (options.key ? 1 : 0) | (options.history ? 4 : 0));
-        const { surface, epoch, seq, baseSeq } = options;
-        [surface, epoch, seq, baseSeq].forEach((value, i) => view.setUint32(4 + 4 * i, value, true));
-        view.setUint16(20, index, true);
-        view.setUint16(22, parts.length, true);
-        view.setUint8(24, options.phase);
-        view.setUint8(25, options.latticeBits);
-        view.setUint8(26, options.ranges.length);
-        view.setUint32(28, state.positions.length, true);
-        view.setUint32(32, state.cells.length, true);
-        view.setUint32(36, topology.length, true);
-        view.setFloat64(40, options.time, true);
-        view.setUint32(48, part.topology.length, true);
-        view.setUint32(52, part.points.length, true);
-        view.setUint32(56, stateSumOf(state), true);
-        ranges.flat().forEach((value, i) => view.setFloat32(frameHeaderBytes + 4 * i, value, true));
-        bytes.set(part.topology, body);
-        bytes.set(part.points, body + part.topology.length);
+        view.setUint8(2, 4);
+        view.setUint8(3, options.key ? 1 : 0);
+        [surface, epoch, seq].forEach((value, i) => view.setUint32(4 + 4 * i, value, true));
+        view.setUint16(16, index, true);
+        view.setUint16(18, frames, true);
+        view.setUint8(20, options.phase);
+        view.setUint8(21, options.latticeBits);
+        view.setUint8(22, options.ranges.length);
+        view.setUint32(24, state.positions.length, true);
+        view.setUint32(28, state.cells.length, true);
+        view.setFloat64(32, options.time, true);
+        view.setUint32(40, stateSumOf(state), true);
+        bytes.set(body, frameHeaderBytes);
         return sealed(bytes);
     });
 }
 
 /** With the checksum made right again. */
 export function sealed(bytes: Uint8Array): Uint8Array {
-    const crc = crc32c(bytes.subarray(frameHeaderBytes), crc32c(bytes.subarray(0, frameCrcAt)));
+    const crc = crc32(bytes.subarray(frameHeaderBytes), crc32(bytes.subarray(0, frameCrcAt)));
     new DataView(bytes.buffer, bytes.byteOffset).setUint32(frameCrcAt, crc, true);
     return bytes;
 }

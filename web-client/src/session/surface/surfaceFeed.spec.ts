@@ -6,7 +6,7 @@ import { SurfaceFeed, type SurfaceFeedOptions } from './surfaceFeed.ts';
 
 function stateOfEpoch(epoch: number, change: Partial<SurfaceState> = {}): SurfaceState {
     return {
-        ...{ surface: 's1', epoch, phase: 'final', time: 0, stateCrc: epoch, cells: 1, vertices: 4, triangles: 2 },
+        ...{ surface: 's1', epoch, phase: 'final', time: 0, stateSum: epoch, cells: 1, vertices: 4, triangles: 2 },
         ...{ keys: 1, deltas: 0, decodeMs: 2 },
         ...{ fromVertex: 0, positions: new Float32Array(12), normals: new Float32Array(12) },
         ...{ fromNormal: 0, fromSeed: 0, seeds: new Float32Array(8), scalars: [], parts: null },

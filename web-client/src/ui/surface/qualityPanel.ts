@@ -57,7 +57,7 @@ export class QualityPanel extends SignalElement {
         const { state } = this.model;
         const id = state.activeSurface.value ?? '';
         const displayed = state.displayed.value.get(id);
-        if (this.open.value && displayed !== undefined) this.ask(id, displayed.stateCrc);
+        if (this.open.value && displayed !== undefined) this.ask(id, displayed.stateSum);
         const stats = this.stats.value;
         return html`<details id="quality" @toggle=${(event: Event) => (this.open.value = (event.target as HTMLDetailsElement).open)}>
             <summary>Quality</summary>
@@ -83,8 +83,8 @@ export class QualityPanel extends SignalElement {
     }
 
     /** Once a state, and one question at a time: while a surface plays, the next comes with the answer to the last. */
-    private ask(surface: string, stateCrc: number): void {
-        const wanted = `${surface} ${stateCrc}`;
+    private ask(surface: string, stateSum: number): void {
+        const wanted = `${surface} ${stateSum}`;
         if (this.asking || this.askedFor === wanted) return;
         this.askedFor = wanted;
         this.asking = true;

@@ -1,0 +1,125 @@
+"""protocol/python/wakesurf_frames.py: the golden frames that the C++ and the TypeScript decoders read too, and damage."""
+import json
+import os
+import random
+import struct
+import unittest
+import zlib
+
+import numpy as np
+
+from real_server import BINARY, ROOT
+import wakesurf_frames
+from wakesurf_frames import FrameError, MeshDecoder
+
+FIXTURES = os.path.join(ROOT, "protocol/wire/fixtures")
+LIBRARY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(BINARY))), "lib/libwakesurf_draco.so")
+
+
+def golden_frames(name):
+    with open(os.path.join(FIXTURES, name + ".bin"), "rb") as file:
+        data = file.read()
+    frames, at = [], 0
+    while at < len(data):
+        (size,) = struct.unpack_from("<I", data, at)
+        frames.append(data[at + 4:at + 4 + size])
+        at += 4 + size
+    return frames
+
+
+def sealed(frame):
+    """With the frame's own checksum made right again."""
+    return frame[:44] + struct.pack("<I", zlib.crc32(frame[48:], zlib.crc32(frame[:44]))) + frame[48:]
+
+
+class FramesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.draco = wakesurf_frames.Draco(LIBRARY)
+        with open(os.path.join(FIXTURES, "golden.json"), encoding="utf-8") as file:
+            cls.golden = json.load(file)
+
+    def decoder(self):
+        return MeshDecoder(self.draco)
+
+    def states(self, name):
+        decoder = self.decoder()
+        folded = [decoder.fold(frame) for frame in golden_frames(name)]
+        return [state for state in folded if state is not None]
+
+    def test_golden_frames_decode_to_what_the_other_decoders_make_of_them(self):
+        for name, expected in self.golden.items():
+            with self.subTest(name):
+                states = self.states(name)
+                self.assertEqual([state.header.seq for state in states], expected["seqs"])
+                self.assertEqual([state.sum() for state in states], expected["stateSums"])
+                self.assertEqual([wakesurf_frames.word_sum(state.change) for state in states], expected["changeSums"])
+                last = states[-1]
+                self.assertEqual((len(last.nodes), len(last.cells)), (expected["vertices"], expected["cells"]))
+                if len(last.nodes):
+                    for which, index in (("firstVertex", 0), ("lastVertex", -1)):
+                        vertex = expected[which]
+                        self.assertEqual(last.nodes[index].tolist(), vertex["node"])
+                        np.testing.assert_array_equal(
+                            last.points(expected["lattice"])[index].astype(np.float32),
+                            np.array(vertex["position"], np.float32))
+                        values = [last.attribute(i)[index] for i in range(len(last.codes))]
+                        np.testing.assert_array_equal(np.array(values, np.float32), np.array(vertex["attributes"], np.float32))
+                    self.assertEqual(last.cells[0].astype(np.uint32).tolist(), expected["firstCell"])
+
+    def test_a_polygon_goes_round_its_cell_over_the_mids(self):
+        state = self.states("hanging")[-1]
+        connectivity, offsets = state.polygons()
+        with_mid = int(np.flatnonzero((state.cells[:, 4:] >= 0).any(axis=1))[0])
+        cell = state.cells[with_mid]
+        outline = [vertex for i in range(4) for vertex in (cell[i], cell[4 + i]) if vertex >= 0]
+        self.assertEqual(connectivity[offsets[with_mid]:offsets[with_mid + 1]].tolist(), outline)
+        self.assertEqual(offsets[-1], len(connectivity))
+
+    def test_any_changed_byte_and_any_cut_is_refused(self):
+        (good,) = golden_frames("hanging")
+        chance = random.Random(1)
+        for _ in range(300):
+            at = chance.randrange(len(good))
+            bad = good[:at] + bytes([good[at] ^ chance.randrange(1, 256)]) + good[at + 1:]
+            for frame in (bad, good[:at]):
+                with self.assertRaises(FrameError):
+                    self.decoder().fold(frame)
+
+    def test_damage_behind_a_right_checksum_is_refused_or_leads_to_the_same_state(self):
+        chance, refused = random.Random(2), 0
+        for i in range(300):
+            name = ("hanging", "refined", "chaos")[i % 3]
+            bad = bytearray(golden_frames(name)[0])
+            bad[chance.randrange(48, len(bad))] ^= chance.randrange(1, 256)
+            try:
+                state = self.decoder().fold(sealed(bytes(bad)))
+                self.assertEqual(state.sum(), self.golden[name]["stateSums"][0])
+            except FrameError:
+                refused += 1
+        self.assertGreater(refused, 250)
+
+    def test_a_lost_frame_is_noticed_and_a_keyframe_heals(self):
+        frames = golden_frames("growing")
+        decoder = self.decoder()
+        decoder.fold(frames[0])
+        with self.assertRaises(FrameError):
+            decoder.fold(frames[2])
+        with self.assertRaises(FrameError):
+            decoder.fold(frames[1])
+        self.assertIsNotNone(decoder.fold(frames[0]))
+        self.assertIsNotNone(decoder.fold(frames[1]))
+
+    def test_frames_of_another_version_say_what_to_do(self):
+        frame = bytearray(golden_frames("sheet")[0])
+        frame[2] = 3
+        with self.assertRaisesRegex(FrameError, "version 3.*version 4"):
+            self.decoder().fold(bytes(frame))
+
+    def test_without_its_library_it_says_which_one_is_missing(self):
+        with self.assertRaisesRegex(OSError, "libwakesurf_draco.so.*WAKESURF_DRACO"):
+            wakesurf_frames.Draco("/nowhere/libwakesurf_draco.so")
+
+
+if __name__ == "__main__":
+    unittest.main()
