@@ -1,10 +1,7 @@
 #include "protocol/files/mesh_vtp.hpp"
 
-#include "protocol/api/generated/names.hpp"
-#include "protocol/files/number_text.hpp"
-#include "protocol/files/vtk_inline.hpp"
+#include "protocol/files/vtp_parts.hpp"
 
-#include <bit>
 #include <cassert>
 #include <cstdint>
 #include <span>
@@ -14,65 +11,13 @@ namespace wakesurf::protocol {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the file says byte_order LittleEndian");
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += c;
-        }
-    }
-    return out;
-}
-
-/// VTK writes strings as the numbers of their bytes, ended by 0.
-void field_text(std::string& xml, std::string_view name, std::string_view value) {
-    xml += "<DataArray type=\"String\" Name=\"";
-    xml += name;
-    xml += "\" NumberOfTuples=\"1\" format=\"ascii\">";
-    for (const char c : value)
-        xml += std::to_string(static_cast<unsigned char>(c)) + " ";
-    xml += "0</DataArray>\n";
-}
-
-void field_numbers(std::string& xml,
-                   std::string_view name,
-                   std::span<const double> values,
-                   std::size_t components = 1) {
-    xml += "<DataArray type=\"Float64\" Name=\"";
-    xml += name;
-    xml += "\" NumberOfComponents=\"" + std::to_string(components) + "\" NumberOfTuples=\"" +
-           std::to_string(values.size() / components) + "\" format=\"ascii\">";
-    for (const double value : values)
-        xml += number_text(value) + " ";
-    xml += "</DataArray>\n";
-}
-
 template <class T>
 void block(std::string& xml,
            std::string_view type,
            std::string_view name,
            const std::vector<T>& values,
            int components = 1) {
-    xml += "<DataArray type=\"";
-    xml += type;
-    xml += "\" Name=\"" + escaped(name) + "\" NumberOfComponents=\"" + std::to_string(components) +
-           "\" format=\"binary\">" + vtk_inline(std::as_bytes(std::span(values))) +
-           "</DataArray>\n";
+    append_vtp_array(xml, type, name, std::as_bytes(std::span(values)), components);
 }
 
 struct Polygons {
@@ -100,33 +45,6 @@ std::vector<float> speeds_of(const core::QuadComplex& mesh) {
     return out;
 }
 
-void field_points(std::string& xml, std::string_view name, std::span<const core::Vec3> points) {
-    std::vector<double> numbers;
-    for (const core::Vec3& point : points)
-        numbers.insert(numbers.end(), {point.x, point.y, point.z});
-    field_numbers(xml, name, numbers, 3);
-}
-
-void field_data(std::string& xml, const MeshMetadata& metadata) {
-    xml += "<FieldData>\n";
-    field_text(xml, "kind", name(metadata.kind));
-    field_points(xml, "rake", metadata.rake);
-    if (!metadata.rake2.empty())
-        field_points(xml, "rake2", metadata.rake2);
-    if (metadata.sweep)
-        field_points(xml, "sweep", std::span(&*metadata.sweep, 1));
-    field_numbers(xml, "from", std::span(&metadata.from, 1));
-    field_numbers(xml, "to", std::span(&metadata.to, 1));
-    if (metadata.time) // VTK's own name: ParaView puts a series of files in order by it
-        field_numbers(xml, "TimeValue", std::span(&*metadata.time, 1));
-    if (metadata.release_until)
-        field_numbers(xml, "releaseUntil", std::span(&*metadata.release_until, 1));
-    field_numbers(xml, "separation", std::span(&metadata.separation, 1));
-    field_text(xml, "dataset", metadata.dataset);
-    field_text(xml, "version", metadata.version);
-    xml += "</FieldData>\n";
-}
-
 void point_data(std::string& xml, const core::QuadComplex& mesh, const MeshScalars& scalars) {
     xml += "<PointData Scalars=\"speed\" Vectors=\"velocity\">\n";
     block(xml, "Float64", "s", mesh.s);
@@ -150,13 +68,8 @@ std::string
 mesh_vtp(const core::QuadComplex& mesh, const MeshMetadata& metadata, const MeshScalars& scalars) {
     static_assert(sizeof(core::Vec3) == 3 * sizeof(double) &&
                   sizeof(core::Vec3f) == 3 * sizeof(float));
-    std::string xml = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
-                      "byte_order=\"LittleEndian\" header_type=\"UInt64\" "
-                      "compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n";
-    field_data(xml, metadata);
-    xml += "<Piece NumberOfPoints=\"" + std::to_string(mesh.vertices()) +
-           "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
-           std::to_string(mesh.cells.size()) + "\">\n";
+    std::string xml = vtp_head(metadata);
+    xml += vtp_piece({mesh.vertices(), 0, mesh.cells.size()});
     point_data(xml, mesh, scalars);
     xml += "<Points>\n";
     block(xml, "Float64", "Points", mesh.position, 3);
@@ -164,7 +77,8 @@ mesh_vtp(const core::QuadComplex& mesh, const MeshMetadata& metadata, const Mesh
     const Polygons polygons = polygons_of(mesh);
     block(xml, "Int64", "connectivity", polygons.connectivity);
     block(xml, "Int64", "offsets", polygons.offsets);
-    xml += "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+    xml += "</Polys>\n</Piece>\n";
+    xml += vtp_tail();
     return xml;
 }
 

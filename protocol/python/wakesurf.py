@@ -1059,12 +1059,14 @@ class Surface(_Record):
         return self._fetch(format, None, timeout, time, draco)[1]
 
     def _fetch(self, format: str, tag: Optional[str], timeout: float, time: Union[float, str, None],
-               draco: bool = True) -> Tuple[str, bytes]:
+               draco: bool = True, lines: Optional[str] = None) -> Tuple[str, bytes]:
         path = "/api/v1/sessions/{}/surfaces/{}/mesh.{}".format(
             *(urllib.parse.quote(word, safe="") for word in (self.session.id, self.id, format)))
         query = {} if time is None else {"time": time if isinstance(time, str) else repr(float(_plain(time, "time")))}
         if not draco:
             query["draco"] = "false"
+        if lines:
+            query["lines"] = lines
         if query:
             path += "?" + urllib.parse.urlencode(query)
         headers = {"If-None-Match": tag} if tag else {}
@@ -1099,6 +1101,15 @@ class Surface(_Record):
             self._kept = (tag, Mesh.from_vtp(body))
         assert self._kept is not None
         return self._kept[1]
+
+    def lines(self, which: str, count: int = 16, timeout: float = 600.0, *,
+              time: Union[float, str, None] = None) -> List[Tuple[float, np.ndarray]]:
+        """Lines on the surface at `count` values, evenly spaced: "timelines", or "streamlines", "pathlines" or "streaklines",
+        which its kind consists of. Of each, the value (the age of its particles, or the place of their seed on the rake, 0 to
+        1) and its points (n, 3); a closed line ends at its first. `time` as in `mesh`."""
+        found = Mesh.from_vtp(self._fetch("vtp", None, timeout, time, lines=f"{which}:{count}")[1])
+        (values,) = found.arrays.values()
+        return [(float(value), found.points[line]) for value, line in zip(values, found.polygons)]
 
     @property
     def points(self) -> np.ndarray:

@@ -70,6 +70,20 @@ core::Result<core::Surface> build(const LoadedDataset& dataset,
     });
 }
 
+core::Result<std::string> file_of(protocol::MeshFormat format,
+                                  const SurfaceRequest& request,
+                                  const core::Surface& surface,
+                                  const protocol::MeshMetadata& metadata,
+                                  const protocol::MeshScalars& scalars,
+                                  bool draco) {
+    if (!request.lines)
+        return protocol::mesh_file(format, surface.mesh, metadata, scalars,
+                                   draco ? protocol::GlbCoding::Draco : protocol::GlbCoding::Plain);
+    return protocol::surface_lines(surface.mesh, *request.lines).and_then([&](const auto& lines) {
+        return protocol::lines_file(format, lines, *request.lines, metadata);
+    });
+}
+
 core::Result<void> write(const SurfaceOptions& options,
                          const SurfaceRequest& request,
                          const core::DatasetInfo& info,
@@ -90,11 +104,10 @@ core::Result<void> write(const SurfaceOptions& options,
     // Checked before the work began; the name has one of the extensions.
     const auto format =
         protocol::mesh_format(std::filesystem::path(options.output).extension().string().substr(1));
-    auto written =
-        protocol::mesh_file(*format, surface.mesh, metadata, scalars,
-                            options.draco ? protocol::GlbCoding::Draco : protocol::GlbCoding::Plain)
-            .and_then(
-                [&](const std::string& bytes) { return write_whole_file(options.output, bytes); });
+    auto written = file_of(*format, request, surface, metadata, scalars, options.draco)
+                       .and_then([&](const std::string& bytes) {
+                           return write_whole_file(options.output, bytes);
+                       });
     if (!written || options.stats.empty())
         return written;
     const auto statistics = protocol::statistics_json(surface.statistics);
@@ -207,6 +220,10 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
     command.add_flag(
         "--draco,!--no-draco", options.draco,
         "Compress .glb files with Draco; --no-draco is for readers without it, such as ParaView");
+    command.add_option(
+        "--lines", options.lines,
+        "Write N lines instead of the mesh (.vtp, .obj): timelines:N, or streamlines:N, "
+        "pathlines:N or streaklines:N, which the kind of surface consists of");
     command.add_option("--stats", options.stats, "JSON file to write statistics to");
 }
 

@@ -27,6 +27,7 @@ struct SurfaceOptions {
     int threads = 0;          ///< 0: one a core
     std::string output;
     bool draco = true; ///< in .glb files
+    std::string lines; ///< which lines are written instead of the mesh; empty: the mesh
     std::string stats;
     std::string store;
 };

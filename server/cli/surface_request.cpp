@@ -109,6 +109,22 @@ core::Result<void> check_output(const std::string& output, const char* option, b
     return {};
 }
 
+core::Result<std::optional<protocol::LinesWanted>> read_lines(const SurfaceOptions& options,
+                                                              core::SurfaceKind kind) {
+    if (options.lines.empty())
+        return std::nullopt;
+    auto lines = protocol::read_lines(options.lines, kind);
+    if (!lines)
+        return core::fail(Code::InvalidArgument, "--lines: " + lines.error().message,
+                          lines.error().hint);
+    const auto extension = std::filesystem::path(options.output).extension();
+    if (extension != ".vtp" && extension != ".obj")
+        return core::fail(Code::InvalidArgument,
+                          "-o: lines cannot be written as " + extension.string(),
+                          "choose .vtp or .obj");
+    return *lines;
+}
+
 } // namespace
 
 core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options) {
@@ -132,6 +148,10 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
     }
     if (auto checked = check_output(options.output, "-o", true); !checked)
         return tl::unexpected(checked.error());
+    auto lines = read_lines(options, request.parameters.kind);
+    if (!lines)
+        return tl::unexpected(lines.error());
+    request.lines = *lines;
     if (!options.draco && std::filesystem::path(options.output).extension() == ".drc")
         return core::fail(Code::InvalidArgument,
                           "--no-draco cannot be used for .drc, which is always Draco",

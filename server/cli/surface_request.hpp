@@ -4,6 +4,7 @@
 #include "core/base/result.hpp"
 #include "core/surface/rake.hpp"
 #include "core/surface/surface_parameters.hpp"
+#include "protocol/files/surface_lines.hpp"
 #include "server/cli/surface_command.hpp"
 
 #include <optional>
@@ -16,6 +17,7 @@ struct SurfaceRequest {
     core::SurfaceParameters
         parameters; ///< `from`, `to` to be filled in where the options leave them open
     std::optional<double> from, to;
+    std::optional<protocol::LinesWanted> lines; ///< instead of the mesh
 };
 
 /// Error: InvalidArgument for what can never be right (wrong usage), Unsupported for what wakesurf cannot do,

@@ -45,6 +45,18 @@ core::Result<void> read_draco(const std::string& text, DownloadRequest& out) {
     return {};
 }
 
+/// What there is depends on the surface's kind, which is not known yet.
+core::Result<void> read_lines_text(const std::string& text, DownloadRequest& out) {
+    if (out.format != protocol::MeshFormat::Vtp && out.format != protocol::MeshFormat::Obj)
+        return fail(Error::Code::InvalidArgument,
+                    fmt::format("lines cannot be written as .{}", protocol::extension(out.format)),
+                    "ask for mesh.vtp or mesh.obj");
+    if (text.empty())
+        return fail(Error::Code::InvalidArgument, "`lines` is empty", "as in ?lines=timelines:8");
+    out.lines = text;
+    return {};
+}
+
 } // namespace
 
 core::Result<DownloadRequest> read_download(std::string_view file,
@@ -61,9 +73,11 @@ core::Result<DownloadRequest> read_download(std::string_view file,
         core::Result<void> read =
             name == "time"    ? read_time(value, out)
             : name == "draco" ? read_draco(value, out)
+            : name == "lines" ? read_lines_text(value, out)
                               : fail(Error::Code::InvalidArgument,
                                      "a download has no parameter `" + name.substr(0, 64) + "`",
-                                     "the parameters are ?time=2.5, ?time=end and ?draco=false");
+                                     "the parameters are ?time=2.5, ?time=end, ?draco=false and "
+                                     "?lines=timelines:8");
         if (!read)
             return tl::unexpected(read.error());
     }

@@ -5,6 +5,7 @@
 #include "core/surface/playback/surface_at.hpp"
 #include "protocol/api/json_text.hpp"
 #include "protocol/files/mesh_file.hpp"
+#include "protocol/files/surface_lines.hpp"
 #include "protocol/wire/bytes.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
 #include "server/catalogue/surface_scalars.hpp"
@@ -120,6 +121,7 @@ struct FileJob {
     std::shared_ptr<const LoadedDataset> dataset;
     std::vector<std::string> fields;
     DownloadRequest request;
+    std::optional<protocol::LinesWanted> lines; ///< instead of the mesh
     std::optional<double> time;
     const core::MemoryAccount* account;
 
@@ -145,12 +147,15 @@ struct FileJob {
         const std::size_t needed = shown->mesh.vertices() * (file_bytes + 8 * fields.size());
         if (auto taken = take(needed, stop, share); !taken)
             return tl::unexpected(taken.error());
+        const auto metadata = metadata_of(surface, shown->statistics, *dataset, time);
+        if (lines)
+            return protocol::surface_lines(shown->mesh, *lines).and_then([&](const auto& found) {
+                return protocol::lines_file(request.format, found, *lines, metadata);
+            });
         const auto scalars = surface_scalars(*dataset, shown->mesh, shown->times, fields, stop);
         if (!scalars)
             return tl::unexpected(scalars.error());
-        return protocol::mesh_file(request.format, shown->mesh,
-                                   metadata_of(surface, shown->statistics, *dataset, time),
-                                   *scalars, request.glb);
+        return protocol::mesh_file(request.format, shown->mesh, metadata, *scalars, request.glb);
     }
 };
 
@@ -170,6 +175,7 @@ std::string tag_of(const protocol::SurfaceRecord& record,
                 all += fmt::format(" {},{},{}", p.x, p.y, p.z);
         }
     all += fmt::format("|{} {}", steps, WAKESURF_VERSION);
+    all += "|" + request.lines;
     return fmt::format("\"{}-{}-{:08x}-{}-{}{}\"", record.surface, record.epoch,
                        core::crc32c(std::as_bytes(std::span(all))),
                        time ? fmt::format("{}", *time) : "end", protocol::extension(request.format),
@@ -269,6 +275,13 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
         return tl::unexpected(dataset.error());
     SurfaceJob job = (*live)->wanted();
     job.parameters.deformation = true;
+    std::optional<protocol::LinesWanted> lines;
+    if (!wanted->lines.empty()) {
+        const auto read = protocol::read_lines(wanted->lines, job.parameters.kind);
+        if (!read)
+            return tl::unexpected(read.error());
+        lines = *read;
+    }
     const auto time = shown_at(*wanted, job.parameters, (*session)->clock().time());
     if (!time)
         return tl::unexpected(time.error());
@@ -280,7 +293,8 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     }
     files_.get(
         tag + place.session, turns_of(place.session, identity),
-        [file = FileJob{std::move(job), *dataset, record->fields, *wanted, *time, &account_}](
+        [file =
+             FileJob{std::move(job), *dataset, record->fields, *wanted, lines, *time, &account_}](
             const std::stop_token& stop, core::MemoryAccount::Share& share) {
             return file.make(stop, share);
         },

@@ -152,6 +152,16 @@ class ClientTest(unittest.TestCase):
         with self.assertRaises(wakesurf.InvalidParameters):
             surface.mesh(time=float("nan"))
 
+    def test_lines_on_a_surface_are_those_its_kind_consists_of(self):
+        rake = self.session.rake(line=[(0.5, 0, 0), (1.5, 0, 0)], seeds=33)
+        surface = self.session.surface(rake, "path", dataset="lamb-oseen", to=2, separation=0.05)
+        for value, points in surface.lines("pathlines", 4):  # round the vortex, each in its own circle
+            np.testing.assert_allclose(np.hypot(points[:, 0], points[:, 1]), 0.5 + value, atol=5e-3)
+        ages = [age for age, _ in surface.lines("timelines", 3)]
+        np.testing.assert_allclose(ages, [0.5, 1.0, 1.5])
+        with self.assertRaisesRegex(wakesurf.InvalidParameters, "no lines called 'streaklines'"):
+            surface.lines("streaklines")
+
     def test_makes_a_surface_and_gives_its_mesh_as_arrays(self):
         stats = self.surface().wait(60)
         self.assertTrue(stats["complete"])

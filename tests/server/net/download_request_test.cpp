@@ -72,4 +72,12 @@ TEST(DownloadRequest, HasNoTimeWhereTheSurfaceDoesNotMove) {
     EXPECT_EQ(shown({{"time", "99"}}, stream, 11.5), std::nullopt);
 }
 
+TEST(DownloadRequest, TakesLinesOnlyInFormatsThatHaveThem) {
+    EXPECT_EQ(read_download("mesh.vtp", {{"lines", "timelines:8"}})->lines, "timelines:8");
+    EXPECT_TRUE(read_download("mesh.obj", {{"lines", "timelines:8"}}));
+    for (const char* file : {"mesh.ply", "mesh.glb", "mesh.drc"})
+        EXPECT_FALSE(read_download(file, {{"lines", "timelines:8"}})) << file;
+    EXPECT_FALSE(read_download("mesh.vtp", {{"lines", ""}}));
+}
+
 } // namespace wakesurf::server

@@ -1,0 +1,119 @@
+#include "protocol/files/vtp_parts.hpp"
+
+#include "protocol/api/generated/names.hpp"
+#include "protocol/files/number_text.hpp"
+#include "protocol/files/vtk_inline.hpp"
+
+#include <bit>
+
+namespace wakesurf::protocol {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the file says byte_order LittleEndian");
+
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+        case '&':
+            out += "&amp;";
+            break;
+        case '<':
+            out += "&lt;";
+            break;
+        case '>':
+            out += "&gt;";
+            break;
+        case '"':
+            out += "&quot;";
+            break;
+        default:
+            out += c;
+        }
+    }
+    return out;
+}
+
+/// VTK writes strings as the numbers of their bytes, ended by 0.
+void field_text(std::string& xml, std::string_view name, std::string_view value) {
+    xml += "<DataArray type=\"String\" Name=\"";
+    xml += name;
+    xml += "\" NumberOfTuples=\"1\" format=\"ascii\">";
+    for (const char c : value)
+        xml += std::to_string(static_cast<unsigned char>(c)) + " ";
+    xml += "0</DataArray>\n";
+}
+
+void field_numbers(std::string& xml,
+                   std::string_view name,
+                   std::span<const double> values,
+                   std::size_t components = 1) {
+    xml += "<DataArray type=\"Float64\" Name=\"";
+    xml += name;
+    xml += "\" NumberOfComponents=\"" + std::to_string(components) + "\" NumberOfTuples=\"" +
+           std::to_string(values.size() / components) + "\" format=\"ascii\">";
+    for (const double value : values)
+        xml += number_text(value) + " ";
+    xml += "</DataArray>\n";
+}
+
+void field_points(std::string& xml, std::string_view name, std::span<const core::Vec3> points) {
+    std::vector<double> numbers;
+    for (const core::Vec3& point : points)
+        numbers.insert(numbers.end(), {point.x, point.y, point.z});
+    field_numbers(xml, name, numbers, 3);
+}
+
+void field_data(std::string& xml, const MeshMetadata& metadata) {
+    xml += "<FieldData>\n";
+    field_text(xml, "kind", name(metadata.kind));
+    field_points(xml, "rake", metadata.rake);
+    if (!metadata.rake2.empty())
+        field_points(xml, "rake2", metadata.rake2);
+    if (metadata.sweep)
+        field_points(xml, "sweep", std::span(&*metadata.sweep, 1));
+    field_numbers(xml, "from", std::span(&metadata.from, 1));
+    field_numbers(xml, "to", std::span(&metadata.to, 1));
+    if (metadata.time) // VTK's own name: ParaView puts a series of files in order by it
+        field_numbers(xml, "TimeValue", std::span(&*metadata.time, 1));
+    if (metadata.release_until)
+        field_numbers(xml, "releaseUntil", std::span(&*metadata.release_until, 1));
+    field_numbers(xml, "separation", std::span(&metadata.separation, 1));
+    field_text(xml, "dataset", metadata.dataset);
+    field_text(xml, "version", metadata.version);
+    xml += "</FieldData>\n";
+}
+
+} // namespace
+
+std::string vtp_head(const MeshMetadata& metadata) {
+    std::string xml = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
+                      "byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+                      "compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n";
+    field_data(xml, metadata);
+    return xml;
+}
+
+std::string_view vtp_tail() {
+    return "</PolyData>\n</VTKFile>\n";
+}
+
+std::string vtp_piece(const VtpCounts& counts) {
+    return "<Piece NumberOfPoints=\"" + std::to_string(counts.points) +
+           "\" NumberOfVerts=\"0\" NumberOfLines=\"" + std::to_string(counts.lines) +
+           "\" NumberOfStrips=\"0\" NumberOfPolys=\"" + std::to_string(counts.polygons) + "\">\n";
+}
+
+void append_vtp_array(std::string& xml,
+                      std::string_view type,
+                      std::string_view name,
+                      std::span<const std::byte> bytes,
+                      int components) {
+    xml += "<DataArray type=\"";
+    xml += type;
+    xml += "\" Name=\"" + escaped(name) + "\" NumberOfComponents=\"" + std::to_string(components) +
+           "\" format=\"binary\">" + vtk_inline(bytes) + "</DataArray>\n";
+}
+
+} // namespace wakesurf::protocol

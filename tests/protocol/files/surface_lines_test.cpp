@@ -1,0 +1,105 @@
+#include "core/field/analytic_flow.hpp"
+#include "core/surface/surface_builder.hpp"
+#include "protocol/files/surface_lines.hpp"
+#include "tests/support/vtp_arrays.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wakesurf::protocol {
+
+namespace {
+
+using core::SurfaceKind;
+using tests::array_of;
+
+/// Round a vortex: particles go in circles, each at its own speed.
+core::QuadComplex round_a_vortex(SurfaceKind kind) {
+    const auto flow = core::make_analytic_flow("lamb-oseen?rc=0.2").value();
+    core::SurfaceParameters p;
+    p.kind = kind;
+    p.to = 3.0;
+    p.separation = 0.05;
+    const core::Rake rake{core::Rake::Kind::Line, {{0.5, 0, 0}, {1.5, 0, 0}}, 64};
+    return core::build_surface(*flow, rake, p).value().mesh;
+}
+
+} // namespace
+
+TEST(SurfaceLines, OfOneSeedAreTheCirclesThatParticlesGoOn) {
+    for (const auto& [kind, text] : {std::pair{SurfaceKind::Stream, "streamlines:3"},
+                                     {SurfaceKind::Path, "pathlines:3"},
+                                     {SurfaceKind::Streak, "streaklines:3"}}) {
+        const auto wanted = read_lines(text, kind);
+        ASSERT_TRUE(wanted) << wanted.error().message;
+        const auto lines = surface_lines(round_a_vortex(kind), *wanted);
+        ASSERT_TRUE(lines) << lines.error().message;
+        ASSERT_EQ(lines->size(), 3u) << text;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double radius = 0.5 + 0.25 * static_cast<double>(i + 1);
+            ASSERT_GT((*lines)[i].points.size(), 20u);
+            for (const core::Vec3& p : (*lines)[i].points)
+                EXPECT_NEAR(std::hypot(p.x, p.y), radius, 2e-3) << text;
+        }
+    }
+}
+
+TEST(SurfaceLines, OfOneAgeRunFromTheInnermostParticleToTheOutermost) {
+    const auto lines =
+        surface_lines(round_a_vortex(SurfaceKind::Path), {LinesWanted::Along::Release, 2});
+    ASSERT_TRUE(lines) << lines.error().message;
+    ASSERT_EQ(lines->size(), 2u);
+    for (const core::ContourLine& line : *lines) {
+        const auto radius = [](const core::Vec3& p) { return std::hypot(p.x, p.y); };
+        const double first = radius(line.points.front()), last = radius(line.points.back());
+        EXPECT_NEAR(std::min(first, last), 0.5, 1e-3);
+        EXPECT_NEAR(std::max(first, last), 1.5, 1e-3);
+    }
+    EXPECT_NEAR((*lines)[0].value, 1.0, 1e-12);
+    EXPECT_NEAR((*lines)[1].value, 2.0, 1e-12);
+}
+
+TEST(SurfaceLines, AreNamedAsTheKindOfSurfaceHasThem) {
+    EXPECT_EQ(read_lines("timelines:8", SurfaceKind::Stream).value(),
+              (LinesWanted{LinesWanted::Along::Release, 8}));
+    const auto wrong = read_lines("streaklines:8", SurfaceKind::Path);
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().hint, "as in timelines:8 or pathlines:8");
+    EXPECT_FALSE(read_lines("timelines:8", SurfaceKind::Time)); // all of it is one age
+}
+
+TEST(SurfaceLines, RefuseANumberThatIsNone) {
+    for (const char* text : {"timelines", "timelines:", "timelines:0", "timelines:1001",
+                             "timelines:-3", "timelines:3x", "timelines:99999999999", ":", ""})
+        EXPECT_FALSE(read_lines(text, SurfaceKind::Streak)) << text;
+    EXPECT_TRUE(read_lines("timelines:1000", SurfaceKind::Streak));
+}
+
+TEST(SurfaceLines, OfAVtpEndWhereTheirOffsetsSayAndCloseWhenTheyAreClosed) {
+    const std::vector<core::ContourLine> lines{
+        {0.25, false, {{0, 0, 0}, {1, 0, 0}}},
+        {0.75, true, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}},
+    };
+    const auto file =
+        lines_file(MeshFormat::Vtp, lines, {LinesWanted::Along::Seed, 2}, {.dataset = "d"});
+    ASSERT_TRUE(file);
+    EXPECT_EQ(array_of<std::int64_t>(*file, "Int64", "connectivity"),
+              (std::vector<std::int64_t>{0, 1, 2, 3, 4, 2}));
+    EXPECT_EQ(array_of<std::int64_t>(*file, "Int64", "offsets"), (std::vector<std::int64_t>{2, 6}));
+    EXPECT_EQ(array_of<double>(*file, "Float64", "s"), (std::vector<double>{0.25, 0.75}));
+    const auto text =
+        lines_file(MeshFormat::Obj, lines, {LinesWanted::Along::Seed, 2}, {.dataset = "d"});
+    ASSERT_TRUE(text);
+    EXPECT_NE(text->find("l 1 2\no s=0.75\n"), std::string::npos) << *text;
+    EXPECT_NE(text->find("l 3 4 5 3\n"), std::string::npos) << *text;
+}
+
+TEST(SurfaceLines, HaveNoPlaceInFormatsOfFaces) {
+    const auto file = lines_file(MeshFormat::Ply, {}, {}, {});
+    ASSERT_FALSE(file);
+    EXPECT_EQ(file.error().code, core::Error::Code::Unsupported);
+}
+
+} // namespace wakesurf::protocol
