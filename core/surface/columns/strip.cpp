@@ -275,8 +275,4 @@ void Strip::tear_rest() {
         nodes_[static_cast<std::size_t>(failure.node)].torn = true;
 }
 
-bool Strip::torn() const {
-    return std::any_of(nodes_.begin(), nodes_.end(), [](const Node& node) { return node.torn; });
-}
-
 } // namespace wakesurf::core

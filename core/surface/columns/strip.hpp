@@ -119,8 +119,6 @@ class Strip {
         visit_columns(0, visit);
     }
 
-    bool torn() const;
-
   private:
     static constexpr std::uint32_t no_column = std::numeric_limits<std::uint32_t>::max();
 

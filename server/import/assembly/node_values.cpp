@@ -243,15 +243,4 @@ core::Result<std::vector<float>> node_values(const GridAssembly& assembly,
     return NodeValues(assembly, field).run(blocks, still);
 }
 
-core::Result<std::vector<double>> cell_values(vtkDataSet& block, const FieldInfo& field) {
-    return array_of(block, field).map([](vtkDataArray* array) {
-        std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
-        with_tuples(*array, [&](const auto& value) {
-            for (std::size_t i = 0; i < values.size(); ++i)
-                values[i] = value(i, 0);
-        });
-        return values;
-    });
-}
-
 } // namespace wakesurf::server

@@ -30,7 +30,4 @@ core::Result<std::vector<float>> node_values(const GridAssembly& assembly,
                                              const FieldParts& field,
                                              std::span<const std::uint32_t> still = {});
 
-/// The cell values of a 1-component array of one block. Error: as node_values.
-core::Result<std::vector<double>> cell_values(vtkDataSet& block, const core::FieldInfo& field);
-
 } // namespace wakesurf::server

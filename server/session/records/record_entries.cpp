@@ -130,10 +130,6 @@ JournalEntry entry_of_thumbnail(const std::string& base64) {
     return {"thumbnail", "", '"' + base64 + '"'}; // JSON, as all that the journal keeps
 }
 
-JournalEntry entry_without(const RecordKey& key) {
-    return {std::string(name(key.type)), key.id, std::nullopt};
-}
-
 RefusedEntry refused_entry(const JournalEntry& entry, Error error) {
     error.message =
         entry.type + (entry.id.empty() ? "" : " " + entry.id.substr(0, 64)) + ": " + error.message;

@@ -20,8 +20,6 @@ JournalEntry entry_of(const Record& record);
 JournalEntry entry_of(const protocol::ClockRecord& clock);
 JournalEntry entry_of(const protocol::SessionHead& head);
 JournalEntry entry_of_thumbnail(const std::string& base64);
-JournalEntry entry_without(const RecordKey& key);
-
 /// What a record has to be, on whichever way it comes: from a journal, from a file, and (check_record) from an edit. Pure.
 /// Error: Corrupt, OverLimit; InvalidArgument for what its kind of surface does not have, or lacks.
 core::Result<Record> read_record(const RecordKey& key, const std::string& text);

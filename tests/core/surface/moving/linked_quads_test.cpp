@@ -1,5 +1,6 @@
 #include "core/surface/moving/linked_quads.hpp"
 #include "tests/support/flat_patch.hpp"
+#include "tests/support/mesh_delta.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <set>
 
 using namespace wakesurf::core;
+using namespace wakesurf::tests;
 using namespace wakesurf::test;
 
 namespace {

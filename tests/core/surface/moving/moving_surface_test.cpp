@@ -1,6 +1,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/moving/moving_surface.hpp"
 #include "core/surface/surface_builder.hpp"
+#include "tests/support/mesh_delta.hpp"
 #include "tests/support/mesh_measures.hpp"
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include <string_view>
 
 using namespace wakesurf::core;
+using namespace wakesurf::tests;
 using namespace wakesurf::test;
 
 namespace {

@@ -1,5 +1,6 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/moving/surface_history.hpp"
+#include "tests/support/mesh_delta.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <set>
 
 using namespace wakesurf::core;
+using namespace wakesurf::tests;
 
 namespace {
 

@@ -2,12 +2,15 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/playback/played_surface.hpp"
 #include "core/surface/surface_builder.hpp"
+#include "tests/support/mesh_delta.hpp"
 
 #include <gtest/gtest.h>
 
 namespace wakesurf::core {
 
 namespace {
+
+using tests::hash;
 
 struct Streak {
     std::shared_ptr<const Flow> flow;

@@ -1,6 +1,7 @@
 #include "core/surface/keyed_mesh.hpp"
 #include "core/surface/moving/local_operations.hpp"
 #include "tests/support/flat_patch.hpp"
+#include "tests/support/mesh_delta.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 #include <stdexcept>
 
 using namespace wakesurf::core;
+using namespace wakesurf::tests;
 using namespace wakesurf::test;
 
 namespace {
@@ -90,7 +92,7 @@ Pair pair() {
 
 } // namespace
 
-TEST(KeyedMesh, FoldingADifferenceGivesTheMeshAfter) {
+TEST(MeshDelta, FoldingADifferenceGivesTheMeshAfter) {
     for (unsigned seed = 1; seed <= 10; ++seed) {
         Edited edited(seed);
         KeyedMesh followed = edited.now();
@@ -108,7 +110,7 @@ TEST(KeyedMesh, FoldingADifferenceGivesTheMeshAfter) {
     }
 }
 
-TEST(KeyedMesh, ADifferenceFromNothingIsAKeyframe) {
+TEST(MeshDelta, ADifferenceFromNothingIsAKeyframe) {
     const KeyedMesh mesh = pair().after;
     const MeshDelta keyframe = difference({}, mesh);
     EXPECT_EQ(keyframe.vertices_added.size(), mesh.vertex_id.size());
@@ -118,7 +120,7 @@ TEST(KeyedMesh, ADifferenceFromNothingIsAKeyframe) {
     expect_same(fold({}, keyframe), mesh);
 }
 
-TEST(KeyedMesh, NothingDiffersFromItself) {
+TEST(MeshDelta, NothingDiffersFromItself) {
     const KeyedMesh mesh = pair().after;
     const MeshDelta delta = difference(mesh, mesh);
     EXPECT_TRUE(delta.vertices_added.empty() && delta.vertices_moved.empty() &&
@@ -127,12 +129,12 @@ TEST(KeyedMesh, NothingDiffersFromItself) {
     expect_same(fold(mesh, delta), mesh);
 }
 
-TEST(KeyedMesh, ADifferenceBackwardsUndoesIt) {
+TEST(MeshDelta, ADifferenceBackwardsUndoesIt) {
     const Pair p = pair();
     expect_same(fold(p.after, difference(p.after, p.before)), p.before);
 }
 
-TEST(KeyedMesh, OnlyWhatChangedIsInADifference) {
+TEST(MeshDelta, OnlyWhatChangedIsInADifference) {
     const KeyedMesh before = pair().after;
     KeyedMesh after = before;
     after.mesh.velocity[7].x += 1.0f;
@@ -142,7 +144,7 @@ TEST(KeyedMesh, OnlyWhatChangedIsInADifference) {
     EXPECT_TRUE(delta.cells_changed.empty());
 }
 
-TEST(KeyedMesh, ADeltaThatDoesNotFitThrows) {
+TEST(MeshDelta, ADeltaThatDoesNotFitThrows) {
     const Pair p = pair();
     EXPECT_THROW(fold({}, p.delta), std::logic_error);
     EXPECT_THROW(fold(p.after, p.delta), std::logic_error); // what it removes has gone
@@ -155,7 +157,7 @@ TEST(KeyedMesh, ADeltaThatDoesNotFitThrows) {
     EXPECT_THROW(fold(p.before, delta), std::logic_error);
 }
 
-TEST(KeyedMesh, AnythingAddedTwiceThrows) {
+TEST(MeshDelta, AnythingAddedTwiceThrows) {
     const Pair p = pair();
     MeshDelta delta = difference(p.before, p.before);
     delta.vertices_added = {difference({}, p.before).vertices_added.front()};
@@ -165,7 +167,7 @@ TEST(KeyedMesh, AnythingAddedTwiceThrows) {
     EXPECT_THROW(fold(p.before, delta), std::logic_error);
 }
 
-TEST(KeyedMesh, TheHashSeesEveryBitOfShapeAndNoAttributes) {
+TEST(MeshDelta, TheHashSeesEveryBitOfShapeAndNoAttributes) {
     const KeyedMesh mesh = pair().after;
     const std::uint64_t whole = hash(mesh);
     std::set<std::uint64_t> seen{whole};

@@ -1,10 +1,15 @@
-#include "core/surface/keyed_mesh.hpp"
+#include "tests/support/mesh_delta.hpp"
 
 #include <algorithm>
 #include <span>
 #include <stdexcept>
 
-namespace wakesurf::core {
+namespace wakesurf::tests {
+
+using core::KeyedMesh;
+using core::no_vertex;
+using core::QuadComplex;
+using core::VertexId;
 
 namespace {
 
@@ -173,4 +178,4 @@ std::uint64_t hash(const KeyedMesh& mesh) {
     return sum.value();
 }
 
-} // namespace wakesurf::core
+} // namespace wakesurf::tests
