@@ -1,5 +1,6 @@
 // Puts the page together. The path of a datum: worker/ (socket, decoding) -> session/ (records,
-// newest state) -> scene/ (pixels); the path of an edit: scene/ or ui/ -> session/edits -> worker/.
+// newest state) -> scene/ (pixels); the path of an edit: scene/ or ui/ -> session/edits -> worker/. Each part is made of parts
+// that are made above it, and each panel is handed what it uses.
 import { logOut } from './connection/logOut.ts';
 import { probeGraphics } from './scene/graphics.ts';
 import { FlowScene } from './scene/scene.ts';
@@ -17,19 +18,23 @@ import { Measuring } from './session/tools/measuring.ts';
 import { Noting } from './session/tools/noting.ts';
 import { showLooks } from './session/picture/looksInPicture.ts';
 import { ImportWait } from './session/importWait.ts';
+import { OpenDataset } from './session/openDataset.ts';
 import { connectPainting } from './session/tools/painting.ts';
 import { People } from './session/people/people.ts';
 import { showPeople } from './session/people/peopleInPicture.ts';
 import { Playback } from './session/time/playback.ts';
 import { Pointing } from './session/people/pointing.ts';
 import { Probing } from './session/tools/probing.ts';
+import { connectRakes } from './session/picture/rakesByHand.ts';
 import { showRakes } from './session/picture/rakeScene.ts';
+import { ServerNews } from './session/serverNews.ts';
 import { SessionController } from './session/sessionController.ts';
 import { SessionShelf } from './session/sessions/sessionShelf.ts';
 import { SurfaceProgress } from './session/surface/surfaceProgress.ts';
 import { SurfaceFeed } from './session/surface/surfaceFeed.ts';
 import { showTheme } from './session/picture/themeInPicture.ts';
 import { showUnits } from './session/picture/unitsInPicture.ts';
+import { handOut } from './session/workerEvents.ts';
 import { baseUrl, followHistory, readFragment, showFragment, writeFragment } from './session/view/urlState.ts';
 import { Views } from './session/view/views.ts';
 import { AppState } from './state/appState.ts';
@@ -37,7 +42,6 @@ import { LatencyLog } from './state/latency.ts';
 import { ViewState } from './state/viewState.ts';
 import { installTestHook } from './testHook.ts';
 import { App } from './ui/app.ts';
-import type { AppModel } from './ui/base/appModel.ts';
 import { listenForPresses } from './ui/base/presses.ts';
 import { listenForViewKeys } from './ui/view/viewKeys.ts';
 import { listenForUndoKeys } from './ui/rake/undoKeys.ts';
@@ -62,47 +66,25 @@ function start(app: App): void {
     const view = new ViewState();
     const latency = new LatencyLog();
     const { canvas, labels } = app;
-    const scene = new FlowScene({
-        canvas,
-        labels,
-        graphics,
-        mayMoveRake: () => !state.locked.value,
-        rakesHavePointer: () => view.tool.value === 'none' || view.tool.value === 'place',
-        onRakeMove: (move) => {
-            edits.moveRake(move);
-            people.tell({ dragging: edits.draggedNow(move) });
-        },
-        onRakeChosen: (rake) => edits.chooseRake(rake),
-        onRakePlaced: () => {
-            if (view.tool.value === 'place') view.tool.value = 'none';
-        },
-    });
-    const worker = new WorkerClient((event) => controller.handle(event));
-    const edits = new Edits({
-        state,
-        worker,
-        latency,
-        requestFrame: scene.loop.request,
-        dragging: () => scene.interaction.dragging,
-    });
-    const people = new People({
-        ...{ state, view, worker },
-        controls: scene.controls,
-        requestFrame: scene.loop.request,
-    });
+    const scene = new FlowScene({ canvas, labels, graphics });
+    const requestFrame = scene.loop.request;
+    const worker = new WorkerClient();
+    const edits = new Edits({ state, worker, latency, requestFrame, dragging: () => scene.interaction.dragging });
+    const people = new People({ state, view, worker, controls: scene.controls, requestFrame });
     const calls = new Calls(state, worker, {
         begin: () => edits.gestures.begin(),
         taken: (gesture) => edits.history.noted(gesture),
     });
     const progress = new SurfaceProgress({ state, worker, calls });
+    connectRakes({ state, view, scene, edits, people });
     showPeople(state, view, scene);
     showTheme(view, scene);
     showExactOrder(view, scene, graphics);
     showMarks(state, view, scene);
     showUnits(state, view, scene);
     const sight = { view: () => scene.view(), pick: (at: ScreenPoint) => scene.pick(at) };
-    const probing = new Probing({ state, pageView: view, worker, requestFrame: scene.loop.request, ...sight });
-    const pointing = new Pointing({ state, people, requestFrame: scene.loop.request, ...sight });
+    const probing = new Probing({ state, pageView: view, worker, requestFrame, ...sight });
+    const pointing = new Pointing({ state, people, requestFrame, ...sight });
     for (const tool of [
         probing,
         new Measuring({ state, pageView: view, ...sight }),
@@ -122,21 +104,11 @@ function start(app: App): void {
         picture: (size) => scene.copySmall(size),
         busy: () => scene.interaction.dragging || document.visibilityState !== 'visible',
     });
-    const controller = new SessionController({
-        imports,
-        state,
-        scene,
-        worker,
-        edits,
-        feed,
-        people,
-        progress,
-        url,
-        views,
-        thumbnails,
-    });
+    const dataset = new OpenDataset({ state, scene, worker, imports });
+    const controller = new SessionController({ state, worker, dataset, feed, edits, people, views, thumbnails, url });
+    const news = new ServerNews({ state, feed, people, progress, dataset, controller });
     const shelf = new SessionShelf({ state, worker, base: baseUrl(), restored: (session) => controller.restored(session) });
-    const clock = new ClockControl({ state, worker, requestFrame: scene.loop.request });
+    const clock = new ClockControl({ state, worker, requestFrame });
     const playback = new Playback({ state, edits, clock });
     const figure = new Figure(scene, () => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null);
     const film = new FilmMaker({ state, worker, edits, playback, figure });
@@ -148,43 +120,58 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => feed.apply());
     showRakes(state, view, scene);
     installTestHook({ state, scene, latency, canvas, figure });
-    const model: AppModel = {
-        ...{
-            state,
-            view,
-            edits,
-            clock,
-            playback,
-            people,
-            scene,
-            worker,
-            calls,
-            views,
-            probing,
-            progress,
-            imports,
-            figure,
-            film,
-            mesh,
-        },
-        shelf,
-        rename: (name) => controller.rename(name),
-        restoreSession: () => controller.restore(),
-        makeSessionAgain: () => controller.makeAgain(),
-        logOut: async () => {
-            await logOut(baseUrl());
-            worker.stop();
-            app.fail(loggedOut);
-        },
-        retryNow: () => worker.retryNow(),
-    };
-    listenForViewKeys(model);
+    listenForViewKeys({ view, scene, people });
     listenForPresses(edits.gestures);
     listenForUndoKeys(edits);
     followHistory(() => state.session.value);
-    app.begin(model);
-    addEventListener('online', () => worker.retryNow());
-    worker.start(baseUrl(), url.token);
+    const retryNow = (): void => worker.retryNow();
+    const leave = async (): Promise<void> => {
+        await logOut(baseUrl());
+        worker.stop();
+        app.fail(loggedOut);
+    };
+    app.begin({
+        state,
+        scalarBar: { state, view, scene },
+        viewButtons: { view, scene },
+        tools: { state, view },
+        tour: { state, view, edits, scene },
+        banner: {
+            state,
+            view,
+            imports,
+            retryNow,
+            restoreSession: () => controller.restore(),
+            makeSessionAgain: () => controller.makeAgain(),
+        },
+        panel: {
+            state,
+            view,
+            help: { view },
+            sessionHead: { state, view, shelf },
+            datasetHead: { state, shelf },
+            rakeList: { state, edits },
+            surface: { state, view, edits },
+            rake: { state, view, edits, scene },
+            look: { state, view, edits, scene },
+            bookmarks: { state, views, calls, clock },
+            probe: { state, view, probing },
+            surroundings: { view },
+            people: { state, view, people, calls, rename: (name) => controller.rename(name), logOut: leave },
+            links: { state, views, calls, worker },
+            notes: { state, view, calls, scene },
+            export: {
+                picture: { state, figure },
+                film: { state, view, playback, figure, film },
+                mesh: { state, mesh },
+            },
+            status: { state, edits, progress, worker },
+        },
+        note: { view, calls },
+        timeBar: { state, view, playback, edits },
+    });
+    addEventListener('online', retryNow);
+    worker.start(baseUrl(), url.token, (event) => handOut(event, { state, feed, news, controller }));
 }
 
 const app = document.querySelector('wakesurf-app');

@@ -12,7 +12,7 @@ import { whenDrawn } from './gpuFence.ts';
 import type { Graphics } from './graphics.ts';
 import { Lights } from './lights.ts';
 import { PointerTools } from './base/pointerTools.ts';
-import { RakeInteraction, type RakeMove } from './rake/rakeInteraction.ts';
+import { RakeInteraction } from './rake/rakeInteraction.ts';
 import { RakeLayer } from './rake/rakeLayer.ts';
 import { Stillness } from './stillness.ts';
 import { clipMaterial } from './surface/bodyClip.ts';
@@ -30,11 +30,6 @@ export interface FlowSceneOptions {
     /** Lies over the canvas and takes the text of the axes. */
     labels: HTMLElement;
     graphics: Graphics;
-    mayMoveRake: () => boolean;
-    rakesHavePointer: () => boolean;
-    onRakeMove: (move: RakeMove) => void;
-    onRakeChosen: (rake: string) => void;
-    onRakePlaced: () => void;
 }
 
 export class FlowScene {
@@ -83,11 +78,6 @@ export class FlowScene {
             view: () => this.view(),
             pick: (at) => this.pick(at)?.point ?? null,
             requestFrame: this.loop.request,
-            mayMove: options.mayMoveRake,
-            hasPointer: options.rakesHavePointer,
-            onMove: options.onRakeMove,
-            onChoose: options.onRakeChosen,
-            onPlaced: options.onRakePlaced,
             onHold: (held) => this.hold(held),
         });
         // Before the camera controls, which must not see a press on a handle.

@@ -1,11 +1,19 @@
 import { describe, expect, it } from 'vitest';
 import { AppState } from '../state/appState.ts';
-import { ServerNews, type ServerNewsOptions } from './serverNews.ts';
+import { ServerNews } from './serverNews.ts';
 
 function bench() {
     const state = new AppState();
     let deleted = 0;
-    const news = new ServerNews({ state, deleted: () => ++deleted } as unknown as ServerNewsOptions);
+    const unheard = (): void => undefined;
+    const news = new ServerNews({
+        state,
+        feed: { done: unheard, progressed: unheard },
+        people: { patched: unheard },
+        progress: { progressed: unheard },
+        dataset: { patched: unheard, stepsPatched: unheard },
+        controller: { patched: unheard, deleted: async () => void ++deleted },
+    });
     const hear = (kind: string, text: string | null, surface: string | null = null): void =>
         news.take({ method: 'server.notice', kind, text, surface });
     return { state, hear, said: () => [...state.notices.all.value], deleted: () => deleted };

@@ -1,8 +1,9 @@
 // What the server tells by itself, handed to whom it concerns: records, surfaces, people, datasets, notices.
-import type { Notification, Patch } from '../protocol/messages.ts';
+import type { Notification } from '../protocol/messages.ts';
 import type { AppState } from '../state/appState.ts';
 import type { OpenDataset } from './openDataset.ts';
 import type { People } from './people/people.ts';
+import type { SessionController } from './sessionController.ts';
 import type { SurfaceProgress } from './surface/surfaceProgress.ts';
 import type { SurfaceFeed } from './surface/surfaceFeed.ts';
 
@@ -13,13 +14,11 @@ const subjects: Readonly<Record<string, string>> = { notDurable: 'durability', d
 
 export interface ServerNewsOptions {
     state: AppState;
-    feed: SurfaceFeed;
-    people: People;
+    feed: Pick<SurfaceFeed, 'done' | 'progressed'>;
+    people: Pick<People, 'patched'>;
     progress: Pick<SurfaceProgress, 'progressed'>;
-    dataset: OpenDataset;
-    patched: (session: string, patches: readonly Patch[]) => void;
-    /** The session that this page is in was moved to the trash. */
-    deleted: () => void;
+    dataset: Pick<OpenDataset, 'patched' | 'stepsPatched'>;
+    controller: Pick<SessionController, 'patched' | 'deleted'>;
 }
 
 export class ServerNews {
@@ -31,10 +30,10 @@ export class ServerNews {
     }
 
     take(notification: Notification): void {
-        const { feed, dataset, people, progress, patched } = this.options;
+        const { feed, dataset, people, progress, controller } = this.options;
         switch (notification.method) {
             case 'session.patched':
-                patched(notification.session, notification.patches);
+                controller.patched(notification.session, notification.patches);
                 this.unreadable(notification.faults);
                 break;
             case 'surface.done':
@@ -63,8 +62,8 @@ export class ServerNews {
 
     /** Whatever the kind, words for people are shown. */
     private noticed(kind: string, text: string | null, surface: string): void {
-        const { state, deleted } = this.options;
-        if (kind === 'sessionDeleted') deleted();
+        const { state, controller } = this.options;
+        if (kind === 'sessionDeleted') void controller.deleted();
         else if (kind === 'catchingUp' || kind === 'caughtUp') {
             const surfaces = new Set(state.catchingUp.value);
             if (kind === 'catchingUp') surfaces.add(surface);

@@ -1,20 +1,19 @@
 import { signal } from '@preact/signals-core';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { settled } from '../connection/fakeClock.ts';
-import type { DatasetEntry, RakeRecord, SessionSnapshot, SurfaceRecord } from '../protocol/messages.ts';
+import type { DatasetEntry, Patch, SessionSnapshot } from '../protocol/messages.ts';
 import { emptySnapshot } from '../protocol/testing/sampleRecords.ts';
 import { apiLevel } from '../protocol/version.ts';
 import { AppState } from '../state/appState.ts';
+import { answering } from '../testing/answering.ts';
+import { datasetOf, rakeOf, surfaceOf } from '../testing/records.ts';
 import { CallError } from '../worker/workerClient.ts';
-import { SessionController, type SessionControllerOptions } from './sessionController.ts';
+import { OpenDataset } from './openDataset.ts';
+import { SessionController } from './sessionController.ts';
 
 const notFound = new CallError({ kind: 'rpc', code: -32004, message: 'there is none', hint: '' });
 const refused = new CallError({ kind: 'rpc', code: -32602, message: 'not the first', hint: '' });
 const disconnected = new CallError({ kind: 'disconnected', code: 0, message: 'gone', hint: '' });
-
-function surfaceOf(id: string): SurfaceRecord {
-    return { surface: id, rev: 1, epoch: 1, rake: 'r1', dataset: 'flow' } as SurfaceRecord;
-}
 
 /** A page and a server that keeps one session at a time; the test says what each call does. */
 class Bench {
@@ -41,9 +40,11 @@ class Bench {
     clearedAfter = 0;
     private made = 1;
 
-    constructor(session: string | null = 'session-1', dataset: string | null = null) {
+    constructor(session: string | null = 'session-1', linked: string | null = null) {
+        const { state } = this;
         const worker = {
-            call: (method: string, params: Record<string, unknown>) => this.answer(method, params),
+            ...answering((method, params) => this.answer(method, params)),
+            obstacle: () => Promise.resolve(null),
         };
         const feed = {
             reset: () => undefined,
@@ -58,19 +59,18 @@ class Bench {
         };
         const history = { clear: () => (this.clearedAfter = this.calls.length) };
         const edits = { reconnected: () => undefined, recordsChanged: () => undefined, history };
-        const people = { joined: () => undefined, patched: () => undefined };
-        const scene = { setDomain: () => undefined };
-        const url = { token: null, session, dataset, state: null };
-        const progress = { progressed: () => undefined };
+        const people = { joined: () => undefined };
+        const scene = { setDomain: () => undefined, setObstacle: () => undefined, removeObstacle: () => undefined };
+        const url = { token: null, session, dataset: linked, state: null };
         const imports = { left: this.left, begin: async (dataset: string) => void this.begun.push(dataset) };
         const views = { restore: () => undefined, madeAnew: () => undefined };
         const thumbnails = { patched: () => undefined };
-        const parts = { state: this.state, worker, feed, edits, people, progress, imports, scene, url, views, thumbnails };
-        this.controller = new SessionController(parts as unknown as SessionControllerOptions);
+        const dataset = new OpenDataset({ state, scene, worker, imports });
+        this.controller = new SessionController({ state, worker, dataset, feed, edits, people, views, thumbnails, url });
     }
 
     async connect(): Promise<void> {
-        this.controller.handle({ type: 'connection', state: 'open' });
+        this.controller.connectionChanged({ state: 'open' });
         for (let i = 0; i < 20; ++i) await settled();
     }
 
@@ -78,9 +78,8 @@ class Bench {
     patch(op: 'put' | 'delete', id: string): void {
         const surfaces = this.records.surfaces.filter((record) => record.surface !== id);
         this.records.surfaces = op === 'put' ? [...surfaces, surfaceOf(id)] : surfaces;
-        const patches = [{ op, type: 'surface', id, record: surfaceOf(id) }];
-        const notification = { method: 'session.patched', session: this.records.session, seq: 1, patches, faults: [] };
-        this.controller.handle({ type: 'notification', notification } as never);
+        const patch: Patch = op === 'put' ? { op, type: 'surface', id, record: surfaceOf(id) } : { op, type: 'surface', id };
+        this.controller.patched(this.records.session, [patch]);
     }
 
     private async answer(method: string, params: Record<string, unknown>): Promise<unknown> {
@@ -92,7 +91,7 @@ class Bench {
         if (method === 'server.info') return { apiLevel, capabilities: [] };
         if (method === 'dataset.list') return { datasets: [{ dataset: 'flow', name: 'flow', ...this.entry }] };
         if (method === 'dataset.describe') {
-            return { dataset: 'flow', bounds: [0, 1, 0, 1, 0, 1], times: [0], fields: [], velocity: 'u' };
+            return datasetOf();
         }
         if (method === 'session.create') {
             this.records = emptySnapshot(`session-${++this.made}`, String(params['name']));
@@ -120,7 +119,7 @@ class Bench {
             if (params['default'] === true && this.edited) throw refused;
             this.edited ||= params['default'] !== true;
             const rake = `r${this.records.rakes.length + 1}`;
-            this.records.rakes.push({ rake, rev: 1, ...params } as unknown as RakeRecord);
+            this.records.rakes.push(rakeOf(rake, params));
             return { rake, rev: 1, surfaces: [] };
         }
         if (method === 'surface.set') {
@@ -162,19 +161,6 @@ describe('the session on a page', () => {
         expect(bench.subscribed).toEqual(['s2']);
     });
 
-    const rakeOf = (rake: string): RakeRecord =>
-        ({
-            rake,
-            rev: 1,
-            kind: 'line',
-            points: [
-                [0, 0, 0],
-                [1, 0, 0],
-            ],
-            seeds: 8,
-            name: rake,
-        }) as RakeRecord;
-
     it('puts back what a server has lost, also when the connection is lost in the middle of it', async () => {
         const bench = new Bench(null);
         bench.records.rakes = [rakeOf('r1'), rakeOf('r2')];
@@ -215,7 +201,7 @@ describe('the session on a page', () => {
         bench.records = { ...bench.records, rakes: [], surfaces: [] };
         [bench.edited, bench.token, bench.people] = [false, 'of another life', ['p0', 'p1']];
         vi.useFakeTimers();
-        bench.controller.handle({ type: 'connection', state: 'open' });
+        bench.controller.connectionChanged({ state: 'open' });
         await vi.advanceTimersByTimeAsync(100);
         bench.records.rakes = [rakeOf('theirs')];
         await vi.advanceTimersByTimeAsync(5000);
@@ -311,9 +297,7 @@ describe('a visit', () => {
     it('goes on with the first rake where a page was closed before it had made a surface', async () => {
         const bench = new Bench(null);
         bench.edited = false;
-        bench.records.rakes = [
-            { rake: 'r1', rev: 1, kind: 'line', points: [], seeds: 8, name: 'Rake 1' } as unknown as RakeRecord,
-        ];
+        bench.records.rakes = [rakeOf('r1', { name: 'Rake 1' })];
         await bench.connect();
         expect(bench.calls).not.toContain('rake.set');
         expect(bench.records.surfaces).toMatchObject([{ rake: 'r1' }]);
@@ -340,15 +324,13 @@ describe('a session that is deleted while the page is in it', () => {
         vi.unstubAllGlobals();
     });
 
-    const notice = { method: 'server.notice', kind: 'sessionDeleted', text: 'the session was deleted', surface: null } as const;
-
     async function bereft(): Promise<Bench> {
         const bench = new Bench();
         bench.records.surfaces = [surfaceOf('s1')];
-        bench.controller.handle({ type: 'connection', state: 'open' });
+        bench.controller.connectionChanged({ state: 'open' });
         await vi.advanceTimersByTimeAsync(10);
         bench.trash = ['session-1'];
-        bench.controller.handle({ type: 'notification', notification: notice });
+        void bench.controller.deleted();
         await vi.advanceTimersByTimeAsync(10);
         return bench;
     }
@@ -374,23 +356,11 @@ describe('a session that is deleted while the page is in it', () => {
 
     it('is made again from what is on the screen where it is gone for good', async () => {
         const bench = new Bench();
-        bench.records.rakes = [
-            {
-                rake: 'r1',
-                rev: 1,
-                kind: 'line',
-                points: [
-                    [0, 0, 0],
-                    [1, 0, 0],
-                ],
-                seeds: 8,
-                name: 'mine',
-            } as RakeRecord,
-        ];
-        bench.controller.handle({ type: 'connection', state: 'open' });
+        bench.records.rakes = [rakeOf('r1', { name: 'mine' })];
+        bench.controller.connectionChanged({ state: 'open' });
         await vi.advanceTimersByTimeAsync(10);
         bench.records.session = 'main';
-        bench.controller.handle({ type: 'notification', notification: notice });
+        void bench.controller.deleted();
         await vi.advanceTimersByTimeAsync(10);
         expect(bench.state.gone.value).toMatchObject({ restorableUntil: null, remembered: true });
         await bench.controller.makeAgain();
@@ -417,7 +387,7 @@ describe('a dataset that is imported first', () => {
         const bench = new Bench();
         bench.entry = entry;
         bench.left.value = left;
-        bench.controller.handle({ type: 'connection', state: 'open' });
+        bench.controller.connectionChanged({ state: 'open' });
         await vi.advanceTimersByTimeAsync(10);
         return bench;
     }

@@ -1,24 +1,22 @@
 // The life of a session on this page: connect, join, wait for data, mirror the server's records, and do the same again after every
 // interruption. It makes no session by itself: what the server does not have (any more) is said, with what can be done about it.
+import type { ConnectionState } from '../connection/liveSocket.ts';
 import type { JoinedSession, Patch, SessionSnapshot } from '../protocol/messages.ts';
 import { apiLevel } from '../protocol/version.ts';
-import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
 import { keep } from '../state/browserMemory.ts';
-import type { WorkerClient, WorkerEvent } from '../worker/workerClient.ts';
+import type { WorkerClient } from '../worker/workerClient.ts';
 import { isDisconnected, tellUnlessCut } from './base/lostConnection.ts';
 import type { Edits } from './edits/edits.ts';
-import type { ImportWait } from './importWait.ts';
-import { OpenDataset } from './openDataset.ts';
+import type { UndoHistory } from './edits/undoHistory.ts';
+import type { OpenDataset } from './openDataset.ts';
 import type { People } from './people/people.ts';
 import { adoptSnapshot, applyPatches } from './recordMirror.ts';
-import { ServerNews } from './serverNews.ts';
 import { Arrival, isNotFound, nameKept } from './sessions/arrival.ts';
 import type { Thumbnails } from './out/thumbnails.ts';
 import { addDefaultScene, isEmpty, wasEdited } from './sessions/filling.ts';
 import { rememberSession } from './sessions/knownSessions.ts';
 import type { SurfaceFeed } from './surface/surfaceFeed.ts';
-import type { SurfaceProgress } from './surface/surfaceProgress.ts';
 import { isNothing, makeAnew, type Remembered, rememberedOf } from './view/madeAnew.ts';
 import type { UrlState } from './view/urlState.ts';
 import type { Views } from './view/views.ts';
@@ -30,23 +28,19 @@ const lookAgainMs = 5000;
 
 export interface SessionControllerOptions {
     state: AppState;
-    scene: FlowScene;
-    worker: WorkerClient;
-    edits: Edits;
-    feed: SurfaceFeed;
-    people: People;
-    progress: Pick<SurfaceProgress, 'progressed'>;
-    imports: Pick<ImportWait, 'begin' | 'left'>;
-    url: UrlState;
+    worker: Pick<WorkerClient, 'call'>;
+    dataset: Pick<OpenDataset, 'wait' | 'describe'>;
+    feed: Pick<SurfaceFeed, 'subscribe' | 'reset' | 'requested' | 'removed'>;
+    edits: Pick<Edits, 'reconnected' | 'recordsChanged'> & { history: Pick<UndoHistory, 'clear'> };
+    people: Pick<People, 'joined'>;
     views: Pick<Views, 'restore' | 'madeAnew'>;
     thumbnails: Pick<Thumbnails, 'patched'>;
+    url: UrlState;
 }
 
 export class SessionController {
     private readonly options: SessionControllerOptions;
-    private readonly dataset: OpenDataset;
     private readonly arrival: Arrival;
-    private readonly news: ServerNews;
     /** Counts connections, and new beginnings in one; what an earlier one began must not go on in the next. */
     private beginning = 0;
     /** The page has shown this session. */
@@ -56,35 +50,20 @@ export class SessionController {
 
     constructor(options: SessionControllerOptions) {
         this.options = options;
-        this.dataset = new OpenDataset(options);
         this.arrival = new Arrival(options.worker, options.url.session);
-        this.news = new ServerNews({
-            ...options,
-            dataset: this.dataset,
-            patched: (session, patches) => this.patched(session, patches),
-            deleted: () => void this.deleted(),
-        });
     }
 
-    handle(event: WorkerEvent): void {
-        const { state, feed } = this.options;
-        if (event.type === 'surface') feed.receive(event);
-        else if (event.type === 'notification') this.news.take(event.notification);
-        else if (event.type === 'roundTrip') state.roundTripMs.value = event.ms;
-        else if (event.type === 'frameTrouble') {
-            void feed.troubled(event.surface, event.subscription, event.reason);
-        } else {
-            const { type: _, ...connection } = event;
-            state.connection.value = connection;
-            if (connection.state === 'waiting') {
-                state.retryAt.value = performance.now() + connection.retryInMs;
-                state.stage.value = 'starting';
-                state.catchingUp.value = new Set();
-            }
-            if (connection.state === 'ended') state.stage.value = 'ended';
-            if (connection.state === 'refused') state.fatal.value = connection.reason;
-            if (connection.state === 'open') void this.begin();
+    connectionChanged(connection: ConnectionState): void {
+        const { state } = this.options;
+        state.connection.value = connection;
+        if (connection.state === 'waiting') {
+            state.retryAt.value = performance.now() + connection.retryInMs;
+            state.stage.value = 'starting';
+            state.catchingUp.value = new Set();
         }
+        if (connection.state === 'ended') state.stage.value = 'ended';
+        if (connection.state === 'refused') state.fatal.value = connection.reason;
+        if (connection.state === 'open') void this.begin();
     }
 
     /** How others see this page's user, here and from now on; the server may add a number to tell two apart. */
@@ -127,6 +106,24 @@ export class SessionController {
         });
     }
 
+    /** Someone has changed records; what is of another session, or of one that is being made again, is not taken. */
+    patched(session: string, patches: readonly Patch[]): void {
+        const { state, feed, edits, thumbnails } = this.options;
+        if (session !== this.arrival.session || this.lost !== null) return;
+        if (patches.some(({ type }) => type !== 'clock')) thumbnails.patched();
+        const { added, removed, asked } = applyPatches(state, patches);
+        for (const surface of removed) feed.removed(surface);
+        for (const { surface, epoch } of asked) feed.requested(surface, epoch);
+        edits.recordsChanged();
+        if (state.stage.value === 'running') for (const id of added) void this.subscribeLate(id);
+    }
+
+    /** The session that this page is in was moved to the trash. */
+    async deleted(): Promise<void> {
+        this.arrival.resumeToken = undefined;
+        await this.missing();
+    }
+
     private async attempt(about: string, action: () => Promise<void>): Promise<void> {
         const { problems } = this.options.state;
         try {
@@ -138,7 +135,7 @@ export class SessionController {
     }
 
     private async begin(): Promise<void> {
-        const { state, url, views } = this.options;
+        const { state, url, views, dataset } = this.options;
         const beginning = ++this.beginning;
         const gone = (): boolean => beginning !== this.beginning;
         state.everConnected.value = true;
@@ -157,9 +154,9 @@ export class SessionController {
             const newLife = joined.resumeToken !== before;
             if (this.lost === null && newLife && mayFill && isEmpty(snapshot)) await this.look(snapshot.session);
             if (this.lost === null) this.adopt(snapshot);
-            const entry = await this.dataset.wait(this.datasetOf(snapshot), gone);
+            const entry = await dataset.wait(this.datasetOf(snapshot), gone);
             if (entry === null || gone()) return;
-            await this.dataset.describe(entry.dataset);
+            await dataset.describe(entry.dataset);
             if (this.lost !== null) await this.makeAgainHere(joined, entry.dataset);
             else if (mayFill && !this.shown && (await addDefaultScene(this.options, entry.dataset, snapshot))) {
                 this.adopt((await this.arrival.enter(snapshot.session)).snapshot);
@@ -272,11 +269,6 @@ export class SessionController {
         }, lookAgainMs);
     }
 
-    private async deleted(): Promise<void> {
-        this.arrival.resumeToken = undefined;
-        await this.missing();
-    }
-
     private async subscribeAll(): Promise<void> {
         const { feed, edits } = this.options;
         feed.reset();
@@ -314,16 +306,5 @@ export class SessionController {
     private adopt(snapshot: SessionSnapshot): void {
         adoptSnapshot(this.options.state, snapshot);
         this.options.edits.recordsChanged();
-    }
-
-    private patched(session: string, patches: readonly Patch[]): void {
-        const { state, feed, edits, thumbnails } = this.options;
-        if (session !== this.arrival.session || this.lost !== null) return;
-        if (patches.some(({ type }) => type !== 'clock')) thumbnails.patched();
-        const { added, removed, asked } = applyPatches(state, patches);
-        for (const surface of removed) feed.removed(surface);
-        for (const { surface, epoch } of asked) feed.requested(surface, epoch);
-        edits.recordsChanged();
-        if (state.stage.value === 'running') for (const id of added) void this.subscribeLate(id);
     }
 }

@@ -2,22 +2,43 @@
 // can be shown, the reason in words.
 import { css, html, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
-import type { AppModel } from './base/appModel.ts';
+import type { AppState } from '../state/appState.ts';
 import './status/banner.ts';
+import type { BannerModel } from './status/banner.ts';
 import './panel.ts';
+import type { PanelModel } from './panel.ts';
 import './look/scalarBar.ts';
+import type { ScalarBarModel } from './look/scalarBar.ts';
 import { sharedStyles } from './base/sharedStyles.ts';
 import { SignalElement } from './base/signalElement.ts';
 import './share/noteDialog.ts';
+import type { NoteModel } from './share/noteDialog.ts';
 import './time/timeBar.ts';
+import type { TimeBarModel } from './time/timeBar.ts';
 import './view/toolButtons.ts';
+import type { ToolsModel } from './view/toolButtons.ts';
 import './help/tour.ts';
+import type { TourModel } from './help/tour.ts';
 import './view/viewButtons.ts';
+import type { ViewButtonsModel } from './view/viewButtons.ts';
+
+/** What each part of the page takes, by the name of the part. */
+export interface PageModel {
+    state: Pick<AppState, 'fatal'>;
+    scalarBar: ScalarBarModel;
+    viewButtons: ViewButtonsModel;
+    tools: ToolsModel;
+    tour: TourModel;
+    banner: BannerModel;
+    panel: PanelModel;
+    note: NoteModel;
+    timeBar: TimeBarModel;
+}
 
 export class App extends SignalElement {
     readonly canvas = document.createElement('canvas');
     readonly labels = document.createElement('div');
-    private readonly model = signal<AppModel | null>(null);
+    private readonly model = signal<PageModel | null>(null);
     private readonly failure = signal<string | null>(null);
 
     static override styles = [
@@ -181,7 +202,7 @@ export class App extends SignalElement {
     }
 
     /** The model needs the canvas, so it comes after the element. */
-    begin(model: AppModel): void {
+    begin(model: PageModel): void {
         this.model.value = model;
     }
 
@@ -203,15 +224,15 @@ export class App extends SignalElement {
         return html`<div class="layout">
             <main>
                 ${this.canvas} ${this.labels}
-                <wakesurf-scalar-bar .model=${model}></wakesurf-scalar-bar>
-                <wakesurf-view-buttons .model=${model}></wakesurf-view-buttons>
-                <wakesurf-tool-buttons .model=${model}></wakesurf-tool-buttons>
-                <wakesurf-tour .model=${model}></wakesurf-tour>
-                <wakesurf-banner .model=${model}></wakesurf-banner>
+                <wakesurf-scalar-bar .model=${model.scalarBar}></wakesurf-scalar-bar>
+                <wakesurf-view-buttons .model=${model.viewButtons}></wakesurf-view-buttons>
+                <wakesurf-tool-buttons .model=${model.tools}></wakesurf-tool-buttons>
+                <wakesurf-tour .model=${model.tour}></wakesurf-tour>
+                <wakesurf-banner .model=${model.banner}></wakesurf-banner>
             </main>
-            <wakesurf-panel role="complementary" aria-label="Settings" .model=${model}></wakesurf-panel>
-            <wakesurf-note-dialog .model=${model}></wakesurf-note-dialog>
-            <wakesurf-time-bar role="region" aria-label="Time of the data" .model=${model}></wakesurf-time-bar>
+            <wakesurf-panel role="complementary" aria-label="Settings" .model=${model.panel}></wakesurf-panel>
+            <wakesurf-note-dialog .model=${model.note}></wakesurf-note-dialog>
+            <wakesurf-time-bar role="region" aria-label="Time of the data" .model=${model.timeBar}></wakesurf-time-bar>
         </div>`;
     }
 }

@@ -3,14 +3,20 @@
 import { signal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { DatasetEntry } from '../protocol/messages.ts';
-import type { AppModel } from './base/appModel.ts';
+import type { SessionShelf } from '../session/sessions/sessionShelf.ts';
+import type { AppState } from '../state/appState.ts';
 import { sharedStyles } from './base/sharedStyles.ts';
 import { SignalElement } from './base/signalElement.ts';
 import { countWords } from './base/statusWords.ts';
 
+export interface DatasetHeadModel {
+    state: Pick<AppState, 'dataset' | 'datasets' | 'role' | 'problems'>;
+    shelf: Pick<SessionShelf, 'enterDataset' | 'problems'>;
+}
+
 export class DatasetHead extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: DatasetHeadModel;
     /** Not opened yet: the arrow keys go through all of them. */
     private readonly chosen = signal<string | null>(null);
 

@@ -3,30 +3,67 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { bookmarkSteps, noteSteps, probeSteps, rakeSteps, surfaceSteps } from '../session/out/panelSteps.ts';
-import type { AppModel } from './base/appModel.ts';
+import type { AppState } from '../state/appState.ts';
+import type { ViewState } from '../state/viewState.ts';
 import './view/bookmarksPanel.ts';
+import type { BookmarksModel } from './view/bookmarksPanel.ts';
 import './datasetHead.ts';
+import type { DatasetHeadModel } from './datasetHead.ts';
 import './out/copyAs.ts';
-import { exportBody } from './out/exportPanel.ts';
+import { type ExportModel, exportBody } from './out/exportPanel.ts';
 import './help/helpDialog.ts';
+import type { HelpModel } from './help/helpDialog.ts';
 import './share/linksPanel.ts';
+import type { LinksModel } from './share/linksPanel.ts';
 import './share/notesPanel.ts';
+import type { NotesModel } from './share/notesPanel.ts';
 import './look/lookPanel.ts';
+import type { LookModel } from './look/lookPanel.ts';
 import './share/peoplePanel.ts';
+import type { PeopleModel } from './share/peoplePanel.ts';
 import './view/probePanel.ts';
+import type { ProbeModel } from './view/probePanel.ts';
 import './rake/rakeList.ts';
+import type { RakeListModel } from './rake/rakeList.ts';
 import './rake/rakePanel.ts';
+import type { RakeModel } from './rake/rakePanel.ts';
 import { sharedStyles } from './base/sharedStyles.ts';
 import { SignalElement } from './base/signalElement.ts';
 import './status/statusPanel.ts';
+import type { StatusModel } from './status/statusPanel.ts';
 import './sessions/sessionHead.ts';
+import type { SessionHeadModel } from './sessions/sessionHead.ts';
 import './surface/surfacePanel.ts';
+import type { SurfaceModel } from './surface/surfacePanel.ts';
 import './view/surroundingsPanel.ts';
+import type { SurroundingsModel } from './view/surroundingsPanel.ts';
+
+/** What each of its parts takes, by the name of the part. */
+export interface PanelModel {
+    /** What the scripts that are offered below a part are made of. */
+    state: AppState;
+    view: ViewState;
+    help: HelpModel;
+    sessionHead: SessionHeadModel;
+    datasetHead: DatasetHeadModel;
+    rakeList: RakeListModel;
+    surface: SurfaceModel;
+    rake: RakeModel;
+    look: LookModel;
+    bookmarks: BookmarksModel;
+    probe: ProbeModel;
+    surroundings: SurroundingsModel;
+    people: PeopleModel;
+    links: LinksModel;
+    notes: NotesModel;
+    export: ExportModel;
+    status: StatusModel;
+}
 
 interface Tab {
     id: string;
     label: string;
-    body: (model: AppModel) => TemplateResult;
+    body: (model: PanelModel) => TemplateResult;
 }
 
 const tabs: readonly Tab[] = [
@@ -36,17 +73,17 @@ const tabs: readonly Tab[] = [
         body: (model) => html`
             <section aria-labelledby="rakes-head">
                 <h2 id="rakes-head">Rakes</h2>
-                <wakesurf-rake-list .model=${model}></wakesurf-rake-list>
+                <wakesurf-rake-list .model=${model.rakeList}></wakesurf-rake-list>
             </section>
             <section aria-labelledby="surface-head">
                 <h2 id="surface-head">Surface</h2>
-                <wakesurf-surface .model=${model}></wakesurf-surface>
+                <wakesurf-surface .model=${model.surface}></wakesurf-surface>
                 <wakesurf-copy-as .model=${model} .calls=${() => surfaceSteps(model.state)}></wakesurf-copy-as>
             </section>
             <section aria-labelledby="rake-head">
                 <details open>
                     <summary><h2 id="rake-head">Geometry</h2></summary>
-                    <wakesurf-rake .model=${model}></wakesurf-rake>
+                    <wakesurf-rake .model=${model.rake}></wakesurf-rake>
                     <wakesurf-copy-as .model=${model} .calls=${() => rakeSteps(model.state)}></wakesurf-copy-as>
                 </details>
             </section>
@@ -55,7 +92,7 @@ const tabs: readonly Tab[] = [
     {
         id: 'look',
         label: 'Look',
-        body: (model) => html`<wakesurf-look .model=${model}></wakesurf-look>`,
+        body: (model) => html`<wakesurf-look .model=${model.look}></wakesurf-look>`,
     },
     {
         id: 'view',
@@ -63,17 +100,17 @@ const tabs: readonly Tab[] = [
         body: (model) => html`
             <section aria-labelledby="bookmarks-head">
                 <h2 id="bookmarks-head">Saved views</h2>
-                <wakesurf-bookmarks .model=${model}></wakesurf-bookmarks>
+                <wakesurf-bookmarks .model=${model.bookmarks}></wakesurf-bookmarks>
                 <wakesurf-copy-as .model=${model} .calls=${() => bookmarkSteps(model.state)}></wakesurf-copy-as>
             </section>
             <section aria-labelledby="probe-head">
                 <h2 id="probe-head">Probe and measure</h2>
-                <wakesurf-probe .model=${model}></wakesurf-probe>
+                <wakesurf-probe .model=${model.probe}></wakesurf-probe>
                 <wakesurf-copy-as .model=${model} .calls=${() => probeSteps(model.state, model.view)}></wakesurf-copy-as>
             </section>
             <section aria-labelledby="surroundings-head">
                 <h2 id="surroundings-head">Surroundings</h2>
-                <wakesurf-surroundings .model=${model}></wakesurf-surroundings>
+                <wakesurf-surroundings .model=${model.surroundings}></wakesurf-surroundings>
             </section>
         `,
     },
@@ -83,11 +120,11 @@ const tabs: readonly Tab[] = [
         body: (model) => html`
             <section aria-labelledby="people-head">
                 <h2 id="people-head">People</h2>
-                <wakesurf-people .model=${model}></wakesurf-people>
+                <wakesurf-people .model=${model.people}></wakesurf-people>
             </section>
             <section aria-labelledby="links-head">
                 <h2 id="links-head">Invite</h2>
-                <wakesurf-links .model=${model}></wakesurf-links>
+                <wakesurf-links .model=${model.links}></wakesurf-links>
                 ${
                     model.state.role.value === 'host'
                         ? html`<wakesurf-copy-as
@@ -99,17 +136,17 @@ const tabs: readonly Tab[] = [
             </section>
             <section aria-labelledby="notes-head">
                 <h2 id="notes-head">Notes</h2>
-                <wakesurf-notes .model=${model}></wakesurf-notes>
+                <wakesurf-notes .model=${model.notes}></wakesurf-notes>
                 <wakesurf-copy-as .model=${model} .calls=${() => noteSteps(model.state)}></wakesurf-copy-as>
             </section>
         `,
     },
-    { id: 'export', label: 'Export', body: exportBody },
+    { id: 'export', label: 'Export', body: (model) => exportBody(model.export) },
 ];
 
 export class Panel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: PanelModel;
     private readonly chosen = signal(tabs[0]!.id);
 
     static override styles = [
@@ -219,10 +256,10 @@ export class Panel extends SignalElement {
             <div class="head">
                 <div class="title">
                     <h1>wakesurf</h1>
-                    <wakesurf-help .model=${this.model}></wakesurf-help>
+                    <wakesurf-help .model=${this.model.help}></wakesurf-help>
                 </div>
-                <wakesurf-session-head .model=${this.model}></wakesurf-session-head>
-                <wakesurf-dataset-head .model=${this.model}></wakesurf-dataset-head>
+                <wakesurf-session-head .model=${this.model.sessionHead}></wakesurf-session-head>
+                <wakesurf-dataset-head .model=${this.model.datasetHead}></wakesurf-dataset-head>
                 ${state.role.value === 'viewer' ? html`<p class="quiet" id="role">View-only link: you cannot edit.</p>` : nothing}
             </div>
             <div role="tablist" aria-label="Settings" @keydown=${this.turn}>
@@ -231,7 +268,7 @@ export class Panel extends SignalElement {
             <div role="tabpanel" id="tab-body" tabindex="0" aria-labelledby=${`tab-${chosen.id}`}>
                 ${dataset === null ? nothing : chosen.body(this.model)}
             </div>
-            <wakesurf-status role="region" aria-label="Status" .model=${this.model}></wakesurf-status>
+            <wakesurf-status role="region" aria-label="Status" .model=${this.model.status}></wakesurf-status>
         `;
     }
 

@@ -26,16 +26,15 @@ interface Pending {
 }
 
 export class WorkerClient {
-    private readonly onEvent: (event: WorkerEvent) => void;
     private readonly pending = new Map<number, Pending>();
     private readonly watchdog: Watchdog;
     private worker: Worker;
     private nextId = 1;
     private hangs = 0;
     private origin: { baseUrl: string; token: string | null } | null = null;
+    private onEvent: (event: WorkerEvent) => void = () => undefined;
 
-    constructor(onEvent: (event: WorkerEvent) => void) {
-        this.onEvent = onEvent;
+    constructor() {
         this.worker = this.makeWorker();
         this.watchdog = new Watchdog({
             clock: systemClock,
@@ -44,9 +43,15 @@ export class WorkerClient {
         });
     }
 
-    start(baseUrl: string, token: string | null): void {
+    /** Connects, and stays connected. `onEvent` hears of everything that is no answer to a call, from now on. */
+    start(baseUrl: string, token: string | null, onEvent: (event: WorkerEvent) => void): void {
+        this.onEvent = onEvent;
         this.origin = { baseUrl, token };
-        this.post({ type: 'start', baseUrl, token });
+        this.connect();
+    }
+
+    private connect(): void {
+        if (this.origin !== null) this.post({ type: 'start', ...this.origin });
     }
 
     private makeWorker(): Worker {
@@ -84,7 +89,7 @@ export class WorkerClient {
         for (const waiting of lost) waiting.reject(new CallError(failure));
         setTimeout(() => {
             this.worker = this.makeWorker();
-            if (this.origin !== null) this.start(this.origin.baseUrl, this.origin.token);
+            this.connect();
         }, retryInMs);
     }
 

@@ -23,22 +23,35 @@ export interface RakeInteractionOptions {
     /** What is under a canvas position: a place on a surface or a body. */
     pick: (at: ScreenPoint) => Vec3 | null;
     requestFrame: () => void;
-    /** Whether this user can change rakes, now. */
-    mayMove: () => boolean;
-    /** Whether the pointer is for rakes: no other tool is chosen. */
-    hasPointer: () => boolean;
-    onMove: (move: RakeMove) => void;
-    onChoose: (rake: string) => void;
-    /** The point has been put, or will not be. */
-    onPlaced: () => void;
     /** A handle has been taken or let go. */
     onHold: (held: boolean) => void;
 }
+
+/** What the user may do with rakes, and what becomes of it. */
+export interface RakeUser {
+    /** Whether rakes can be changed, now. */
+    mayMove: () => boolean;
+    /** Whether the pointer is for rakes: no other tool is chosen. */
+    hasPointer: () => boolean;
+    moved: (move: RakeMove) => void;
+    chose: (rake: string) => void;
+    /** The point has been put, or will not be. */
+    placed: () => void;
+}
+
+const noOne: RakeUser = {
+    mayMove: () => false,
+    hasPointer: () => false,
+    moved: () => undefined,
+    chose: () => undefined,
+    placed: () => undefined,
+};
 
 export class RakeInteraction implements PointerTool {
     /** Of the grid that dragged points are held to; null: none. */
     step: number | null = null;
     private readonly options: RakeInteractionOptions;
+    private user = noOne;
     private drag: Drag | null = null;
     private moved = false;
     private nudged = false;
@@ -46,6 +59,11 @@ export class RakeInteraction implements PointerTool {
 
     constructor(options: RakeInteractionOptions) {
         this.options = options;
+    }
+
+    /** From now on; before that, no rake can be touched. */
+    connect(user: RakeUser): void {
+        this.user = user;
     }
 
     get dragging(): boolean {
@@ -81,7 +99,7 @@ export class RakeInteraction implements PointerTool {
     place(handle: Handle | null): void {
         const before = this.placing;
         this.placing = handle;
-        if (before !== null && handle === null) this.options.onPlaced();
+        if (before !== null && handle === null) this.user.placed();
     }
 
     press({ at }: Pointer): boolean {
@@ -104,7 +122,7 @@ export class RakeInteraction implements PointerTool {
         const handle = pointer === null || !this.movable ? null : layer.handleAt(pointer.at, view);
         this.highlight(handle);
         if (handle !== null) return 'grab';
-        if (pointer === null || !this.options.hasPointer()) return null;
+        if (pointer === null || !this.user.hasPointer()) return null;
         return layer.otherAt(pointer.at, view) === null ? null : 'pointer';
     }
 
@@ -141,17 +159,17 @@ export class RakeInteraction implements PointerTool {
             this.put(this.placing, at, this.options.view(), time);
             return true;
         }
-        return this.options.hasPointer() && this.chooseAt(at);
+        return this.user.hasPointer() && this.chooseAt(at);
     }
 
     private get movable(): boolean {
-        return this.options.mayMove() && this.options.hasPointer();
+        return this.user.mayMove() && this.user.hasPointer();
     }
 
     private chooseAt(at: ScreenPoint): boolean {
-        const { layer, view, onChoose } = this.options;
+        const { layer, view } = this.options;
         const other = layer.otherAt(at, view());
-        if (other !== null) onChoose(other);
+        if (other !== null) this.user.chose(other);
         return other !== null;
     }
 
@@ -173,7 +191,7 @@ export class RakeInteraction implements PointerTool {
         if (shape.points.length === 0) return;
         this.options.layer.setShape(shape);
         this.options.requestFrame();
-        this.options.onMove({ shape, dragging, movedAt });
+        this.user.moved({ shape, dragging, movedAt });
     }
 }
 

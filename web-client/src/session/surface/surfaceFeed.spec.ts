@@ -1,8 +1,10 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { AppState } from '../../state/appState.ts';
 import { LatencyLog } from '../../state/latency.ts';
+import { answering } from '../../testing/answering.ts';
+import { surfaceOf } from '../../testing/records.ts';
 import type { SurfaceState } from '../../worker/workerMessages.ts';
-import { SurfaceFeed, type SurfaceFeedOptions } from './surfaceFeed.ts';
+import { SurfaceFeed } from './surfaceFeed.ts';
 
 function stateOfEpoch(epoch: number, change: Partial<SurfaceState> = {}): SurfaceState {
     return {
@@ -25,10 +27,10 @@ class Bench {
 
     constructor() {
         const worker = {
-            call: (method: string) => {
+            ...answering((method) => {
                 this.calls.push(method);
-                return Promise.resolve({ subscription: 7, resumed: this.resumed });
-            },
+                return { subscription: 7, resumed: this.resumed };
+            }),
             taken: () => ++this.taken,
             forget: (surface: string) => this.calls.push(`forget ${surface}`),
         };
@@ -39,7 +41,7 @@ class Bench {
             removeSurface: (surface: string) => this.calls.push(`remove ${surface}`),
         };
         const parts = { state: this.state, latency: new LatencyLog(), worker, scene };
-        this.feed = new SurfaceFeed(parts as unknown as SurfaceFeedOptions);
+        this.feed = new SurfaceFeed(parts);
     }
 }
 
@@ -87,7 +89,7 @@ describe('SurfaceFeed', () => {
         await bench.feed.subscribe('s1');
         bench.feed.receive(stateOfEpoch(3));
         bench.feed.apply();
-        bench.state.surfaces.value = new Map([['s1', {} as never]]);
+        bench.state.surfaces.value = new Map([['s1', surfaceOf('s1')]]);
         for (const resumed of [true, false]) {
             bench.resumed = resumed;
             bench.feed.reset();

@@ -1,5 +1,6 @@
 // The surfaces as they arrive: subscriptions, and what is new in each surface, put on the screen at the next frame.
 import { errorWords, type PassSeconds, type ReportedError } from '../../protocol/messages.ts';
+import type { FrameLoop } from '../../scene/frameLoop.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import { type AppState, withEntry, withoutEntry } from '../../state/appState.ts';
 import type { LatencyLog } from '../../state/latency.ts';
@@ -11,8 +12,8 @@ const troublesAtMost = 4;
 
 export interface SurfaceFeedOptions {
     state: AppState;
-    scene: FlowScene;
-    worker: WorkerClient;
+    scene: Pick<FlowScene, 'setSurface' | 'removeSurface' | 'whenDrawn'> & { loop: Pick<FrameLoop, 'request'> };
+    worker: Pick<WorkerClient, 'call' | 'taken' | 'forget'>;
     latency: LatencyLog;
 }
 

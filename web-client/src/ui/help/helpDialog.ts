@@ -1,6 +1,6 @@
 // What mouse and keys do, and the tour again.
 import { css, html, type TemplateResult } from 'lit';
-import type { AppModel } from '../base/appModel.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { dialogStyles } from '../base/dialogStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -19,9 +19,13 @@ const hints: readonly [keys: string, words: string][] = [
     ['?', 'show this help'],
 ];
 
+export interface HelpModel {
+    view: Pick<ViewState, 'tourStep'>;
+}
+
 export class HelpDialog extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: HelpModel;
 
     static override styles = [
         sharedStyles,

@@ -1,17 +1,25 @@
 // Leads a first visit through the page, one card at a time, without standing in the way: whatever it speaks of can be done
 // while it is there, and it can be sent away.
 import { css, html, nothing, type TemplateResult } from 'lit';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { AppState } from '../../state/appState.ts';
 import { keep, recall } from '../../state/browserMemory.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
-import { type TourStart, tourStart, tourSteps } from './tourSteps.ts';
+import { type TourFacts, type TourStart, tourStart, tourSteps } from './tourSteps.ts';
 
 const kept = 'tour';
 
+export interface TourModel extends TourFacts {
+    state: TourFacts['state'] & Pick<AppState, 'role' | 'stage'>;
+    view: Pick<ViewState, 'looks' | 'tourStep'>;
+    scene: Pick<FlowScene, 'controls' | 'onDraw'>;
+}
+
 export class Tour extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: TourModel;
     private start: { step: number; before: TourStart } | null = null;
 
     static override styles = [

@@ -1,22 +1,33 @@
 // What a first visit is led through: from dragging the rake to showing the result to someone else.
-import type { AppModel } from '../base/appModel.ts';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { Edits } from '../../session/edits/edits.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
+
+/** What the steps look at to see what the user has done. */
+export interface TourFacts {
+    state: Pick<AppState, 'rakes' | 'dataset' | 'times' | 'clock' | 'participants'>;
+    view: Pick<ViewState, 'looks'>;
+    edits: Pick<Edits, 'intent'>;
+    scene: Pick<FlowScene, 'controls'>;
+}
 
 export interface TourStep {
     id: string;
     title: string;
-    words: (model: AppModel) => string;
+    words: (facts: TourFacts) => string;
     /** Whether the user has done it; the tour goes on by itself then. */
-    done: (model: AppModel, before: TourStart) => boolean;
+    done: (facts: TourFacts, before: TourStart) => boolean;
 }
 
 /** How things stood when the step began. */
 export interface TourStart {
     rakeRevisions: string;
     pose: string;
-    looks: AppModel['view']['looks']['value'];
+    looks: ViewState['looks']['value'];
 }
 
-export function tourStart({ state, scene, view }: AppModel): TourStart {
+export function tourStart({ state, scene, view }: TourFacts): TourStart {
     const revisions = [...state.rakes.value.values()].map(({ rake, rev }) => `${rake} ${rev}`);
     return { rakeRevisions: revisions.join(), pose: JSON.stringify(scene.controls.pose), looks: view.looks.value };
 }
@@ -28,13 +39,13 @@ export const tourSteps: readonly TourStep[] = [
         words: () =>
             'The line with the round handles releases particles; the sheet shows where they go. ' +
             'Drag a handle: the surface follows, coarse at first, then final.',
-        done: (model, before) => tourStart(model).rakeRevisions !== before.rakeRevisions,
+        done: (facts, before) => tourStart(facts).rakeRevisions !== before.rakeRevisions,
     },
     {
         id: 'turn',
         title: 'Look around',
         words: () => 'Drag beside the rake to rotate the view, drag with the right button to pan, and scroll to zoom.',
-        done: (model, before) => tourStart(model).pose !== before.pose,
+        done: (facts, before) => tourStart(facts).pose !== before.pose,
     },
     {
         id: 'streak',

@@ -2,16 +2,22 @@
 import { css, html, type TemplateResult } from 'lit';
 import { shortNumber } from '../../scene/base/ticks.ts';
 import type { ClipPlane, ClipPlanes } from '../../state/clipPlanes.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { checkRow, lookStyles } from './lookStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
 const axes = ['x', 'y', 'z'] as const;
 
+export interface ClipModel {
+    state: Pick<AppState, 'dataset'>;
+    view: Pick<ViewState, 'clip'>;
+}
+
 export class ClipPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: ClipModel;
 
     static override styles = [
         sharedStyles,

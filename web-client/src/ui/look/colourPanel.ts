@@ -3,15 +3,25 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, tableSize } from '../../scene/surface/colourMap.ts';
 import { attributeOf, fieldOf, isSigned, withField } from '../../session/picture/surfaceStyleOf.ts';
 import { colourMaps, type SurfaceLook } from '../../state/surfaceLook.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { Edits } from '../../session/edits/edits.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { colourChoices, mapNames } from './colourNames.ts';
 import { checkRow, lookStyles, pairRow, selectRow } from './lookStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
+export interface ColourModel {
+    state: AppState;
+    view: ViewState;
+    edits: Pick<Edits, 'changeSurface'>;
+    scene: Pick<FlowScene, 'surfaces'>;
+}
+
 export class ColourPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: ColourModel;
 
     static override styles = [
         sharedStyles,

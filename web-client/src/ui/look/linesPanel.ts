@@ -1,7 +1,8 @@
 // Stripes, lines and flow texture on the selected surface.
 import { html, nothing, type TemplateResult } from 'lit';
 import type { LineKind, SurfaceLook } from '../../state/surfaceLook.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { checkRow, type Choice, lookStyles, selectRow, sliderRow } from './lookStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -14,9 +15,14 @@ const kinds: readonly Choice<LineKind>[] = [
     { value: 'checker', words: 'Checkerboard' },
 ];
 
+export interface LinesModel {
+    state: Pick<AppState, 'activeSurface'>;
+    view: ViewState;
+}
+
 export class LinesPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: LinesModel;
     static override styles = [sharedStyles, lookStyles];
 
     override render(): TemplateResult {

@@ -1,18 +1,26 @@
 // How the selected surface looks: the colours first, everything else in groups that open.
 import { css, html, type TemplateResult } from 'lit';
-import type { AppModel } from '../base/appModel.ts';
 import './clipPanel.ts';
+import type { ClipModel } from './clipPanel.ts';
 import './colourPanel.ts';
+import type { ColourModel } from './colourPanel.ts';
 import './linesPanel.ts';
+import type { LinesModel } from './linesPanel.ts';
 import './opacityPanel.ts';
+import type { OpacityModel } from './opacityPanel.ts';
 import './paintPanel.ts';
+import type { PaintModel } from './paintPanel.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 import './windowsPanel.ts';
+import type { WindowsModel } from './windowsPanel.ts';
+
+/** What its groups take: all of them are about the same surface. */
+export type LookModel = ColourModel & OpacityModel & LinesModel & WindowsModel & ClipModel & PaintModel;
 
 export class LookPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: LookModel;
 
     static override styles = [
         sharedStyles,

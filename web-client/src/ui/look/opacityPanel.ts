@@ -1,7 +1,8 @@
 // How much of what is behind the selected surface is seen through it, its outlines and its other side.
 import { html, type TemplateResult } from 'lit';
 import type { BackSide, SurfaceLook } from '../../state/surfaceLook.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { checkRow, type Choice, lookStyles, selectRow, sliderRow } from './lookStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -12,9 +13,14 @@ const sides: readonly Choice<BackSide>[] = [
     { value: 'same', words: 'The same' },
 ];
 
+export interface OpacityModel {
+    state: Pick<AppState, 'activeSurface'>;
+    view: Pick<ViewState, 'changeLook' | 'exactWhenStill' | 'lookOf'>;
+}
+
 export class OpacityPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: OpacityModel;
     static override styles = [sharedStyles, lookStyles];
 
     override render(): TemplateResult {

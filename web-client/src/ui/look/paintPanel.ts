@@ -2,8 +2,9 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { SurfacePart } from '../../mesh/meshChange.ts';
 import { partsAtMost, type SurfaceLook } from '../../state/surfaceLook.ts';
-import type { Brush } from '../../state/viewState.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { Brush, ViewState } from '../../state/viewState.ts';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { AppState } from '../../state/appState.ts';
 import { checkRow, lookStyles, sliderRow } from './lookStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -11,9 +12,15 @@ import { countWords } from '../base/statusWords.ts';
 
 const listedAtMost = 12;
 
+export interface PaintModel {
+    state: Pick<AppState, 'activeSurface' | 'parts'>;
+    view: ViewState;
+    scene: Pick<FlowScene, 'surfaces' | 'loop'>;
+}
+
 export class PaintPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: PaintModel;
 
     static override styles = [
         sharedStyles,

@@ -4,14 +4,22 @@ import { colourTable, fractionOf, tableSize } from '../../scene/surface/colourMa
 import { colourTicks } from '../../scene/surface/colourTicks.ts';
 import type { SurfaceSpan } from '../../scene/surface/surfaceLayer.ts';
 import { shortNumber } from '../../scene/base/ticks.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { colourTitle } from './colourNames.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
+export interface ScalarBarModel {
+    state: AppState;
+    view: ViewState;
+    scene: Pick<FlowScene, 'surfaces'>;
+}
+
 export class ScalarBar extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: ScalarBarModel;
     private span: SurfaceSpan | null = null;
     private painted: { canvas: HTMLCanvasElement; table: string } | null = null;
 

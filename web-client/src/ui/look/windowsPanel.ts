@@ -1,7 +1,9 @@
 // Which part of the selected surface is shown: from some seeds only, or of some age only.
 import { html, nothing, type TemplateResult } from 'lit';
 import { shortNumber } from '../../scene/base/ticks.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { ageName } from './colourNames.ts';
 import { lookStyles, sliderRow } from './lookStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
@@ -10,9 +12,15 @@ import { SignalElement } from '../base/signalElement.ts';
 type Window = 'sWindow' | 'ageWindow';
 type Span = readonly [number, number];
 
+export interface WindowsModel {
+    state: Pick<AppState, 'activeSurface' | 'displayed' | 'surface'>;
+    view: Pick<ViewState, 'changeLook' | 'lookOf'>;
+    scene: Pick<FlowScene, 'surfaces'>;
+}
+
 export class WindowsPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: WindowsModel;
     static override styles = [sharedStyles, lookStyles];
 
     override render(): TemplateResult {

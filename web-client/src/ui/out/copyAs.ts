@@ -7,7 +7,7 @@ import { curlScript } from '../../session/out/curlScript.ts';
 import { pythonScript } from '../../session/out/pythonScript.ts';
 import type { ScriptStep } from '../../session/out/scriptStep.ts';
 import { baseUrl, readFragment } from '../../session/view/urlState.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { AppState } from '../../state/appState.ts';
 import { copyText } from '../base/copyText.ts';
 import { dialogStyles } from '../base/dialogStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
@@ -17,9 +17,13 @@ const languages = { Python: pythonScript, curl: curlScript };
 type Language = keyof typeof languages;
 const saidForMs = 2500;
 
+export interface CopyAsModel {
+    state: Pick<AppState, 'session'>;
+}
+
 export class CopyAs extends SignalElement {
     static override properties = { model: { attribute: false }, calls: { attribute: false } };
-    declare model: AppModel;
+    declare model: CopyAsModel;
     /** Asked when a button is pressed; an empty answer: there is nothing to do yet. */
     declare calls: () => ScriptStep[];
     private readonly said = signal('');

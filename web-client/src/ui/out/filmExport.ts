@@ -3,9 +3,12 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { sizeFault } from '../../scene/capture.ts';
 import { shortNumber } from '../../scene/base/ticks.ts';
-import { framesAtMost, frameTimes } from '../../session/out/film.ts';
+import { framesAtMost, frameTimes, type FilmMaker } from '../../session/out/film.ts';
 import { canEncode } from '../../session/out/videoEncoding.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { Figure } from '../../session/out/figure.ts';
+import type { Playback } from '../../session/time/playback.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { exportStyles } from './exportStyles.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
@@ -23,9 +26,17 @@ const fps = signal(25);
 const seconds = signal(10);
 const time = signal(true);
 
+export interface FilmExportModel {
+    state: Pick<AppState, 'dataset' | 'participants' | 'role'>;
+    view: Pick<ViewState, 'units'>;
+    playback: Pick<Playback, 'mode' | 'span'>;
+    figure: Pick<Figure, 'shownSize'>;
+    film: Pick<FilmMaker, 'record' | 'cancel' | 'progress'>;
+}
+
 export class FilmExport extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: FilmExportModel;
     private readonly fault = signal('');
 
     static override styles = [sharedStyles, exportStyles];

@@ -3,7 +3,8 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { meshSteps } from '../../session/out/panelSteps.ts';
 import type { MeshFile } from '../../session/out/scriptStep.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { MeshDownload } from '../../session/out/meshDownload.ts';
+import type { AppState } from '../../state/appState.ts';
 import './copyAs.ts';
 import { exportStyles } from './exportStyles.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
@@ -26,9 +27,14 @@ const choices: readonly Choice[] = [
 ];
 const chosen = signal<Choice>(vtp);
 
+export interface MeshExportModel {
+    state: AppState;
+    mesh: MeshDownload;
+}
+
 export class MeshExport extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: MeshExportModel;
 
     static override styles = [sharedStyles, exportStyles];
 

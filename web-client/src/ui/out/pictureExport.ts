@@ -2,7 +2,8 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { type Signal, signal } from '@preact/signals-core';
 import { type FigureBackground, sizeFault } from '../../scene/capture.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { Figure } from '../../session/out/figure.ts';
+import type { AppState } from '../../state/appState.ts';
 import { exportStyles } from './exportStyles.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
@@ -21,9 +22,14 @@ const choice = new SizeChoice('picture', [
     { width: 7680, height: 4320 },
 ]);
 
+export interface PictureExportModel {
+    state: Pick<AppState, 'dataset'>;
+    figure: Figure;
+}
+
 export class PictureExport extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: PictureExportModel;
     private readonly fault = signal('');
 
     static override styles = [sharedStyles, exportStyles];

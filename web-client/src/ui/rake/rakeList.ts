@@ -3,15 +3,21 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import type { RakeRecord } from '../../protocol/messages.ts';
 import { rakeColour } from '../../session/picture/palette.ts';
 import { holderOf } from '../../session/picture/rakeScene.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { Edits } from '../../session/edits/edits.ts';
+import type { AppState } from '../../state/appState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
 const kindWords = { line: 'line', polyline: 'polyline', circle: 'circle', points: 'points' } as const;
 
+export interface RakeListModel {
+    state: AppState;
+    edits: Edits;
+}
+
 export class RakeList extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: RakeListModel;
 
     static override styles = [
         sharedStyles,

@@ -11,7 +11,10 @@ import { gridStep, unitAxis } from '../../scene/rake/snapping.ts';
 import { niceStep, shortNumber } from '../../scene/base/ticks.ts';
 import { numberProblems } from '../../session/edits/rakeEdits.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { Edits } from '../../session/edits/edits.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { handleNameOf, handleRows } from './rakeRows.ts';
 import { rakePanelStyles } from './rakePanelStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
@@ -39,9 +42,16 @@ const shapes: [RakeKind, string][] = [
     ['circle', 'Circle'],
 ];
 
+export interface RakeModel {
+    state: AppState;
+    view: Pick<ViewState, 'tool' | 'units'>;
+    edits: Pick<Edits, 'changeRake' | 'seeds' | 'setShape'>;
+    scene: Pick<FlowScene, 'interaction' | 'rakes'>;
+}
+
 export class RakePanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: RakeModel;
     /** What the buttons act on. */
     private readonly chosen = signal<Handle>(0);
     /** Of a rake with many points, the one whose numbers are shown. */

@@ -1,13 +1,18 @@
 // Which session this is, and the way to the others.
 import { css, html, type TemplateResult } from 'lit';
-import type { AppModel } from '../base/appModel.ts';
+import type { AppState } from '../../state/appState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 import './sessionsDialog.ts';
+import type { SessionsModel } from './sessionsDialog.ts';
+
+export interface SessionHeadModel extends SessionsModel {
+    state: SessionsModel['state'] & Pick<AppState, 'sessionName'>;
+}
 
 export class SessionHead extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: SessionHeadModel;
 
     static override styles = [
         sharedStyles,

@@ -3,7 +3,9 @@ import { signal } from '@preact/signals-core';
 import { html, nothing, type TemplateResult } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
 import type { SessionEntry } from '../../protocol/messages.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { SessionShelf } from '../../session/sessions/sessionShelf.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { dialogStyles } from '../base/dialogStyles.ts';
 import { listStyles } from '../base/listStyles.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
@@ -17,9 +19,15 @@ const searchFrom = 9;
 /** Limits are told before they are met. */
 const fewLeft = 10;
 
+export interface SessionsModel {
+    state: Pick<AppState, 'dataset' | 'datasets' | 'gone' | 'role' | 'session'>;
+    view: Pick<ViewState, 'sessionsShown'>;
+    shelf: SessionShelf;
+}
+
 export class SessionsDialog extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: SessionsModel;
     private readonly inTrash = signal(false);
     private readonly sought = signal('');
     private readonly asked = signal<{ session: string; question: Question } | null>(null);

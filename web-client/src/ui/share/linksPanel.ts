@@ -2,7 +2,10 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import type { Role, ShareLink } from '../../protocol/messages.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { Calls } from '../../session/base/calls.ts';
+import type { Views } from '../../session/view/views.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
 import { copyText } from '../base/copyText.ts';
 import { momentWords } from '../base/timeWords.ts';
 import { fitting } from '../../session/sessions/fitting.ts';
@@ -22,9 +25,16 @@ const lifetimes = [
 
 const purposes: Record<Role, string> = { viewer: 'To view', editor: 'To edit', host: 'To host' };
 
+export interface LinksModel {
+    state: Pick<AppState, 'role' | 'session' | 'sessionName'>;
+    calls: Pick<Calls, 'try'>;
+    views: Pick<Views, 'link'>;
+    worker: Pick<WorkerClient, 'call'>;
+}
+
 export class LinksPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: LinksModel;
     private readonly made = signal<{ link: string; role: Role; expires: number | undefined } | null>(null);
     private readonly shares = signal<readonly ShareLink[]>([]);
     /** The link that is about to be taken back, and has made others. */

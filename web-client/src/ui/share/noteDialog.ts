@@ -1,7 +1,8 @@
 // Asks for the words of a note.
 import { css, html, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import type { AppModel } from '../base/appModel.ts';
+import type { Calls } from '../../session/base/calls.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { dialogStyles } from '../base/dialogStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -9,9 +10,14 @@ import { SignalElement } from '../base/signalElement.ts';
 /** The server takes 4 KiB; letters of other alphabets take up to four bytes. */
 const longest = 1000;
 
+export interface NoteModel {
+    view: Pick<ViewState, 'note' | 'tool'>;
+    calls: Pick<Calls, 'try'>;
+}
+
 export class NoteDialog extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: NoteModel;
     private saving = false;
 
     static override styles = [

@@ -1,14 +1,24 @@
 // The notes of the session in full, and the dialog in which they are written.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { AnnotationRecord } from '../../protocol/messages.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { Calls } from '../../session/base/calls.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { listStyles } from '../base/listStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
+export interface NotesModel {
+    state: Pick<AppState, 'annotations' | 'role'>;
+    view: Pick<ViewState, 'note'>;
+    calls: Pick<Calls, 'try'>;
+    scene: Pick<FlowScene, 'controls' | 'loop'>;
+}
+
 export class NotesPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: NotesModel;
 
     static override styles = [
         sharedStyles,

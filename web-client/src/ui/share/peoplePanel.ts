@@ -1,7 +1,10 @@
 // Who is in the session, whose view to take, and, for hosts, who may do what.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { Participant, Role } from '../../protocol/messages.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { Calls } from '../../session/base/calls.ts';
+import type { People } from '../../session/people/people.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { roleWords } from './roleWords.ts';
 import { listStyles } from '../base/listStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
@@ -9,9 +12,18 @@ import { SignalElement } from '../base/signalElement.ts';
 
 const roles: readonly Role[] = ['viewer', 'editor', 'host'];
 
+export interface PeopleModel {
+    state: Pick<AppState, 'participants' | 'you' | 'role' | 'notices' | 'problems'>;
+    view: Pick<ViewState, 'following'>;
+    calls: Pick<Calls, 'try'>;
+    people: Pick<People, 'startFollowing'>;
+    rename: (name: string) => Promise<void>;
+    logOut: () => Promise<void>;
+}
+
 export class PeoplePanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: PeopleModel;
 
     static override styles = [
         sharedStyles,

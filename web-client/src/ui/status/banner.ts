@@ -3,14 +3,26 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { type DatasetEntry, errorWords } from '../../protocol/messages.ts';
 import type { Announcements } from '../../state/announcements.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { ImportWait } from '../../session/importWait.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 import { goneWords } from './goneWords.ts';
 
+export interface BannerModel {
+    state: AppState;
+    view: Pick<ViewState, 'sessionsShown'>;
+    imports: Pick<ImportWait, 'again' | 'left' | 'stop'>;
+    retryNow: () => void;
+    /** What can be done where the session of this page is gone. */
+    restoreSession: () => Promise<void>;
+    makeSessionAgain: () => Promise<void>;
+}
+
 export class Banner extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: BannerModel;
     private countdown: ReturnType<typeof setInterval> | null = null;
 
     static override styles = [

@@ -2,7 +2,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { type LatencyPart, latencyParts } from '../../state/latency.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { AppState } from '../../state/appState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -17,9 +17,13 @@ const partWords: Record<LatencyPart, string> = {
     rest: 'Waiting for frames',
 };
 
+export interface LatencyModel {
+    state: Pick<AppState, 'latency' | 'roundTripMs'>;
+}
+
 export class LatencyPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: LatencyModel;
     private readonly open = signal(false);
 
     static override styles = [

@@ -1,16 +1,26 @@
 // How far the server has come with the surface, in words and numbers.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { shortNumber } from '../../scene/base/ticks.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { Edits } from '../../session/edits/edits.ts';
+import type { SurfaceProgress } from '../../session/surface/surfaceProgress.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 import './latencyPanel.ts';
 import '../surface/qualityPanel.ts';
 import { countWords, phaseWords } from '../base/statusWords.ts';
 
+export interface StatusModel {
+    state: AppState;
+    edits: Pick<Edits, 'changeSurface'>;
+    progress: Pick<SurfaceProgress, 'stop'>;
+    worker: Pick<WorkerClient, 'call'>;
+}
+
 export class StatusPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: StatusModel;
 
     static override styles = [
         sharedStyles,

@@ -3,7 +3,8 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import type { SurfaceStats, Terminations } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/ticks.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 import { countWords } from '../base/statusWords.ts';
@@ -16,9 +17,14 @@ const reasons: readonly { reason: keyof Terminations; words: string }[] = [
     { reason: 'budget', words: 'Stopped by the quad limit' },
 ];
 
+export interface QualityModel {
+    state: Pick<AppState, 'activeSurface' | 'displayed'>;
+    worker: Pick<WorkerClient, 'call'>;
+}
+
 export class QualityPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: QualityModel;
     private readonly open = signal(false);
     private readonly stats = signal<SurfaceStats | null>(null);
     /** The state that the statistics were last asked for. */

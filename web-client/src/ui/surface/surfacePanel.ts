@@ -6,7 +6,9 @@ import { defaultLength } from '../../session/edits/defaults.ts';
 import { surfacesOf } from '../../session/edits/selection.ts';
 import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { Edits } from '../../session/edits/edits.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -34,9 +36,15 @@ const kindNames: Record<SurfaceKind, string> = { stream: 'Stream', path: 'Path',
 
 const axes = ['x', 'y', 'z'] as const;
 
+export interface SurfaceModel {
+    state: AppState;
+    view: Pick<ViewState, 'units'>;
+    edits: Pick<Edits, 'actions' | 'changeSurface' | 'chooseSurface' | 'intent'>;
+}
+
 export class SurfacePanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: SurfaceModel;
 
     static override styles = [
         sharedStyles,

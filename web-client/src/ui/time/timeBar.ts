@@ -6,7 +6,10 @@ import { shortNumber } from '../../scene/base/ticks.ts';
 import { timeSteps } from '../../session/out/panelSteps.ts';
 import { residentWords } from '../../session/time/timeSteps.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { Edits } from '../../session/edits/edits.ts';
+import type { Playback } from '../../session/time/playback.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import '../out/copyAs.ts';
 import { icon } from '../base/icons.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
@@ -24,9 +27,16 @@ const released: Record<Exclude<SurfaceKind, 'stream'>, string> = {
     time: 'released at',
 };
 
+export interface TimeBarModel {
+    state: AppState;
+    view: Pick<ViewState, 'units'>;
+    playback: Playback;
+    edits: Pick<Edits, 'intent' | 'changeSurface'>;
+}
+
 export class TimeBar extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: TimeBarModel;
     /** What is being typed must not be overwritten by the time that passes. */
     private typing = false;
 

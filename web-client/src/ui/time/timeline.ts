@@ -7,7 +7,10 @@ import type { StepState } from '../../protocol/messages.ts';
 import { niceTicks, shortNumber } from '../../scene/base/ticks.ts';
 import { releasedSpan, type Span, type StepMark, stepMarks, timelineSpan } from '../../session/time/timeSteps.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { Edits } from '../../session/edits/edits.ts';
+import type { Playback } from '../../session/time/playback.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 import { timelineStyles } from './timelineStyles.ts';
@@ -30,9 +33,16 @@ interface Slider {
     keyed: (event: KeyboardEvent) => void;
 }
 
+export interface TimelineModel {
+    state: AppState;
+    view: Pick<ViewState, 'units'>;
+    playback: Pick<Playback, 'goTo' | 'mode' | 'release' | 'span' | 'step' | 'time' | 'toEnd'>;
+    edits: Pick<Edits, 'intent' | 'changeSurface'>;
+}
+
 export class Timeline extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: TimelineModel;
     private readonly width = signal(600);
     /** The handle under the pointer stays there until it is let go, also between two time-steps. */
     private readonly held = signal<string | null>(null);

@@ -3,14 +3,24 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import type { BookmarkRecord } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/ticks.ts';
 import { readPageView } from '../../state/pageView.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { Calls } from '../../session/base/calls.ts';
+import type { ClockControl } from '../../session/time/clockControl.ts';
+import type { Views } from '../../session/view/views.ts';
+import type { AppState } from '../../state/appState.ts';
 import { listStyles } from '../base/listStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
+export interface BookmarksModel {
+    state: Pick<AppState, 'bookmarks' | 'clock' | 'role'>;
+    views: Pick<Views, 'current' | 'show'>;
+    calls: Pick<Calls, 'try'>;
+    clock: Pick<ClockControl, 'set'>;
+}
+
 export class BookmarksPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: BookmarksModel;
 
     static override styles = [
         sharedStyles,

@@ -5,15 +5,22 @@ import { centreOf } from '../../scene/domain/domainAxes.ts';
 import { shortNumber } from '../../scene/base/ticks.ts';
 import { distance } from '../../session/tools/measuring.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
-import type { ProbeReading } from '../../state/viewState.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { ProbeReading, ViewState } from '../../state/viewState.ts';
+import type { Probing } from '../../session/tools/probing.ts';
+import type { AppState } from '../../state/appState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 import { vectorInput } from '../base/vectorInput.ts';
 
+export interface ProbeModel {
+    state: Pick<AppState, 'dataset'>;
+    view: ViewState;
+    probing: Pick<Probing, 'probeThere'>;
+}
+
 export class ProbePanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: ProbeModel;
 
     static override styles = [
         sharedStyles,

@@ -1,7 +1,6 @@
 // What surrounds the surfaces: dark or light, and in which units its numbers are meant.
 import { css, html, type TemplateResult } from 'lit';
-import type { Theme, Units } from '../../state/viewState.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { Theme, Units, ViewState } from '../../state/viewState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -11,9 +10,13 @@ const themes: readonly { theme: Theme; words: string }[] = [
     { theme: 'light', words: 'light' },
 ];
 
+export interface SurroundingsModel {
+    view: Pick<ViewState, 'theme' | 'units'>;
+}
+
 export class SurroundingsPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: SurroundingsModel;
 
     static override styles = [
         sharedStyles,

@@ -1,7 +1,7 @@
 // What a click on the picture does; without a tool it only turns the view.
 import { css, html, type TemplateResult } from 'lit';
-import type { Tool } from '../../state/viewState.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { Tool, ViewState } from '../../state/viewState.ts';
+import type { AppState } from '../../state/appState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -11,9 +11,14 @@ const tools: readonly { tool: Tool; label: string; words: string; edits: boolean
     { tool: 'annotate', label: 'Note', words: 'Click to place a note', edits: true },
 ];
 
+export interface ToolsModel {
+    state: Pick<AppState, 'role'>;
+    view: Pick<ViewState, 'tool'>;
+}
+
 export class ToolButtons extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: ToolsModel;
 
     static override styles = [
         sharedStyles,

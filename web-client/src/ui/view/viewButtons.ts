@@ -4,7 +4,8 @@ import { css, html, svg, type SVGTemplateResult, type TemplateResult } from 'lit
 import { Vector3 } from 'three';
 import type { ViewName } from '../../scene/camera/cameraControls.ts';
 import type { View } from '../../scene/base/view.ts';
-import type { AppModel } from '../base/appModel.ts';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -19,9 +20,14 @@ const ends: readonly { view: ViewName; axis: 'x' | 'y' | 'z'; direction: readonl
 ];
 const armPx = 30;
 
+export interface ViewButtonsModel {
+    view: Pick<ViewState, 'orthographic'>;
+    scene: Pick<FlowScene, 'controls' | 'loop' | 'onDraw' | 'view'>;
+}
+
 export class ViewButtons extends SignalElement {
     static override properties = { model: { attribute: false } };
-    declare model: AppModel;
+    declare model: ViewButtonsModel;
     private listening = false;
     /** The camera that the marker is drawn for. */
     private turned = '';

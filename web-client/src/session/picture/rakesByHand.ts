@@ -1,0 +1,29 @@
+// What the user does to the rakes in the picture: edits for the server, which others see while the hand still moves.
+import type { FlowScene } from '../../scene/scene.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import type { Edits } from '../edits/edits.ts';
+import type { People } from '../people/people.ts';
+
+export interface RakesByHandOptions {
+    state: Pick<AppState, 'locked'>;
+    view: Pick<ViewState, 'tool'>;
+    scene: { interaction: Pick<FlowScene['interaction'], 'connect'> };
+    edits: Pick<Edits, 'moveRake' | 'draggedNow' | 'chooseRake'>;
+    people: Pick<People, 'tell'>;
+}
+
+export function connectRakes({ state, view, scene, edits, people }: RakesByHandOptions): void {
+    scene.interaction.connect({
+        mayMove: () => !state.locked.value,
+        hasPointer: () => view.tool.value === 'none' || view.tool.value === 'place',
+        moved: (move) => {
+            edits.moveRake(move);
+            people.tell({ dragging: edits.draggedNow(move) });
+        },
+        chose: (rake) => edits.chooseRake(rake),
+        placed: () => {
+            if (view.tool.value === 'place') view.tool.value = 'none';
+        },
+    });
+}
