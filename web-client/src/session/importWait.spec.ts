@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { settled } from '../connection/fakeClock.ts';
 import type { DatasetEntry } from '../protocol/messages.ts';
 import { AppState } from '../state/appState.ts';
+import { answering } from '../testing/answering.ts';
 import { CallError } from '../worker/workerClient.ts';
 import { ImportWait } from './importWait.ts';
 
@@ -15,12 +16,14 @@ function bench(first: DatasetEntry['state'] = 'importing') {
     const state = new AppState();
     state.datasetEntry.value = { ...importing, state: first };
     const calls: { reject: (error: Error) => void; resolve: (entry: DatasetEntry) => void }[] = [];
-    const call = (_method: string, _params: object, signal: AbortSignal) =>
-        new Promise((resolve, reject) => {
-            calls.push({ resolve, reject });
-            signal.addEventListener('abort', () => reject(stopped));
-        });
-    return { state, calls, imports: new ImportWait({ state, worker: { call } as never }) };
+    const worker = answering(
+        (_method, _params, signal) =>
+            new Promise((resolve, reject) => {
+                calls.push({ resolve, reject });
+                signal?.addEventListener('abort', () => reject(stopped));
+            }),
+    );
+    return { state, calls, imports: new ImportWait({ state, worker }) };
 }
 
 describe('waiting for an import', () => {

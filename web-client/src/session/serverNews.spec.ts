@@ -5,6 +5,7 @@ import { ServerNews } from './serverNews.ts';
 function bench() {
     const state = new AppState();
     let deleted = 0;
+    const patched: string[] = [];
     const unheard = (): void => undefined;
     const news = new ServerNews({
         state,
@@ -12,11 +13,11 @@ function bench() {
         people: { patched: unheard },
         progress: { progressed: unheard },
         dataset: { patched: unheard, stepsPatched: unheard },
-        controller: { patched: unheard, deleted: async () => void ++deleted },
+        controller: { patched: (session) => void patched.push(session), deleted: async () => void ++deleted },
     });
     const hear = (kind: string, text: string | null, surface: string | null = null): void =>
         news.take({ method: 'server.notice', kind, text, surface });
-    return { state, hear, said: () => [...state.notices.all.value], deleted: () => deleted };
+    return { state, hear, said: () => [...state.notices.all.value], deleted: () => deleted, news, patched };
 }
 
 describe('a notice of the server', () => {
@@ -62,10 +63,7 @@ describe('a notice of the server', () => {
 
 describe('records that the page cannot read', () => {
     it('are reported, once for the same reason', () => {
-        const state = new AppState();
-        const patched: string[] = [];
-        const options = { state, patched: (session: string) => patched.push(session) };
-        const news = new ServerNews(options as unknown as ServerNewsOptions);
+        const { state, news, patched } = bench();
         const faults = ['rake r1.seeds is not a whole number', 'rake r2.name is not a text'];
         news.take({ method: 'session.patched', session: 'main', seq: 1, patches: [], faults });
         expect([...state.notices.all.value]).toEqual([

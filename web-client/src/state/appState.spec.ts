@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { datasetOf, fieldOf } from '../testing/records.ts';
 import { AppState, type DisplayedSurface, surfacePhase } from './appState.ts';
 
 const displayed: DisplayedSurface = {
@@ -47,7 +48,7 @@ describe('AppState', () => {
     it('offers the time-steps that are ready, and at least one', () => {
         const state = new AppState();
         const times = [0, 1, 2, 3];
-        state.dataset.value = { times, fields: [], velocity: '' } as never;
+        state.dataset.value = datasetOf({ times });
         expect(state.times.value).toEqual(times);
         state.datasetEntry.value = {
             dataset: 'd',
@@ -60,11 +61,8 @@ describe('AppState', () => {
 
     it('takes the range of the colours from the velocity', () => {
         const state = new AppState();
-        const fields = [
-            { name: 'p', range: [5, 6] },
-            { name: 'U', range: [0, 1.7] },
-        ];
-        state.dataset.value = { times: [0], fields, velocity: 'U' } as never;
+        const fields = [fieldOf('p', { range: [5, 6] }), fieldOf('U', { components: 3, range: [0, 1.7] })];
+        state.dataset.value = datasetOf({ fields });
         expect(state.speedRange.value).toEqual([0, 1.7]);
     });
 });

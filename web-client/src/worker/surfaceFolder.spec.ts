@@ -4,7 +4,7 @@ import { dracoPoints } from '../protocol/testing/golden.ts';
 import { lattice, randomUpdates } from '../protocol/testing/randomUpdates.ts';
 import { sealed } from '../protocol/testing/wireWriter.ts';
 import { SurfaceFolder } from './surfaceFolder.ts';
-import type { SurfaceRecord } from '../protocol/messages.ts';
+import { surfaceOf } from '../testing/records.ts';
 import type { SurfaceState } from './workerMessages.ts';
 
 let points: DracoPoints;
@@ -119,7 +119,7 @@ describe('SurfaceFolder', () => {
     });
 
     it('names attributes by the fields that the surface had at the epoch of the frames', () => {
-        bench.folder.recorded({ surface: 's1', epoch: 1, fields: ['p'] } as unknown as SurfaceRecord);
+        bench.folder.recorded(surfaceOf('s1', { fields: ['p'] }));
         bench.folder.show('s1', ['p', 'speed'], null);
         // Three attributes, and not the four that were told: only what every surface has is sure.
         bench.receive(0);

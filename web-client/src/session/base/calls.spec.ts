@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { settled } from '../../connection/fakeClock.ts';
 import { AppState } from '../../state/appState.ts';
+import { answering } from '../../testing/answering.ts';
 import { Gestures } from '../edits/gestures.ts';
 import { UndoHistory } from '../edits/undoHistory.ts';
 import { Calls } from './calls.ts';
@@ -9,12 +10,10 @@ function bench() {
     const state = new AppState();
     const sent: [method: string, params: Record<string, unknown>][] = [];
     const answers: { resolve: (result: unknown) => void; reject: (error: Error) => void }[] = [];
-    const worker = {
-        call: (method: string, params: Record<string, unknown>) => {
-            sent.push([method, params]);
-            return new Promise((resolve, reject) => answers.push({ resolve, reject }));
-        },
-    } as never;
+    const worker = answering((method, params) => {
+        sent.push([method, params]);
+        return new Promise((resolve, reject) => answers.push({ resolve, reject }));
+    });
     const [gestures, history] = [new Gestures(), new UndoHistory(state, worker)];
     const acts = { begin: () => gestures.begin(), taken: (gesture: string) => history.noted(gesture) };
     return { state, sent, answers, gestures, history, calls: new Calls(state, worker, acts) };

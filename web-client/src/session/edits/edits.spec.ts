@@ -1,29 +1,18 @@
 import { describe, expect, it } from 'vitest';
 import { settled } from '../../connection/fakeClock.ts';
-import type { DatasetDescription, RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
-import { sampleRake, sampleSurface } from '../../protocol/testing/sampleRecords.ts';
+import type { RakeRecord, Vec3 } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
 import { LatencyLog } from '../../state/latency.ts';
+import { answering } from '../../testing/answering.ts';
+import { datasetOf, rakeOf, surfaceOf } from '../../testing/records.ts';
 import { CallError } from '../../worker/workerClient.ts';
-import { Edits, type EditsOptions } from './edits.ts';
+import { Edits } from './edits.ts';
 import { numberProblems } from './rakeEdits.ts';
 
 type Call = [method: string, params: Record<string, unknown>];
 
 const leased = new CallError({ kind: 'rpc', code: -32011, message: 'rake r1 is being dragged by Ann', hint: 'force' });
 const lost = new CallError({ kind: 'disconnected', code: 0, message: 'gone', hint: '' });
-
-function rakeOf(rake: string, rest: Partial<RakeRecord> = {}): RakeRecord {
-    const points: Vec3[] = [
-        [0, 0, 0],
-        [0, 0, 1],
-    ];
-    return sampleRake({ rake, rev: 1, points, name: rake, ...rest });
-}
-
-function surfaceOf(surface: string, rake: string): SurfaceRecord {
-    return sampleSurface({ surface, rake });
-}
 
 /** A page whose server answers when the test lets it. */
 class Bench {
@@ -34,16 +23,14 @@ class Bench {
     edits: Edits;
 
     constructor() {
-        const worker = {
-            call: (...call: Call) => {
-                this.calls.push(call);
-                return new Promise((resolve, reject) => this.waiting.push({ resolve, reject }));
-            },
-        };
+        const worker = answering((...call) => {
+            this.calls.push([call[0], call[1]]);
+            return new Promise((resolve, reject) => this.waiting.push({ resolve, reject }));
+        });
         const options = { state: this.state, worker, latency: new LatencyLog(), requestFrame: () => undefined };
-        this.edits = new Edits({ ...options, dragging: () => this.held } as unknown as EditsOptions);
+        this.edits = new Edits({ ...options, dragging: () => this.held });
         this.state.capabilities.value = ['lease'];
-        this.records([rakeOf('r1'), rakeOf('r2')], [surfaceOf('s1', 'r1'), surfaceOf('s2', 'r2')]);
+        this.records([rakeOf('r1'), rakeOf('r2')], [surfaceOf('s1', { rake: 'r1' }), surfaceOf('s2', { rake: 'r2' })]);
     }
 
     records(rakes: RakeRecord[], surfaces = [...this.state.surfaces.value.values()]): void {
@@ -207,7 +194,7 @@ describe('what is chosen', () => {
 
     it('is another rake when it is deleted, and none when all are', () => {
         const bench = new Bench();
-        bench.records([rakeOf('r2')], [surfaceOf('s2', 'r2')]);
+        bench.records([rakeOf('r2')], [surfaceOf('s2', { rake: 'r2' })]);
         expect(bench.state.activeRake.value).toBe('r2');
         bench.records([rakeOf('r2')], []);
         expect([bench.state.activeRake.value, bench.state.activeSurface.value]).toEqual(['r2', null]);
@@ -260,7 +247,7 @@ describe('what is said of an edit', () => {
         await bench.refuse(leased);
         await bench.refuse(leased);
         expect(bench.told).toEqual(['rake r1', 'surface s1']);
-        bench.records([rakeOf('r2')], [surfaceOf('s2', 'r2')]);
+        bench.records([rakeOf('r2')], [surfaceOf('s2', { rake: 'r2' })]);
         expect(bench.told).toEqual([]);
         await bench.refuse(leased);
         await bench.refuse(leased);
@@ -301,7 +288,7 @@ describe('an edit that waits to be sent', () => {
         bench.edits.changeRake('r1', { seeds: 21 });
         bench.edits.changeSurface({ length: 5 });
         expect(bench.state.editsPending.value).toBe(true);
-        bench.records([rakeOf('r2')], [surfaceOf('s2', 'r2')]);
+        bench.records([rakeOf('r2')], [surfaceOf('s2', { rake: 'r2' })]);
         expect(bench.state.editsPending.value).toBe(false);
         void bench.edits.undo();
         for (let i = 0; i < 4; ++i) await settled();
@@ -312,12 +299,7 @@ describe('an edit that waits to be sent', () => {
 describe('that no time is left for a surface', () => {
     async function without(): Promise<Bench> {
         const bench = new Bench();
-        bench.state.dataset.value = {
-            dataset: 'd',
-            bounds: [0, 1, 0, 1, 0, 1],
-            times: [0, 4],
-            fields: [],
-        } as unknown as DatasetDescription;
+        bench.state.dataset.value = datasetOf({ times: [0, 4] });
         bench.edits.changeSurface({ separation: 0.5 });
         bench.edits.flush();
         bench.edits.changeSurface({ kind: 'path', from: 4 });
@@ -390,7 +372,7 @@ describe('undo', () => {
 
     it('takes back a drag, a slider, or a button that makes two records, with one call each', async () => {
         const bench = new Bench();
-        bench.state.dataset.value = { dataset: 'd', bounds: { lo: [0, 0, 0], hi: [1, 1, 1] } } as unknown as DatasetDescription;
+        bench.state.dataset.value = datasetOf();
         for (const x of [1, 2, 3]) {
             bench.drag(x, x < 3);
             bench.edits.flush();

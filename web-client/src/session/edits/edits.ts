@@ -20,7 +20,7 @@ const mostToldPoints = limits.presencePoints;
 
 export interface EditsOptions {
     state: AppState;
-    worker: WorkerClient;
+    worker: Pick<WorkerClient, 'call'>;
     latency: LatencyLog;
     requestFrame: () => void;
     /** Whether a handle is held at the moment. */

@@ -41,7 +41,7 @@ interface OneRake {
 
 export interface RakeEditsOptions {
     state: AppState;
-    worker: WorkerClient;
+    worker: Pick<WorkerClient, 'call'>;
     latency: LatencyLog;
     history: UndoHistory;
     gestures: Gestures;

@@ -21,12 +21,12 @@ interface Acts {
 
 export class RecordActions {
     private readonly state: AppState;
-    private readonly worker: WorkerClient;
+    private readonly worker: Pick<WorkerClient, 'call'>;
     private readonly acts: Acts;
     /** Called with what has been made, whose record may still be on its way. */
     private readonly choose: Choose;
 
-    constructor(state: AppState, worker: WorkerClient, acts: Acts, choose: Choose) {
+    constructor(state: AppState, worker: Pick<WorkerClient, 'call'>, acts: Acts, choose: Choose) {
         this.state = state;
         this.worker = worker;
         this.acts = acts;

@@ -24,7 +24,7 @@ interface OneSurface {
 
 export interface SurfaceEditsOptions {
     state: AppState;
-    worker: WorkerClient;
+    worker: Pick<WorkerClient, 'call'>;
     latency: LatencyLog;
     history: UndoHistory;
     gestures: Gestures;

@@ -18,12 +18,12 @@ export class UndoHistory {
     /** Grows with every edit and every turn that the server has taken. */
     readonly taken = signal(0);
     private readonly state: AppState;
-    private readonly worker: WorkerClient;
+    private readonly worker: Pick<WorkerClient, 'call'>;
     /** Of the newest step; none after a turn, which ends it on the server as well. */
     private gesture: string | null = null;
     private last: Promise<unknown> = Promise.resolve();
 
-    constructor(state: AppState, worker: WorkerClient) {
+    constructor(state: AppState, worker: Pick<WorkerClient, 'call'>) {
         this.state = state;
         this.worker = worker;
     }

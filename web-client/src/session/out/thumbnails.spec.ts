@@ -1,6 +1,8 @@
 import { signal } from '@preact/signals-core';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { AppState } from '../../state/appState.ts';
+import { answering } from '../../testing/answering.ts';
+import { displayedOf } from '../../testing/records.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import { leastBetweenMs, mostBytes, restMs, Thumbnails } from './thumbnails.ts';
 
@@ -20,14 +22,14 @@ class Bench {
         this.state.session.value = 'session-1';
         this.state.activeSurface.value = 's1';
         this.final(true);
-        const call = async (method: string, { image }: { image: string }): Promise<object> => {
-            this.sent.push(`${method} ${atob(image).length}`);
+        const worker = answering((method, { image }) => {
+            this.sent.push(`${method} ${atob(String(image)).length}`);
             if (this.refusal !== null) throw this.refusal;
             return {};
-        };
+        });
         this.thumbnails = new Thumbnails({
             state: this.state,
-            worker: { call } as never,
+            worker,
             edits: { history: { taken: this.taken } },
             picture: () => {
                 ++this.drawn;
@@ -40,7 +42,7 @@ class Bench {
     }
 
     final(yes: boolean): void {
-        const shown = { epoch: 1, phase: yes ? 'final' : 'coarse', cells: 5 } as never;
+        const shown = displayedOf('s1', { phase: yes ? 'final' : 'coarse' });
         this.state.displayed.value = new Map([['s1', shown]]);
     }
 

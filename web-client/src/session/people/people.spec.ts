@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Participant, Vec3 } from '../../protocol/messages.ts';
+import type { CameraPlace, Participant, Vec3 } from '../../protocol/messages.ts';
 import type { CameraPose } from '../../scene/camera/cameraControls.ts';
 import { AppState } from '../../state/appState.ts';
 import { ViewState } from '../../state/viewState.ts';
@@ -64,14 +64,14 @@ describe('People', () => {
 
     it('looks as the followed one does until the camera is taken or they leave', () => {
         const { people, view, placed } = bench([ada, ben]);
-        const camera = (x: number) => ({ position: [x, 0, 0], target: [0, 0, 0], up: [0, 0, 1], fov: 30 }) as const;
-        people.patched([{ participant: 'p2', camera: { ...camera(5) } as never }], []);
+        const camera = (x: number): CameraPlace => ({ position: [x, 0, 0], target: [0, 0, 0], up: [0, 0, 1], fov: 30 });
+        people.patched([{ participant: 'p2', camera: camera(5) }], []);
         expect(placed).toEqual([]);
         people.startFollowing('p2');
-        people.patched([{ participant: 'p2', camera: { ...camera(6) } as never }], []);
+        people.patched([{ participant: 'p2', camera: camera(6) }], []);
         expect(placed.map(({ position }) => position[0])).toEqual([5, 6]);
         people.takeCamera();
-        people.patched([{ participant: 'p2', camera: { ...camera(7) } as never }], []);
+        people.patched([{ participant: 'p2', camera: camera(7) }], []);
         expect(placed).toHaveLength(2);
         people.startFollowing('p2');
         people.patched([], ['p2']);

@@ -1,12 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import type { SurfaceRecord } from '../../protocol/messages.ts';
-import type { FlowScene } from '../../scene/scene.ts';
 import { AppState } from '../../state/appState.ts';
 import { ViewState } from '../../state/viewState.ts';
+import { surfaceOf } from '../../testing/records.ts';
 import { showLooks } from './looksInPicture.ts';
-
-const record = (surface: string): SurfaceRecord =>
-    ({ surface, rake: 'r1', kind: 'stream', fields: [] as string[] }) as SurfaceRecord;
 
 function bench() {
     const [state, view] = [new AppState(), new ViewState()];
@@ -14,12 +10,13 @@ function bench() {
     const shown: unknown[] = [];
     const scene = {
         loop: { request: () => undefined, beforeFrame: () => undefined },
-        surfaces: { setStyle: () => undefined },
-    } as unknown as FlowScene;
+        surfaces: { setStyle: () => undefined, spanOf: () => null, moveTexture: () => undefined },
+        setClip: () => undefined,
+    };
     const worker = { show: (id: string, _: unknown, parts: unknown) => shown.push([id, parts]) };
     showLooks({ state, view, scene, worker });
     const has = (...ids: string[]): void => {
-        state.surfaces.value = new Map(ids.map((id) => [id, record(id)]));
+        state.surfaces.value = new Map(ids.map((id) => [id, surfaceOf(id)]));
     };
     return { state, view, shown, has };
 }

@@ -1,6 +1,8 @@
 // The looks on their way to the picture: as styles to the scene, and as what is needed to the worker.
 import { effect } from '@preact/signals-core';
+import type { FrameLoop } from '../../scene/frameLoop.ts';
 import type { FlowScene } from '../../scene/scene.ts';
+import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
 import { planeNumbers } from '../../state/clipPlanes.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -10,7 +12,10 @@ import { attributesOf, styleOf } from './surfaceStyleOf.ts';
 export interface LooksOptions {
     state: AppState;
     view: ViewState;
-    scene: FlowScene;
+    scene: Pick<FlowScene, 'setClip'> & {
+        loop: Pick<FrameLoop, 'request' | 'beforeFrame'>;
+        surfaces: Pick<SurfaceLayer, 'setStyle' | 'spanOf' | 'moveTexture'>;
+    };
     worker: Pick<WorkerClient, 'show'>;
 }
 

@@ -1,9 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import type { RakeRecord } from '../../protocol/messages.ts';
+import { rakeOf } from '../../testing/records.ts';
 import { rakeColour, rakeColours } from './palette.ts';
 
 function rakesOf(...colours: (string | undefined)[]): Map<string, RakeRecord> {
-    return new Map(colours.map((colour, i) => [`r${i}`, { rake: `r${i}`, colour } as RakeRecord]));
+    return new Map(colours.map((colour, i) => [`r${i}`, rakeOf(`r${i}`, { colour })]));
 }
 
 describe('the colour of a rake', () => {

@@ -1,18 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import type { Participant, RakeRecord, Vec3 } from '../../protocol/messages.ts';
+import type { Participant, Vec3 } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
+import { rakeOf } from '../../testing/records.ts';
 import { holderOf } from './rakeScene.ts';
 
-const record = {
-    rake: 'r1',
-    kind: 'line',
-    points: [
-        [0, 0, 0],
-        [1, 0, 0],
-    ],
-    dragging: true,
-    leasedBy: 'p2',
-} as unknown as RakeRecord;
+const record = rakeOf('r1', { dragging: true, leasedBy: 'p2' });
 
 function stateWith(ann: Partial<Participant> = {}): AppState {
     const state = new AppState();

@@ -1,26 +1,21 @@
 import { describe, expect, it } from 'vitest';
-import type { DatasetDescription, RakeRecord, SurfaceRecord } from '../../protocol/messages.ts';
 import { usualLook } from '../../state/surfaceLook.ts';
+import { datasetOf, fieldOf, rakeOf, surfaceOf } from '../../testing/records.ts';
 import { attributesOf, colourFields, styleOf, withField } from './surfaceStyleOf.ts';
 
-const dataset = {
-    velocity: 'U',
-    fields: [
-        { name: 'U', components: 3, range: [0, 9] },
-        { name: 'p', components: 1, range: [-2, 5] },
-        { name: 'mask', components: 1, range: [0, 1] },
-    ],
+const dataset = datasetOf({
+    fields: [fieldOf('U', { components: 3, range: [0, 9] }), fieldOf('p', { range: [-2, 5] }), fieldOf('mask')],
     surfaceFields: ['U', 'p', 'deformation', 'approximated'],
-} as unknown as DatasetDescription;
-const record = { surface: 's1', kind: 'stream', from: 3, fields: [] } as unknown as SurfaceRecord;
-const rake = {
+});
+const record = surfaceOf('s1', { from: 3 });
+const rake = rakeOf('r1', {
     points: [
         [0, 0, 0],
         [3, 4, 0],
         [3, 4, 2],
     ],
     colour: '#123456',
-} as unknown as RakeRecord;
+});
 const facts = { record, rake, dataset, speedRange: [1, 3] as const };
 
 describe('styleOf', () => {

@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { SessionEntry } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
+import { answering } from '../../testing/answering.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import { fitting } from './fitting.ts';
 import { rememberSession } from './knownSessions.ts';
@@ -30,7 +31,7 @@ class Bench {
     shelf: SessionShelf;
 
     constructor() {
-        const call = async (method: string, params: Record<string, unknown>): Promise<unknown> => {
+        const worker = answering((method, params) => {
             this.calls.push([method, params]);
             const refusal = this.refusals.get(method);
             if (refusal !== undefined) throw refusal;
@@ -44,11 +45,11 @@ class Bench {
             }
             if (method === 'session.restore') [this.kept, this.trashed] = [[...this.kept, ...this.trashed], []];
             return { session: 'session-9', name: params['name'] ?? '', remaining: 1 };
-        };
+        });
         const base = 'http://localhost/';
         this.shelf = new SessionShelf({
             state: new AppState(),
-            worker: { call } as never,
+            worker,
             base,
             open: (to) => this.opened.push(to),
         });

@@ -1,18 +1,19 @@
 import { describe, expect, it } from 'vitest';
 import { settled } from '../../connection/fakeClock.ts';
 import { AppState } from '../../state/appState.ts';
+import { answering } from '../../testing/answering.ts';
 import { CallError } from '../../worker/workerClient.ts';
-import { ClockControl, type ClockControlOptions } from './clockControl.ts';
+import { ClockControl } from './clockControl.ts';
 
 function bench(refusal: Error | null = null) {
     const state = new AppState();
     state.clock.value = { time: null, playing: false, speed: 1, loop: false, from: null, to: null };
     const calls: unknown[] = [];
-    const call = (method: string, params: object): Promise<unknown> => {
+    const worker = answering((method, params) => {
         calls.push([method, params]);
-        return refusal === null ? Promise.resolve({}) : Promise.reject(refusal);
-    };
-    const worker = { call } as unknown as ClockControlOptions['worker'];
+        if (refusal !== null) throw refusal;
+        return {};
+    });
     return { state, calls, clock: new ClockControl({ state, worker, requestFrame: () => undefined }) };
 }
 

@@ -1,12 +1,11 @@
 import { signal } from '@preact/signals-core';
 import { describe, expect, it } from 'vitest';
 import { FakeClock } from '../../connection/fakeClock.ts';
-import type { ClockRecord, DatasetDescription, SurfaceRecord } from '../../protocol/messages.ts';
-import { AppState, type DisplayedSurface } from '../../state/appState.ts';
-import type { ClockControl } from './clockControl.ts';
+import type { ClockRecord, SurfaceRecord } from '../../protocol/messages.ts';
+import { AppState } from '../../state/appState.ts';
+import { datasetOf, displayedOf, surfaceOf } from '../../testing/records.ts';
 import { Playback } from './playback.ts';
 import { Gestures } from '../edits/gestures.ts';
-import type { UndoHistory } from '../edits/undoHistory.ts';
 import { intentOf, type SurfaceIntent } from '../edits/surfaceIntent.ts';
 
 const times = [0, 1, 2, 3, 4, 5];
@@ -14,7 +13,7 @@ const times = [0, 1, 2, 3, 4, 5];
 function bench(kind: 'stream' | 'streak', rest: Partial<SurfaceRecord> = {}) {
     const state = new AppState();
     const calls: unknown[] = [];
-    const record = { surface: 's', rake: 'r', kind, from: 1, to: 5, separation: 1, ...rest } as unknown as SurfaceRecord;
+    const record = surfaceOf('s', { kind, from: 1, to: 5, separation: 1, ...rest });
     const intent = signal<SurfaceIntent | null>(intentOf(record));
     const turns = signal(0);
     const gestures = new Gestures();
@@ -22,7 +21,7 @@ function bench(kind: 'stream' | 'streak', rest: Partial<SurfaceRecord> = {}) {
     const edits = {
         intent,
         gestures,
-        history: { turns } as unknown as UndoHistory,
+        history: { turns },
         changeSurface: (change: Partial<SurfaceIntent>, gesture?: string) => {
             named.push(gesture);
             calls.push(change);
@@ -43,14 +42,13 @@ function bench(kind: 'stream' | 'streak', rest: Partial<SurfaceRecord> = {}) {
             told({ playing: false });
             return Promise.resolve();
         },
-    } as unknown as ClockControl;
+    };
     state.clock.value = { time: null, playing: false, speed: 1, loop: false, from: null, to: null };
-    state.dataset.value = { dataset: 'd', times } as unknown as DatasetDescription;
+    state.dataset.value = datasetOf({ times });
     state.surfaces.value = new Map([['s', record]]);
     state.activeSurface.value = 's';
     state.stage.value = 'running';
-    const shown = { surface: 's', epoch: 1, phase: 'final', cells: 1 } as unknown as DisplayedSurface;
-    state.displayed.value = new Map([['s', shown]]);
+    state.displayed.value = new Map([['s', displayedOf('s')]]);
     const time = new FakeClock();
     return { state, calls, time, intent, turns, gestures, named, playback: new Playback({ state, edits, clock, time }) };
 }

@@ -6,6 +6,7 @@ import { type Clock, systemClock, type Timer } from '../../connection/clock.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ClockControl } from './clockControl.ts';
 import type { Edits } from '../edits/edits.ts';
+import type { UndoHistory } from '../edits/undoHistory.ts';
 import { clampTo, nearestStep, type Span, stepFrom } from './timeSteps.ts';
 
 /** The whole in this time at normal speed. */
@@ -14,8 +15,8 @@ const lookEveryMs = 30;
 
 export interface PlaybackOptions {
     state: AppState;
-    edits: Pick<Edits, 'intent' | 'changeSurface' | 'gestures' | 'history'>;
-    clock: ClockControl;
+    edits: Pick<Edits, 'intent' | 'changeSurface' | 'gestures'> & { history: Pick<UndoHistory, 'turns'> };
+    clock: Pick<ClockControl, 'set' | 'play' | 'pause'>;
     time?: Clock;
 }
 

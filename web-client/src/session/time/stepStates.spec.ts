@@ -1,14 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import type { DatasetDescription, StepState } from '../../protocol/messages.ts';
+import type { StepState } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
-import type { WorkerClient } from '../../worker/workerClient.ts';
+import { answering } from '../../testing/answering.ts';
+import { datasetOf } from '../../testing/records.ts';
 import { StepStates } from './stepStates.ts';
 
 function bench(steps: StepState[]) {
     const state = new AppState();
-    state.dataset.value = { dataset: 'd', times: [0, 1, 2] } as unknown as DatasetDescription;
-    const call = (): Promise<unknown> => Promise.resolve({ dataset: 'd', steps, bytes: 0, budget: 1 });
-    return { state, states: new StepStates(state, { call } as unknown as Pick<WorkerClient, 'call'>) };
+    state.dataset.value = datasetOf({ dataset: 'd', times: [0, 1, 2] });
+    const worker = answering(() => ({ dataset: 'd', steps, bytes: 0, budget: 1 }));
+    return { state, states: new StepStates(state, worker) };
 }
 
 describe('StepStates', () => {

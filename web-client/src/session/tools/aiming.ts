@@ -11,7 +11,7 @@ export interface Aim {
 }
 
 export interface Sight {
-    view: () => View;
+    view: () => Pick<View, 'pointAtDepth'>;
     pick: (at: ScreenPoint) => { point: Vec3; surface: string | null } | null;
 }
 

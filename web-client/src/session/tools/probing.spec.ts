@@ -1,42 +1,36 @@
 import { describe, expect, it } from 'vitest';
 import { settled } from '../../connection/fakeClock.ts';
-import type { DatasetDescription, Vec3 } from '../../protocol/messages.ts';
+import type { Vec3 } from '../../protocol/messages.ts';
 import type { Pointer } from '../../scene/base/pointerTools.ts';
-import type { View } from '../../scene/base/view.ts';
 import { AppState } from '../../state/appState.ts';
 import { ViewState } from '../../state/viewState.ts';
 import { Measuring } from './measuring.ts';
 import { Noting } from './noting.ts';
-import { Probing, type ProbingOptions } from './probing.ts';
+import { type Asked, answering } from '../../testing/answering.ts';
+import { datasetOf, fieldOf } from '../../testing/records.ts';
+import { Probing } from './probing.ts';
 
 /** A picture in which x of the canvas is x of space, with a surface to the left of 100. */
 function bench() {
     const state = new AppState();
     const pageView = new ViewState();
-    const fields = [
-        { name: 'U', components: 3 },
-        { name: 'p', components: 1 },
-        { name: 'mask', components: 1 },
-    ];
-    state.dataset.value = {
-        dataset: 'd',
-        velocity: 'U',
+    const fields = [fieldOf('U', { components: 3 }), fieldOf('p'), fieldOf('mask')];
+    state.dataset.value = datasetOf({
         fields,
         surfaceFields: ['p', 'deformation'],
         bounds: [0, 10, 0, 10, 0, 10],
         times: [2],
-    } as unknown as DatasetDescription;
-    const asked: { points: Vec3[]; fields?: string[]; time: number }[] = [];
+    });
+    const asked: Asked[] = [];
     const answers: (() => void)[] = [];
-    const call = (_: string, params: (typeof asked)[number]): Promise<unknown> => {
+    const worker = answering((_, params) => {
         asked.push(params);
         return new Promise((resolve) => answers.push(() => resolve({ inside: [true], values: { U: [[3, 4, 0]], p: [7] } })));
-    };
+    });
     const sight = {
-        view: () => ({ pointAtDepth: ({ x }: { x: number }, anchor: Vec3): Vec3 => [x, 0, anchor[2]] }) as unknown as View,
+        view: () => ({ pointAtDepth: ({ x }: { x: number }, anchor: Vec3): Vec3 => [x, 0, anchor[2]] }),
         pick: ({ x }: { x: number }) => (x < 100 ? { point: [x, 1, 1] as Vec3, surface: 's1' } : null),
     };
-    const worker = { call } as unknown as ProbingOptions['worker'];
     const probing = new Probing({ state, pageView, worker, requestFrame: () => undefined, ...sight });
     const answer = async (): Promise<void> => {
         answers.shift()?.();
@@ -65,7 +59,7 @@ describe('Probing', () => {
         // At once, so that the next number that is typed belongs to this place.
         expect(pageView.probePlace.value).toEqual([50, 1, 1]);
         expect(pageView.probe.value).toBeNull();
-        expect(asked).toEqual([{ dataset: 'd', points: [[50, 1, 1]], time: 2, fields: ['U', 'p'] }]);
+        expect(asked).toEqual([{ dataset: 'flow', points: [[50, 1, 1]], time: 2, fields: ['U', 'p'] }]);
         await answer();
         expect(pageView.probe.value).toEqual({
             ...{ point: [50, 1, 1], time: 2, inside: true },
@@ -96,7 +90,7 @@ describe('Probing', () => {
         for (const x of [1, 2, 3]) probing.probeThere([x, 0, 0]);
         expect(asked).toHaveLength(1);
         await answer();
-        expect(asked.map(({ points }) => points[0]![0])).toEqual([1, 3]);
+        expect(asked.map(({ points }) => points)).toEqual([[[1, 0, 0]], [[3, 0, 0]]]);
     });
 
     it('stays where it was clicked until the next click', async () => {
@@ -111,7 +105,7 @@ describe('Probing', () => {
         await answer();
         probing.hover(at(80));
         probing.flush();
-        expect(asked.at(-1)?.points[0]![0]).toBe(80);
+        expect(asked.at(-1)?.['points']).toEqual([[80, 1, 1]]);
     });
 });
 

@@ -1,43 +1,22 @@
 import { describe, expect, it } from 'vitest';
 import type { RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
-import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
+import { answering } from '../../testing/answering.ts';
+import { rakeOf, surfaceOf } from '../../testing/records.ts';
+import { CallError } from '../../worker/workerClient.ts';
 import { makeAnew } from './madeAnew.ts';
 
-const rake = (id: string, seeds = 8): RakeRecord =>
-    ({
-        rake: id,
-        rev: 0,
-        kind: 'line',
-        points: [
-            [0, 0, 0],
-            [1, 0, 0],
-        ],
-        seeds,
-        name: id,
-    }) as RakeRecord;
-const surface = (id: string, of: string, more: object = {}): SurfaceRecord =>
-    ({
-        surface: id,
-        rev: 0,
-        epoch: 0,
-        rake: of,
-        kind: 'stream',
-        dataset: 'd',
-        from: 0,
-        to: 1,
-        fields: [],
-        ...more,
-    }) as unknown as SurfaceRecord;
+const rake = (id: string, seeds = 8): RakeRecord => rakeOf(id, { seeds });
+const surface = (id: string, of: string, more: object = {}): SurfaceRecord => surfaceOf(id, { rake: of, to: 1, ...more });
 
 /** Names what it makes n1, n2, ...; takes no rake with fewer than two seeds. */
 function serverThat(fails: CallError) {
     const asked: Record<string, unknown>[] = [];
-    const call = (method: string, params: Record<string, unknown>): Promise<unknown> => {
-        if (method === 'rake.set' && Number(params['seeds']) < 2) return Promise.reject(fails);
+    const worker = answering((method, params) => {
+        if (method === 'rake.set' && Number(params['seeds']) < 2) throw fails;
         asked.push(params);
-        return Promise.resolve({ [method.split('.')[0]!]: `n${asked.length}` });
-    };
-    return { asked, worker: { call } as unknown as Pick<WorkerClient, 'call'> };
+        return { [method.split('.')[0]!]: `n${asked.length}` };
+    });
+    return { asked, worker };
 }
 
 const refused = new CallError({ kind: 'rpc', code: -32602, message: 'seeds: too few', hint: '' });

@@ -1,10 +1,21 @@
 import { describe, expect, it } from 'vitest';
-import type { SurfaceRecord } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
 import { usualLook } from '../../state/surfaceLook.ts';
 import { ViewState } from '../../state/viewState.ts';
+import { surfaceOf } from '../../testing/records.ts';
 import type { UrlState } from './urlState.ts';
 import { Views, type ViewsOptions } from './views.ts';
+
+/** One that no one looks at, with these masks. */
+function sceneWith(surfaces: Partial<ViewsOptions['scene']['surfaces']>): ViewsOptions['scene'] {
+    const still = (): void => undefined;
+    return {
+        onDraw: still,
+        loop: { request: still },
+        controls: { pose: { position: [0, 0, 1], target: [0, 0, 0], orthographic: false }, place: still },
+        surfaces: { strokes: 0, maskCode: () => undefined, setMask: still, forgetMasks: still, ...surfaces },
+    };
+}
 
 describe('the view of a session that is made again', () => {
     it('goes on with the new names of its surfaces, here and in the link, and forgets those that are missing', () => {
@@ -23,7 +34,7 @@ describe('the view of a session that is made again', () => {
             setMask: (id: string, code: string) => masks.set(id, code),
             forgetMasks: () => masks.clear(),
         };
-        const scene = { onDraw: () => undefined, surfaces } as unknown as ViewsOptions['scene'];
+        const scene = sceneWith(surfaces);
         const views = new Views({ state, view, scene, url });
         view.looks.value = new Map(Object.entries(looks).map(([id, look]) => [id, { ...usualLook, ...look }]));
         [state.activeRake.value, state.activeSurface.value] = ['r2', 's7'];
@@ -46,7 +57,7 @@ describe('the view of a session that is made again', () => {
             setMask: (id: string, code: string) => masks.set(id, code),
             forgetMasks: () => masks.clear(),
         };
-        const scene = { onDraw: () => undefined, surfaces } as unknown as ViewsOptions['scene'];
+        const scene = sceneWith(surfaces);
         const url = { token: null, session: null, dataset: null, state: null };
         const views = new Views({ state, view, scene, url });
         const painted = { ...usualLook, opacity: 0.4, painting: true };
@@ -76,10 +87,10 @@ describe('what is painted', () => {
             s4: 'c'.repeat(90),
             s5: 'd',
         };
-        state.surfaces.value = new Map(Object.keys(codes).map((id) => [id, { surface: id } as SurfaceRecord]));
+        state.surfaces.value = new Map(Object.keys(codes).map((id) => [id, surfaceOf(id)]));
         view.looks.value = new Map(Object.keys(codes).map((id) => [id, { ...usualLook, painting: id !== 's5' }]));
         const surfaces = { maskCode: (id: string) => codes[id] };
-        const scene = { onDraw: () => undefined, surfaces, controls: {} } as unknown as ViewsOptions['scene'];
+        const scene = sceneWith(surfaces);
         const url = { token: null, session: null, dataset: null, state: null };
         const { looks, masks } = new Views({ state, view, scene, url }).current();
         expect(Object.keys(masks ?? {})).toEqual(['s1', 's3']);

@@ -1,5 +1,7 @@
 // The page's view as a value: taken for links and bookmarks, and shown again. Keeps the address of the page up to date.
 import { batch, effect } from '@preact/signals-core';
+import type { CameraControls } from '../../scene/camera/cameraControls.ts';
+import type { FrameLoop } from '../../scene/frameLoop.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -19,7 +21,9 @@ const masksAtMost = 1600;
 export interface ViewsOptions {
     state: AppState;
     view: ViewState;
-    scene: Pick<FlowScene, 'controls' | 'loop' | 'onDraw'> & {
+    scene: Pick<FlowScene, 'onDraw'> & {
+        controls: Pick<CameraControls, 'pose' | 'place'>;
+        loop: Pick<FrameLoop, 'request'>;
         surfaces: Pick<SurfaceLayer, 'maskCode' | 'setMask' | 'forgetMasks' | 'strokes'>;
     };
     url: UrlState;
