@@ -28,7 +28,8 @@ constexpr double target_of_budget = 1.1;
 constexpr double target_ratio = 3.0;
 constexpr int tenants = 6;
 constexpr double small_quads = 2'000;
-constexpr std::chrono::seconds alone_for{60}; // some 450 edits: the 99th percentile of 75 is the slowest
+constexpr std::chrono::seconds alone_for{
+    60}; // some 450 edits: the 99th percentile of 75 is the slowest
 constexpr std::chrono::milliseconds between_edits{100};
 constexpr std::chrono::milliseconds look{10};
 constexpr std::chrono::seconds hung{60};

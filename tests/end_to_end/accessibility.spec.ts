@@ -26,7 +26,9 @@ describe('accessibility', () => {
         await page.evaluate(axeSource);
         await expectNoFindings(page, 'tour');
         await page.getByRole('button', { name: 'Skip the tour' }).click();
-        for (const tab of await page.getByRole('tab').all()) {
+        const tabs = await page.getByRole('tab').all();
+        expect(tabs).toHaveLength(5);
+        for (const tab of tabs) {
             await tab.click();
             // What is folded away counts as well.
             const folded = page.locator('[role=tabpanel] details:not([open]) > summary');

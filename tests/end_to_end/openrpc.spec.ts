@@ -85,6 +85,7 @@ describe('/openrpc.json', () => {
             accuracy: 'balanced',
             merge: 0.35,
             angle: 20,
+            stagnationSpeed: 1e-6,
             maxQuads: 1_000_000,
             fields: [],
         });

@@ -213,6 +213,7 @@ describe('a film', () => {
         expect(played.size).toEqual([320, 240]);
         expect(played.duration).toBeCloseTo(1, 1);
         // The sheet grows from frame to frame.
+        expect(played.changes).toHaveLength(11);
         expect(Math.min(...played.changes)).toBeGreaterThan(20);
         // Another one, and not to its end.
         await chooseSize('film', 160, 120);

@@ -35,7 +35,7 @@ function rgbOf(colour: string): number[] {
 }
 
 function near(a: readonly number[], b: readonly number[], slack: number): boolean {
-    return a.every((value, i) => Math.abs(value - b[i]!) <= slack);
+    return a.length === b.length && a.every((value, i) => Math.abs(value - b[i]!) <= slack);
 }
 
 describe('a link made on the page', () => {

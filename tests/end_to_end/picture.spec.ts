@@ -143,8 +143,12 @@ describe('the picture', () => {
 
     it('comes back after the graphics context was lost', async () => {
         const drawnAt = (): Promise<number> => ask(page, (hook) => hook.framesDrawn);
-        await page.evaluate(() => window.wakesurf!.loseContext());
-        await page.waitForTimeout(200);
+        await page.evaluate(() => {
+            const canvas = document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('canvas')!;
+            const lost = new Promise((resolve) => canvas.addEventListener('webglcontextlost', resolve, { once: true }));
+            window.wakesurf!.loseContext();
+            return lost.then(() => undefined);
+        });
         const before = await drawnAt();
         await page.evaluate(() => window.wakesurf!.restoreContext());
         await page.waitForFunction((count) => window.wakesurf!.framesDrawn > count, before);

@@ -4,7 +4,9 @@ import type { BrowserContext, Page } from 'playwright-core';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { framesPass } from './support/frames.ts';
 import { dragHandle } from './support/rake_drag.ts';
+import { expectSamePoints } from './support/same_points.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { useStand } from './support/stand.ts';
 
@@ -53,8 +55,7 @@ describe('the page', () => {
         expect(updates(after) - updates(before)).toBeGreaterThan(2);
         const session = await ask(page, (hook) => hook.session);
         const { rakes } = (await stand.server.call('rake.list', { session })) as { rakes: { points: Vec3[] }[] };
-        const shown = await ask(page, (hook) => hook.rakePoints);
-        rakes[0]?.points.flat().forEach((value, i) => expect(value).toBeCloseTo(shown.flat()[i]!, 9));
+        expectSamePoints(rakes[0]?.points, await ask(page, (hook) => hook.rakePoints));
         expect(await ask(page, (hook) => hook.latencySamples.length)).toBeGreaterThan(0);
         await screenshot(page, 'after-drag');
     });
@@ -70,9 +71,10 @@ describe('the page', () => {
 
         // Nothing is drawn while nothing changes.
         await finalSurface(page);
+        await framesPass(page, 10);
         const before = await ask(page, (hook) => hook.framesDrawn);
-        await page.waitForTimeout(1000);
-        expect((await ask(page, (hook) => hook.framesDrawn)) - before).toBeLessThanOrEqual(1);
+        await framesPass(page, 60);
+        expect(await ask(page, (hook) => hook.framesDrawn)).toBeLessThanOrEqual(before + 1);
     });
 });
 
@@ -119,6 +121,6 @@ describe('a link', () => {
             shown?.stateSum ?? 0,
         );
         const [mine, theirs] = [await ask(page, (h) => h.rakePoints), await ask(other, (h) => h.rakePoints)];
-        theirs.flat().forEach((value, i) => expect(value).toBeCloseTo(mine.flat()[i]!, 9));
+        expectSamePoints(theirs, mine);
     });
 });

@@ -393,6 +393,7 @@ describe('a polyline and a circle', () => {
         await dragHandle(page, 1, 3, 22, 5);
         const smaller = await recorded();
         expect(distance(smaller.points[0]!, smaller.points[1]!)).toBeLessThan(distance(centre, rim) * 0.9);
+        expect(smaller.points).toHaveLength(3);
         for (const point of smaller.points) expect(point[0]).toBeCloseTo(centre[0], 9);
 
         await dragHandle(page, 2, 6, -4, 4);

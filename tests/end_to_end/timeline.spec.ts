@@ -95,8 +95,9 @@ describe('the timeline', () => {
         await expect.poll(() => page.locator('#resident').textContent()).toBe(`${fills} of 16 time-steps in memory`);
         await screenshot(page, 'timeline-frozen');
         await streak();
-        await becomes(marks, (now) => expect(now.every(({ state }) => state === 'resident')).toBe(true));
-        expect((await status()).steps.every((state) => state === 'resident')).toBe(true);
+        const allResident = steps.map(() => 'resident');
+        await becomes(marks, (now) => expect(now.map(({ state }) => state)).toEqual(allResident));
+        expect((await status()).steps).toEqual(allResident);
         expect(await page.locator('#resident').textContent()).toBe('16 of 16 time-steps in memory');
     });
 

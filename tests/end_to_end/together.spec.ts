@@ -7,6 +7,7 @@ import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { subprotocol } from '../../web-client/src/protocol/version.ts';
 import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { dragHandle, takeHandle } from './support/rake_drag.ts';
+import { expectSamePoints } from './support/same_points.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { useStand } from './support/stand.ts';
 
@@ -28,7 +29,7 @@ afterEach(async () => {
 async function visit(link: string): Promise<Page> {
     const context = await newContext(stand.browser);
     contexts.push(context);
-    await context.addInitScript(keepResumeToken);
+    await context.addInitScript(keepWorker);
     const visited = await openPage(context, link);
     await finalSurface(visited);
     return visited;
@@ -37,15 +38,17 @@ async function visit(link: string): Promise<Page> {
 declare global {
     interface Window {
         resumeToken?: string;
+        sessionWorker?: Worker;
     }
 }
 
-/** What the worker answers the page of session.join, for a second client in the same place. */
-function keepResumeToken(): void {
+/** The page's worker, and what it answers the page of session.join, for a second client in the same place. */
+function keepWorker(): void {
     const RealWorker = window.Worker;
     window.Worker = class extends RealWorker {
         constructor(url: string | URL, options?: WorkerOptions) {
             super(url, options);
+            window.sessionWorker = this;
             this.addEventListener('message', ({ data }: MessageEvent<{ result?: { resumeToken?: unknown } }>) => {
                 const token = data.result?.resumeToken;
                 if (typeof token === 'string') window.resumeToken = token;
@@ -69,21 +72,31 @@ async function participants(): Promise<string[]> {
     return (state['participants'] as { participant: string }[]).map(({ participant }) => participant);
 }
 
-/** The page says why it has ended, keeps its picture, and is alone with that for longer than any first wait. */
+/** Until the worker has done what it was told before, and the page has heard of it: both go through their messages in order. */
+async function workerIsThrough(of: Page): Promise<void> {
+    await of.evaluate(
+        () =>
+            new Promise<void>((resolve) => {
+                const worker = window.sessionWorker!;
+                worker.addEventListener('message', ({ data }: MessageEvent<{ type?: string }>) => {
+                    if (data.type === 'here') resolve();
+                });
+                worker.postMessage({ type: 'areYouThere' });
+            }),
+    );
+}
+
+/** The page says why it has ended, keeps its picture, and does not even come back when the browser says that it is online again. */
 async function expectEnded(ended: Page, why: RegExp): Promise<void> {
     await ended.getByText('Connection ended.').waitFor({ timeout: 5000 });
     await ended.getByText(why).waitFor();
     expect(await ask(ended, (hook) => hook.connection)).toBe('ended');
     expect((await ask(ended, (hook) => hook.displayed?.cells)) ?? 0).toBeGreaterThan(100);
     const others = await participants();
-    await ended.waitForTimeout(1500);
+    await ended.evaluate(() => dispatchEvent(new Event('online')));
+    await workerIsThrough(ended);
     expect(await ask(ended, (hook) => hook.connection)).toBe('ended');
     expect(await participants()).toEqual(others);
-}
-
-function sameRakes(mine: readonly Vec3[], theirs: readonly Vec3[]): void {
-    expect(theirs).toHaveLength(mine.length);
-    theirs.flat().forEach((value, i) => expect(value).toBeCloseTo(mine.flat()[i]!, 6));
 }
 
 describe('a link for looking on', () => {
@@ -100,7 +113,7 @@ describe('a link for looking on', () => {
             expect(await viewer.getByRole('spinbutton', { name }).isDisabled()).toBe(true);
         }
         expect(await viewer.getByRole('slider', { name: 'Integration time' }).isDisabled()).toBe(true);
-        sameRakes(before.points, await ask(viewer, (hook) => hook.rakePoints));
+        expectSamePoints(await ask(viewer, (hook) => hook.rakePoints), before.points, 6);
         expect(await recordedRake()).toEqual(before);
         await screenshot(viewer, 'viewer-looks-on');
 
@@ -109,7 +122,7 @@ describe('a link for looking on', () => {
         await viewer.waitForFunction((old) => window.wakesurf!.displayed!.epoch > old, epoch);
         await expectServersMesh(stand.server, page);
         await expectServersMesh(stand.server, viewer);
-        sameRakes((await recordedRake()).points, await ask(viewer, (hook) => hook.rakePoints));
+        expectSamePoints(await ask(viewer, (hook) => hook.rakePoints), (await recordedRake()).points, 6);
     });
 
     it('ends in words when it is taken back, and the page does not come back', async () => {

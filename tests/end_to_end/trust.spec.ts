@@ -49,13 +49,14 @@ describe('a first visit', () => {
 
     it('sees the domain within two seconds of opening', async () => {
         const visits: number[] = [];
-        // Other programs on the machine may hold up one of them.
-        while (visits.length < 4 && !visits.some((ms) => ms < 2000)) {
+        for (let i = 0; i < 3; ++i) {
             const page = await stand.visit(size);
             visits.push((await ask(page, (hook) => hook.firstPictureMs))!);
             await page.context().close();
         }
-        expect(Math.min(...visits)).toBeLessThan(2000);
+        // Other programs on the machine may hold up one of them, and not most.
+        const [, usual] = visits.sort((a, b) => a - b);
+        expect(usual, visits.join(', ')).toBeLessThan(2000);
     });
 });
 
@@ -66,8 +67,13 @@ describe('numbers about the surface', () => {
         const stats = await serverStats(stand.server, page);
         const share = (100 * stats.approximated) / stats.vertices;
         await expect.poll(() => numberIn(page, '[data-name=approximated]')).toBeCloseTo(share, 0);
-        for (const reason of ['time', 'domain', 'obstacle'] as const) {
-            if (stats.terminated[reason] === 0) continue;
+        // Why curves ended, each as often as the server has it; those that never came are left out.
+        const reasons = ['time', 'domain', 'obstacle'] as const;
+        const ended = reasons.filter((reason) => stats.terminated[reason] > 0);
+        expect(ended.length).toBeGreaterThan(0);
+        const shown = page.locator('[data-name]').evaluateAll((rows) => rows.map((row) => row.getAttribute('data-name')));
+        expect((await shown).filter((name) => reasons.some((reason) => reason === name))).toEqual(ended);
+        for (const reason of ended) {
             expect(await numberIn(page, `[data-name=${reason}]`)).toBe(stats.terminated[reason]);
         }
         expect(await numberIn(page, '[data-name=vertexSteps]')).toBe(stats.vertexSteps);

@@ -5,6 +5,7 @@ import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { readFragment } from '../../web-client/src/session/view/urlState.ts';
 import { ask, finalSurface, openPage, screenshot } from './support/browser_page.ts';
 import { hitsOver } from './support/look_facts.ts';
+import { expectSamePoints } from './support/same_points.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { useStand } from './support/stand.ts';
 
@@ -144,8 +145,7 @@ describe('views that are kept', () => {
         await page.getByRole('button', { name: 'Fit the whole domain' }).click();
         await kept.click();
         const camera = await ask(page, (hook) => hook.camera);
-        camera.position.forEach((value, i) => expect(value).toBeCloseTo(place.position[i]!, 9));
-        camera.target.forEach((value, i) => expect(value).toBeCloseTo(place.target[i]!, 9));
+        expectSamePoints([camera.position, camera.target], [place.position, place.target]);
         await screenshot(page, 'views');
         await page.getByRole('button', { name: 'Delete the view From the wake' }).click();
         await kept.waitFor({ state: 'detached' });
@@ -156,8 +156,7 @@ describe('views that are kept', () => {
         await expect.poll(() => cameraInAddress(page)?.position[0]).toBe(place.position[0]);
         const again = await stand.open(page, page.url());
         const camera = await ask(again, (hook) => hook.camera);
-        camera.position.forEach((value, i) => expect(value).toBeCloseTo(place.position[i]!, 3));
-        camera.target.forEach((value, i) => expect(value).toBeCloseTo(place.target[i]!, 3));
+        expectSamePoints([camera.position, camera.target], [place.position, place.target], 3);
         await expectServersMesh(stand.server, again);
         await again.close();
     });
@@ -174,7 +173,7 @@ describe('views that are kept', () => {
         await again.getByRole('button', { name: 'Recreate it' }).click();
         await finalSurface(again);
         const rebuilt = await ask(again, (hook) => hook.rakePoints);
-        rebuilt.flat().forEach((value, i) => expect(value).toBeCloseTo(points.flat()[i]!, 3));
+        expectSamePoints(rebuilt, points, 3);
         expect(await ask(again, (hook) => hook.session)).not.toBe(await ask(page, (hook) => hook.session));
         await expectServersMesh(stand.server, again);
         await again.close();

@@ -104,6 +104,7 @@ describe('DisplayArrays', () => {
         const decoder = new MeshDecoder(points, lattice, ranges.length);
         const update = frames.map((frame) => decoder.fold(frame)).at(-1)!;
         const { positions, scalars } = display().take(update.mesh);
+        expect(state.positions.length).toBeGreaterThan(3);
         state.positions.forEach(([x, y, z], v) => {
             const expected = [10 + x! / 4, -2 + y! / 4, 5 + z! / 4];
             expect([...positions.subarray(3 * v, 3 * v + 3)]).toEqual(expected);

@@ -43,7 +43,9 @@ describe.each(cameras)('a %s view', (_, camera) => {
 
     it('sees both points of a line of sight at the same place', () => {
         const pointer = { x: 100, y: 50 };
-        for (const point of view.sightLine(pointer)) {
+        const points = view.sightLine(pointer);
+        expect(points).toHaveLength(2);
+        for (const point of points) {
             expect(view.project(point)?.x).toBeCloseTo(pointer.x, 6);
             expect(view.project(point)?.y).toBeCloseTo(pointer.y, 6);
         }

@@ -22,6 +22,7 @@ describe('frustumSegments', () => {
             [160, 0],
             [0, 0],
         ] as const;
+        expect(seen).toHaveLength(expected.length);
         seen.forEach(({ x, y }, i) => {
             expect(x).toBeCloseTo(expected[i]![0], 6);
             expect(y).toBeCloseTo(expected[i]![1], 6);
@@ -39,6 +40,7 @@ describe('frustumSegments', () => {
     it('has eight lines, also where the camera looks along its up, and none of a camera without a direction', () => {
         expect(frustumSegments(place)).toHaveLength(16);
         const down = frustumSegments({ ...place, position: [0, 0, 5] });
+        expect(down).toHaveLength(16);
         expect(down.flat().every(Number.isFinite)).toBe(true);
         expect(frustumSegments({ ...place, target: place.position })).toEqual([]);
     });

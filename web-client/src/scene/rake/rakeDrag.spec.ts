@@ -147,7 +147,9 @@ describe.each(cameras)('handles in a %s view', (_, camera) => {
     const view = new View(camera, size);
 
     it('are found within their radius, the nearest first', () => {
-        for (const { handle, at } of placedHandles(line, view)) {
+        const placed = placedHandles(line, view);
+        expect(placed.map(({ handle }) => handle)).toEqual([0, 1, 'middle', 'rotate']);
+        for (const { handle, at } of placed) {
             const seen = view.project(at)!;
             expect(handleUnder(seen, line, view)).toBe(handle);
         }

@@ -57,12 +57,14 @@ describe('a rake that is turned', () => {
     it.each([line, bent, ring])('keeps its middle and all its lengths', (shape) => {
         const turned = turnedBy(shape, axis, 1.1);
         expectClose(middleOf(turned), middleOf(shape));
+        expect(turned.points).toHaveLength(shape.points.length);
         lengths(turned).forEach((each, i) => expect(each).toBeCloseTo(lengths(shape)[i]!, 9));
         expect(turned.points).not.toEqual(shape.points);
     });
 
     it('is as before when it is turned back', () => {
         const back = turnedBy(turnedBy(bent, axis, 0.7), axis, -0.7);
+        expect(back.points).toHaveLength(bent.points.length);
         back.points.forEach((point, i) => expectClose(point, bent.points[i]!));
     });
 
