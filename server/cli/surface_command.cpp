@@ -173,7 +173,8 @@ make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop
     const auto& statistics = surface->statistics;
     if (!statistics.stopped.empty())
         fmt::print(stderr, "wakesurf: the surface ends early: {}\n", statistics.stopped);
-    fmt::print("{}: {} quads, {} vertices, {:.2f} s\n", options.output, statistics.quads,
+    fmt::print("{}: {}{} quads, {} vertices, {:.2f} s\n", options.output,
+               request.lines ? options.lines + " of a surface of " : "", statistics.quads,
                statistics.vertices, statistics.seconds.total);
     return {};
 }
