@@ -99,7 +99,7 @@ inline constexpr std::chrono::seconds start_watched{
 // In a session.
 inline constexpr std::chrono::seconds absence{10}; ///< how long a lost connection is shown
 inline constexpr std::chrono::seconds place_kept{7 * 24 *
-                                                 3600};       ///< for whoever left, to come back to
+                                                 3600}; ///< for those who left, to come back to
 inline constexpr std::chrono::milliseconds presence_rest{50}; ///< between two tellings, at least
 inline constexpr std::size_t presence_bytes_per_ms =
     4000;                                             ///< of a session, to all its participants

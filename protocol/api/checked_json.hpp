@@ -63,10 +63,10 @@ class CheckedJson {
 
     void fault(std::string_view name, std::string_view problem);
 
-    /// InvalidArgument with the first fault, or with the first parameter nobody asked for.
+    /// InvalidArgument with the first fault, or with the first parameter that no one asked for.
     core::Result<void> verdict();
 
-    /// The same for a record from a file: Corrupt; what nobody asked for is left to newer versions.
+    /// The same for a record from a file: Corrupt; what no one asked for is left to newer versions.
     core::Result<void> record_verdict() const;
 
   private:

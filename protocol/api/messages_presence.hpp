@@ -58,7 +58,7 @@ struct PresenceChange {
 /// What presence.update asks for.
 PresenceChange change_of(const PresenceUpdate& update);
 
-/// `participant`, and those members; what nobody has said yet is null.
+/// `participant`, and those members; what no one has said yet is null.
 nlohmann::json participant_json(const ParticipantRecord& record, unsigned members);
 
 /// The same, as JSON text.

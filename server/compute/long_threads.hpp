@@ -1,4 +1,4 @@
-// Threads for jobs that take long: each job's parallel loops use all cores, at a lower priority than whoever answers a person. Which job is
+// Threads for jobs that take long: each job's parallel loops use all cores, at a lower priority than the threads that answer a person. Which job is
 // next: long_lanes.
 #pragma once
 

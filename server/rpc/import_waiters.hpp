@@ -38,7 +38,7 @@ class ImportWaiters {
     std::uint64_t
     wait(const std::string& dataset, std::chrono::milliseconds patience, Waiter waiter);
 
-    /// Lets go of a waiter without calling it. AndStop: when nobody waits any more, the import ends.
+    /// Lets go of a waiter without calling it. AndStop: when no one waits any more, the import ends.
     void leave(std::uint64_t ticket, Leaving how);
 
     /// The dataset's status is another.

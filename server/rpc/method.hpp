@@ -59,8 +59,8 @@ struct MethodContext {
     const core::Clock& clock;
     Loop& loop;
     Journal* journal = nullptr;           ///< answers to edits wait for it
-    std::function<Standing()> standing{}; ///< how the server stands; nobody can say without
-    Metrics* metrics = nullptr;           ///< nobody counts without
+    std::function<Standing()> standing{}; ///< how the server stands; no one can say without
+    Metrics* metrics = nullptr;           ///< no one counts without
     ImportWaiters* imports = nullptr;     ///< without, datasets are as they are
     std::string notice{};                 ///< a whole notification for each who joins; empty: none
     Budgets* budgets = nullptr;           ///< anybody may use as much as they like without

@@ -1,4 +1,4 @@
-// ifRev: an edit that is only meant for a record nobody has changed since.
+// ifRev: an edit that is only meant for a record that no one has changed since.
 #pragma once
 
 #include "protocol/api/json_rpc.hpp"

@@ -35,13 +35,13 @@ class SessionClock {
 
     /// Runs on from where it stands, or from the start where that is outside of what is played or at its end.
     /// @param natural  what is played unless it was said: now or in an earlier call
-    /// Error: InvalidArgument when nobody said, or the ends are not in order.
+    /// Error: InvalidArgument when no one said, or the ends are not in order.
     core::Result<void> play(const protocol::PlaySetting& setting,
                             std::optional<std::array<double, 2>> natural);
 
     void pause();
 
-    /// As it was kept, stopped. Nobody is told: before anybody looks.
+    /// As it was kept, stopped. No one is told: this is before anyone looks.
     void restore(const protocol::ClockRecord& kept);
 
     /// Simulation time now; nothing: never set.
