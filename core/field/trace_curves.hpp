@@ -2,9 +2,8 @@
 // result is the same for any number of threads.
 #pragma once
 
-#include "core/integrate/advance_curve.hpp"
-#include "core/integrate/advance_through_cells.hpp"
 #include "core/integrate/cursor_of.hpp"
+#include "core/integrate/runge_kutta_steps.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -13,8 +12,15 @@
 #include <algorithm>
 #include <atomic>
 #include <span>
+#include <utility>
 
 namespace wakesurf::core {
+
+/// A field that is a polynomial in each cell: its curves go cell by cell, unless RK4 is asked for.
+template <class Field>
+concept FieldInSeries = requires {
+    &Field::series_steps;
+};
 
 /// Advances until the simulation time `limit` (infinite: to every curve's own end). Returns false if `stop` fired, or there is no memory
 /// for the steps (`options.memory` says so).
@@ -29,15 +35,17 @@ bool trace_curves(const Field& field,
     const auto advance = [&](Curve& curve) {
         const double until = curve.duration < 0.0 ? std::max(curve.duration, limit - curve.release)
                                                   : std::min(curve.duration, limit - curve.release);
-        if constexpr (requires { advance_through_cells(field, curve, options, until, stop); }) {
-            if (options.method == TraceOptions::Method::Dopri5) {
-                if (!advance_through_cells(field, curve, options, until, stop))
-                    whole = false;
-                return;
-            }
+        const double sign = curve.duration < 0.0 ? -1.0 : 1.0;
+        const auto go = [&](auto steps) {
+            if (!advance_curve(std::move(steps), curve, options, until, stop))
+                whole = false;
+        };
+        if constexpr (FieldInSeries<Field>) {
+            if (options.method == TraceOptions::Method::Dopri5)
+                return go(field.series_steps(options, sign));
         }
-        if (!advance_curve(cursor_of(field), curve, options, until, stop))
-            whole = false;
+        const auto& view = cursor_of(field);
+        go(RungeKuttaSteps(view, options, sign));
     };
     tbb::this_task_arena::isolate([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, curves.size(), 4),

@@ -5,7 +5,7 @@
 
 #include "core/field/components.hpp"
 #include "core/field/grid_sampler.hpp"
-#include "core/integrate/advance_through_cells.hpp"
+#include "core/integrate/path_series.hpp"
 
 #include <algorithm>
 #include <array>
@@ -178,14 +178,6 @@ class TrilinearCell {
     std::size_t node_ = ~std::size_t{0};
     Vec3 lo_{0.0};
     TrilinearPolynomial now_, change_;
-};
-
-/// A sampler whose curves are traced cell by cell.
-template <class Grid>
-struct CellwiseSampler : GridSampler<Grid> {
-    TrilinearCell<Grid> cells(double sign, bool frozen) const {
-        return TrilinearCell<Grid>(*this, sign, frozen);
-    }
 };
 
 } // namespace wakesurf::core

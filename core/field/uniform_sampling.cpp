@@ -1,7 +1,7 @@
 #include "core/field/uniform_sampling.hpp"
 
 #include "core/field/trace_curves.hpp"
-#include "core/field/trilinear_cell.hpp"
+#include "core/field/trilinear_steps.hpp"
 
 namespace wakesurf::core {
 

@@ -1,11 +1,10 @@
-// Carries one particle from where its curve ends to a given time, or until it leaves the domain, meets an
-// obstacle or stands still. Works on any field with `velocity(position, time)`, continued smoothly a step beyond
-// the domain, and `status(position)`.
+// Carries one particle from where its curve ends to a given time, or until it leaves the domain, meets an obstacle or stands
+// still. One loop for steps of every kind: by Runge-Kutta through any field (runge_kutta_steps.hpp), by Taylor series through the
+// cells of a grid (field/trilinear_steps.hpp) or of a mesh (field/cells/cell_steps.hpp).
 #pragma once
 
 #include "core/base/point_status.hpp"
 #include "core/integrate/curve.hpp"
-#include "core/integrate/runge_kutta.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +17,27 @@ template <class F>
 concept VelocityField = requires(const F& field, const Vec3& p, double t) {
     { field.velocity(p, t) } -> std::convertible_to<Vec3>;
     { field.status(p) } -> std::same_as<PointStatus>;
+};
+
+/// What became of an attempt at a step. Again: its error was too large, the next one will be shorter. Stagnation: the particle is
+/// slower than TraceOptions::stagnation_speed, or its velocity is not a number.
+enum class StepOutcome { Taken, Again, Stagnation };
+
+/// How one curve goes on: where it is, how far a step goes and by which formula.
+template <class S>
+concept CurveSteps = requires(
+    S& steps, const S& const_steps, Curve& curve, CurveStep& step, double left, PointStatus& to) {
+    { const_steps.field() } -> VelocityField;
+    /// Goes to where the curve ends, before the first step of a call. Returns whether it may go on from there.
+    { steps.begin(curve) } -> std::same_as<PointStatus>;
+    /// Tries a step of at most `left`. Taken: `step` has its points and its `dt`, which is `left` in size where that ends it.
+    { steps.attempt(curve, left, step) } -> std::same_as<StepOutcome>;
+    /// theta of the last point of the step that is still inside, 1 when all of it is; otherwise `to` says what it meets.
+    { steps.inside_until(step, to) } -> std::same_as<double>;
+    /// Goes to the end of the step, where the curve ends now. Returns false where that is the domain's border.
+    { steps.arrive(curve) } -> std::same_as<bool>;
+    /// Half the distance between the two points whose velocities make a gradient.
+    { const_steps.difference() } -> std::same_as<double>;
 };
 
 /// theta of the last point of a step that is still inside, 1 when all of it is. Looks at points an eighth
@@ -70,27 +90,42 @@ Vec3 carry_stretch(const Field& field,
     return step.stretch + step.dt * along(step.stretch + 0.5 * step.dt * along(step.stretch));
 }
 
+inline CurveEnd end_at(PointStatus met) {
+    return met == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
+}
+
+/// Adds the part of a step that is inside: what its stretch becomes, and where the curve ends now. Returns false where there is no memory.
+template <CurveSteps Steps>
+bool take_step(
+    const Steps& steps, Curve& curve, CurveStep& step, double theta, const TraceOptions& options) {
+    step.time = curve.last.time;
+    step.stretch = curve.last.stretch;
+    const glm::dvec4 end = step.at(theta);
+    curve.last.position = Vec3(end);
+    curve.last.arc = end.w;
+    curve.last.time = step.time + theta * step.dt;
+    if (options.stretch) {
+        const double middle =
+            options.frozen ? curve.release : curve.release + step.time + 0.5 * step.dt;
+        curve.last.stretch = carry_stretch(steps.field(), step, middle, steps.difference());
+    }
+    return keep_step(curve, step, options);
+}
+
 /// Advances until `until` (time since release, same sign as the duration).
 /// Returns false if `stop` fired or there is no memory. Thread safety: disjoint curves may be advanced concurrently.
-template <VelocityField Field>
-bool advance_curve(const Field& field,
+/// @param steps  of this curve, in the direction of its duration
+template <CurveSteps Steps>
+bool advance_curve(Steps steps,
                    Curve& curve,
                    const TraceOptions& options,
                    double until,
                    const std::stop_token& stop) {
-    const double sign = curve.duration < 0.0 ? -1.0 : 1.0;
-    const auto field_time = [&](double time) {
-        return options.frozen ? curve.release : curve.release + time;
-    };
-    const auto velocity = [&](const Vec3& p, double t) {
-        return field.velocity(p, options.frozen ? curve.release : t);
-    };
-    if (curve.steps.empty()) {
+    if (curve.steps.empty())
         curve.last = {curve.seed, 0.0, 0.0, curve.seed_tangent};
-        if (const PointStatus status = field.status(curve.seed); status != PointStatus::Inside)
-            curve.end = status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
-    }
-    Vec3 v = velocity(curve.last.position, field_time(curve.last.time));
+    if (const PointStatus status = steps.begin(curve); status != PointStatus::Inside)
+        curve.end = end_at(status);
+    CurveStep step;
     while (curve.end == CurveEnd::Running) {
         if ((curve.attempts & 63u) == 0 && stop.stop_requested())
             return false;
@@ -100,56 +135,24 @@ bool advance_curve(const Field& field,
                 curve.end = CurveEnd::Time;
             return true;
         }
-        const double speed = glm::length(v);
-        if (!(speed > options.stagnation_speed)) { // also ends on NaN
-            curve.end = CurveEnd::Stagnation;
-            return true;
-        }
-        const double cap = options.longest_step / speed;
-        double dt = options.step > 0.0 &&
-                            (options.method == TraceOptions::Method::Rk4 || curve.next_dt == 0.0)
-                        ? options.step
-                    : curve.next_dt > 0.0 ? curve.next_dt
-                                          : 0.1 * cap;
-        if (options.method == TraceOptions::Method::Dopri5)
-            dt = std::min(dt, cap);
-        const bool cut = dt >= left;
-        const double wanted = dt;
-        dt = std::min(dt, left);
-
-        const glm::dvec4 y(curve.last.position, curve.last.arc);
-        const double now = curve.release + curve.last.time;
-        RungeKuttaStep step = options.method == TraceOptions::Method::Rk4
-                                  ? rk4_step(velocity, y, now, sign * dt, v)
-                                  : dopri5_step(velocity, y, now, sign * dt, v);
+        const StepOutcome outcome = steps.attempt(curve, left, step);
         ++curve.attempts;
-        const double arc = step.dense.c[1].w;
-        if (options.method == TraceOptions::Method::Dopri5) {
-            // Error per unit length; the floor keeps slow particles from crawling.
-            const double allowed = options.tolerance * std::max(arc, 0.05 * options.longest_step);
-            curve.next_dt = dt * step_scale(allowed, step.error);
-            if (!(step.error <= allowed) && dt * speed > 1e-9 * options.longest_step)
-                continue;
-            if (cut)
-                curve.next_dt = std::max(curve.next_dt, wanted);
-        }
-        step.dense.time = curve.last.time;
-        step.dense.stretch = curve.last.stretch;
-        PointStatus status = PointStatus::Inside;
-        const double theta = inside_until(field, step.dense, options.longest_step, status);
-        const glm::dvec4 end = step.dense.at(theta);
-        curve.last.position = Vec3(end);
-        curve.last.arc = end.w;
-        curve.last.time = cut && theta == 1.0 ? until : step.dense.time + theta * step.dense.dt;
-        if (options.stretch)
-            curve.last.stretch =
-                carry_stretch(field, step.dense, field_time(step.dense.time + 0.5 * step.dense.dt),
-                              0.05 * options.longest_step);
-        if (!keep_step(curve, step.dense, options))
+        if (outcome == StepOutcome::Stagnation)
+            curve.end = CurveEnd::Stagnation;
+        if (outcome != StepOutcome::Taken)
+            continue;
+        PointStatus met = PointStatus::Inside;
+        const double theta = steps.inside_until(step, met);
+        if (!take_step(steps, curve, step, theta, options))
             return false;
-        v = step.velocity;
-        if (theta < 1.0)
-            curve.end = status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
+        if (theta < 1.0) {
+            curve.end = end_at(met);
+            continue;
+        }
+        if (std::abs(step.dt) == left)
+            curve.last.time = until;
+        if (!steps.arrive(curve))
+            curve.end = CurveEnd::Domain;
         else if (curve.attempts >= options.most_steps)
             curve.end = CurveEnd::Budget;
     }

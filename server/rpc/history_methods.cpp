@@ -21,32 +21,32 @@ json change_json(const RecordChange& change) {
     return out;
 }
 
-void turn(Turn way, const Call& call, const std::optional<std::string>& named, Reply reply) {
+void move(HistoryMove by, const Call& call, const std::optional<std::string>& named, Reply reply) {
     const auto session = choose_session(call, named);
     if (!session)
         return reply.fault(session.error());
-    const TurnResult result = (*session)->turn(way, author_of(call, **session));
+    const HistoryMoveResult result = (*session)->move_in_history(by, author_of(call, **session));
     json changes = json::array();
     for (const RecordChange& each : result.changes)
         changes.push_back(change_json(each));
     json skipped = json::array();
-    for (const TurnResult::Skip& each : result.skipped)
+    for (const HistoryMoveResult::Skip& each : result.skipped)
         skipped.push_back({{"type", name(each.key.type)}, {"id", each.key.id}, {"why", each.why}});
     json out{{"skipped", std::move(skipped)},
              {"undo", result.left.undo},
              {"redo", result.left.redo},
              {"seq", (*session)->seq()}};
-    out[way == Turn::Undo ? "undone" : "redone"] =
+    out[by == HistoryMove::Undo ? "undone" : "redone"] =
         changes.empty() ? json(nullptr) : std::move(changes);
     reply.result(out);
 }
 
 void undo(const Call& call, const protocol::HistoryUndo& of, Reply reply) {
-    turn(Turn::Undo, call, of.session, std::move(reply));
+    move(HistoryMove::Undo, call, of.session, std::move(reply));
 }
 
 void redo(const Call& call, const protocol::HistoryRedo& of, Reply reply) {
-    turn(Turn::Redo, call, of.session, std::move(reply));
+    move(HistoryMove::Redo, call, of.session, std::move(reply));
 }
 
 } // namespace

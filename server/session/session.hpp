@@ -36,8 +36,8 @@ struct RakeChange {
         surfaces; ///< recomputed, with their new epochs
 };
 
-/// What came of undo or redo. With neither changes nor skipped there was nothing to turn.
-struct TurnResult {
+/// What came of undo or redo. With neither changes nor skipped there was nothing to undo or redo.
+struct HistoryMoveResult {
     struct Skip {
         RecordKey key;
         std::string why; ///< for people
@@ -130,9 +130,9 @@ class Session {
     set_annotation(const protocol::AnnotationSetting& setting, const Author& author = {});
     core::Result<void> delete_annotation(const std::string& id, const Author& author = {});
 
-    /// Turns the author's newest edit that can be, as an edit like any other. Where a record of it is no longer as the
+    /// Takes the author's newest edit back, or does it again, as an edit like any other. Where a record of it is no longer as the
     /// author left it, nothing happens but that the edit is forgotten.
-    TurnResult turn(Turn turn, const Author& author);
+    HistoryMoveResult move_in_history(HistoryMove move, const Author& author);
 
     /// Who drags a rake just now.
     std::optional<Lease> lease(const std::string& rake) const { return leases_.find(rake); }
@@ -215,8 +215,8 @@ class Session {
     core::Result<void> may_be_default(RecordType type, bool is_new) const;
     SurfaceBuilds::Events build_events();
 
-    std::vector<TurnResult::Skip> obstacles(const Edit& edit, Turn turn) const;
-    std::string obstacle(const Edit& edit, const EditStep& step, Turn turn) const;
+    std::vector<HistoryMoveResult::Skip> obstacles(const Edit& edit, HistoryMove move) const;
+    std::string obstacle(const Edit& edit, const EditStep& step, HistoryMove move) const;
 
     std::string id_;
     std::string name_;

@@ -23,7 +23,7 @@ COLOR = re.compile(r"\b\w*[cC]olor\w*\b")
 
 # Types named by a word with a home: the word, and the product's files that may declare one.
 HOMES = {
-    "Turn": ("server/compute/fair_queue.hpp", "server/session/records/history.hpp"),
+    "Turn": ("server/compute/fair_queue.hpp",),
     "Lane": ("server/compute/quick_lanes.hpp", "server/compute/long_lanes.hpp",
              "core/field/advance_stored.cpp"),
     "Place": ("server/net/admission.hpp", "server/net/downloads.hpp", "server/compute/budgets.hpp",

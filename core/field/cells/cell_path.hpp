@@ -4,7 +4,9 @@
 #pragma once
 
 #include "core/field/cells/cell_geometry.hpp"
-#include "core/integrate/advance_through_cells.hpp"
+#include "core/integrate/path_series.hpp"
+
+#include <limits>
 
 namespace wakesurf::core {
 

@@ -8,11 +8,12 @@
 #include <array>
 #include <cmath>
 #include <span>
-#include <stop_token>
 
 namespace wakesurf::core {
 
 class CellSamplerCursor;
+class CellSteps;
+struct TraceOptions;
 
 /// Stateless: every call finds its cell again. Particles take a cursor. Thread safety: concurrent calls are fine.
 struct CellSampler {
@@ -39,6 +40,9 @@ struct CellSampler {
 
     /// The same, for one particle: remembers its cell.
     CellSamplerCursor cursor() const;
+
+    /// Of one curve. @param sign  +1 downstream, -1 upstream
+    CellSteps series_steps(const TraceOptions& options, double sign) const;
 
     /// Outside the domain that of the nearest place in a near cell; zero where there is none.
     Vec3 velocity(const Vec3& p, double t) const;
@@ -161,13 +165,5 @@ CellSampler::derivatives(const Vec3& p, double t, std::span<const Vec3> w) const
 inline PointStatus CellSampler::status(const Vec3& p) const {
     return cursor().status(p);
 }
-
-/// As advance_curve with Dopri5, by a Taylor series a cell (cell_path.hpp): steps end at faces instead of after longest_step. Finer
-/// control of errors than that of the field's kinks at the faces would need costs Runge-Kutta steps a fraction of a cell.
-bool advance_through_cells(const CellSampler& sampler,
-                           Curve& curve,
-                           const TraceOptions& options,
-                           double until,
-                           const std::stop_token& stop);
 
 } // namespace wakesurf::core

@@ -1,6 +1,7 @@
 #include "core/field/cells/cell_sampling.hpp"
 
 #include "core/field/advance_particles.hpp"
+#include "core/field/cells/cell_steps.hpp"
 #include "core/field/trace_curves.hpp"
 
 namespace wakesurf::core {

@@ -37,7 +37,7 @@ bool takes_others_along(Edit& into, const Edit& next) {
 }
 
 /// Makes `into`, of the same gesture, the edit that did both. False where something else came between, or it would be
-/// of too many records, or could not be turned.
+/// of too many records, or could not be taken back or done again.
 bool merge(Edit& into, const Edit& next) {
     if (next.gesture.empty() || into.gesture != next.gesture)
         return false;
@@ -84,11 +84,11 @@ void History::add(const std::string& author, Edit edit) {
     make_room();
 }
 
-std::optional<Edit> History::take(const std::string& author, Turn turn) {
+std::optional<Edit> History::take(const std::string& author, HistoryMove move) {
     const auto found = authors_.find(author);
     if (found == authors_.end())
         return std::nullopt;
-    Stack& stack = turn == Turn::Undo ? found->second.undo : found->second.redo;
+    Stack& stack = move == HistoryMove::Undo ? found->second.undo : found->second.redo;
     std::optional<Edit> edit;
     if (!stack.empty()) {
         edit = std::move(stack.back().edit);
@@ -99,27 +99,27 @@ std::optional<Edit> History::take(const std::string& author, Turn turn) {
     return edit;
 }
 
-void History::turned(const std::string& author,
-                     Turn turn,
-                     Edit edit,
-                     std::span<const std::uint64_t> revs) {
+void History::moved(const std::string& author,
+                    HistoryMove move,
+                    Edit edit,
+                    std::span<const std::uint64_t> revs) {
     Stacks& mine = authors_[author];
     mine.used = next_age_;
     // The edit before this one left what is there again, at a revision of now.
-    Stack& from = turn == Turn::Undo ? mine.undo : mine.redo;
+    Stack& from = move == HistoryMove::Undo ? mine.undo : mine.redo;
     for (std::size_t i = 0; i < edit.steps.size(); ++i) {
         EditStep& step = edit.steps[i];
         const std::uint64_t old =
-            std::exchange(turn == Turn::Undo ? step.before_rev : step.after_rev, revs[i]);
+            std::exchange(move == HistoryMove::Undo ? step.before_rev : step.after_rev, revs[i]);
         for (Kept& kept : from)
             for (EditStep& each : kept.edit.steps) {
-                std::uint64_t& rev = turn == Turn::Undo ? each.after_rev : each.before_rev;
+                std::uint64_t& rev = move == HistoryMove::Undo ? each.after_rev : each.before_rev;
                 if (each.key == step.key && rev == old)
                     rev = revs[i];
             }
     }
     edit.gesture.clear();
-    push(turn == Turn::Undo ? mine.redo : mine.undo, std::move(edit));
+    push(move == HistoryMove::Undo ? mine.redo : mine.undo, std::move(edit));
     make_room();
 }
 

@@ -1,5 +1,5 @@
 // What each author of a session can take back, and do again: their own edits as records before and after. An edit may
-// only be turned while its records are still as it left them, so every step knows the revision it left; turning an
+// only be taken back, or done again, while its records are as it left them, so every step knows the revision it left; doing so to an
 // edit sets a new revision of a record, which the author's neighbouring edits are told. The edits of one gesture (a slider
 // that moves, a rake that is dragged, a button that makes two records) are one edit here.
 #pragma once
@@ -18,7 +18,7 @@
 
 namespace wakesurf::server {
 
-enum class Turn : std::uint8_t { Undo, Redo };
+enum class HistoryMove : std::uint8_t { Undo, Redo };
 
 /// One record of an edit, both ways.
 struct EditStep {
@@ -30,12 +30,14 @@ struct EditStep {
     std::uint64_t latest = 0; ///< the highest it had between, where a gesture left it gone
 
     /// What the record becomes.
-    const std::shared_ptr<const Record>& to(Turn turn) const {
-        return turn == Turn::Undo ? before : after;
+    const std::shared_ptr<const Record>& to(HistoryMove move) const {
+        return move == HistoryMove::Undo ? before : after;
     }
 
     /// The revision it must be at for that.
-    std::uint64_t from_rev(Turn turn) const { return turn == Turn::Undo ? after_rev : before_rev; }
+    std::uint64_t from_rev(HistoryMove move) const {
+        return move == HistoryMove::Undo ? after_rev : before_rev;
+    }
 };
 
 struct Edit {
@@ -55,12 +57,14 @@ class History {
     /// A new edit, or more of the newest one's gesture. Nothing can be done again after it.
     void add(const std::string& author, Edit edit);
 
-    /// The newest edit that can be turned, which is taken off. Gestures end here: what comes next is another edit.
-    std::optional<Edit> take(const std::string& author, Turn turn);
+    /// Takes the newest edit off, to take it back or to do it again. Gestures end here: what comes next is another edit.
+    std::optional<Edit> take(const std::string& author, HistoryMove move);
 
-    /// The edit taken was turned; `revs` are its records' revisions now, step by step, 0 for those that are gone.
-    void
-    turned(const std::string& author, Turn turn, Edit edit, std::span<const std::uint64_t> revs);
+    /// The edit that take() returned was taken back or done again; `revs` are its records' revisions now, step by step, 0 for those that are gone.
+    void moved(const std::string& author,
+               HistoryMove move,
+               Edit edit,
+               std::span<const std::uint64_t> revs);
 
     Depth depth(const std::string& author) const;
 

@@ -1,6 +1,7 @@
 #include "tests/bench/load/hostile_tenants.hpp"
 
 #include "core/base/vec3.hpp"
+#include "server/compute/thread_priority.hpp"
 #include "tests/support/server/raw_socket.hpp"
 
 #include <nlohmann/json.hpp>
@@ -73,8 +74,14 @@ json surface_of(const Domain& domain, const std::string& rake, int i) {
 HostileTenants::HostileTenants(const ServerAddress& address, int sessions)
     : address_(address), session_(static_cast<std::size_t>(sessions)) {
     for (int i = 0; i < sessions; ++i) {
-        threads_.emplace_back([this, i](const std::stop_token& stop) { edit(stop, i); });
-        threads_.emplace_back([this, i](const std::stop_token& stop) { download(stop, i); });
+        threads_.emplace_back([this, i](const std::stop_token& stop) {
+            server::step_back(server::long_niceness);
+            edit(stop, i);
+        });
+        threads_.emplace_back([this, i](const std::stop_token& stop) {
+            server::step_back(server::long_niceness);
+            download(stop, i);
+        });
     }
 }
 

@@ -12,7 +12,8 @@
 
 namespace wakesurf::bench {
 
-/// From the start to the end; each has threads and connections of its own.
+/// From the start to the end; each has threads and connections of its own. The threads have a low priority: they stand for other
+/// machines, and what they take of this one is not the server's doing.
 class HostileTenants {
   public:
     /// @param sessions  each with an editor and somebody who downloads

@@ -1,13 +1,12 @@
 #include "tests/bench/load/link_flood.hpp"
 
+#include "server/compute/thread_priority.hpp"
+
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
 #include <array>
 #include <atomic>
@@ -24,7 +23,6 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr int low_priority = 10;
 constexpr std::chrono::milliseconds before_another_try{50};
 
 /// A masked text frame; the mask of zeros changes nothing.
@@ -188,7 +186,7 @@ struct LinkFlood::State {
         for (std::size_t i = 0; i < common.options.downloads; ++i)
             std::make_shared<Download>(context, common)->begin();
         thread = std::thread([this] {
-            setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), low_priority);
+            server::step_back(server::long_niceness);
             context.run();
         });
     }

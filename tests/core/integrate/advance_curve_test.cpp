@@ -1,5 +1,5 @@
 #include "core/field/closed_forms.hpp"
-#include "core/integrate/advance_curve.hpp"
+#include "core/integrate/runge_kutta_steps.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,8 @@ Curve traced(
     curve.seed = seed;
     curve.release = release;
     curve.duration = duration;
-    EXPECT_TRUE(advance_curve(field, curve, options, duration, {}));
+    const double sign = duration < 0.0 ? -1.0 : 1.0;
+    EXPECT_TRUE(advance_curve(RungeKuttaSteps(field, options, sign), curve, options, duration, {}));
     return curve;
 }
 
@@ -136,7 +137,9 @@ TEST(AdvanceCurve, AStopRequestEndsTheWork) {
     Curve curve;
     curve.seed = Vec3(1, 0, 0.5);
     curve.duration = 1e9;
-    EXPECT_FALSE(advance_curve(Unbounded<AbcFlow>{abc}, curve, {.longest_step = 0.1}, 1e9,
+    const Unbounded<AbcFlow> field{abc};
+    const TraceOptions options{.longest_step = 0.1};
+    EXPECT_FALSE(advance_curve(RungeKuttaSteps(field, options, +1.0), curve, options, 1e9,
                                stop.get_token()));
 }
 
@@ -146,8 +149,8 @@ TEST(AdvanceCurve, TheTransportedTangentIsTheDerivativeBySeed) {
     curve.seed = Vec3(1, 1, 0);
     curve.seed_tangent = Vec3(1, 1, 0);
     curve.duration = 2.0;
-    EXPECT_TRUE(advance_curve(strain, curve,
-                              {.tolerance = 1e-8, .longest_step = 0.05, .stretch = true}, 2.0, {}));
+    const TraceOptions options{.tolerance = 1e-8, .longest_step = 0.05, .stretch = true};
+    EXPECT_TRUE(advance_curve(RungeKuttaSteps(strain, options, +1.0), curve, options, 2.0, {}));
     EXPECT_NEAR(curve.last.stretch.x, std::exp(1.0), 2e-3);
     EXPECT_NEAR(curve.last.stretch.y, std::exp(-1.0), 2e-3);
 }

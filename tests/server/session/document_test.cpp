@@ -91,10 +91,10 @@ TEST(Document, RakesKeepColourAndAuthorWhenTheyAreUndoneForkedAndRestored) {
     setting.colour = "#654321";
     ASSERT_TRUE(bench.session->set_rake(setting, bench.bob));
     ASSERT_FALSE(is_adas(*bench.session));
-    (void)bench.session->turn(server::Turn::Undo, bench.bob);
+    (void)bench.session->move_in_history(server::HistoryMove::Undo, bench.bob);
     EXPECT_TRUE(is_adas(*bench.session)) << "an edit undone";
     ASSERT_TRUE(bench.session->delete_rake(id, bench.bob));
-    (void)bench.session->turn(server::Turn::Undo, bench.bob);
+    (void)bench.session->move_in_history(server::HistoryMove::Undo, bench.bob);
     EXPECT_TRUE(is_adas(*bench.session)) << "a deletion undone";
     SessionBench after;
     after.sessions.restore("main", "main", bench.journal.entries("main"));
@@ -290,7 +290,8 @@ TEST(Document, AForkHasTheRecordsAndGoesItsOwnWay) {
     const auto before = bench.session->records().list();
     ASSERT_TRUE((*fork)->delete_rake(first, bench.bob));
     EXPECT_EQ(bench.session->records().list(), before);
-    EXPECT_TRUE(bench.session->turn(server::Turn::Undo, bench.bob).changes.empty());
+    EXPECT_TRUE(
+        bench.session->move_in_history(server::HistoryMove::Undo, bench.bob).changes.empty());
     SessionBench after;
     after.sessions.restore((*fork)->id(), "", bench.journal.entries((*fork)->id()));
     EXPECT_EQ(content((*after.sessions.find((*fork)->id()))->records()),

@@ -275,7 +275,8 @@ TEST(SessionDirectory, TheDefaultSceneIsNobodysEditAndOnlyForASessionThatHasNone
     EXPECT_TRUE(bench.session->set_surface(surface_on("r1"), page));
     EXPECT_FALSE(bench.session->set_surface(surface_on("r1"), page));
     EXPECT_FALSE(bench.session->profile().edited);
-    EXPECT_TRUE(bench.session->turn(server::Turn::Undo, bench.ada).changes.empty());
+    EXPECT_TRUE(
+        bench.session->move_in_history(server::HistoryMove::Undo, bench.ada).changes.empty());
     ASSERT_TRUE(bench.session->delete_rake("r1", bench.ada));
     EXPECT_FALSE(bench.session->set_rake(rake_at(0), page)) << "someone emptied it on purpose";
     Restarted after(bench);

@@ -33,7 +33,7 @@ void use_a_session(SessionBench& bench) {
         bench.loop.turn_until([&] { return complete; });
     }
     ASSERT_TRUE(session->set_bookmark(bookmark_of("{}"), bench.ada));
-    session->turn(server::Turn::Undo, bench.ada);
+    session->move_in_history(server::HistoryMove::Undo, bench.ada);
     session->leave(onlooker);
     ASSERT_TRUE(bench.sessions.remove(id));
     ASSERT_TRUE(bench.sessions.erase(id));

@@ -59,10 +59,10 @@ class RandomEdits {
             (void)session.delete_annotation(some(server::RecordType::Annotation), author);
             break;
         case 13:
-            (void)session.turn(server::Turn::Undo, author);
+            (void)session.move_in_history(server::HistoryMove::Undo, author);
             break;
         case 14:
-            (void)session.turn(server::Turn::Redo, author);
+            (void)session.move_in_history(server::HistoryMove::Redo, author);
             break;
         default:
             bench_.loop.pass(std::chrono::milliseconds(random_() % 4000));

@@ -1,5 +1,5 @@
 // Curves by one Taylor series a cell, beside Runge-Kutta steps.
-#include "core/field/cells/cell_path.hpp"
+#include "core/field/cells/cell_steps.hpp"
 #include "core/field/trace_curves.hpp"
 #include "tests/support/meshed_field.hpp"
 
@@ -66,8 +66,9 @@ TEST(CellPath, CurvesEndWhereRungeKuttaStepsOfALowToleranceEnd) {
     sampler.interval = 1.5;
     std::mt19937 random(31);
     for (const bool frozen : {true, false})
-        for (const double duration : {0.6, -0.6})
+        for (const double sign : {+1.0, -1.0})
             for (int i = 0; i < 50; ++i) {
+                const double duration = sign * 0.6;
                 Curve series, steps;
                 series.seed = steps.seed = 0.3 + 0.4 * field.random_point(random);
                 series.duration = steps.duration = duration;
@@ -75,9 +76,12 @@ TEST(CellPath, CurvesEndWhereRungeKuttaStepsOfALowToleranceEnd) {
                 TraceOptions options;
                 options.frozen = frozen;
                 options.longest_step = 0.1;
-                ASSERT_TRUE(advance_through_cells(sampler, series, options, duration, {}));
+                ASSERT_TRUE(advance_curve(sampler.series_steps(options, sign), series, options,
+                                          duration, {}));
                 options.tolerance = 1e-10;
-                ASSERT_TRUE(advance_curve(sampler.cursor(), steps, options, duration, {}));
+                const auto field_there = sampler.cursor();
+                ASSERT_TRUE(advance_curve(RungeKuttaSteps(field_there, options, sign), steps,
+                                          options, duration, {}));
                 EXPECT_EQ(series.end, steps.end);
                 // A millionth of the length, and what the flow makes of it.
                 EXPECT_LT(glm::length(series.last.position - steps.last.position), 1e-5);
@@ -126,7 +130,8 @@ TEST(CellPath, PassesThroughAPyramidsApex) {
     TraceOptions options;
     options.frozen = true;
     options.longest_step = 0.5;
-    ASSERT_TRUE(advance_through_cells(field.sampler(), curve, options, 1.5, {}));
+    ASSERT_TRUE(
+        advance_curve(field.sampler().series_steps(options, +1.0), curve, options, 1.5, {}));
     EXPECT_EQ(curve.end, CurveEnd::Time);
     EXPECT_LT(glm::length(curve.last.position - Vec3(0, 0, 0.6)), 1e-9);
 }

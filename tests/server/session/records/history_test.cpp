@@ -6,8 +6,8 @@
 
 namespace wakesurf::tests {
 
-using server::Turn;
-using server::TurnResult;
+using server::HistoryMove;
+using server::HistoryMoveResult;
 
 class HistoryTest : public testing::Test {
   protected:
@@ -33,9 +33,13 @@ class HistoryTest : public testing::Test {
 
     double x_of(const std::string& rake) const { return session.rake(rake)->shape.points[0].x; }
 
-    TurnResult undo(const server::Author& author) { return session.turn(Turn::Undo, author); }
+    HistoryMoveResult undo(const server::Author& author) {
+        return session.move_in_history(HistoryMove::Undo, author);
+    }
 
-    TurnResult redo(const server::Author& author) { return session.turn(Turn::Redo, author); }
+    HistoryMoveResult redo(const server::Author& author) {
+        return session.move_in_history(HistoryMove::Redo, author);
+    }
 };
 
 TEST_F(HistoryTest, WalksBackAndForthThroughAChainOfEdits) {
@@ -280,9 +284,9 @@ TEST_F(HistoryTest, AGestureIsWorthItsLastEdit) {
         for (int i = 0; i < 60; ++i) {
             const std::string rake = "r" + std::to_string(1 + random() % 3);
             if (random() % 2 == 0) {
-                const auto turn = random() % 3 == 0 ? Turn::Redo : Turn::Undo;
-                const auto one = both[0]->turn(turn, slid.ada);
-                const auto other = both[1]->turn(turn, direct.ada);
+                const auto move = random() % 3 == 0 ? HistoryMove::Redo : HistoryMove::Undo;
+                const auto one = both[0]->move_in_history(move, slid.ada);
+                const auto other = both[1]->move_in_history(move, direct.ada);
                 ASSERT_EQ(one.left.undo, other.left.undo) << "seed " << seed;
                 ASSERT_EQ(one.left.redo, other.left.redo);
                 ASSERT_EQ(one.changes.size(), other.changes.size());
@@ -319,16 +323,17 @@ TEST_F(HistoryTest, AfterAnyEditAndTurnTheDepthIsThatOfTheStepsAPersonCounts) {
             if (random() % 5 == 0) {
                 const bool back = random() % 3 != 0;
                 auto& from = back ? before : undone;
-                const auto turned = mine.turn(back ? Turn::Undo : Turn::Redo, other.ada);
-                ASSERT_EQ(turned.changes.empty(), from.empty());
+                const auto moved =
+                    mine.move_in_history(back ? HistoryMove::Undo : HistoryMove::Redo, other.ada);
+                ASSERT_EQ(moved.changes.empty(), from.empty());
                 if (!from.empty()) {
                     ASSERT_EQ(shown(mine), from.back()) << "seed " << seed;
                     (back ? undone : before).push_back(now);
                     from.pop_back();
                 }
                 open.clear();
-                ASSERT_EQ(turned.left.undo, before.size());
-                ASSERT_EQ(turned.left.redo, undone.size());
+                ASSERT_EQ(moved.left.undo, before.size());
+                ASSERT_EQ(moved.left.redo, undone.size());
                 continue;
             }
             const std::string gesture =
@@ -433,7 +438,7 @@ TEST_F(HistoryTest, IsBoundedInAuthors) {
 
 TEST_F(HistoryTest, TheServersOwnDoingIsNobodysToUndo) {
     ASSERT_TRUE(session.set_rake(rake_at(0)));
-    EXPECT_TRUE(session.turn(Turn::Undo, {}).changes.empty());
+    EXPECT_TRUE(session.move_in_history(HistoryMove::Undo, {}).changes.empty());
     EXPECT_EQ(session.rakes().size(), 1u);
 }
 
@@ -450,13 +455,13 @@ TEST_F(HistoryTest, AfterAnyEditUndoGivesTheRecordsBeforeIt) {
             const auto made = other.session->set_rake(rake_at(0.1 * i), author);
             ASSERT_TRUE(made);
             const auto after = content(other.session->records(), false);
-            ASSERT_EQ(other.session->turn(Turn::Undo, author).changes.size(), 1u);
+            ASSERT_EQ(other.session->move_in_history(HistoryMove::Undo, author).changes.size(), 1u);
             ASSERT_EQ(content(other.session->records(), false), before) << "seed " << seed;
-            ASSERT_EQ(other.session->turn(Turn::Redo, author).changes.size(), 1u);
+            ASSERT_EQ(other.session->move_in_history(HistoryMove::Redo, author).changes.size(), 1u);
             ASSERT_EQ(content(other.session->records(), false), after);
             ASSERT_TRUE(other.session->delete_rake(made->record.rake, author));
             ASSERT_EQ(content(other.session->records(), false), before);
-            other.session->turn(Turn::Undo, author);
+            other.session->move_in_history(HistoryMove::Undo, author);
             ASSERT_EQ(content(other.session->records(), false), after);
             ++compared;
         }
@@ -483,8 +488,9 @@ TEST_F(HistoryTest, UndoChangesOnlyWhatItsAuthorChangedLast) {
                 last[rake] = author.participant;
                 continue;
             }
-            const auto turned = shared.turn(random() % 3 == 0 ? Turn::Redo : Turn::Undo, author);
-            for (const server::RecordChange& each : turned.changes)
+            const auto moved = shared.move_in_history(
+                random() % 3 == 0 ? HistoryMove::Redo : HistoryMove::Undo, author);
+            for (const server::RecordChange& each : moved.changes)
                 ASSERT_EQ(last[each.key.id], author.participant) << "seed " << seed;
         }
     }

@@ -90,7 +90,7 @@ TEST_F(LeaseTest, GoesWithItsRake) {
     const auto seq = session.seq();
     bench.loop.pass(2 * server::limits::lease);
     EXPECT_EQ(session.seq(), seq) << "no timer is left behind";
-    EXPECT_EQ(session.turn(server::Turn::Undo, bench.ada).changes.size(), 1u);
+    EXPECT_EQ(session.move_in_history(server::HistoryMove::Undo, bench.ada).changes.size(), 1u);
     EXPECT_EQ(holder(), "") << "what comes back is no one's";
 }
 

@@ -100,11 +100,11 @@ TEST_F(RecordRoom, IsNotExceededByUndo) {
     fill(session);
     ASSERT_TRUE(session.delete_rake(session.rakes().front().rake, ada));
     ASSERT_TRUE(session.set_rake(long_rake(), bob));
-    const TurnResult turned = session.turn(Turn::Undo, ada);
-    EXPECT_TRUE(turned.changes.empty());
-    ASSERT_EQ(turned.skipped.size(), 1u);
-    EXPECT_NE(turned.skipped.front().why.find("KiB"), std::string::npos)
-        << turned.skipped.front().why;
+    const HistoryMoveResult moved = session.move_in_history(HistoryMove::Undo, ada);
+    EXPECT_TRUE(moved.changes.empty());
+    ASSERT_EQ(moved.skipped.size(), 1u);
+    EXPECT_NE(moved.skipped.front().why.find("KiB"), std::string::npos)
+        << moved.skipped.front().why;
     EXPECT_LE(session.records().bytes(), limits::session_bytes);
 }
 

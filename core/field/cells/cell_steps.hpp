@@ -1,0 +1,69 @@
+// Steps along a curve through a mesh of cells, cell by cell: each follows the Taylor series of the particle's path (cell_path.hpp)
+// and ends a little beyond the face through which that leaves the cell.
+#pragma once
+
+#include "core/field/cells/cell_sampler.hpp"
+#include "core/integrate/advance_curve.hpp"
+
+#include <algorithm>
+
+namespace wakesurf::core {
+
+/// A CurveSteps: as Dormand-Prince steps of the same tolerance, but as long as the cells. Keeps a reference to the options.
+class CellSteps {
+  public:
+    /// @param sign  +1 downstream, -1 upstream
+    CellSteps(const CellSampler& sampler, const TraceOptions& options, double sign)
+        : field_(sampler.cursor()), options_(options), sign_(sign) {}
+
+    const CellSamplerCursor& field() const { return field_; }
+
+    /// Other time-steps may have gaps where these had none.
+    PointStatus begin(const Curve& curve) { return field_.status(curve.last.position); }
+
+    StepOutcome attempt(const Curve& curve, double left, CurveStep& step) {
+        const double time = options_.frozen ? curve.release : curve.release + curve.last.time;
+        const auto [space, local] = field_.path(curve.last.position, time, sign_, options_.frozen);
+        const auto vector = [](const std::array<double, 3>& term) {
+            return Vec3(term[0], term[1], term[2]);
+        };
+        const double speed = glm::length(vector(space.term[1]));
+        if (!(speed > options_.stagnation_speed)) // also ends on NaN
+            return StepOutcome::Stagnation;
+        const Vec3 pace = glm::abs(vector(local.term[1]));
+        const double crossing = 1.0 / std::max(std::max(pace.x, pace.y), pace.z);
+        // A particle that grazes a face may cross it to and fro at once; it then goes on a little regardless. One that
+        // circles in its cell does not do so for ever.
+        const double exit = leaves_cell(field_.place().geometry().shape(), local);
+        double t = std::min(std::min(std::max(exit, 1e-5 * crossing), 1e3 * crossing), left);
+        const auto shortened =
+            series_step(space, Vec3(0.0), Vec3(1.0), curve.last.arc, options_.tolerance * speed, t);
+        if (!shortened)
+            return StepOutcome::Stagnation;
+        step = *shortened;
+        step.dt = sign_ * t;
+        return StepOutcome::Taken;
+    }
+
+    double inside_until(const CurveStep& step, PointStatus& met) const {
+        return field_.status(Vec3(step.at(1.0))) == PointStatus::Inside
+                   ? 1.0
+                   : core::inside_until(field_, step, options_.longest_step, met);
+    }
+
+    /// The cursor is there: inside_until looked at the end.
+    bool arrive(const Curve&) { return true; }
+
+    double difference() const { return 0.05 * options_.longest_step; }
+
+  private:
+    CellSamplerCursor field_;
+    const TraceOptions& options_;
+    double sign_;
+};
+
+inline CellSteps CellSampler::series_steps(const TraceOptions& options, double sign) const {
+    return {*this, options, sign};
+}
+
+} // namespace wakesurf::core
