@@ -1,5 +1,6 @@
 // Walls that particles must not cross: thin ones inside the fluid, obstacles' corners, at any length of step.
 #include "core/field/advance_particles.hpp"
+#include "core/field/cells/cell_steps.hpp"
 #include "core/field/trace_curves.hpp"
 #include "tests/support/meshed_field.hpp"
 
