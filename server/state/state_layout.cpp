@@ -80,7 +80,7 @@ core::Result<void> migrate(Database& database,
             all.add(digest);
             done = done.and_then([&] { return put_row(database, key, *each.record, digest); });
         }
-        done = done.and_then([&] { return put_sum(database, session, mine); });
+        done = done.and_then([&, &of = session] { return put_sum(database, of, mine); });
     }
     return done.and_then([&] { return put_sum(database, {}, all); })
         .and_then([&] { return put_head(database, head); })

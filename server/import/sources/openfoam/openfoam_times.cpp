@@ -55,9 +55,9 @@ std::string velocity_name(const FoamCase& found, const std::vector<NamesAtTimes>
         if (!best.empty() && counts[best] >= count)
             continue;
         for (std::size_t r = 0; r < regions.size(); ++r) {
-            const auto last =
-                std::find_if(regions[r].rbegin(), regions[r].rend(),
-                             [&](const auto& here) { return here.second.second.contains(name); });
+            const auto last = std::find_if(
+                regions[r].rbegin(), regions[r].rend(),
+                [&field = name](const auto& here) { return here.second.second.contains(field); });
             if (last == regions[r].rend())
                 continue;
             const auto header = read_foam_header(
