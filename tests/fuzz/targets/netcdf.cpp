@@ -64,6 +64,9 @@ std::vector<std::string> seeds() {
     seeds.push_back(server::file_with_name(400));
     std::string streamed = seeds.front(); // as many time-steps as a number can say
     seeds.push_back(streamed.replace(4, 4, 4, '\xff'));
+    std::string twice = seeds.front(); // u has the name of the axis
+    twice.at(twice.find(std::string{0, 0, 0, 1, 'u', 0, 0, 0}) + 4) = 'x';
+    seeds.push_back(twice);
     auto endless = small_flow(0);
     endless.units["x"] = "1e308 m";
     endless.axes["x"] = {0, 1, 10};

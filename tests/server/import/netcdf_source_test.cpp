@@ -262,6 +262,38 @@ TEST_F(NetcdfSource, RefusesStaggeredAndCurvilinearGrids) {
                    "c.nc has curvilinear coordinates: xc yc");
 }
 
+TEST_F(NetcdfSource, RefusesTwoTimes) {
+    {
+        NetcdfWriter out(folder_ / "t.nc");
+        for (const char* name : {"x", "y", "z", "time", "t"})
+            out.dimension(name, 4);
+        for (const char* name : {"u", "v", "w"})
+            out.variable(name, NC_FLOAT, {"time", "z", "y", "x"});
+        out.variable("p", NC_FLOAT, {"t", "z", "y", "x"});
+    }
+    expect_failure(open_source(folder_ / "t.nc"), Error::Code::Unsupported,
+                   "t.nc has two times: that of p is not that of u");
+}
+
+TEST_F(NetcdfSource, RefusesTwoVariablesOrDimensionsOfOneName) {
+    Flow flow;
+    flow.format = NC_64BIT_OFFSET;
+    const std::string whole = read_file(write(flow));
+    const auto renamed = [&](char from, std::size_t nth) {
+        std::string text = whole;
+        const std::string name{0, 0, 0, 1, from, 0, 0, 0};
+        std::size_t at = text.find(name);
+        for (std::size_t i = 1; i < nth; ++i)
+            at = text.find(name, at + 1);
+        text.at(at + 4) = 'x'; // the library writes none such, and reads them
+        write_file(folder_ / "twice.nc", text);
+        return open_source(folder_ / "twice.nc");
+    };
+    expect_failure(renamed('u', 1), Error::Code::Corrupt, "it has two variables called x");
+    expect_failure(renamed('y', 2), Error::Code::Corrupt, "it has two variables called x");
+    expect_failure(renamed('y', 1), Error::Code::Corrupt, "it has two dimensions called x");
+}
+
 TEST_F(NetcdfSource, NamesTheFieldThatIsNotThere) {
     const auto source = open_source(write({}));
     expect_failure((*source)->read(0, {{"q", 1, core::FieldInfo::Source::Point, {}, {}}}),

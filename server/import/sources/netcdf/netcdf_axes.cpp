@@ -120,8 +120,10 @@ class GridSearch {
             if (!kind)
                 return variable.dimensions.size() < 3 ? core::Result<void>()
                                                       : tl::unexpected(kind.error());
-            if (*kind == AxisKind::Time)
+            if (*kind == AxisKind::Time && !here.time)
                 here.time = dimension;
+            else if (*kind == AxisKind::Time)
+                unknown = true;
             else if (*kind == AxisKind::Unknown && length == 1)
                 continue;
             else if (*kind == AxisKind::Unknown ||
@@ -143,6 +145,11 @@ class GridSearch {
             return {};
         auto& found = candidates_[here.dimensions];
         found.dimensions = here.dimensions;
+        if (found.time && here.time && found.time != here.time)
+            return core::fail(Error::Code::Unsupported,
+                              file_.name() + " has two times: that of " + variable.name +
+                                  " is not that of " + found.variables.front(),
+                              "write the variables of either time to a file of their own");
         found.time = found.time ? found.time : here.time;
         found.variables.push_back(variable.name);
         return {};

@@ -22,6 +22,18 @@ tl::unexpected<Error> damaged(const std::string& file, int status) {
         file + " is damaged or not what it says it is (netCDF: " + nc_strerror(status) + ")");
 }
 
+template <class Named>
+bool has_name(const std::vector<Named>& all, const std::string& name) {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Named& each) { return each.name == name; });
+}
+
+tl::unexpected<Error>
+named_twice(const std::string& file, const char* what, const std::string& name) {
+    return core::fail(Error::Code::Corrupt,
+                      file + " is damaged: it has two " + what + " called " + name);
+}
+
 // What packed values are and which of them are none.
 struct Packing {
     double scale = 1.0;
@@ -129,6 +141,8 @@ core::Result<void> NetcdfFile::list() {
             status != NC_NOERR)
             return damaged(name_, status);
         dimension.name = text.data();
+        if (has_name(dimensions_, dimension.name))
+            return named_twice(name_, "dimensions", dimension.name);
         dimensions_.push_back(std::move(dimension));
     }
     for (int i = 0; i < variables; ++i) {
@@ -141,6 +155,9 @@ core::Result<void> NetcdfFile::list() {
             status != NC_NOERR)
             return damaged(name_, status);
         variable.name = text.data();
+        // A damaged file may have them; asked for by its name, the one would be taken for the other, of another size.
+        if (has_name(variables_, variable.name))
+            return named_twice(name_, "variables", variable.name);
         variable.dimensions.assign(ids.begin(), ids.begin() + count);
         for (const int dimension : variable.dimensions)
             if (dimension < 0 || dimension >= dimensions)
