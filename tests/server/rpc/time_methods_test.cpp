@@ -168,7 +168,7 @@ TEST_F(TimeMethods, HoldsUpdatesBackFromWhoDoesNotAcknowledgeThem) {
     // Only what the server makes meanwhile is held back.
     fold_until(prompt, unbroken, [&](const auto& header) { return header.seq >= before + 12; });
     acknowledge();
-    const auto& state =
+    const auto state =
         fold_until(client, decoder, [&](const auto& header) { return header.seq > before + 8; });
     EXPECT_TRUE(state.header.is_key()) << "what it missed comes as one keyframe";
     EXPECT_EQ(client.notification("server.notice")["kind"], "caughtUp");
