@@ -55,6 +55,7 @@ struct MemoryAccount::State {
     std::list<std::shared_ptr<Giver>> givers; ///< in their order
     std::size_t refused = 0;
     std::function<std::size_t()> resident;
+    std::size_t program = 0; ///< bytes beyond the shares when the first look was taken: they do not go
     std::size_t unseen = 0; ///< bytes taken since the last look
     std::mutex looking;     ///< guards `resident`; held before `mutex`
 
@@ -70,7 +71,8 @@ struct MemoryAccount::State {
         std::size_t& other = by_use[index(MemoryUse::Other)];
         const std::size_t here = used - other - by_use[index(MemoryUse::Importers)];
         used -= other;
-        other = seen - std::min(seen, here);
+        // What is told but not touched yet hides as much that is there.
+        other = std::max(seen - std::min(seen, here), program);
         used += other;
     }
 
@@ -231,6 +233,8 @@ void MemoryAccount::watch(std::function<std::size_t()> resident) const {
         state_->resident = std::move(resident);
     }
     state_->look();
+    const std::lock_guard lock(state_->mutex);
+    state_->program = state_->by_use[index(MemoryUse::Other)];
 }
 
 void MemoryAccount::look() const {

@@ -52,7 +52,8 @@ class MemoryAccount {
     /// @param budget  bytes of all shares together
     explicit MemoryAccount(std::size_t budget);
 
-    /// Counts what the process holds beyond its shares as `Other`, measured again whenever another 1/256 of the budget has been taken.
+    /// Counts what the process holds beyond its shares as `Other`, measured again whenever another 1/256 of the budget has been taken;
+    /// never less than it is now, which is the program itself.
     /// @param resident  bytes of the process, without importers; called from any thread, one at a time
     void watch(std::function<std::size_t()> resident) const;
 
