@@ -12,7 +12,7 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr std::chrono::milliseconds look{2};
+constexpr std::chrono::milliseconds look{5};
 constexpr std::size_t most_replaced = 32; ///< at a time
 
 } // namespace

@@ -21,7 +21,7 @@ namespace wakesurf::server {
 class QuickThreads {
   public:
     /// After so long a job has had its time on a thread that others wait for.
-    static constexpr std::chrono::milliseconds patience{8};
+    static constexpr std::chrono::milliseconds patience{20};
     /// Of a processor; after that its thread steps back as well.
     static constexpr double fair_seconds = 0.02;
 
