@@ -4,8 +4,8 @@
 
 namespace wakesurf::server {
 
-/// To the system, but for what threads keep for themselves. At most four times a second, more often nothing happens: it costs some ms.
-/// Programs that are linked without jemalloc (tests, sanitizers) do it with the C library's. Thread safety: from any thread.
+/// To the system, in programs that are linked without jemalloc (tests, sanitizers); jemalloc does it by itself. At most four times a
+/// second, more often nothing happens: it costs some ms. Thread safety: from any thread.
 void give_back_spare_heap();
 
 } // namespace wakesurf::server
