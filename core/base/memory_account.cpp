@@ -55,7 +55,8 @@ struct MemoryAccount::State {
     std::list<std::shared_ptr<Giver>> givers; ///< in their order
     std::size_t refused = 0;
     std::function<std::size_t()> resident;
-    std::size_t program = 0; ///< bytes beyond the shares when the first look was taken: they do not go
+    std::size_t program =
+        0; ///< bytes beyond the shares when the first look was taken: they do not go
     std::size_t unseen = 0; ///< bytes taken since the last look
     std::mutex looking;     ///< guards `resident`; held before `mutex`
 
