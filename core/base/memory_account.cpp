@@ -55,10 +55,9 @@ struct MemoryAccount::State {
     std::list<std::shared_ptr<Giver>> givers; ///< in their order
     std::size_t refused = 0;
     std::function<std::size_t()> resident;
-    std::size_t program =
-        0; ///< bytes beyond the shares when the first look was taken: they do not go
-    std::size_t unseen = 0; ///< bytes taken since the last look
-    std::mutex looking;     ///< guards `resident`; held before `mutex`
+    std::size_t program = 0; ///< bytes beyond the shares at the first look: they stay
+    std::size_t unseen = 0;  ///< bytes taken since the last look
+    std::mutex looking;      ///< guards `resident`; held before `mutex`
 
     /// Without the account's lock: asking the system takes some time, in which the kernel may set this thread aside. One at a time, so that
     /// an older look does not replace a newer one.
