@@ -1,8 +1,10 @@
 #include "core/base/memory_account.hpp"
 
+#include "core/base/doorbell.hpp"
+
 #include <algorithm>
 #include <array>
-#include <condition_variable>
+#include <atomic>
 #include <cstdint>
 #include <list>
 #include <mutex>
@@ -13,9 +15,13 @@ namespace wakesurf::core {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr std::array<std::string_view, memory_uses> names{
     "timeSteps", "meshes",    "builds",  "surfaces", "rings", "histories",
     "downloads", "importers", "records", "messages", "other"};
+
+constexpr std::chrono::milliseconds look_again{50};
 
 constexpr const char* refusal_hint = "ask for fewer quads or a larger separation, close surfaces "
                                      "that no one is viewing, or start the server "
@@ -44,58 +50,79 @@ struct MemoryAccount::Giver {
     bool ended = false;
 };
 
+/// What is counted needs no lock: those who answer people would wait for threads of low priority that hold it. Sums are taken modulo 2^64,
+/// which is right for both directions.
 struct MemoryAccount::State {
     explicit State(std::size_t all) : budget(all) {}
 
     const std::size_t budget;
-    mutable std::mutex mutex;
-    std::condition_variable_any given_back;
-    std::size_t used = 0;
-    std::array<std::size_t, memory_uses> by_use{};
+    std::atomic<std::size_t> used{0};
+    std::array<std::atomic<std::size_t>, memory_uses> by_use{};
+    std::atomic<std::size_t> refused{0};
+    std::atomic<std::size_t> unseen{0}; ///< bytes taken since the last look
+    Doorbell given_back;
+    std::mutex asking;                        ///< guards `givers`
     std::list<std::shared_ptr<Giver>> givers; ///< in their order
-    std::size_t refused = 0;
     std::function<std::size_t()> resident;
-    std::size_t program = 0; ///< bytes beyond the shares at the first look: they stay
-    std::size_t unseen = 0;  ///< bytes taken since the last look
-    std::mutex looking;      ///< guards `resident`; held before `mutex`
+    std::atomic<std::uint64_t> looks{0}, newest_look{0};
+    std::atomic<std::size_t> program{0}; ///< bytes beyond the shares at the first look: they stay
 
-    /// Without the account's lock: asking the system takes some time, in which the kernel may set this thread aside. One at a time, so that
-    /// an older look does not replace a newer one.
+    std::atomic<std::size_t>& of(MemoryUse use) { return by_use[index(use)]; }
+
+    /// Several threads may look at a time: one that is set aside meanwhile would keep the others from seeing. The newest look counts.
     void look() {
-        const std::unique_lock one_at_a_time(looking, std::try_to_lock);
-        if (!one_at_a_time || !resident)
+        if (!resident)
             return;
-        const std::size_t seen = resident();
-        const std::lock_guard lock(mutex);
         unseen = 0;
-        std::size_t& other = by_use[index(MemoryUse::Other)];
-        const std::size_t here = used - other - by_use[index(MemoryUse::Importers)];
-        used -= other;
+        const std::uint64_t number = ++looks;
+        const std::size_t seen = resident();
+        const std::size_t elsewhere = of(MemoryUse::Other) + of(MemoryUse::Importers);
+        const std::size_t all = used;
+        const std::size_t here = all - std::min(all, elsewhere);
+        std::uint64_t newest = newest_look;
+        do {
+            if (newest > number)
+                return;
+        } while (!newest_look.compare_exchange_weak(newest, number));
         // What is told but not touched yet hides as much that is there.
-        other = std::max(seen - std::min(seen, here), program);
-        used += other;
+        const std::size_t other = std::max(seen - std::min(seen, here), program.load());
+        used += other - of(MemoryUse::Other).exchange(other);
     }
 
-    bool fits(std::size_t more) const { return used <= budget && more <= budget - used; }
+    bool fits(std::size_t more, std::size_t beside) const {
+        return beside <= budget && more <= budget - beside;
+    }
 
-    /// With the lock.
+    bool fits(std::size_t more) const { return fits(more, used); }
+
+    /// Until `more` fits, or the time is over. `stop` rings as well.
+    void sleep(std::size_t more, const std::stop_token& stop, Clock::time_point until) {
+        for (;;) {
+            const auto seen = given_back.rings();
+            const auto now = Clock::now();
+            if (fits(more) || stop.stop_requested() || now >= until)
+                return;
+            given_back.wait(seen, until - now);
+        }
+    }
+
     void change(MemoryUse use, std::size_t from, std::size_t to) {
-        by_use[index(use)] += to - from; // modulo 2^64: right for both directions
         used += to - from;
+        of(use) += to - from;
     }
 
     bool try_change(MemoryUse use, std::size_t from, std::size_t to, std::size_t leave) {
-        std::unique_lock lock(mutex);
         const std::size_t more = to - from;
-        unseen += std::min(more, budget);
-        if (unseen > budget / 256) {
-            lock.unlock();
+        const std::size_t newly = std::min(more, budget);
+        if (unseen.fetch_add(newly) + newly > budget / 256)
             look();
-            lock.lock();
-        }
-        if (!fits(more > SIZE_MAX - leave ? SIZE_MAX : more + leave))
-            return false;
-        change(use, from, to);
+        const std::size_t wanted = more > SIZE_MAX - leave ? SIZE_MAX : more + leave;
+        std::size_t before = used;
+        do {
+            if (!fits(wanted, before))
+                return false;
+        } while (!used.compare_exchange_weak(before, before + more));
+        of(use) += more;
         return true;
     }
 
@@ -103,29 +130,24 @@ struct MemoryAccount::State {
     bool ask(std::size_t more, bool little = false) {
         std::vector<std::shared_ptr<Giver>> all;
         {
-            const std::lock_guard lock(mutex);
+            const std::lock_guard lock(asking);
             all.assign(givers.begin(), givers.end());
         }
         for (const auto& giver : all) {
-            std::size_t wanted = 0;
             look();
-            {
-                const std::lock_guard lock(mutex);
-                if (fits(more))
-                    return true;
-                wanted = more > SIZE_MAX - used ? SIZE_MAX : more + used - budget;
-            }
+            const std::size_t now = used;
+            if (fits(more, now))
+                return true;
             const bool build = giver->order == GiveBack::Builds;
             if (build && !little)
                 break;
             const std::lock_guard one_at_a_time(giver->at_work);
             if (!giver->ended)
-                giver->give_back(wanted);
+                giver->give_back(more > SIZE_MAX - now ? SIZE_MAX : more + now - budget);
             if (build) // it takes a moment to end
                 break;
         }
         look();
-        const std::lock_guard lock(mutex);
         return fits(more);
     }
 };
@@ -164,7 +186,6 @@ bool MemoryAccount::Share::grow_to(std::size_t bytes) {
     for (int i = 0; i < 2; ++i)
         if (state_->ask(more) && grow_within_free(bytes))
             return true;
-    const std::lock_guard lock(state_->mutex);
     ++state_->refused;
     return false;
 }
@@ -175,27 +196,25 @@ bool MemoryAccount::Share::grow_to(std::size_t bytes,
                                    std::size_t leave) {
     if (grow_within_free(bytes, leave))
         return true;
-    const auto end = std::chrono::steady_clock::now() + patience;
+    const auto end = Clock::now() + patience;
     const std::size_t grown = bytes - bytes_;
     const std::size_t more = grown > SIZE_MAX - leave ? SIZE_MAX : grown + leave;
     if (more > state_->budget) {
-        const std::lock_guard lock(state_->mutex);
         ++state_->refused;
         return false;
     }
+    const std::stop_callback wake(stop, [this] { state_->given_back.ring_all(); });
     for (;;) {
         state_->ask(more, leave == 0 && bytes <= small_of(state_->budget));
         if (grow_within_free(bytes, leave))
             return true;
-        std::unique_lock lock(state_->mutex);
-        if (stop.stop_requested() || std::chrono::steady_clock::now() >= end) {
+        const auto now = Clock::now();
+        if (stop.stop_requested() || now >= end) {
             ++state_->refused;
             return false;
         }
         // Asked again now and then: others may have come to hold something that can be given back.
-        const auto look =
-            std::min(end, std::chrono::steady_clock::now() + std::chrono::milliseconds(50));
-        state_->given_back.wait_until(lock, stop, look, [&] { return state_->fits(more); });
+        state_->sleep(more, stop, std::min(end, now + look_again));
     }
 }
 
@@ -206,21 +225,17 @@ void MemoryAccount::Share::shrink_to(std::size_t bytes) {
 
 void MemoryAccount::Share::set(std::size_t bytes) {
     if (state_) {
-        {
-            const std::lock_guard lock(state_->mutex);
-            state_->change(use_, bytes_, bytes);
-        }
-        if (bytes < bytes_) // without the lock: those who wait take it
-            state_->given_back.notify_all();
+        state_->change(use_, bytes_, bytes);
+        if (bytes < bytes_)
+            state_->given_back.ring_all();
     }
     bytes_ = bytes;
 }
 
 void MemoryAccount::Share::join(Share&& other) {
     if (state_ && state_ == other.state_) {
-        const std::lock_guard lock(state_->mutex);
-        state_->by_use[index(other.use_)] -= other.bytes_;
-        state_->by_use[index(use_)] += other.bytes_;
+        state_->of(other.use_) -= other.bytes_;
+        state_->of(use_) += other.bytes_;
     } else {
         other.shrink_to(0);
     }
@@ -228,13 +243,9 @@ void MemoryAccount::Share::join(Share&& other) {
 }
 
 void MemoryAccount::watch(std::function<std::size_t()> resident) const {
-    {
-        const std::lock_guard lock(state_->looking);
-        state_->resident = std::move(resident);
-    }
+    state_->resident = std::move(resident);
     state_->look();
-    const std::lock_guard lock(state_->mutex);
-    state_->program = state_->by_use[index(MemoryUse::Other)];
+    state_->program = used(MemoryUse::Other);
 }
 
 void MemoryAccount::look() const {
@@ -251,7 +262,7 @@ MemoryAccount::on_need(GiveBack order, std::function<void(std::size_t wanted)> g
     giver->order = order;
     giver->give_back = std::move(give_back);
     {
-        const std::lock_guard lock(state_->mutex);
+        const std::lock_guard lock(state_->asking);
         const auto later = std::find_if(state_->givers.begin(), state_->givers.end(),
                                         [&](const auto& each) { return each->order > order; });
         state_->givers.insert(later, giver);
@@ -262,7 +273,7 @@ MemoryAccount::on_need(GiveBack order, std::function<void(std::size_t wanted)> g
                     giver->ended = true;
                 }
                 if (const auto there = state.lock()) {
-                    const std::lock_guard lock(there->mutex);
+                    const std::lock_guard lock(there->asking);
                     there->givers.remove(giver);
                 }
             }};
@@ -273,22 +284,19 @@ std::size_t MemoryAccount::budget() const {
 }
 
 std::size_t MemoryAccount::used() const {
-    const std::lock_guard lock(state_->mutex);
     return state_->used;
 }
 
 std::size_t MemoryAccount::used(MemoryUse use) const {
-    const std::lock_guard lock(state_->mutex);
-    return state_->by_use[index(use)];
+    return state_->of(use);
 }
 
 std::size_t MemoryAccount::free() const {
-    const std::lock_guard lock(state_->mutex);
-    return state_->budget - std::min(state_->budget, state_->used);
+    const std::size_t used = state_->used;
+    return state_->budget - std::min(state_->budget, used);
 }
 
 std::size_t MemoryAccount::refused() const {
-    const std::lock_guard lock(state_->mutex);
     return state_->refused;
 }
 

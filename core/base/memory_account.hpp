@@ -54,7 +54,8 @@ class MemoryAccount {
 
     /// Counts what the process holds beyond its shares as `Other`, measured again whenever another 1/256 of the budget has been taken;
     /// never less than it is now, which is the program itself.
-    /// @param resident  bytes of the process, without importers; called from any thread, one at a time
+    /// REQUIRES: no other thread uses the account yet.
+    /// @param resident  bytes of the process, without importers; called from any thread, also from several at a time
     void watch(std::function<std::size_t()> resident) const;
 
     /// Looks now.

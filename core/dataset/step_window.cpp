@@ -35,7 +35,7 @@ void StepWindow::give_back(std::size_t index) {
         room_wanted = !demanded.empty() || !prefetched.empty();
     }
     if (room_wanted)
-        work.notify_one();
+        work.ring_one();
 }
 
 void StepWindow::demand(std::size_t index) {
@@ -53,7 +53,7 @@ void StepWindow::withdraw(std::size_t index) {
 
 /// Time-steps there may be as things stand.
 std::size_t StepWindow::room() const {
-    return starved ? std::min(capacity, std::max(used, smallest)) : capacity;
+    return starved ? std::min(capacity, std::max(used.load(), smallest)) : capacity;
 }
 
 bool StepWindow::may_be_deadlocked() const {
@@ -71,7 +71,7 @@ bool StepWindow::make_room(std::size_t leave) {
 }
 
 void StepWindow::count() {
-    share.shrink_to(std::max(used, smallest) * step_bytes);
+    share.shrink_to(std::max(used.load(), smallest) * step_bytes);
 }
 
 /// Beyond the smallest window, and no one holds them. To be freed without the lock.

@@ -2,10 +2,11 @@
 // cache's threads and callers share one, by its mutex.
 #pragma once
 
+#include "core/base/doorbell.hpp"
 #include "core/base/memory_account.hpp"
 #include "core/dataset/time_step_cache.hpp"
 
-#include <condition_variable>
+#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -17,12 +18,12 @@
 namespace wakesurf::core {
 
 struct StepEntry {
-    StepState state = StepState::Cold;
-    std::shared_ptr<const TimeStep> step; ///< while resident
-    std::weak_ptr<const TimeStep> lease;  ///< what is handed out
-    std::size_t leases = 0;               ///< handed out and not yet given back
-    std::size_t waiters = 0;              ///< acquire() calls waiting for it
-    bool in_window = false;               ///< wanted by the last prefetch()
+    std::atomic<StepState> state{StepState::Cold}; ///< status() reads it without the lock
+    std::shared_ptr<const TimeStep> step;          ///< while resident
+    std::weak_ptr<const TimeStep> lease;           ///< what is handed out
+    std::size_t leases = 0;                        ///< handed out and not yet given back
+    std::size_t waiters = 0;                       ///< acquire() calls waiting for it
+    bool in_window = false;                        ///< wanted by the last prefetch()
     std::uint64_t last_use = 0;
     std::uint64_t failures = 0;
     Error error;           ///< of the last failure
@@ -43,8 +44,8 @@ struct StepWindow {
         8; ///< of the account one part in so many, for what begins elsewhere
 
     std::mutex mutex;
-    std::condition_variable_any changed; ///< a load ended
-    std::condition_variable_any work;    ///< something to load, or room for it
+    Doorbell changed; ///< a load ended
+    Doorbell work;    ///< something to load, or room for it
     std::vector<StepEntry> entries;
     std::deque<std::size_t> demanded;   ///< cold steps somebody waits for, oldest first
     std::deque<std::size_t> prefetched; ///< cold steps to load ahead, nearest first
@@ -55,15 +56,15 @@ struct StepWindow {
     std::optional<MemoryAccount> account;
     MemoryAccount::Share share; ///< of the account: `used`, at least `smallest`
     bool starved = false;       ///< the last load had to wait: there was no memory beyond `used`
-    std::size_t used = 0;       ///< resident and in flight
-    std::size_t lent = 0;       ///< entries handed out
-    std::size_t held = 0;       ///< by those whose acquire() waits, together
+    std::atomic<std::size_t> used{
+        0}; ///< resident and in flight; read as `state` is, like the next two
+    std::atomic<std::uint64_t> hits{0}, loads{0};
+    std::size_t lent = 0; ///< entries handed out
+    std::size_t held = 0; ///< by those whose acquire() waits, together
     std::size_t idle_threads = 0;
     bool closing = false;
     std::uint64_t clock = 0;    ///< order of use
     std::uint64_t progress = 0; ///< counts loads ended and leases given back
-    std::uint64_t hits = 0;
-    std::uint64_t loads = 0;
 
     std::shared_ptr<const TimeStep> lend(const std::shared_ptr<StepWindow>& self,
                                          std::size_t index);

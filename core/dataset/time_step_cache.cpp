@@ -17,6 +17,7 @@ namespace wakesurf::core {
 namespace {
 
 using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
 
 // A caller that waits for room looks up this often; after so many looks without anything being given
 // back it gives up. Short when the callers that wait may between them hold everything (a deadlock).
@@ -84,20 +85,25 @@ void TimeStepCache::State::announce() {
 }
 
 void TimeStepCache::State::load_until(const std::stop_token& stop) {
+    const std::stop_callback wake(stop, [this] { window->work.ring_all(); });
     while (true) {
         std::optional<StepJob> job;
         {
             std::unique_lock lock(window->mutex);
             ++window->idle_threads;
             const auto picked = [&] { return (job = window->pick()).has_value(); };
-            while (!job && !stop.stop_requested()) {
-                window->work.wait(lock, stop, [&] { return picked() || window->hungry(); });
-                if (job || stop.stop_requested())
-                    break;
+            for (auto seen = window->work.rings(); !stop.stop_requested() && !picked();
+                 seen = window->work.rings()) {
+                if (!window->hungry()) {
+                    window->work.wait(lock, seen);
+                    continue;
+                }
                 lock.unlock();
                 window->account->make_room(step_bytes); // of others: somebody waits for it
                 lock.lock();
-                window->work.wait_for(lock, stop, look, picked);
+                if (picked())
+                    break;
+                window->work.wait(lock, seen, look);
             }
             --window->idle_threads;
         }
@@ -106,8 +112,8 @@ void TimeStepCache::State::load_until(const std::stop_token& stop) {
         job->evicted.reset();
         announce();
         window->finish(job->index, load(*job));
-        window->changed.notify_all();
-        window->work.notify_one();
+        window->changed.ring_all();
+        window->work.ring_one();
         announce();
     }
 }
@@ -148,7 +154,7 @@ TimeStepCache::TimeStepCache(std::shared_ptr<const TimeStepSource> source, Optio
             });
     }
     window.capacity = state_->budget_bytes / state_->step_bytes;
-    window.entries.resize(state_->source->times().size());
+    window.entries = std::vector<StepEntry>(state_->source->times().size());
     for (std::size_t i = 0; i < std::max<std::size_t>(1, options.load_threads); ++i)
         state_->threads.emplace_back(
             [state = state_.get()](const std::stop_token& stop) { state->load_until(stop); });
@@ -194,14 +200,21 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
     window.demand(index);
     ++entry.waiters;
     window.held += held;
-    window.work.notify_one();
+    window.work.ring_one();
     Patience patience;
     bool given_up = false;
-    while (!window.changed.wait_for(lock, stop, look, done) && !stop.stop_requested() &&
-           !given_up) {
+    const std::stop_callback wake(stop, [&] { window.changed.ring_all(); });
+    const auto waited = [&] {
+        const auto end = Clock::now() + look;
+        for (auto seen = window.changed.rings();
+             !done() && !stop.stop_requested() && Clock::now() < end; seen = window.changed.rings())
+            window.changed.wait(lock, seen, end - Clock::now());
+        return done();
+    };
+    while (!waited() && !stop.stop_requested() && !given_up) {
         given_up = patience.ends(window.lent >= window.room(), window.may_be_deadlocked(),
                                  window.progress);
-        window.work.notify_one(); // others may have given memory back
+        window.work.ring_one(); // others may have given memory back
     }
     window.held -= held;
     window.withdraw(index);
@@ -256,18 +269,18 @@ void TimeStepCache::prefetch(std::size_t index, int direction, std::size_t behin
     window.position = index;
     window.prefetched = std::move(wanted);
     window.stop_loads([](const StepEntry& e) { return e.waiters == 0 && !e.in_window; });
-    window.work.notify_all();
+    window.work.ring_all();
 }
 
 TimeStepCache::Status TimeStepCache::status() const {
     const State::Window& window = *state_->window;
     Status status;
-    const std::scoped_lock lock(state_->window->mutex);
     status.budget = state_->budget_bytes;
     if (window.account) {
         const std::size_t leave = window.account->budget() / StepWindow::left_free;
         const std::size_t free = window.account->free();
-        status.budget = window.share.bytes() + (free - std::min(free, leave));
+        status.budget = std::max(window.used.load(), window.smallest) * window.step_bytes +
+                        (free - std::min(free, leave));
     }
     status.bytes = window.used * state_->step_bytes;
     status.hits = window.hits;

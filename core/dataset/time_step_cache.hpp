@@ -64,6 +64,7 @@ class TimeStepCache {
     /// @param behind  how many time-steps before `index` (against the direction) are needed again and again, and stay too
     void prefetch(std::size_t index, int direction, std::size_t behind = 0);
 
+    /// As things are at the moment; what changes meanwhile may be in one of the numbers and not yet in another. Waits for no one.
     Status status() const;
 
     /// Called (from a load thread, without the cache's lock) whenever a step's state changes. Returns when

@@ -23,8 +23,12 @@ Result<Interval> Intervals::acquire(std::size_t k, Needs needs, const std::stop_
     if (!tight_ && (got || got.error().code != Error::Code::OverLimit))
         return got;
     {
+        const std::stop_callback wake(stop, [this] { turn_over_.ring_all(); });
         std::unique_lock lock(mutex_);
-        if (!turn_over_.wait(lock, stop, [&] { return !turn_taken_; }))
+        for (auto seen = turn_over_.rings(); turn_taken_ && !stop.stop_requested();
+             seen = turn_over_.rings())
+            turn_over_.wait(lock, seen);
+        if (turn_taken_)
             return fail(Error::Code::Cancelled, "waiting for time-steps was cancelled");
         turn_taken_ = true;
     }
@@ -37,7 +41,7 @@ Result<Interval> Intervals::acquire(std::size_t k, Needs needs, const std::stop_
         const std::scoped_lock lock(mutex_);
         turn_taken_ = false;
     }
-    turn_over_.notify_one();
+    turn_over_.ring_one();
     return got;
 }
 

@@ -1,9 +1,9 @@
 // The time-steps an interval between two stored times needs, held while particles cross it.
 #pragma once
 
+#include "core/base/doorbell.hpp"
 #include "core/dataset/time_step_cache.hpp"
 
-#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <stop_token>
@@ -40,7 +40,7 @@ class Intervals {
     std::shared_ptr<TimeStepCache> cache_;
     bool tight_;
     mutable std::mutex mutex_;
-    mutable std::condition_variable_any turn_over_;
+    mutable Doorbell turn_over_;
     mutable bool turn_taken_ = false;
 };
 

@@ -1,7 +1,7 @@
 #include "server/compute/compute_pool.hpp"
 
+#include "core/base/doorbell.hpp"
 #include "core/base/mailbox.hpp"
-#include "server/compute/doorbell.hpp"
 #include "server/compute/long_threads.hpp"
 #include "server/compute/quick_threads.hpp"
 
@@ -47,7 +47,7 @@ class Freeing {
     }
 
     core::Mailbox<std::shared_ptr<const void>> things_;
-    Doorbell bell_;
+    core::Doorbell bell_;
     std::atomic<bool> ending_{false};
     std::jthread thread_{[this] { free_all(); }};
 };

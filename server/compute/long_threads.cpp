@@ -49,7 +49,7 @@ LongThreads::~LongThreads() {
         sort(); // before the threads may end
         ending_ = true;
     }
-    for (Doorbell& each : bells_)
+    for (core::Doorbell& each : bells_)
         each.ring_all();
     threads_.clear();
 }
@@ -60,7 +60,7 @@ void LongThreads::run(const std::string& session, FairQueue::Job job) {
 }
 
 void LongThreads::ring() {
-    for (Doorbell& each : bells_)
+    for (core::Doorbell& each : bells_)
         each.ring_one();
 }
 
@@ -104,7 +104,7 @@ void LongThreads::serve(LongLanes::Lane lane) {
         const bool more = lanes_.waiting() > 0;
         lock.unlock();
         if (ending_)
-            for (Doorbell& each : bells_)
+            for (core::Doorbell& each : bells_)
                 each.ring_all();
         else if (more)
             ring();

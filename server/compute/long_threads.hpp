@@ -2,8 +2,8 @@
 // next: long_lanes.
 #pragma once
 
+#include "core/base/doorbell.hpp"
 #include "core/base/mailbox.hpp"
-#include "server/compute/doorbell.hpp"
 #include "server/compute/long_lanes.hpp"
 
 #include <oneapi/tbb/global_control.h>
@@ -36,7 +36,7 @@ class LongThreads {
         FairQueue::Job job;
     };
 
-    Doorbell& bell(LongLanes::Lane lane) { return bells_[static_cast<std::size_t>(lane)]; }
+    core::Doorbell& bell(LongLanes::Lane lane) { return bells_[static_cast<std::size_t>(lane)]; }
 
     void ring();
     void sort();
@@ -45,7 +45,7 @@ class LongThreads {
     unsigned cores_;
     oneapi::tbb::global_control allowed_;
     core::Mailbox<Arrived> arrived_;
-    std::array<Doorbell, 2> bells_; ///< by lane
+    std::array<core::Doorbell, 2> bells_; ///< by lane
     std::atomic<bool> ending_{false};
     std::mutex mutex_; ///< guards lanes_
     LongLanes lanes_;

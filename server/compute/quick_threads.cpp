@@ -33,7 +33,7 @@ QuickThreads::~QuickThreads() {
     }
     keepers_bell_.ring_all();
     keeper_.join();
-    for (Doorbell& each : bells_)
+    for (core::Doorbell& each : bells_)
         each.ring_all();
     workers_.clear();
 }

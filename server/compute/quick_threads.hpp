@@ -2,8 +2,8 @@
 // waiting: another thread takes the place of its own, which steps back and ends with it.
 #pragma once
 
+#include "core/base/doorbell.hpp"
 #include "core/base/mailbox.hpp"
-#include "server/compute/doorbell.hpp"
 #include "server/compute/quick_lanes.hpp"
 
 #include <array>
@@ -57,7 +57,7 @@ class QuickThreads {
         std::jthread thread;
     };
 
-    Doorbell& bell(QuickLanes::Lane lane) { return bells_[static_cast<std::size_t>(lane)]; }
+    core::Doorbell& bell(QuickLanes::Lane lane) { return bells_[static_cast<std::size_t>(lane)]; }
 
     void start(QuickLanes::Lane lane, Takes takes);
     void serve(Worker& self);
@@ -66,8 +66,8 @@ class QuickThreads {
     bool look_after(Worker& worker);
 
     core::Mailbox<Arrived> arrived_;
-    std::array<Doorbell, 2> bells_; ///< by lane
-    Doorbell keepers_bell_;
+    std::array<core::Doorbell, 2> bells_; ///< by lane
+    core::Doorbell keepers_bell_;
     std::atomic<bool> ending_{false}, keeper_sleeps_{false};
     std::atomic<int> upper_asleep_{0};
     std::mutex mutex_; ///< guards lanes_

@@ -167,6 +167,30 @@ TEST(MemoryAccount, SeesWhatTheProcessHoldsBeyondItsShares) {
     EXPECT_EQ(account.used(MemoryUse::Other), 4 * mebi);
 }
 
+TEST(MemoryAccount, SeesWhatIsHeldWhileAnotherThreadIsSetAsideInItsLook) {
+    const MemoryAccount account(10 * mebi);
+    std::atomic<std::size_t> resident{5 * mebi};
+    std::atomic<bool> is_in{false}, go_on{false};
+    const auto here = std::this_thread::get_id();
+    account.watch([&] {
+        const std::size_t seen = resident;
+        if (std::this_thread::get_id() != here)
+            is_in = true;
+        while (std::this_thread::get_id() != here && !go_on)
+            std::this_thread::yield();
+        return seen;
+    });
+    auto steps = account.open(MemoryUse::TimeSteps);
+    std::jthread set_aside([&] { account.look(); });
+    while (!is_in)
+        std::this_thread::yield();
+    resident = 9 * mebi;
+    EXPECT_FALSE(steps.grow_to(2 * mebi));
+    go_on = true;
+    set_aside.join();
+    EXPECT_EQ(account.used(MemoryUse::Other), 9 * mebi) << "an older look replaces no newer one";
+}
+
 TEST(MemoryAccount, WorkThatNeedsMuchLeavesTheLastPartToWhatNeedsLittle) {
     const MemoryAccount account(64 * mebi);
     std::stop_source none;
