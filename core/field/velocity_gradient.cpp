@@ -14,7 +14,7 @@ namespace wakesurf::core {
 
 namespace {
 
-constexpr std::size_t most_at_once = std::size_t{1} << 16;
+constexpr std::size_t most_points = std::size_t{1} << 16;
 constexpr std::size_t places = 7; ///< a point and its neighbours: below and above along x, y, z
 
 constexpr int halvings = 6; ///< of the step, where the flow is thinner than it
@@ -78,8 +78,8 @@ Result<void> each_gradient(const Flow& flow,
     std::vector<Star> stars;
     std::vector<Vec3> asked, velocity;
     std::vector<double> when;
-    for (std::size_t begin = 0; begin < order.size(); begin += most_at_once) {
-        const std::size_t count = std::min(most_at_once, order.size() - begin);
+    for (std::size_t begin = 0; begin < order.size(); begin += most_points) {
+        const std::size_t count = std::min(most_points, order.size() - begin);
         const std::span<const std::size_t> points(order.data() + begin, count);
         stars.resize(count);
         asked.resize(places * count);

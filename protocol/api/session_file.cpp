@@ -24,7 +24,7 @@ constexpr std::array<std::pair<const char*, const char*>, 4> groups{{
     {"annotations", "annotation"},
 }};
 
-tl::unexpected<Error> corrupt(const std::string& what) {
+tl::unexpected<Error> not_a_session_file(const std::string& what) {
     return fail(Error::Code::Corrupt, "this is not a session file: " + what,
                 "use a file that session.export or session.json wrote");
 }
@@ -68,14 +68,16 @@ core::Result<void> read_group(const json& records,
                               std::vector<FileRecord>& into) {
     const auto found = records.find(group);
     if (found == records.end() || !found->is_array())
-        return corrupt(std::string("`records` lacks the list `") + group + "`");
+        return not_a_session_file(std::string("`records` lacks the list `") + group + "`");
     std::set<std::string> ids;
     for (const json& each : *found) {
         const std::string id = each.is_object() ? text_of(each, type) : std::string();
         if (id.empty())
-            return corrupt(std::string("one of the ") + group + " lacks its id `" + type + "`");
+            return not_a_session_file(std::string("one of the ") + group + " lacks its id `" +
+                                      type + "`");
         if (!ids.insert(id).second)
-            return corrupt(std::string("there are two of the ") + type + " " + id.substr(0, 64));
+            return not_a_session_file(std::string("there are two of the ") + type + " " +
+                                      id.substr(0, 64));
         json record = each;
         record["rev"] = 1;
         if (std::string_view(type) == "surface")
@@ -119,7 +121,7 @@ core::Result<SessionFile> read_session_file(std::string_view text, std::size_t m
     const json& value = *parsed;
     if (!value.is_object() || !value.contains("wakesurfSession") ||
         !value["wakesurfSession"].is_number_integer())
-        return corrupt("`wakesurfSession` is missing");
+        return not_a_session_file("`wakesurfSession` is missing");
     if (value["wakesurfSession"] != session_file_version)
         return fail(Error::Code::Unsupported,
                     "the session file is of version " + value["wakesurfSession"].dump() +
@@ -127,7 +129,7 @@ core::Result<SessionFile> read_session_file(std::string_view text, std::size_t m
                     "import it with the wakesurf that wrote it, or a newer one");
     const auto records = value.find("records");
     if (records == value.end() || !records->is_object())
-        return corrupt("`records` is missing");
+        return not_a_session_file("`records` is missing");
     SessionFile file;
     file.name = text_of(value, "name");
     file.exported = text_of(value, "exported");

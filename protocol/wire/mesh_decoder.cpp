@@ -1,5 +1,6 @@
 #include "protocol/wire/mesh_decoder.hpp"
 
+#include "protocol/wire/corrupt.hpp"
 #include "protocol/wire/wire_draft.hpp"
 #include "protocol/wire/wire_edit.hpp"
 #include "protocol/wire/wire_points.hpp"
@@ -18,10 +19,6 @@ namespace wakesurf::protocol {
 namespace {
 
 using core::Error;
-
-tl::unexpected<Error> corrupt(std::string message) {
-    return core::fail(Error::Code::Corrupt, std::move(message), "subscribe to the surface again");
-}
 
 core::Result<std::vector<AttributeRange>> read_ranges(Numbers& numbers, std::size_t count) {
     const auto bounds = numbers.take(2 * count);

@@ -1,5 +1,6 @@
 #include "protocol/wire/mesh_frame.hpp"
 
+#include "protocol/wire/corrupt.hpp"
 #include "protocol/wire/lattice.hpp"
 
 #include <fmt/format.h>
@@ -13,10 +14,6 @@ namespace wakesurf::protocol {
 namespace {
 
 using core::Error;
-
-tl::unexpected<Error> corrupt(std::string message) {
-    return core::fail(Error::Code::Corrupt, std::move(message), "subscribe to the surface again");
-}
 
 FrameHeader parse(std::span<const std::byte> b) {
     FrameHeader h;

@@ -1,5 +1,7 @@
 #include "protocol/wire/numbers.hpp"
 
+#include "protocol/wire/corrupt.hpp"
+
 #include <zlib.h>
 
 #include <algorithm>
@@ -14,10 +16,6 @@ using core::Error;
 constexpr int level = 6;
 /// Deflate makes nothing more than so many times smaller.
 constexpr std::uint64_t most_inflation = 1032;
-
-tl::unexpected<Error> corrupt(const char* message) {
-    return core::fail(Error::Code::Corrupt, message, "subscribe to the surface again");
-}
 
 const Bytef* zlib_in(std::span<const std::byte> bytes) {
     return reinterpret_cast<const Bytef*>(bytes.data());

@@ -1,5 +1,6 @@
 #include "protocol/wire/wire_edit.hpp"
 
+#include "protocol/wire/corrupt.hpp"
 #include "protocol/wire/wire_cells.hpp"
 
 #include <fmt/format.h>
@@ -14,10 +15,6 @@ namespace {
 using core::Cell;
 using core::Error;
 using core::no_vertex;
-
-tl::unexpected<Error> corrupt(std::string message) {
-    return core::fail(Error::Code::Corrupt, std::move(message), "subscribe to the surface again");
-}
 
 void append_runs(std::vector<std::uint32_t>& numbers, const Runs& runs) {
     numbers.push_back(static_cast<std::uint32_t>(runs.all().size()));

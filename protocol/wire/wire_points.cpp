@@ -1,5 +1,6 @@
 #include "protocol/wire/wire_points.hpp"
 
+#include "protocol/wire/corrupt.hpp"
 #include "protocol/wire/draco_points.hpp"
 
 #include <algorithm>
@@ -17,10 +18,6 @@ constexpr std::int32_t draco_limit = 1 << 12;
 /// A channel with no more residuals than these is not worth Draco's own header and table.
 constexpr std::size_t few = 4;
 constexpr std::uint32_t max_tolerance = 32767;
-
-tl::unexpected<Error> corrupt(const char* message) {
-    return core::fail(Error::Code::Corrupt, message, "subscribe to the surface again");
-}
 
 using Slice = Channel<const std::int32_t>;
 

@@ -12,7 +12,7 @@ namespace {
 constexpr RecordHandlers<protocol::AnnotationRecord> handlers{
     "annotation", &Session::annotation, protocol::annotation_json, &Session::delete_annotation};
 
-void set(const Call& call, const protocol::AnnotationSetting& setting, Reply reply) {
+void annotation_set(const Call& call, const protocol::AnnotationSetting& setting, Reply reply) {
     const auto session = choose_session(call, setting.session);
     if (!session)
         return reply.fault(session.error());
@@ -26,18 +26,18 @@ void set(const Call& call, const protocol::AnnotationSetting& setting, Reply rep
         {{"annotation", record->annotation}, {"rev", record->rev}, {"seq", (*session)->seq()}});
 }
 
-void remove(const Call& call, const protocol::AnnotationDelete& of, Reply reply) {
+void annotation_delete(const Call& call, const protocol::AnnotationDelete& of, Reply reply) {
     handlers.remove(call, of, of.annotation, std::move(reply));
 }
 
-void list(const Call& call, const protocol::AnnotationList& of, Reply reply) {
+void annotation_list(const Call& call, const protocol::AnnotationList& of, Reply reply) {
     list_records(call, of.session, std::move(reply), "annotations", annotations_json);
 }
 
 } // namespace
 
 std::vector<Method> annotation_methods() {
-    return {method(set), method(remove), method(list)};
+    return {method(annotation_set), method(annotation_delete), method(annotation_list)};
 }
 
 } // namespace wakesurf::server

@@ -12,7 +12,7 @@ namespace {
 constexpr RecordHandlers<protocol::BookmarkRecord> handlers{
     "bookmark", &Session::bookmark, protocol::bookmark_json, &Session::delete_bookmark};
 
-void set(const Call& call, const protocol::BookmarkSetting& setting, Reply reply) {
+void bookmark_set(const Call& call, const protocol::BookmarkSetting& setting, Reply reply) {
     const auto session = choose_session(call, setting.session);
     if (!session)
         return reply.fault(session.error());
@@ -26,18 +26,18 @@ void set(const Call& call, const protocol::BookmarkSetting& setting, Reply reply
         {{"bookmark", record->bookmark}, {"rev", record->rev}, {"seq", (*session)->seq()}});
 }
 
-void remove(const Call& call, const protocol::BookmarkDelete& of, Reply reply) {
+void bookmark_delete(const Call& call, const protocol::BookmarkDelete& of, Reply reply) {
     handlers.remove(call, of, of.bookmark, std::move(reply));
 }
 
-void list(const Call& call, const protocol::BookmarkList& of, Reply reply) {
+void bookmark_list(const Call& call, const protocol::BookmarkList& of, Reply reply) {
     list_records(call, of.session, std::move(reply), "bookmarks", bookmarks_json);
 }
 
 } // namespace
 
 std::vector<Method> bookmark_methods() {
-    return {method(set), method(remove), method(list)};
+    return {method(bookmark_set), method(bookmark_delete), method(bookmark_list)};
 }
 
 } // namespace wakesurf::server

@@ -25,11 +25,11 @@ using nlohmann::json;
 
 namespace {
 
-void list(const Call& call, const protocol::DatasetList&, Reply reply) {
+void dataset_list(const Call& call, const protocol::DatasetList&, Reply reply) {
     reply.result({{"datasets", call.context.list_datasets()}});
 }
 
-void describe(const Call& call, const protocol::DatasetDescribe& of, Reply reply) {
+void dataset_describe(const Call& call, const protocol::DatasetDescribe& of, Reply reply) {
     const auto open = call.context.datasets.open(of.dataset);
     if (!open)
         return reply.fault(open.error());
@@ -72,7 +72,7 @@ void answer_opening(Opening& opening, const core::Result<DatasetStatus>& status)
 }
 
 // A link's viewer may neither begin nor end what costs others so much; waiting costs nothing.
-void open_one(const Call& call, const protocol::DatasetOpen& of, Reply reply) {
+void dataset_open(const Call& call, const protocol::DatasetOpen& of, Reply reply) {
     const std::string& id = of.dataset;
     const auto token = work_token(call, of.work_done_token);
     ImportWaiters* const imports = call.context.imports;
@@ -153,8 +153,8 @@ void probe_sample(const Call& call, const protocol::ProbeSample& of, Reply reply
 } // namespace
 
 std::vector<Method> dataset_methods() {
-    return {method(list), method(describe), method(open_one), method(cache_status),
-            method(probe_sample)};
+    return {method(dataset_list), method(dataset_describe), method(dataset_open),
+            method(cache_status), method(probe_sample)};
 }
 
 } // namespace wakesurf::server

@@ -41,18 +41,18 @@ void move(HistoryMove by, const Call& call, const std::optional<std::string>& na
     reply.result(out);
 }
 
-void undo(const Call& call, const protocol::HistoryUndo& of, Reply reply) {
+void history_undo(const Call& call, const protocol::HistoryUndo& of, Reply reply) {
     move(HistoryMove::Undo, call, of.session, std::move(reply));
 }
 
-void redo(const Call& call, const protocol::HistoryRedo& of, Reply reply) {
+void history_redo(const Call& call, const protocol::HistoryRedo& of, Reply reply) {
     move(HistoryMove::Redo, call, of.session, std::move(reply));
 }
 
 } // namespace
 
 std::vector<Method> history_methods() {
-    return {method(undo), method(redo)};
+    return {method(history_undo), method(history_redo)};
 }
 
 } // namespace wakesurf::server

@@ -9,7 +9,7 @@ namespace wakesurf::server {
 
 namespace {
 
-void update(const Call& call, const protocol::PresenceUpdate& update, Reply reply) {
+void presence_update(const Call& call, const protocol::PresenceUpdate& update, Reply reply) {
     const auto session = choose_session(call, update.session);
     if (!session)
         return reply.fault(session.error());
@@ -23,7 +23,7 @@ void update(const Call& call, const protocol::PresenceUpdate& update, Reply repl
 } // namespace
 
 std::vector<Method> presence_methods() {
-    return {method(update)};
+    return {method(presence_update)};
 }
 
 } // namespace wakesurf::server

@@ -35,7 +35,7 @@ std::optional<protocol::RpcFault> refusal(Session& session,
     return stale_revision(if_rev, now->rev, protocol::rake_json(*now));
 }
 
-void set(const Call& call, const protocol::RakeSetting& setting, Reply reply) {
+void rake_set(const Call& call, const protocol::RakeSetting& setting, Reply reply) {
     const auto session = choose_session(call, setting.session);
     if (!session)
         return reply.fault(session.error());
@@ -59,7 +59,7 @@ void set(const Call& call, const protocol::RakeSetting& setting, Reply reply) {
                   {"surfaces", std::move(surfaces)}});
 }
 
-void remove(const Call& call, const protocol::RakeDelete& of, Reply reply) {
+void rake_delete(const Call& call, const protocol::RakeDelete& of, Reply reply) {
     const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
@@ -71,14 +71,14 @@ void remove(const Call& call, const protocol::RakeDelete& of, Reply reply) {
     reply_with_seq(std::move(reply), **session);
 }
 
-void list(const Call& call, const protocol::RakeList& of, Reply reply) {
+void rake_list(const Call& call, const protocol::RakeList& of, Reply reply) {
     list_records(call, of.session, std::move(reply), "rakes", rakes_json);
 }
 
 } // namespace
 
 std::vector<Method> rake_methods() {
-    return {method(set), method(remove), method(list)};
+    return {method(rake_set), method(rake_delete), method(rake_list)};
 }
 
 } // namespace wakesurf::server

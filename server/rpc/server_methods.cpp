@@ -24,7 +24,7 @@ json capabilities() {
     return out;
 }
 
-void info(const Call&, const protocol::ServerInfo&, Reply reply) {
+void server_info(const Call&, const protocol::ServerInfo&, Reply reply) {
     json limits = json::object();
     for (const auto& [name, value] : protocol::limits::told)
         limits[name] = value;
@@ -35,11 +35,11 @@ void info(const Call&, const protocol::ServerInfo&, Reply reply) {
                   {"limits", std::move(limits)}});
 }
 
-void ping(const Call&, const protocol::ServerPing&, Reply reply) {
+void server_ping(const Call&, const protocol::ServerPing&, Reply reply) {
     reply.result(json::object());
 }
 
-void stats(const Call& call, const protocol::ServerStats&, Reply reply) {
+void server_stats(const Call& call, const protocol::ServerStats&, Reply reply) {
     if (call.context.metrics == nullptr || !call.context.standing)
         return reply.fault({protocol::RpcCode::NotFound,
                             "this server counts nothing",
@@ -57,7 +57,7 @@ void stats(const Call& call, const protocol::ServerStats&, Reply reply) {
 } // namespace
 
 std::vector<Method> server_methods() {
-    return {method(info), method(ping), method(stats)};
+    return {method(server_info), method(server_ping), method(server_stats)};
 }
 
 } // namespace wakesurf::server

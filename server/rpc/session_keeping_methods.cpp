@@ -17,7 +17,7 @@ using nlohmann::json;
 
 namespace {
 
-void rename(const Call& call, const protocol::SessionRename& to, Reply reply) {
+void session_rename(const Call& call, const protocol::SessionRename& to, Reply reply) {
     const std::string name = display_name(to.name, limits::name_bytes);
     if (name.empty())
         return reply.fault(core::Error{core::Error::Code::InvalidArgument,
@@ -41,7 +41,7 @@ void suspend_links(const Call& call, const std::string& session) {
     call.context.journal->settled([suspend](const core::Result<void>&) { suspend(); });
 }
 
-void remove(const Call& call, const protocol::SessionDelete& of, Reply reply) {
+void session_delete(const Call& call, const protocol::SessionDelete& of, Reply reply) {
     const std::string& id = of.session;
     auto& sessions = call.context.sessions;
     if (of.forever) {
@@ -60,7 +60,7 @@ void remove(const Call& call, const protocol::SessionDelete& of, Reply reply) {
     suspend_links(call, id);
 }
 
-void restore(const Call& call, const protocol::SessionRestore& of, Reply reply) {
+void session_restore(const Call& call, const protocol::SessionRestore& of, Reply reply) {
     const std::string& id = of.session;
     const auto session = call.context.sessions.bring_back(id);
     if (!session)
@@ -69,7 +69,7 @@ void restore(const Call& call, const protocol::SessionRestore& of, Reply reply) 
     reply.result({{"session", id}, {"name", (*session)->name()}});
 }
 
-void export_session(const Call& call, const protocol::SessionExport& of, Reply reply) {
+void session_export(const Call& call, const protocol::SessionExport& of, Reply reply) {
     const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
@@ -85,7 +85,7 @@ void export_session(const Call& call, const protocol::SessionExport& of, Reply r
     reply.result({{"file", protocol::session_file_json(file_of(snapshot))}});
 }
 
-void import(const Call& call, const protocol::SessionImport& from, Reply reply) {
+void session_import(const Call& call, const protocol::SessionImport& from, Reply reply) {
     const std::string name = display_name(from.name, limits::name_bytes);
     auto read = read_session_text(from.file);
     if (!read)
@@ -97,7 +97,7 @@ void import(const Call& call, const protocol::SessionImport& from, Reply reply) 
     reply.result(*made);
 }
 
-void thumbnail(const Call& call, const protocol::SessionThumbnail& of, Reply reply) {
+void session_thumbnail(const Call& call, const protocol::SessionThumbnail& of, Reply reply) {
     const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
@@ -110,8 +110,8 @@ void thumbnail(const Call& call, const protocol::SessionThumbnail& of, Reply rep
 } // namespace
 
 std::vector<Method> session_keeping_methods() {
-    return {method(rename),         method(remove), method(restore),
-            method(export_session), method(import), method(thumbnail)};
+    return {method(session_rename), method(session_delete), method(session_restore),
+            method(session_export), method(session_import), method(session_thumbnail)};
 }
 
 } // namespace wakesurf::server

@@ -33,7 +33,7 @@ json made_json(const Call& call, const Session& session) {
             {"remaining", call.context.sessions.remaining()}};
 }
 
-void create(const Call& call, const protocol::SessionCreate& of, Reply reply) {
+void session_create(const Call& call, const protocol::SessionCreate& of, Reply reply) {
     const auto session = call.context.sessions.create(display_name(of.name, limits::name_bytes));
     if (!session)
         return reply.fault(session.error());
@@ -41,7 +41,7 @@ void create(const Call& call, const protocol::SessionCreate& of, Reply reply) {
 }
 
 /// For the server's own token only: someone who came by a share link could not enter the copy.
-void fork(const Call& call, const protocol::SessionFork& of, Reply reply) {
+void session_fork(const Call& call, const protocol::SessionFork& of, Reply reply) {
     const auto from = choose_session(call, of.session);
     if (!from)
         return reply.fault(from.error());
@@ -52,7 +52,7 @@ void fork(const Call& call, const protocol::SessionFork& of, Reply reply) {
     reply.result(made_json(call, **session));
 }
 
-void list(const Call& call, const protocol::SessionList& of, Reply reply) {
+void session_list(const Call& call, const protocol::SessionList& of, Reply reply) {
     const SessionDirectory& sessions = call.context.sessions;
     const std::string& own = call.identity.session;
     json out = json::array();
@@ -70,7 +70,7 @@ void list(const Call& call, const protocol::SessionList& of, Reply reply) {
                   {"trashLimit", limits::trash}});
 }
 
-void join(const Call& call, const protocol::SessionJoin& asked, Reply reply) {
+void session_join(const Call& call, const protocol::SessionJoin& asked, Reply reply) {
     const std::string given = asked.session.value_or("");
     Arrival arrival;
     arrival.name = asked.name;
@@ -111,12 +111,12 @@ void join(const Call& call, const protocol::SessionJoin& asked, Reply reply) {
         call.client->notify(*notice);
 }
 
-void leave(const Call& call, const protocol::SessionLeave&, Reply reply) {
+void session_leave(const Call& call, const protocol::SessionLeave&, Reply reply) {
     call.client->leave();
     reply.result(json::object());
 }
 
-void state(const Call& call, const protocol::SessionState& of, Reply reply) {
+void session_state(const Call& call, const protocol::SessionState& of, Reply reply) {
     const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
@@ -129,7 +129,8 @@ void state(const Call& call, const protocol::SessionState& of, Reply reply) {
 } // namespace
 
 std::vector<Method> session_methods() {
-    return {method(create), method(fork), method(list), method(join), method(leave), method(state)};
+    return {method(session_create), method(session_fork),  method(session_list),
+            method(session_join),   method(session_leave), method(session_state)};
 }
 
 } // namespace wakesurf::server

@@ -53,7 +53,7 @@ std::string name_of(const Call& call, Session& session) {
     return me != nullptr ? me->name : std::string();
 }
 
-void share(const Call& call, const protocol::SessionShare& of, Reply reply) {
+void session_share(const Call& call, const protocol::SessionShare& of, Reply reply) {
     const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
@@ -69,7 +69,7 @@ void share(const Call& call, const protocol::SessionShare& of, Reply reply) {
     reply.result(out);
 }
 
-void shares(const Call& call, const protocol::SessionShares& of, Reply reply) {
+void session_shares(const Call& call, const protocol::SessionShares& of, Reply reply) {
     const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
@@ -77,7 +77,7 @@ void shares(const Call& call, const protocol::SessionShares& of, Reply reply) {
     reply.result({{"shares", grants_json(grants.of((*session)->id()), grants)}});
 }
 
-void unshare(const Call& call, const protocol::SessionUnshare& of, Reply reply) {
+void session_unshare(const Call& call, const protocol::SessionUnshare& of, Reply reply) {
     const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
@@ -114,7 +114,7 @@ tl::expected<std::shared_ptr<Session>, protocol::RpcFault> session_of(const Para
     return *session;
 }
 
-void set_role(const Call& call, const protocol::SessionSetRole& to, Reply reply) {
+void session_set_role(const Call& call, const protocol::SessionSetRole& to, Reply reply) {
     const std::string& id = to.participant;
     const Role role = *role_named(to.role);
     const auto session = session_of(to, call);
@@ -138,7 +138,7 @@ void set_role(const Call& call, const protocol::SessionSetRole& to, Reply reply)
     reply.result(out);
 }
 
-void kick(const Call& call, const protocol::SessionKick& of, Reply reply) {
+void session_kick(const Call& call, const protocol::SessionKick& of, Reply reply) {
     const auto session = session_of(of, call);
     if (!session)
         return reply.fault(session.error());
@@ -149,7 +149,8 @@ void kick(const Call& call, const protocol::SessionKick& of, Reply reply) {
 } // namespace
 
 std::vector<Method> share_methods() {
-    return {method(share), method(shares), method(unshare), method(set_role), method(kick)};
+    return {method(session_share), method(session_shares), method(session_unshare),
+            method(session_set_role), method(session_kick)};
 }
 
 } // namespace wakesurf::server

@@ -24,7 +24,7 @@ find_live(const Call& call, const std::optional<std::string>& session, const std
     });
 }
 
-void stats(const Call& call, const protocol::SurfaceStats& of, Reply reply) {
+void surface_stats(const Call& call, const protocol::SurfaceStats& of, Reply reply) {
     const auto live = find_live(call, of.session, of.surface);
     if (!live)
         return reply.fault(live.error());
@@ -39,7 +39,7 @@ protocol::RpcFault no_subscription() {
             {}};
 }
 
-void subscribe(const Call& call, const protocol::SurfaceSubscribe& to, Reply reply) {
+void surface_subscribe(const Call& call, const protocol::SurfaceSubscribe& to, Reply reply) {
     const auto live = find_live(call, to.session, to.surface);
     if (!live)
         return reply.fault(live.error());
@@ -73,7 +73,7 @@ void subscribe(const Call& call, const protocol::SurfaceSubscribe& to, Reply rep
     (*live)->begin_now(); // it may have rested
 }
 
-void unsubscribe(const Call& call, const protocol::SurfaceUnsubscribe& of, Reply reply) {
+void surface_unsubscribe(const Call& call, const protocol::SurfaceUnsubscribe& of, Reply reply) {
     std::optional<std::uint32_t> number = of.subscription;
     if (of.surface) {
         const auto live = find_live(call, of.session, *of.surface);
@@ -90,7 +90,7 @@ void unsubscribe(const Call& call, const protocol::SurfaceUnsubscribe& of, Reply
     reply.result(json::object());
 }
 
-void acknowledge(const Call& call, const protocol::FrameAck& of, Reply reply) {
+void surface_ack(const Call& call, const protocol::FrameAck& of, Reply reply) {
     if (!call.client->acknowledge(of.subscription, of.epoch, of.seq))
         return reply.fault(no_subscription());
     reply.result(json::object());
@@ -99,7 +99,8 @@ void acknowledge(const Call& call, const protocol::FrameAck& of, Reply reply) {
 } // namespace
 
 std::vector<Method> subscription_methods() {
-    return {method(stats), method(subscribe), method(unsubscribe), method(acknowledge)};
+    return {method(surface_stats), method(surface_subscribe), method(surface_unsubscribe),
+            method(surface_ack)};
 }
 
 } // namespace wakesurf::server

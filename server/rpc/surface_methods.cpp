@@ -18,7 +18,7 @@ double first_time(const Call& call, const std::string& dataset) {
     return open && !open->info.times.empty() ? open->info.times.front() : 0.0;
 }
 
-void set(const Call& call, const protocol::SurfaceSetting& asked, Reply reply) {
+void surface_set(const Call& call, const protocol::SurfaceSetting& asked, Reply reply) {
     protocol::SurfaceSetting setting = asked;
     setting.parameters.from = asked.from ? *asked.from : first_time(call, asked.dataset);
     const auto session = choose_session(call, setting.session);
@@ -37,12 +37,12 @@ void set(const Call& call, const protocol::SurfaceSetting& asked, Reply reply) {
                   {"seq", (*session)->seq()}});
 }
 
-void remove(const Call& call, const protocol::SurfaceDelete& of, Reply reply) {
+void surface_delete(const Call& call, const protocol::SurfaceDelete& of, Reply reply) {
     handlers.remove(call, of, of.surface, std::move(reply));
 }
 
 /// Any editor may: the surface is everyone's, and so is the time it takes.
-void stop(const Call& call, const protocol::SurfaceStop& of, Reply reply) {
+void surface_stop(const Call& call, const protocol::SurfaceStop& of, Reply reply) {
     const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
@@ -56,14 +56,15 @@ void stop(const Call& call, const protocol::SurfaceStop& of, Reply reply) {
     reply.result({{"epoch", (*live)->epoch()}, {"stopped", stopped}});
 }
 
-void list(const Call& call, const protocol::SurfaceList& of, Reply reply) {
+void surface_list(const Call& call, const protocol::SurfaceList& of, Reply reply) {
     list_records(call, of.session, std::move(reply), "surfaces", surfaces_json);
 }
 
 } // namespace
 
 std::vector<Method> surface_methods() {
-    return {method(set), method(remove), method(stop), method(list)};
+    return {method(surface_set), method(surface_delete), method(surface_stop),
+            method(surface_list)};
 }
 
 } // namespace wakesurf::server

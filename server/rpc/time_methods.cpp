@@ -13,7 +13,7 @@ void answer(Session& session, Reply& reply) {
     reply.result({{"clock", protocol::clock_json(session.clock().record())}});
 }
 
-void set(const Call& call, const protocol::TimeSet& to, Reply reply) {
+void time_set(const Call& call, const protocol::TimeSet& to, Reply reply) {
     const auto session = choose_session(call, to.session);
     if (!session)
         return reply.fault(session.error());
@@ -21,7 +21,7 @@ void set(const Call& call, const protocol::TimeSet& to, Reply reply) {
     answer(**session, reply);
 }
 
-void play(const Call& call, const protocol::PlaySetting& setting, Reply reply) {
+void time_play(const Call& call, const protocol::PlaySetting& setting, Reply reply) {
     const auto session = choose_session(call, setting.session);
     if (!session)
         return reply.fault(session.error());
@@ -30,7 +30,7 @@ void play(const Call& call, const protocol::PlaySetting& setting, Reply reply) {
     answer(**session, reply);
 }
 
-void pause(const Call& call, const protocol::TimePause& of, Reply reply) {
+void time_pause(const Call& call, const protocol::TimePause& of, Reply reply) {
     const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
@@ -41,7 +41,7 @@ void pause(const Call& call, const protocol::TimePause& of, Reply reply) {
 } // namespace
 
 std::vector<Method> time_methods() {
-    return {method(set), method(play), method(pause)};
+    return {method(time_set), method(time_play), method(time_pause)};
 }
 
 } // namespace wakesurf::server

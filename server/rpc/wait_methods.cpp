@@ -43,7 +43,7 @@ struct Waiting {
     std::optional<std::stop_callback<std::function<void()>>> cancelled;
 };
 
-void wait(const Call& call, const protocol::SurfaceWait& of, Reply reply) {
+void surface_wait(const Call& call, const protocol::SurfaceWait& of, Reply reply) {
     const auto live =
         choose_session(call, of.session).and_then([&](const std::shared_ptr<Session>& session) {
             return session->live(of.surface);
@@ -77,7 +77,7 @@ void wait(const Call& call, const protocol::SurfaceWait& of, Reply reply) {
     });
 }
 
-void cancel(const Call& call, const protocol::CancelRequest& of, Reply reply) {
+void cancel_request(const Call& call, const protocol::CancelRequest& of, Reply reply) {
     call.client->calls().cancel(of.id);
     reply.result(json::object());
 }
@@ -85,7 +85,7 @@ void cancel(const Call& call, const protocol::CancelRequest& of, Reply reply) {
 } // namespace
 
 std::vector<Method> wait_methods() {
-    return {method(wait), method(cancel)};
+    return {method(surface_wait), method(cancel_request)};
 }
 
 } // namespace wakesurf::server

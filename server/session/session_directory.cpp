@@ -2,13 +2,13 @@
 
 #include "protocol/api/utc_text.hpp"
 #include "server/base/log_text.hpp"
+#include "server/base/numbered_id.hpp"
 #include "server/limits.hpp"
 #include "server/session/records/record_room.hpp"
 
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 #include <utility>
 
@@ -21,14 +21,6 @@ namespace {
 
 constexpr std::string_view id_start = "session-";
 constexpr std::string_view main_id = "main";
-
-/// Of an id that add_new returns, else 0.
-std::size_t number_of(std::string_view id) {
-    std::size_t number = 0;
-    if (id.starts_with(id_start))
-        std::from_chars(id.data() + id_start.size(), id.data() + id.size(), number);
-    return number;
-}
 
 void log_event(const char* event, const std::string& id) {
     spdlog::info("event={} session={}", event, log_value(id));
@@ -128,7 +120,7 @@ core::Result<std::shared_ptr<Session>> SessionDirectory::import(KeptRecords reco
 RestoreReport SessionDirectory::restore(const std::string& id,
                                         std::string name,
                                         std::span<const JournalEntry> entries) {
-    next_session_ = std::max(next_session_, number_of(id) + 1);
+    next_session_ = std::max(next_session_, number_of(id, id_start).value_or(0) + 1);
     if (in_trash(entries)) {
         KeptRecords kept = read_entries(entries);
         TrashedSession session = trashed(id, kept.name.empty() ? id : kept.name, *kept.profile,

@@ -11,13 +11,13 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr int counted = 1000; ///< a file that says more is damaged
+constexpr int most_counted = 1000; ///< a file that says more is damaged
 
 } // namespace
 
 StartGuard::StartGuard(const std::filesystem::path& folder) : file_(folder / "starts") {
     int before = 0;
-    if (std::ifstream in(file_); in >> before && before > 0 && before < counted)
+    if (std::ifstream in(file_); in >> before && before > 0 && before < most_counted)
         died_ = static_cast<unsigned>(before);
     const int file = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
     if (file < 0)

@@ -63,7 +63,7 @@ class NumberedPoints {
 
 using Polygon = std::vector<std::uint32_t>;
 
-Polygon sorted(Polygon nodes) {
+Polygon sorted_set(Polygon nodes) {
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     return nodes;
@@ -83,7 +83,7 @@ std::map<Polygon, bool> polygons_of(const std::vector<WallFaces>& walls,
                 wall.faces->GetPoint(ids->GetId(k), p);
                 polygon.push_back(numbered.at({p[0], p[1], p[2]}));
             }
-            bool& no_slip = polygons[sorted(std::move(polygon))];
+            bool& no_slip = polygons[sorted_set(std::move(polygon))];
             no_slip = no_slip || wall.no_slip;
         }
     return polygons;
@@ -250,7 +250,7 @@ Walls find_walls(GridAssembly& assembly, const SourceStep& step) {
         Polygon key;
         for (const std::uint32_t node : nodes)
             key.push_back(numbered.of_node(node));
-        const auto wall = polygons.find(sorted(std::move(key)));
+        const auto wall = polygons.find(sorted_set(std::move(key)));
         if (wall == polygons.end())
             continue;
         matched.insert(wall->first);
@@ -258,7 +258,7 @@ Walls find_walls(GridAssembly& assembly, const SourceStep& step) {
         if (wall->second)
             found.still.insert(found.still.end(), nodes.begin(), nodes.end());
     }
-    found.still = sorted(std::move(found.still));
+    found.still = sorted_set(std::move(found.still));
     found.unmatched = polygons.size() - matched.size();
     wall_off_holes(*mesh, boundary);
     return found;

@@ -1,9 +1,9 @@
 #include "server/session/people/grants.hpp"
 
+#include "server/base/numbered_id.hpp"
 #include "server/limits.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 namespace wakesurf::server {
@@ -15,17 +15,6 @@ namespace {
 
 // Long waits are cut, so that no timer is asked for more than it can count.
 constexpr std::chrono::milliseconds longest_wait = std::chrono::hours(24);
-
-/// g7 -> 7; ids are never given twice, also after a restart.
-std::optional<std::uint64_t> number_of(std::string_view id) {
-    if (!id.starts_with('g'))
-        return std::nullopt;
-    std::uint64_t number = 0;
-    const auto [stop, error] = std::from_chars(id.data() + 1, id.data() + id.size(), number);
-    if (error != std::errc{} || stop != id.data() + id.size())
-        return std::nullopt;
-    return number;
-}
 
 } // namespace
 
@@ -223,7 +212,7 @@ Grants::restore(const std::string& session, const std::string& id, std::string_v
     const auto kept = protocol::read_grant(record);
     if (!kept)
         return tl::unexpected(kept.error());
-    const auto number = number_of(id);
+    const auto number = number_of(id, "g");
     const auto role = role_named(kept->role);
     const auto digest = read_digest(kept->digest);
     std::map<std::string, Role> lowered;

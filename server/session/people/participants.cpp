@@ -1,12 +1,12 @@
 #include "server/session/people/participants.hpp"
 
+#include "server/base/numbered_id.hpp"
 #include "server/limits.hpp"
 #include "server/session/people/display_name.hpp"
 #include "server/session/records/colours.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <utility>
 
@@ -25,17 +25,6 @@ protocol::ParticipantRecord record_of(const Participant& place) {
             std::string(name(place.role)),
             place.observer != nullptr,
             place.presence};
-}
-
-/// p7 -> 7
-std::optional<std::size_t> number_of(std::string_view id) {
-    if (!id.starts_with('p'))
-        return std::nullopt;
-    std::size_t number = 0;
-    const auto [stop, error] = std::from_chars(id.data() + 1, id.data() + id.size(), number);
-    if (error != std::errc{} || stop != id.data() + id.size())
-        return std::nullopt;
-    return number;
 }
 
 bool opens(const SecretDigest& token, const Participant& place) {
@@ -398,7 +387,7 @@ core::Result<void> Participants::restore(const std::string& id, std::string_view
         return tl::unexpected(kept.error());
     const auto role = role_named(kept->role);
     const auto token = read_digest(kept->digest);
-    const auto number = number_of(id);
+    const auto number = number_of(id, "p");
     const auto former = kept->former.empty() ? std::nullopt : read_digest(kept->former);
     if (!role || !token || !number || !is_colour(kept->colour) ||
         former.has_value() == kept->former.empty())

@@ -1,10 +1,10 @@
 #include "server/session/records/session_records.hpp"
 
+#include "server/base/numbered_id.hpp"
 #include "server/limits.hpp"
 #include "server/session/records/colours.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 namespace wakesurf::server {
 
@@ -187,12 +187,8 @@ void SessionRecords::skip_numbers(RecordType type, std::uint64_t next) {
 }
 
 std::uint64_t SessionRecords::number_of(const RecordKey& key) {
-    std::uint64_t number = 0;
-    const char* end = key.id.data() + key.id.size();
-    if (key.id.size() < 2 || key.id[0] != letter(key.type) || key.id[1] == '0')
-        return 0;
-    const auto [stopped, error] = std::from_chars(key.id.data() + 1, end, number);
-    return error == std::errc{} && stopped == end && number < protocol::most_whole ? number : 0;
+    const char start = letter(key.type);
+    return server::number_of(key.id, {&start, 1}).value_or(0);
 }
 
 } // namespace wakesurf::server

@@ -20,7 +20,6 @@ namespace fs = std::filesystem;
 
 using File = std::unique_ptr<gzFile_s, int (*)(gzFile)>;
 
-constexpr std::size_t header_bytes = 4096;
 constexpr std::size_t piece_bytes = std::size_t{1} << 16;
 
 /// A list of labels as it begins: "FoamFile { ... } // comment \n 12 (".
@@ -32,7 +31,7 @@ struct ListHead {
 };
 
 std::optional<ListHead> head_of(gzFile in) {
-    std::string text(header_bytes, '\0');
+    std::string text(foam_header_bytes, '\0');
     const int got = ::gzread(in, text.data(), static_cast<unsigned>(text.size()));
     if (got <= 0)
         return std::nullopt;

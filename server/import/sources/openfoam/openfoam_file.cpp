@@ -16,8 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t header_bytes = 4096;
-
 // zlib hands plain files through. Nothing where the file cannot be read, or ends before its checksum.
 std::optional<std::string> content(const fs::path& file, std::size_t at_most) {
     const std::unique_ptr<gzFile_s, int (*)(gzFile)> in(::gzopen(file.c_str(), "rb"), ::gzclose);
@@ -85,7 +83,7 @@ std::optional<fs::path> foam_file(const fs::path& file) {
 }
 
 std::optional<FoamHeader> read_foam_header(const fs::path& file) {
-    const auto text = content(file, header_bytes);
+    const auto text = content(file, foam_header_bytes);
     if (!text)
         return std::nullopt;
     const auto body = behind_header(*text);

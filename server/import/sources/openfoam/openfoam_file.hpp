@@ -4,6 +4,7 @@
 
 #include "core/base/result.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,6 +12,9 @@
 #include <vector>
 
 namespace wakesurf::server {
+
+/// A header lies within these.
+constexpr std::size_t foam_header_bytes = 4096;
 
 struct FoamHeader {
     std::string type;   ///< its `class` entry: volVectorField, polyBoundaryMesh ...
@@ -27,7 +31,7 @@ struct FoamPatch {
 /// `file`, or `file` + ".gz" where only that exists.
 std::optional<std::filesystem::path> foam_file(const std::filesystem::path& file);
 
-/// Reads the first 4 KiB. Nothing where that is no header of an OpenFOAM file.
+/// Reads that many bytes at most. Nothing where that is no header of an OpenFOAM file.
 std::optional<FoamHeader> read_foam_header(const std::filesystem::path& file);
 
 /// Reads polyMesh/boundary, called `name` in errors. Error: Io, Corrupt.

@@ -4,6 +4,7 @@
 #include "server/import/sources/series/file_names.hpp"
 #include "server/import/sources/series/named_path.hpp"
 #include "server/import/sources/series/series_times.hpp"
+#include "server/import/sources/vtk/xml_attribute.hpp"
 #include "server/import/vtk_messages.hpp"
 
 #include <vtkSmartPointer.h>
@@ -26,26 +27,21 @@ struct DataSetElement {
     std::string part; ///< what tells it from other parts of its time-step
 };
 
-std::string attribute(vtkXMLDataElement& element, const char* name) {
-    const char* text = element.GetAttribute(name);
-    return text == nullptr ? "" : text;
-}
-
 core::Result<DataSetElement> read_element(vtkXMLDataElement& element,
                                           const std::filesystem::path& folder,
                                           const std::string& pvd) {
-    const std::string file = attribute(element, "file");
+    const std::string file = xml_attribute(element, "file");
     if (file.empty())
         return core::fail(Error::Code::Corrupt, pvd + " has a DataSet without a file");
     const auto path = named_path(folder, file, pvd);
     if (!path)
         return tl::unexpected(path.error());
-    DataSetElement out{{*path, file, attribute(element, "name")}, std::nullopt, {}};
-    out.part = attribute(element, "group") + '\n' + attribute(element, "part") + '\n' +
-               attribute(element, "name");
+    DataSetElement out{{*path, file, xml_attribute(element, "name")}, std::nullopt, {}};
+    out.part = xml_attribute(element, "group") + '\n' + xml_attribute(element, "part") + '\n' +
+               xml_attribute(element, "name");
     if (element.GetAttribute("timestep") == nullptr)
         return out;
-    const std::string time = attribute(element, "timestep");
+    const std::string time = xml_attribute(element, "timestep");
     out.time = finite_number(time);
     if (!out.time)
         return core::fail(Error::Code::Corrupt, pvd + " gives " + file + " the time '" + time +

@@ -3,6 +3,7 @@
 #include "core/base/disk.hpp"
 #include "server/import/sources/series/file_names.hpp"
 #include "server/import/sources/series/named_path.hpp"
+#include "server/import/sources/vtk/xml_attribute.hpp"
 #include "server/import/sources/vtk/xml_header.hpp"
 #include "server/import/vtk_messages.hpp"
 
@@ -23,11 +24,6 @@ core::Result<XmlHeader> header_of(const ListedFile& file) {
     if (auto clean = messages.verdict(file.name); !clean)
         return tl::unexpected(clean.error());
     return header;
-}
-
-std::string attribute(vtkXMLDataElement& element, const char* name) {
-    const char* text = element.GetAttribute(name);
-    return text == nullptr ? "" : text;
 }
 
 std::string joined(const std::string& block, const std::string& name) {
@@ -90,11 +86,11 @@ class Expansion {
         for (int i = 0; i < parent.GetNumberOfNestedElements(); ++i) {
             auto* element = parent.GetNestedElement(i);
             const std::string_view kind = element->GetName();
-            const auto here = joined(block, attribute(*element, "name"));
+            const auto here = joined(block, xml_attribute(*element, "name"));
             if (kind == "Block" || kind == "Piece") {
                 if (auto added = add_elements(*element, file, here, depth); !added)
                     return added;
-            } else if (const auto name = attribute(*element, "file");
+            } else if (const auto name = xml_attribute(*element, "file");
                        kind == "DataSet" && !name.empty()) { // without: an empty block
                 const auto path = named_path(file.path.parent_path(), name, file.name);
                 if (!path)
@@ -118,7 +114,7 @@ class Expansion {
             auto* element = header->primary->GetNestedElement(i);
             if (std::string_view(element->GetName()) != "Piece")
                 continue;
-            const auto name = attribute(*element, "Source");
+            const auto name = xml_attribute(*element, "Source");
             if (name.empty())
                 return core::fail(Error::Code::Corrupt, file.name + " has a piece without a file");
             const auto path = named_path(file.path.parent_path(), name, file.name);

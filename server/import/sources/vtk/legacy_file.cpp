@@ -14,7 +14,7 @@ using core::Error;
 namespace {
 
 // A text that was cut in its last number would give another number.
-core::Result<void> check_ending(const ListedFile& file) {
+core::Result<void> check_last_number(const ListedFile& file) {
     std::ifstream in(file.path, std::ios::binary);
     std::string version, title, encoding;
     if (!std::getline(in, version) || !std::getline(in, title) || !std::getline(in, encoding) ||
@@ -34,7 +34,7 @@ core::Result<void> check_ending(const ListedFile& file) {
 } // namespace
 
 core::Result<VtkFile> read_legacy_file(const ListedFile& file) {
-    if (auto whole = check_ending(file); !whole)
+    if (auto whole = check_last_number(file); !whole)
         return tl::unexpected(whole.error());
     const VtkMessages messages;
     auto reader = vtkSmartPointer<vtkGenericDataObjectReader>::New();

@@ -1,5 +1,7 @@
 #include "server/import/sources/vtk/xml_array_sizes.hpp"
 
+#include "server/import/sources/vtk/xml_attribute.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -12,11 +14,6 @@ namespace wakesurf::server {
 using core::Error;
 
 namespace {
-
-std::string attribute(vtkXMLDataElement& element, const char* name) {
-    const char* text = element.GetAttribute(name);
-    return text == nullptr ? "" : text;
-}
 
 std::uint64_t word_bytes(const std::string& type) {
     static const std::map<std::string_view, std::uint64_t> sizes{
@@ -80,12 +77,12 @@ class ArraySizes {
   public:
     ArraySizes(const ListedFile& file, const XmlHeader& header)
         : in_(file.path, std::ios::binary), name_(file.name), header_(header) {
-        const auto type = attribute(*header.root, "header_type");
+        const auto type = xml_attribute(*header.root, "header_type");
         word_ = type == "UInt64" ? 8 : 4;
-        big_ = attribute(*header.root, "byte_order") == "BigEndian";
+        big_ = xml_attribute(*header.root, "byte_order") == "BigEndian";
         compressed_ = header.root->GetAttribute("compressor") != nullptr;
         if (auto* appended = header.root->FindNestedElementWithName("AppendedData"))
-            raw_ = attribute(*appended, "encoding") == "raw";
+            raw_ = xml_attribute(*appended, "encoding") == "raw";
     }
 
     core::Result<void> check() {
@@ -111,7 +108,7 @@ class ArraySizes {
             auto& array = *group.GetNestedElement(i);
             if (std::string_view(array.GetName()) != "DataArray")
                 continue;
-            const auto name = attribute(array, "Name");
+            const auto name = xml_attribute(array, "Name");
             std::uint64_t tuples = 0;
             bool known = true;
             if (kind == "PointData" || kind == "Points")
@@ -125,7 +122,7 @@ class ArraySizes {
                 known = false;
             vtkTypeInt64 components = 1;
             array.GetScalarAttribute("NumberOfComponents", components);
-            const auto bytes = word_bytes(attribute(array, "type"));
+            const auto bytes = word_bytes(xml_attribute(array, "type"));
             known = known && bytes > 0 && components > 0;
             const auto wanted = tuples * static_cast<std::uint64_t>(components) * bytes;
             if (!sound(array, known ? std::optional(wanted) : std::nullopt))
@@ -138,7 +135,7 @@ class ArraySizes {
     }
 
     bool sound(vtkXMLDataElement& array, std::optional<std::uint64_t> wanted) {
-        const auto format = attribute(array, "format");
+        const auto format = xml_attribute(array, "format");
         vtkTypeInt64 offset = 0;
         std::string bytes;
         if (format == "appended") {
