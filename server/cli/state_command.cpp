@@ -20,7 +20,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int sound = 0;
+constexpr int all_sound = 0;
 constexpr int failed = 1;
 
 std::string counts(const StateContent& content) {
@@ -59,7 +59,7 @@ int check(const StateCommandOptions& options) {
     print_aside(content);
     if (verdict->fault)
         return report_failure(*verdict->fault);
-    return damaged > 0 ? failed : sound;
+    return damaged > 0 ? failed : all_sound;
 }
 
 /// As it is where it is JSON, so that it can be corrected and set again; else as text.
@@ -84,7 +84,7 @@ int aside(const StateCommandOptions& options) {
                                {"record", record_of(each.json)}});
     const json all{{"wakesurfKeptAside", 1}, {"records", std::move(records)}};
     fmt::print("{}\n", protocol::json_text(all, 2));
-    return sound;
+    return all_sound;
 }
 
 int backup(const StateCommandOptions& options) {
@@ -92,7 +92,7 @@ int backup(const StateCommandOptions& options) {
     if (!made)
         return report_failure(made.error());
     fmt::print("backed up: {}, {} kept aside\n", counts(*made), made->aside.size());
-    return sound;
+    return all_sound;
 }
 
 int restore(const StateCommandOptions& options) {
@@ -106,7 +106,7 @@ int restore(const StateCommandOptions& options) {
         fmt::print("  not restored: {}\n", fault);
     if (!restored->replaced.empty())
         fmt::print("  the previous sessions are {} in that folder\n", restored->replaced);
-    return sound;
+    return all_sound;
 }
 
 } // namespace
