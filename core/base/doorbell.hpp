@@ -10,7 +10,8 @@
 namespace wakesurf::core {
 
 /// A thread notes rings(), looks for work, and sleeps until the next ring where there is none: no ring is missed.
-/// Thread safety: everything may be called from any thread. Cost of a ring while no one sleeps: 10 ns. Linux: futex(2).
+/// Thread safety: everything may be called from any thread. Cost of a ring while no one sleeps: two atomic
+/// operations. Linux: futex(2).
 class Doorbell {
   public:
     using Count = std::uint32_t;

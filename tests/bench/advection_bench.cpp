@@ -14,7 +14,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace advection_bench {
 
 constexpr int repetitions = 9;
 constexpr int steps = 10; ///< in one call, which crosses one interval between time-steps
@@ -114,9 +114,10 @@ void measure(benchmark::State& state, const Case& which) {
     }
 }
 
-} // namespace
+} // namespace advection_bench
 
 void register_advection_benchmarks() {
+    using namespace advection_bench;
     for (const Case& each : cases)
         benchmark::RegisterBenchmark((std::string("advection/") + each.name).c_str(),
                                      [each](benchmark::State& state) { measure(state, each); })

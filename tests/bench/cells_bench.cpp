@@ -13,7 +13,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace cells_bench {
 
 using core::Vec3;
 
@@ -38,7 +38,7 @@ struct Case {
 
 /// 168,960 bent hexahedra, graded outward from a wall.
 core::CellMesh hexahedra() {
-    core::CellMesh mesh = test::block({44, 80, 48}, test::round_cylinder, true);
+    core::CellMesh mesh = tests::block({44, 80, 48}, tests::round_cylinder, true);
     for (const core::BoundaryFace& each : core::boundary_faces(mesh))
         if (each.face == 0) // the cylinder's
             mesh.cells[each.cell].beyond[0] = core::beyond_wall;
@@ -47,12 +47,12 @@ core::CellMesh hexahedra() {
 
 /// As a mesher refines round a body, 2:1: 128,136 hexahedra, 17,864 pyramids, 56,000 tetrahedra.
 core::CellMesh polyhedra() {
-    using Kind = test::TwoToOne::Kind;
+    using Kind = tests::TwoToOne::Kind;
     const auto kind = [](const Vec3& c) {
         const double away = glm::length((c - 0.5) * Vec3(1.0, 1.0, 0.3));
         return away < 0.03 ? Kind::Hole : away < 0.3 ? Kind::Fine : Kind::Coarse;
     };
-    return test::TwoToOne(36, kind, [](const Vec3& u) { return 16.0 * (test::wavy(u) - 0.5); })
+    return tests::TwoToOne(36, kind, [](const Vec3& u) { return 16.0 * (tests::wavy(u) - 0.5); })
         .take();
 }
 
@@ -116,7 +116,7 @@ Ended advect_vtk(VtkCellField& field, const std::vector<Vec3>& seeds, double h) 
 
 void measure(benchmark::State& state, const Case& which) {
     const core::CellMesh mesh = which.mesh();
-    const std::vector<float> velocity = test::at_nodes(mesh, round_it);
+    const std::vector<float> velocity = tests::at_nodes(mesh, round_it);
     std::unique_ptr<core::CellDomain> domain;
     const double build = on_one_core(
         [&] { return seconds_of([&] { domain = std::make_unique<core::CellDomain>(mesh); }); });
@@ -175,9 +175,10 @@ void measure(benchmark::State& state, const Case& which) {
     }
 }
 
-} // namespace
+} // namespace cells_bench
 
 void register_cells_benchmarks() {
+    using namespace cells_bench;
     for (const Case& each : cases)
         benchmark::RegisterBenchmark((std::string("cells/") + each.name).c_str(),
                                      [each](benchmark::State& state) { measure(state, each); })

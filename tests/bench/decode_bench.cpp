@@ -19,7 +19,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace decode_bench {
 
 constexpr double wanted_vertices = 100'000;
 constexpr int updates = 12;
@@ -123,9 +123,10 @@ void measure(benchmark::State& state) {
     std::filesystem::remove(file);
 }
 
-} // namespace
+} // namespace decode_bench
 
 void register_decode_benchmark() {
+    using namespace decode_bench;
     benchmark::RegisterBenchmark("decode_in_browser", measure)
         ->Unit(benchmark::kMillisecond)
         ->UseManualTime()

@@ -11,7 +11,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace drag_bench {
 
 constexpr double target_ms = 250;
 
@@ -56,9 +56,10 @@ void measure(benchmark::State& state, const std::string& dataset) {
     }
 }
 
-} // namespace
+} // namespace drag_bench
 
 void register_drag_benchmark(const std::string& dataset) {
+    using namespace drag_bench;
     benchmark::RegisterBenchmark("drag_in_browser_to_drawn_surface",
                                  [dataset](benchmark::State& state) { measure(state, dataset); })
         ->Unit(benchmark::kMillisecond)

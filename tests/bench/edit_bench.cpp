@@ -11,7 +11,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace edit_bench {
 
 using Clock = std::chrono::steady_clock;
 
@@ -69,9 +69,10 @@ void measure(benchmark::State& state,
         state.counters["target_p99_ms"] = setting.target_p99_ms;
 }
 
-} // namespace
+} // namespace edit_bench
 
 void register_edit_benchmark(const std::string& dataset) {
+    using namespace edit_bench;
     const auto add = [&](const char* name, const Setting& setting, double (*one)(EditedSurface&)) {
         benchmark::RegisterBenchmark(name,
                                      [dataset, setting, one](benchmark::State& state) {

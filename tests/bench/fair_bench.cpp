@@ -14,7 +14,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace fair_bench {
 
 using nlohmann::json;
 
@@ -82,9 +82,10 @@ void measure(benchmark::State& state, const std::string& dataset) {
     }
 }
 
-} // namespace
+} // namespace fair_bench
 
 void register_fair_benchmark(const std::string& dataset) {
+    using namespace fair_bench;
     benchmark::RegisterBenchmark("fair/light_beside_heavy",
                                  [dataset](benchmark::State& state) { measure(state, dataset); })
         ->Unit(benchmark::kMillisecond)

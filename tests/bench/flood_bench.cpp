@@ -20,7 +20,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace flood_bench {
 
 using nlohmann::json;
 using Clock = std::chrono::steady_clock;
@@ -120,9 +120,10 @@ void measure(benchmark::State& state, const std::string& dataset) {
     }
 }
 
-} // namespace
+} // namespace flood_bench
 
 void register_flood_benchmark(const std::string& dataset) {
+    using namespace flood_bench;
     benchmark::RegisterBenchmark("flood/host_beside_one_link",
                                  [dataset](benchmark::State& state) { measure(state, dataset); })
         ->Unit(benchmark::kMillisecond)

@@ -18,7 +18,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace hostile_bench {
 
 using Clock = std::chrono::steady_clock;
 
@@ -155,9 +155,10 @@ void measure(benchmark::State& state, const std::string& dataset, int seconds) {
     }
 }
 
-} // namespace
+} // namespace hostile_bench
 
 void register_hostile_benchmark(const std::string& dataset, int seconds) {
+    using namespace hostile_bench;
     benchmark::RegisterBenchmark(
         "hostile/tenants",
         [dataset, seconds](benchmark::State& state) { measure(state, dataset, seconds); })

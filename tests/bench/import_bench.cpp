@@ -31,7 +31,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace import_bench {
 
 namespace fs = std::filesystem;
 
@@ -178,9 +178,10 @@ void measure(benchmark::State& state,
     state.counters["import_cores"] = std::thread::hardware_concurrency();
 }
 
-} // namespace
+} // namespace import_bench
 
 void register_import_benchmarks() {
+    using namespace import_bench;
     const auto add = [](const std::string& name, auto measured) {
         benchmark::RegisterBenchmark(name.c_str(), measured)
             ->Iterations(1)

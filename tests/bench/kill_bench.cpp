@@ -12,7 +12,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace kill_bench {
 
 constexpr int kills = 200;
 constexpr int sessions = 60;
@@ -75,9 +75,10 @@ void restart(benchmark::State& state) {
     }
 }
 
-} // namespace
+} // namespace kill_bench
 
 void register_kill_benchmarks() {
+    using namespace kill_bench;
     const auto add = [](const char* name, void (*measure)(benchmark::State&)) {
         benchmark::RegisterBenchmark(name, measure)
             ->Unit(benchmark::kMillisecond)

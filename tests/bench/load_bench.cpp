@@ -14,7 +14,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace load_bench {
 
 using Clock = std::chrono::steady_clock;
 
@@ -139,9 +139,10 @@ void idle(benchmark::State& state, const std::string& dataset) {
     }
 }
 
-} // namespace
+} // namespace load_bench
 
 void register_load_benchmarks(const std::string& dataset) {
+    using namespace load_bench;
     const auto add = [&](const char* name, void (*measure)(benchmark::State&, const std::string&)) {
         benchmark::RegisterBenchmark(
             name, [dataset, measure](benchmark::State& state) { measure(state, dataset); })

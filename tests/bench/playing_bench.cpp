@@ -13,7 +13,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace playing_bench {
 
 constexpr std::size_t steps = 16;
 constexpr std::size_t steps_in_cache = 5;
@@ -87,9 +87,10 @@ void measure(benchmark::State& state) {
     }
 }
 
-} // namespace
+} // namespace playing_bench
 
 void register_playing_benchmark() {
+    using namespace playing_bench;
     benchmark::RegisterBenchmark("playing_from_disk", measure)
         ->UseManualTime()
         ->Iterations(1)

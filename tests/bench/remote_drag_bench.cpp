@@ -13,7 +13,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace remote_drag_bench {
 
 using Clock = std::chrono::steady_clock;
 
@@ -76,9 +76,10 @@ void measure(benchmark::State& state, const std::string& dataset) {
     }
 }
 
-} // namespace
+} // namespace remote_drag_bench
 
 void register_remote_drag_benchmark(const std::string& dataset) {
+    using namespace remote_drag_bench;
     benchmark::RegisterBenchmark("drag_over_100_ms",
                                  [dataset](benchmark::State& state) { measure(state, dataset); })
         ->Unit(benchmark::kMillisecond)

@@ -13,7 +13,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace store_bench {
 
 constexpr std::size_t steps = 3;
 constexpr int rounds = 9;
@@ -90,9 +90,10 @@ void measure(benchmark::State& state, core::Precision precision, bool first) {
     }
 }
 
-} // namespace
+} // namespace store_bench
 
 void register_store_benchmarks() {
+    using namespace store_bench;
     const auto add = [](const char* name, core::Precision precision, bool first) {
         benchmark::RegisterBenchmark(
             name, [=](benchmark::State& state) { measure(state, precision, first); })

@@ -13,7 +13,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace streak_frame_bench {
 
 constexpr std::size_t wanted_vertices = 100'000;
 constexpr int frames = 40; ///< the first touch of a time-step may fall into one of them: medians
@@ -141,9 +141,10 @@ void add(const std::string& name,
         ->Iterations(1);
 }
 
-} // namespace
+} // namespace streak_frame_bench
 
 void register_streak_frame_benchmarks() {
+    using namespace streak_frame_bench;
     add("streak_frame/fast", core::Accuracy::Fast, measure);
     add("streak_frame/balanced", core::Accuracy::Balanced, measure);
     add("streak_frame/two_threads/fast", core::Accuracy::Fast, measure_two_threads);

@@ -14,7 +14,7 @@ namespace wakesurf::bench {
 
 using core::Vec3;
 
-namespace {
+namespace stream_surface_vs_vtk_bench {
 
 constexpr int repetitions = 5;
 
@@ -215,9 +215,10 @@ void measure_deviation(benchmark::State& state, std::size_t which) {
     }
 }
 
-} // namespace
+} // namespace stream_surface_vs_vtk_bench
 
 void register_stream_surface_benchmarks() {
+    using namespace stream_surface_vs_vtk_bench;
     for (std::size_t i = 0; i < std::size(sizes); ++i)
         benchmark::RegisterBenchmark(
             (std::string("stream_surface_vs_vtk/time/") + sizes[i].name).c_str(),

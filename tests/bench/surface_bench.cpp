@@ -9,7 +9,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace surface_bench {
 
 constexpr double wanted_quads = 20'000;
 constexpr double target_ms = 150;
@@ -85,9 +85,10 @@ void build(benchmark::State& state,
     });
 }
 
-} // namespace
+} // namespace surface_bench
 
 void register_surface_benchmarks(std::shared_ptr<const server::LoadedDataset> dataset) {
+    using namespace surface_bench;
     for (const auto kind : {core::SurfaceKind::Stream, core::SurfaceKind::Path})
         for (const NamedRake& rake : rakes) {
             const std::string name =

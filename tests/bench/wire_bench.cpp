@@ -22,7 +22,7 @@
 
 namespace wakesurf::bench {
 
-namespace {
+namespace wire_bench {
 
 constexpr double wanted_vertices = 100'000;
 constexpr int updates = 12;
@@ -298,9 +298,10 @@ void add(const std::string& name, std::function<void(benchmark::State&)> measure
         ->Iterations(1);
 }
 
-} // namespace
+} // namespace wire_bench
 
 void register_wire_benchmarks(std::shared_ptr<const server::LoadedDataset> dataset) {
+    using namespace wire_bench;
     const std::pair<std::string, std::function<Scene()>> scenes[] = {
         {"bundled",
          [=] {

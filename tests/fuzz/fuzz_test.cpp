@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace wakesurf::fuzz {
+namespace wakesurf::fuzz::fuzz_test {
 
 namespace {
 
@@ -79,4 +79,4 @@ INSTANTIATE_TEST_SUITE_P(Targets, FuzzTarget, testing::ValuesIn(targets()), [](c
     return std::string(each.param.name);
 });
 
-} // namespace wakesurf::fuzz
+} // namespace wakesurf::fuzz::fuzz_test

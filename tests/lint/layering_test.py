@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What no compiler checks here: wrong-way includes, the co_await lambda trap, file length.
+"""What no compiler checks here: wrong-way includes, the co_await lambda trap, file length, namespaces of tests.
 
 Every rule is a function of (path, text) that yields messages; `SAMPLES` holds for each rule text it must flag
 and text it must not, so that a rule which stops working fails as loudly as a file which breaks it.
@@ -180,7 +180,14 @@ def too_long(path, text):
         yield f"{path}: {lines} lines, at most {LONGEST_FILE}: one idea a file"
 
 
-RULES = [wrong_includes, wrong_imports, co_await_lambdas, too_long]
+def no_namespace_of_its_own(path, text):
+    """Tests are compiled in groups of files, so what two of them call by one name may not meet."""
+    stem = re.match(r"tests/.*?(\w+_test)\.cpp$", path)
+    if stem and not re.search(rf"^namespace wakesurf::\w+::{stem.group(1)} \{{$", text, re.MULTILINE):
+        yield f"{path}: its names belong in a namespace of its own, wakesurf::ROOM::{stem.group(1)}"
+
+
+RULES = [wrong_includes, wrong_imports, co_await_lambdas, too_long, no_namespace_of_its_own]
 
 # (rule, path, text it must flag), (rule, path, text it must leave alone)
 BAD = [
@@ -213,6 +220,8 @@ BAD = [
     (co_await_lambdas, "server/a.cpp", "auto f() { co_await run(ex,\n  [n]() mutable { return n; },\n  token); }\n"),
     (co_await_lambdas, "server/a.cpp", "auto f() { if (co_await g(h(1), [&x] { return x; })) { return; } }\n"),
     (too_long, "core/a.cpp", "\n" * (LONGEST_FILE + 1)),
+    (no_namespace_of_its_own, "tests/core/a_test.cpp", "namespace wakesurf::core {\n"),
+    (no_namespace_of_its_own, "tests/server/net/a_test.cpp", "namespace wakesurf::server::b_test {\n"),
 ]
 GOOD = [
     (wrong_includes, "server/state/database.cpp", "#include <sqlite3.h>\n"),
@@ -233,6 +242,8 @@ GOOD = [
     (co_await_lambdas, "server/a.cpp", "// co_await post([x] {});\nauto s = \"co_await [x]{}\";\n"),
     (too_long, "core/a.cpp", "\n" * LONGEST_FILE),
     (too_long, "protocol/python/wakesurf.py", "\n" * (LONGEST_FILE + 1)),
+    (no_namespace_of_its_own, "tests/server/net/a_test.cpp", "namespace wakesurf::server::a_test {\n"),
+    (no_namespace_of_its_own, "tests/support/places.cpp", "namespace wakesurf::tests {\n"),
 ]
 
 

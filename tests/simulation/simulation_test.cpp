@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-namespace wakesurf::simulation {
+namespace wakesurf::simulation::simulation_test {
 
 namespace {
 
@@ -87,4 +87,4 @@ TEST_F(SimulationTest, GoesTheSameWayTwice) {
     EXPECT_NE(simulate(1).digest, simulate(2).digest);
 }
 
-} // namespace wakesurf::simulation
+} // namespace wakesurf::simulation::simulation_test

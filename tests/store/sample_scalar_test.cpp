@@ -10,7 +10,7 @@
 #include <cstring>
 #include <limits>
 
-namespace wakesurf::store {
+namespace wakesurf::store::sample_scalar_test {
 namespace {
 
 using namespace core;
@@ -122,4 +122,4 @@ TEST(SampleScalar, ClosedFormsHaveNoNodes) {
 }
 
 } // namespace
-} // namespace wakesurf::store
+} // namespace wakesurf::store::sample_scalar_test

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace wakesurf::store {
+namespace wakesurf::store::store_grid_test {
 namespace {
 
 using namespace core;
@@ -139,4 +139,4 @@ TEST(StoreGrid, RefusesCellsWithNodesShapesOrNeighboursThatDoNotExist) {
 }
 
 } // namespace
-} // namespace wakesurf::store
+} // namespace wakesurf::store::store_grid_test

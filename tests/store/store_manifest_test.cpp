@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace wakesurf::store {
+namespace wakesurf::store::store_manifest_test {
 namespace {
 
 using nlohmann::json;
@@ -139,4 +139,4 @@ TEST(StoreManifest, IsReadFromItsFolder) {
 }
 
 } // namespace
-} // namespace wakesurf::store
+} // namespace wakesurf::store::store_manifest_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace wakesurf::store {
+namespace wakesurf::store::store_reader_test {
 namespace {
 
 using namespace core;
@@ -329,4 +329,4 @@ TEST(StoreReader, StopsLoadingWhenAsked) {
 }
 
 } // namespace
-} // namespace wakesurf::store
+} // namespace wakesurf::store::store_reader_test

@@ -6,7 +6,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace wakesurf::store {
+namespace wakesurf::store::store_writer_test {
 namespace {
 
 using Record = std::array<std::uint32_t, 2>;
@@ -47,4 +47,4 @@ TEST(StoreWriter, GoesOnAfterARecordThatWasCutOff) {
 }
 
 } // namespace
-} // namespace wakesurf::store
+} // namespace wakesurf::store::store_writer_test

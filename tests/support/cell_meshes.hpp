@@ -12,7 +12,7 @@
 #include <map>
 #include <vector>
 
-namespace wakesurf::test {
+namespace wakesurf::tests {
 
 using core::CellMesh;
 using core::CellShape;
@@ -243,4 +243,4 @@ inline std::vector<float> at_nodes(const CellMesh& mesh,
     return values;
 }
 
-} // namespace wakesurf::test
+} // namespace wakesurf::tests

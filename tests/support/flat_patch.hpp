@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace wakesurf::test {
+namespace wakesurf::tests {
 
 /// columns x rows cells of side 1, laid as first_row.cpp lays the patch of a time surface. Closed: the last column is the
 /// first, on a round tube of that many columns.
@@ -124,4 +124,4 @@ inline double least_height(const core::MovingMesh& mesh, const core::Cell& cell)
     return least;
 }
 
-} // namespace wakesurf::test
+} // namespace wakesurf::tests

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace wakesurf::test {
+namespace wakesurf::tests {
 
 /// Undirected sub-edges and how often cells use each.
 inline std::map<std::pair<core::VertexId, core::VertexId>, int>
@@ -95,4 +95,4 @@ inline double area(const core::QuadComplex& mesh) {
     return sum;
 }
 
-} // namespace wakesurf::test
+} // namespace wakesurf::tests

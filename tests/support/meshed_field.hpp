@@ -7,7 +7,7 @@
 #include <memory>
 #include <random>
 
-namespace wakesurf::test {
+namespace wakesurf::tests {
 
 struct MeshedField {
     using Flow = std::function<Vec3(const Vec3&)>;
@@ -73,4 +73,4 @@ inline std::vector<CellMesh> single_cells() {
     return cells;
 }
 
-} // namespace wakesurf::test
+} // namespace wakesurf::tests

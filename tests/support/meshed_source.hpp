@@ -9,7 +9,7 @@
 #include <memory>
 #include <utility>
 
-namespace wakesurf::test {
+namespace wakesurf::tests {
 
 /// A formula on the nodes of a cell mesh at given times.
 class MeshedSource final : public core::TimeStepSource {
@@ -58,4 +58,4 @@ meshed_flow(CellMesh mesh, std::vector<double> times, MeshedSource::Velocity vel
         std::make_shared<core::TimeStepCache>(source, core::TimeStepCache::Options{}));
 }
 
-} // namespace wakesurf::test
+} // namespace wakesurf::tests

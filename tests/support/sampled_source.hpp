@@ -8,7 +8,7 @@
 #include <functional>
 #include <utility>
 
-namespace wakesurf::test {
+namespace wakesurf::tests {
 
 class SampledSource final : public core::TimeStepSource {
   public:
@@ -78,4 +78,4 @@ class SampledSource final : public core::TimeStepSource {
     core::SolidMask mask_;
 };
 
-} // namespace wakesurf::test
+} // namespace wakesurf::tests

@@ -3,7 +3,7 @@
 
 #include "core/integrate/curve.hpp"
 
-namespace wakesurf::test {
+namespace wakesurf::tests {
 
 /// A straight curve from `a` to `b` at speed 1 in `pieces` steps.
 inline core::Curve straight_curve(const core::Vec3& a, const core::Vec3& b, int pieces = 4) {
@@ -24,4 +24,4 @@ inline core::Curve straight_curve(const core::Vec3& a, const core::Vec3& b, int 
     return curve;
 }
 
-} // namespace wakesurf::test
+} // namespace wakesurf::tests

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace wakesurf::test {
+namespace wakesurf::tests {
 
 struct PlainSwarm {
     std::vector<core::Vec3> position;
@@ -31,4 +31,4 @@ random_points(const core::Box& box, std::size_t count, unsigned seed) {
     return points;
 }
 
-} // namespace wakesurf::test
+} // namespace wakesurf::tests

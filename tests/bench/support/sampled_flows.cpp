@@ -12,7 +12,7 @@ using core::Vec3;
 
 namespace {
 
-SampledFlow sample(double side, double interval, test::SampledSource::Velocity velocity) {
+SampledFlow sample(double side, double interval, tests::SampledSource::Velocity velocity) {
     constexpr std::uint32_t n = SampledFlow::nodes_per_side;
     SampledFlow sampled;
     sampled.grid = {Vec3(0.0), Vec3(side / (n - 1)), {n, n, n}};
@@ -21,7 +21,7 @@ SampledFlow sample(double side, double interval, test::SampledSource::Velocity v
     for (std::size_t i = 0; i <= SampledFlow::period; ++i)
         times.push_back(static_cast<double>(i) * interval);
     const auto source =
-        std::make_shared<test::SampledSource>(sampled.grid, times, std::move(velocity));
+        std::make_shared<tests::SampledSource>(sampled.grid, times, std::move(velocity));
     const auto cache =
         std::make_shared<core::TimeStepCache>(source, core::TimeStepCache::Options{});
     for (std::size_t i = 0; i < times.size(); ++i)

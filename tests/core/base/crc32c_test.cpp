@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace wakesurf::core {
+namespace wakesurf::core::crc32c_test {
 namespace {
 
 std::uint32_t crc_of(std::string_view text) {
@@ -67,4 +67,4 @@ TEST(Crc32c, ProcessorsWithAndWithoutAnInstructionForItAgreeAtEveryLengthAndAlig
 }
 
 } // namespace
-} // namespace wakesurf::core
+} // namespace wakesurf::core::crc32c_test

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace wakesurf::core {
+namespace wakesurf::core::disk_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -63,4 +63,4 @@ TEST(PosixDisk, TellsAReplacedFileFromTheOneBefore) {
 }
 
 } // namespace
-} // namespace wakesurf::core
+} // namespace wakesurf::core::disk_test

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-namespace wakesurf::core {
+namespace wakesurf::core::doorbell_test {
 
 namespace {
 
@@ -118,4 +118,4 @@ TEST(Doorbell, WhoRingsDoesNotWaitForASleeperThatWasWokenAndIsSetAside) {
     std::signal(SIGUSR1, before);
 }
 
-} // namespace wakesurf::core
+} // namespace wakesurf::core::doorbell_test

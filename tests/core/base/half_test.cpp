@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace wakesurf::core {
+namespace wakesurf::core::half_test {
 namespace {
 
 std::vector<std::uint16_t> all_halves() {
@@ -106,4 +106,4 @@ TEST(Half, WhatIsTooLargeBecomesInfinite) {
 }
 
 } // namespace
-} // namespace wakesurf::core
+} // namespace wakesurf::core::half_test

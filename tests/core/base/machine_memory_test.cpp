@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::core {
+namespace wakesurf::core::machine_memory_test {
 
 namespace {
 
@@ -115,4 +115,4 @@ TEST(ResidentMemory, GrowsByWhatIsTouched) {
     EXPECT_GE(resident_memory(), before + 60 * mebi) << much.size();
 }
 
-} // namespace wakesurf::core
+} // namespace wakesurf::core::machine_memory_test

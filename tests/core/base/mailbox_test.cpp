@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace wakesurf::core {
+namespace wakesurf::core::mailbox_test {
 
 TEST(Mailbox, ReturnsWhatWasLeftInTheOrderItWasLeft) {
     Mailbox<int> box;
@@ -66,4 +66,4 @@ TEST(Mailbox, LosesNothingThatManyThreadsLeaveWhileOthersTake) {
         EXPECT_EQ(std::count(of_thread.begin(), of_thread.end(), false), 0);
 }
 
-} // namespace wakesurf::core
+} // namespace wakesurf::core::mailbox_test

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace wakesurf::core {
+namespace wakesurf::core::memory_account_test {
 
 namespace {
 
@@ -321,4 +321,4 @@ TEST(MemoryAccount, ARefusalNamesTheLimitWhatWasWantedWhatIsFreeAndACure) {
     EXPECT_NE(error.hint.find("--memory"), std::string::npos);
 }
 
-} // namespace wakesurf::core
+} // namespace wakesurf::core::memory_account_test

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace wakesurf::core {
+namespace wakesurf::core::work_done_test {
 
 namespace {
 
@@ -86,4 +86,4 @@ TEST(WorkDone, IsToldOnTheWayToASurfaceOfAnyKindAndToItsEnd) {
         }
 }
 
-} // namespace wakesurf::core
+} // namespace wakesurf::core::work_done_test

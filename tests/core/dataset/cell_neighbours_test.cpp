@@ -7,8 +7,9 @@
 #include <cstring>
 #include <set>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::cell_neighbours_test {
+
+using namespace tests;
 
 namespace {
 
@@ -134,3 +135,5 @@ TEST(CellFaces, AreSeenFromOutsideCounterclockwise) {
         }
     }
 }
+
+} // namespace wakesurf::core::cell_neighbours_test

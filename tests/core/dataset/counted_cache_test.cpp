@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::core {
+namespace wakesurf::core::counted_cache_test {
 
 using tests::GatedSource;
 using tests::step_bytes;
@@ -63,4 +63,4 @@ TEST(CountedTimeStepCache, WhoWaitsForAStepHasOthersGiveBackMemory) {
     EXPECT_EQ(kept.bytes(), 0u);
 }
 
-} // namespace wakesurf::core
+} // namespace wakesurf::core::counted_cache_test

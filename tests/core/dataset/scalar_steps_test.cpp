@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace wakesurf::core {
+namespace wakesurf::core::scalar_steps_test {
 namespace {
 
 /// Counts what is read.
@@ -56,4 +56,4 @@ TEST(ScalarSteps, WhatIsInUseOutlivesItsPlaceAndAFailureTakesNone) {
 }
 
 } // namespace
-} // namespace wakesurf::core
+} // namespace wakesurf::core::scalar_steps_test

@@ -8,7 +8,7 @@
 #include <new>
 #include <utility>
 
-namespace wakesurf::core {
+namespace wakesurf::core::slab_test {
 namespace {
 
 TEST(Slab, IsZeroedAndAlignedToHugePagesWhereItIsLarge) {
@@ -48,4 +48,4 @@ TEST(Slab, ThrowsWhereThereIsNoSuchMemory) {
 }
 
 } // namespace
-} // namespace wakesurf::core
+} // namespace wakesurf::core::slab_test

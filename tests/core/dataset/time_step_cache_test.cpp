@@ -12,7 +12,7 @@
 #include <random>
 #include <thread>
 
-namespace wakesurf::core {
+namespace wakesurf::core::time_step_cache_test {
 namespace {
 
 using tests::GatedSource;
@@ -384,4 +384,4 @@ TEST(TimeStepCache, AResidentStepCostsLessThanAMicrosecond) {
 }
 
 } // namespace
-} // namespace wakesurf::core
+} // namespace wakesurf::core::time_step_cache_test

@@ -13,8 +13,9 @@
 #include <numbers>
 #include <random>
 
-using namespace wakesurf::core;
-using wakesurf::test::SampledSource;
+namespace wakesurf::core::advance_stored_test {
+
+using tests::SampledSource;
 
 namespace {
 
@@ -217,3 +218,5 @@ TEST(AdvanceStored, VelocitiesThatAreNoNumbersEndParticles) {
         EXPECT_EQ(ended(swarm, CurveEnd::Running), 0u);
     }
 }
+
+} // namespace wakesurf::core::advance_stored_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-using namespace wakesurf::core;
+namespace wakesurf::core::analytic_flow_test {
 
 namespace {
 
@@ -79,3 +79,5 @@ TEST(AnalyticFlow, UnknownNamesAndParametersAreRefusedWithWhatThereIs) {
         EXPECT_EQ(flow.error().code, Error::Code::InvalidArgument) << bad;
     }
 }
+
+} // namespace wakesurf::core::analytic_flow_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-namespace wakesurf::core {
+namespace wakesurf::core::body_shapes_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -106,4 +106,4 @@ TEST(BodyShapes, AreThoseThatTheFlowIsSolidIn) {
 }
 
 } // namespace
-} // namespace wakesurf::core
+} // namespace wakesurf::core::body_shapes_test

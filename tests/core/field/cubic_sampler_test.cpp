@@ -13,8 +13,9 @@
 #include <random>
 #include <thread>
 
-using namespace wakesurf::core;
-using wakesurf::test::SampledSource;
+namespace wakesurf::core::cubic_sampler_test {
+
+using tests::SampledSource;
 
 namespace {
 
@@ -290,3 +291,5 @@ TEST(SmoothSampling, CallersWhoShareTheSmallestCacheAllArrive) {
             EXPECT_NEAR(there.y, 1.2, 1e-6);
         });
 }
+
+} // namespace wakesurf::core::cubic_sampler_test

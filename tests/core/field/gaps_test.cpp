@@ -12,10 +12,10 @@
 #include <cmath>
 #include <limits>
 
-namespace wakesurf::core {
+namespace wakesurf::core::gaps_test {
 namespace {
 
-using namespace test;
+using namespace tests;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -232,4 +232,4 @@ TEST(Gaps, SurfacesGoRoundThem) {
 }
 
 } // namespace
-} // namespace wakesurf::core
+} // namespace wakesurf::core::gaps_test

@@ -6,8 +6,9 @@
 #include <barrier>
 #include <thread>
 
-using namespace wakesurf::core;
-using wakesurf::test::SampledSource;
+namespace wakesurf::core::interval_test {
+
+using tests::SampledSource;
 
 namespace {
 
@@ -57,3 +58,5 @@ TEST(Interval, CallersWhoWantMoreThanTheCacheHoldsAreServedOneAfterTheOther) {
             });
     }
 }
+
+} // namespace wakesurf::core::interval_test

@@ -7,10 +7,10 @@
 
 #include <random>
 
-namespace wakesurf::core {
+namespace wakesurf::core::node_shares_test {
 namespace {
 
-using wakesurf::test::SampledSource;
+using wakesurf::tests::SampledSource;
 
 Vec3 bent(const Vec3& x, double) {
     return {x.y * x.z, std::sin(3.0 * x.x), x.x * x.x - x.z};
@@ -59,13 +59,13 @@ TEST(NodeShares, GiveTheVelocityOnUniformGrids) {
 }
 
 TEST(NodeShares, GiveTheVelocityInCellsOfEveryShape) {
-    for (CellMesh& cell : test::single_cells())
+    for (CellMesh& cell : tests::single_cells())
         expect_velocity_by_shares(std::move(cell));
 }
 
 TEST(NodeShares, GiveTheVelocityOnMeshes) {
-    expect_velocity_by_shares(test::block({6, 5, 4}, test::wavy));
+    expect_velocity_by_shares(tests::block({6, 5, 4}, tests::wavy));
 }
 
 } // namespace
-} // namespace wakesurf::core
+} // namespace wakesurf::core::node_shares_test

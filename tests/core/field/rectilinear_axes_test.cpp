@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace wakesurf::core {
+namespace wakesurf::core::rectilinear_axes_test {
 namespace {
 
 std::vector<double> geometric(std::size_t count, double ratio) {
@@ -71,4 +71,4 @@ TEST(RectilinearAxes, ClampWhatLiesBeyondTheBorderAndWhatIsNoNumber) {
 }
 
 } // namespace
-} // namespace wakesurf::core
+} // namespace wakesurf::core::rectilinear_axes_test

@@ -12,10 +12,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wakesurf::core {
+namespace wakesurf::core::rectilinear_sampling_test {
 namespace {
 
-using namespace test;
+using namespace tests;
 
 const Box box{{-1.0, 0.0, 2.0}, {2.0, 2.5, 4.0}};
 
@@ -211,4 +211,4 @@ TEST(RectilinearSampling, SurfacesOfEveryKindAreBuiltOnIt) {
 }
 
 } // namespace
-} // namespace wakesurf::core
+} // namespace wakesurf::core::rectilinear_sampling_test

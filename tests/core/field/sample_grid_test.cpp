@@ -7,7 +7,7 @@
 #include <bit>
 #include <cmath>
 
-using namespace wakesurf::core;
+namespace wakesurf::core::sample_grid_test {
 
 namespace {
 
@@ -122,3 +122,5 @@ TEST(SampleGrid, StopsWhenAsked) {
     EXPECT_EQ(sample_nodes(*flow, grid, 0, 0.0, all, stop.get_token()).error().code,
               Error::Code::Cancelled);
 }
+
+} // namespace wakesurf::core::sample_grid_test

@@ -7,8 +7,9 @@
 #include <cmath>
 #include <random>
 
-using namespace wakesurf::core;
-using wakesurf::test::SampledSource;
+namespace wakesurf::core::stored_flow_test {
+
+using tests::SampledSource;
 
 namespace {
 
@@ -121,3 +122,5 @@ TEST(StoredFlow, AFrozenFieldLoadsOnlyTheTimeStepItNeeds) {
     ASSERT_TRUE(flow->trace(curves, {.frozen = true, .longest_step = 0.1}, {}));
     EXPECT_EQ(source->loads, 1);
 }
+
+} // namespace wakesurf::core::stored_flow_test

@@ -7,8 +7,9 @@
 
 #include <random>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::trilinear_cell_test {
+
+using namespace tests;
 
 namespace {
 
@@ -230,3 +231,5 @@ TEST(TrilinearCell, AParticleLeavesExactlyAtTheBorder) {
     EXPECT_NEAR(curve[0].last.time, 1.3, 1e-6); // stored as float
     EXPECT_NEAR(curve[0].last.position.x, 1.0, 1e-12);
 }
+
+} // namespace wakesurf::core::trilinear_cell_test

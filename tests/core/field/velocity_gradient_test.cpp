@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace wakesurf::core {
+namespace wakesurf::core::velocity_gradient_test {
 
 namespace {
 
@@ -139,4 +139,4 @@ TEST(VelocityGradient, StopsWhenToldTo) {
     EXPECT_EQ(out.error().code, Error::Code::Cancelled);
 }
 
-} // namespace wakesurf::core
+} // namespace wakesurf::core::velocity_gradient_test

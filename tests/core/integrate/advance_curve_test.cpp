@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-using namespace wakesurf::core;
+namespace wakesurf::core::advance_curve_test {
 
 namespace {
 
@@ -154,3 +154,5 @@ TEST(AdvanceCurve, TheTransportedTangentIsTheDerivativeBySeed) {
     EXPECT_NEAR(curve.last.stretch.x, std::exp(1.0), 2e-3);
     EXPECT_NEAR(curve.last.stretch.y, std::exp(-1.0), 2e-3);
 }
+
+} // namespace wakesurf::core::advance_curve_test

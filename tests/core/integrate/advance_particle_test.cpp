@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-using namespace wakesurf::core;
+namespace wakesurf::core::advance_particle_test {
 
 namespace {
 
@@ -244,3 +244,5 @@ TEST(AdvanceParticle, AStopRequestIsHeard) {
     ASSERT_FALSE(stopped);
     EXPECT_EQ(stopped.error().code, Error::Code::Cancelled);
 }
+
+} // namespace wakesurf::core::advance_particle_test

@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::cell_surface_test {
+
+using namespace tests;
 
 namespace {
 
@@ -80,3 +81,5 @@ TEST(CellSurface, OfEveryKindIsWholeBesideACylinderAndNeverInIt) {
         EXPECT_GT(farthest, 2.0);
     }
 }
+
+} // namespace wakesurf::core::cell_surface_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-using namespace wakesurf::core;
+namespace wakesurf::core::closed_form_test {
 
 namespace {
 
@@ -112,3 +112,5 @@ TEST(ClosedForm, RotatingStrainFollowsItsFlowMap) {
             ASSERT_LT(glm::length(p - truth), allowed);
         });
 }
+
+} // namespace wakesurf::core::closed_form_test

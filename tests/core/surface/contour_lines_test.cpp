@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <numbers>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::contour_lines_test {
+
+using namespace tests;
 
 namespace {
 
@@ -137,3 +138,5 @@ TEST(EvenlySpaced, LeavesBothEndsOut) {
     EXPECT_TRUE(evenly_spaced(parameter, 0).empty());
     EXPECT_TRUE(evenly_spaced({}, 3).empty());
 }
+
+} // namespace wakesurf::core::contour_lines_test

@@ -10,9 +10,9 @@
 #include <set>
 #include <stdexcept>
 
-using namespace wakesurf::core;
-using namespace wakesurf::tests;
-using namespace wakesurf::test;
+namespace wakesurf::core::mesh_delta_test {
+
+using namespace tests;
 
 namespace {
 
@@ -187,3 +187,5 @@ TEST(MeshDelta, TheHashSeesEveryBitOfShapeAndNoAttributes) {
     EXPECT_TRUE(fresh([](KeyedMesh& m) { m.mesh.cells.pop_back(), m.cell_id.pop_back(); }));
     EXPECT_EQ(changed([](KeyedMesh& m) { m.mesh.velocity[3].x += 1.0f; }), whole);
 }
+
+} // namespace wakesurf::core::mesh_delta_test

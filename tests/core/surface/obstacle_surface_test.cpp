@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-namespace wakesurf::core {
+namespace wakesurf::core::obstacle_surface_test {
 
 namespace {
 
@@ -107,4 +107,4 @@ TEST(ObstacleSurface, OfNothingIsNothingAndOfEverythingTheDomain) {
                 3.0 * 1.75 * 5.0, 1e-12);
 }
 
-} // namespace wakesurf::core
+} // namespace wakesurf::core::obstacle_surface_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace wakesurf::core;
+namespace wakesurf::core::quad_complex_test {
 
 namespace {
 
@@ -28,8 +28,8 @@ QuadComplex two_over_one() {
 TEST(QuadComplex, AHangingNodeKeepsTheSurfaceWatertight) {
     const QuadComplex mesh = two_over_one();
     EXPECT_EQ(mesh.validate(), "");
-    EXPECT_EQ(wakesurf::test::euler_characteristic(mesh), 1);
-    EXPECT_EQ(wakesurf::test::boundary_loops(mesh), 1);
+    EXPECT_EQ(wakesurf::tests::euler_characteristic(mesh), 1);
+    EXPECT_EQ(wakesurf::tests::boundary_loops(mesh), 1);
     EXPECT_EQ(polygon(mesh.cells[0]).count, 5u);
 }
 
@@ -76,3 +76,5 @@ TEST(QuadComplex, ComponentsAreNumberedLargestFirst) {
     EXPECT_EQ(mesh.component[0], 0u);
     EXPECT_EQ(mesh.component[8], 1u);
 }
+
+} // namespace wakesurf::core::quad_complex_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-using namespace wakesurf::core;
+namespace wakesurf::core::rake_test {
 
 namespace {
 
@@ -70,3 +70,5 @@ TEST(SeedingCurve, ACircleIsRoundAndClosed) {
     for (double s = 0.0; s < 1.0; s += 0.01)
         EXPECT_NEAR(glm::length(curve.at(s) - Vec3(1, 1, 1)), 2.0, 5e-5);
 }
+
+} // namespace wakesurf::core::rake_test

@@ -8,10 +8,10 @@
 
 #include <algorithm>
 
-namespace wakesurf::core {
+namespace wakesurf::core::readable_part_test {
 namespace {
 
-using wakesurf::test::SampledSource;
+using wakesurf::tests::SampledSource;
 
 // Seven time-steps 0, 1, ... 6 of a uniform flow that takes 8 time units through the box.
 struct Series {
@@ -112,4 +112,4 @@ TEST(ReadablePart, TheWholeSurfaceComesOnceTheTimeStepCanBeRead) {
 }
 
 } // namespace
-} // namespace wakesurf::core
+} // namespace wakesurf::core::readable_part_test

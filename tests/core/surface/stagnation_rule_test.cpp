@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace wakesurf::core {
+namespace wakesurf::core::stagnation_rule_test {
 
 namespace {
 
@@ -54,4 +54,4 @@ TEST(StagnationRule, RefusesAPartOfTheLargestSpeedThatIsNone) {
     }
 }
 
-} // namespace wakesurf::core
+} // namespace wakesurf::core::stagnation_rule_test

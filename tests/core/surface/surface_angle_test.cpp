@@ -10,8 +10,9 @@
 #include <map>
 #include <numbers>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::surface_angle_test {
+
+using namespace tests;
 
 namespace {
 
@@ -204,3 +205,5 @@ TEST(SurfaceAngle, TheBudgetHoldsHoweverSmallTheAngle) {
     EXPECT_LE(surface->mesh.cells.size(), 5000u);
     EXPECT_GT(surface->statistics.separation, c.separation);
 }
+
+} // namespace wakesurf::core::surface_angle_test

@@ -10,8 +10,9 @@
 #include <numbers>
 #include <random>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::surface_builder_test {
+
+using namespace tests;
 
 namespace {
 
@@ -304,3 +305,5 @@ TEST(SurfaceBuilder, AStopRequestCancels) {
     ASSERT_FALSE(surface);
     EXPECT_EQ(surface.error().code, Error::Code::Cancelled);
 }
+
+} // namespace wakesurf::core::surface_builder_test

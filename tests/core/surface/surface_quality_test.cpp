@@ -14,8 +14,9 @@
 #include <map>
 #include <numbers>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::surface_quality_test {
+
+using namespace tests;
 
 namespace {
 
@@ -274,3 +275,5 @@ TEST(SurfaceQuality, ObstaclesTearTheSheetAndBothPartsGoOn) {
         EXPECT_GT(below, 2.0) << c.name;
     }
 }
+
+} // namespace wakesurf::core::surface_quality_test

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::checked_json_test {
 
 using nlohmann::json;
 
@@ -100,4 +100,4 @@ TEST(CheckedJson, RefusesLongTextsAndControlCharacters) {
     EXPECT_NE(text_fault("a\nb"), "");
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::checked_json_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::dataset_json_test {
 namespace {
 
 using nlohmann::json;
@@ -94,4 +94,4 @@ TEST(DatasetJson, RefusesNumbersThatDoNotFit) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::dataset_json_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::json_fault_test {
 
 namespace {
 
@@ -83,4 +83,4 @@ TEST(JsonFault, NamesAMemberThatIsThereTwice) {
             .refused);
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::json_fault_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::json_rpc_test {
 
 using nlohmann::json;
 
@@ -127,4 +127,4 @@ TEST(JsonRpc, SaysOfEveryErrorOverALimitWhichThatIs) {
     EXPECT_EQ(fault_of({Code::NotFound, "m", "h"}).detail, nullptr);
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::json_rpc_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::json_text_test {
 namespace {
 
 constexpr JsonLimits limits{1000, 4};
@@ -50,4 +50,4 @@ TEST(JsonText, AFewBytesThatWouldBecomeManyValuesAreRefusedBeforeTheyDo) {
     EXPECT_EQ(parse_json("[[],[],[],[],[],[]]", few).error().code, core::Error::Code::OverLimit);
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::json_text_test

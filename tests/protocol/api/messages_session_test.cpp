@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::messages_session_test {
 
 TEST(SessionProfile, ComesBackAsItWas) {
     SessionProfile profile{
@@ -44,4 +44,4 @@ TEST(UtcText, IsRfc3339) {
     EXPECT_EQ(utc_text(last_utc_second), "9999-12-31T23:59:59Z");
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::messages_session_test

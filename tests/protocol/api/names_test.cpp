@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::names_test {
 
 TEST(Names, ReadBackToTheValueTheyName) {
     using core::Accuracy, core::Direction, core::SurfaceKind;
@@ -23,4 +23,4 @@ TEST(Names, AreNothingElse) {
     }
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::names_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::nearest_name_test {
 
 TEST(NearestName, IsTheOneThatIsSpeltMostAlikeWhateverTheCaseAndTheUnderscores) {
     const std::vector<std::string> names{"maxQuads", "colour", "from", "to", "fields", "merge"};
@@ -22,4 +22,4 @@ TEST(NearestName, IsNoneWhereNoneIsNear) {
     EXPECT_EQ(nearest_name("maxQuads", {}), "");
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::nearest_name_test

@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::record_text_test {
 
 namespace {
 
@@ -167,4 +167,4 @@ TEST(RecordText, RefusesWhatASetterWouldRefuse) {
     EXPECT_FALSE(parse_bookmark(long_view));
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::record_text_test

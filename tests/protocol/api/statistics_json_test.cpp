@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::statistics_json_test {
 
 TEST(StatisticsJson, HasTheShapeOfTheContract) {
     core::SurfaceStatistics statistics{.kind = core::SurfaceKind::Path,
@@ -25,4 +25,4 @@ TEST(StatisticsJson, HasTheShapeOfTheContract) {
         "peakBytes": 11})"));
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::statistics_json_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::surface_parameters_test {
 
 namespace {
 
@@ -106,4 +106,4 @@ TEST(SurfaceParameters, NamesTheParameterThatIsWrong) {
         EXPECT_TRUE(fault(parameters).starts_with(name)) << fault(parameters) << parameters;
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::surface_parameters_test

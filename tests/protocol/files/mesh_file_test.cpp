@@ -15,7 +15,7 @@
 #include <limits>
 #include <tuple>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::mesh_file_test {
 
 using nlohmann::json;
 using tests::ReadMesh;
@@ -149,7 +149,7 @@ TEST(MeshFile, PlyIsAsWatertightAsTheSurface) {
         border += count == 1 ? 1 : 0;
     }
     std::size_t expected = 0;
-    for (const auto& [edge, count] : test::edge_uses(mesh))
+    for (const auto& [edge, count] : tests::edge_uses(mesh))
         expected += count == 1 ? 1 : 0;
     EXPECT_EQ(border, expected);
 }
@@ -365,4 +365,4 @@ TEST(MeshFile, GivesTheSameBytesForTheSameMeshInEveryFormat) {
     EXPECT_EQ(mesh_extensions(), ".vtp, .glb, .ply, .obj or .drc");
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::mesh_file_test

@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::mesh_triangles_test {
 
 namespace {
 
@@ -82,7 +82,7 @@ TEST(MeshTriangles, AreAsWatertightAsTheSurface) {
             border.insert({std::min(edge.first, edge.second), std::max(edge.first, edge.second)});
     }
     std::set<std::pair<std::uint32_t, std::uint32_t>> expected;
-    for (const auto& [edge, count] : test::edge_uses(mesh))
+    for (const auto& [edge, count] : tests::edge_uses(mesh))
         if (count == 1)
             expected.insert(edge);
     EXPECT_EQ(border, expected);
@@ -101,4 +101,4 @@ TEST(MeshTriangles, OfFlatAndBrokenCellsAreStillAllThere) {
         EXPECT_EQ(count, 1);
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::mesh_triangles_test

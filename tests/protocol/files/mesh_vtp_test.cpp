@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::mesh_vtp_test {
 
 namespace {
 
@@ -106,4 +106,4 @@ TEST(MeshVtp, WritesASurfaceWithoutCellsAsAnEmptyFile) {
     EXPECT_NE(file.find("</VTKFile>"), std::string::npos);
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::mesh_vtp_test

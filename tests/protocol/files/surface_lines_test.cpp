@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::surface_lines_test {
 
 namespace {
 
@@ -82,15 +82,15 @@ TEST(SurfaceLines, OfAVtpEndWhereTheirOffsetsSayAndCloseWhenTheyAreClosed) {
         {0.25, false, {{0, 0, 0}, {1, 0, 0}}},
         {0.75, true, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}},
     };
-    const auto file =
-        lines_file(MeshFormat::Vtp, lines, {LinesWanted::Along::Seed, 2}, {.dataset = "d"});
+    const auto file = lines_file(MeshFormat::Vtp, lines, {LinesWanted::Along::Seed, 2},
+                                 {.dataset = "d", .version = {}});
     ASSERT_TRUE(file);
     EXPECT_EQ(array_of<std::int64_t>(*file, "Int64", "connectivity"),
               (std::vector<std::int64_t>{0, 1, 2, 3, 4, 2}));
     EXPECT_EQ(array_of<std::int64_t>(*file, "Int64", "offsets"), (std::vector<std::int64_t>{2, 6}));
     EXPECT_EQ(array_of<double>(*file, "Float64", "s"), (std::vector<double>{0.25, 0.75}));
-    const auto text =
-        lines_file(MeshFormat::Obj, lines, {LinesWanted::Along::Seed, 2}, {.dataset = "d"});
+    const auto text = lines_file(MeshFormat::Obj, lines, {LinesWanted::Along::Seed, 2},
+                                 {.dataset = "d", .version = {}});
     ASSERT_TRUE(text);
     EXPECT_NE(text->find("l 1 2\no s=0.75\n"), std::string::npos) << *text;
     EXPECT_NE(text->find("l 3 4 5 3\n"), std::string::npos) << *text;
@@ -102,4 +102,4 @@ TEST(SurfaceLines, HaveNoPlaceInFormatsOfFaces) {
     EXPECT_EQ(file.error().code, core::Error::Code::Unsupported);
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::surface_lines_test

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::draco_points_test {
 namespace {
 
 using Values = std::vector<std::vector<std::int32_t>>;
@@ -76,4 +76,4 @@ TEST(DracoPoints, AreRefusedWhenTheirCountsAreNotTheExpectedOnes) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::draco_points_test

@@ -16,7 +16,7 @@
 #include <map>
 #include <sstream>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::golden_frames_test {
 namespace {
 
 using json = nlohmann::ordered_json;
@@ -300,4 +300,4 @@ TEST_F(GoldenFrames, HoldAllThatTheFormatHas) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::golden_frames_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::lattice_test {
 namespace {
 
 const core::Box box{{-1, 2, 0}, {6, 4, 1}};
@@ -70,4 +70,4 @@ TEST(Lattice, IsUsableOverADomainWithoutExtentAndRefusesNonsense) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::lattice_test

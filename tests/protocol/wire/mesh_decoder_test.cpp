@@ -8,7 +8,7 @@
 #include <limits>
 #include <map>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::mesh_decoder_test {
 namespace {
 
 const Lattice lattice = lattice_over(samples::domain);
@@ -237,4 +237,4 @@ TEST(MeshDecoder, NoticesAMeshThatIsNotTheServersByTheStateChecksum) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::mesh_decoder_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::mesh_encoder_test {
 namespace {
 
 constexpr std::size_t half_mebibyte = 512u << 10;
@@ -130,4 +130,4 @@ TEST(MeshEncoder, SpendsFewBytesOnASmoothSheet) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::mesh_encoder_test

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::mesh_frame_test {
 namespace {
 
 Bytes bytes_of(const std::string& text) {
@@ -129,4 +129,4 @@ TEST(MeshFrame, IsRefusedWhenItsHeaderCannotBeTrue) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::mesh_frame_test

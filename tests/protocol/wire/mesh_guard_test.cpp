@@ -4,7 +4,7 @@
 #include <chrono>
 #include <limits>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::mesh_guard_test {
 namespace {
 
 using core::Error;
@@ -79,4 +79,4 @@ TEST(MeshGuard, RefusesCellsOfVerticesThatDoNotExistAndUnusableLattices) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::mesh_guard_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <optional>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::mesh_stream_test {
 namespace {
 
 const Lattice lattice = lattice_over(samples::domain);
@@ -331,4 +331,4 @@ TEST(MeshStream, RefusesWhatItCannotSendAndGoesOnAsIfNothingHadHappened) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::mesh_stream_test

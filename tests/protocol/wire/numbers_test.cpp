@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::numbers_test {
 namespace {
 
 std::vector<std::uint32_t> some_numbers(std::uint32_t seed, std::size_t count) {
@@ -83,4 +83,4 @@ TEST(Numbers, OnceOneIsMissingOrTooLargeGiveZerosAndHaveFailed) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::numbers_test

@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::state_sum_test {
 namespace {
 
 std::uint32_t sum_of(const std::vector<std::uint32_t>& words) {
@@ -72,4 +72,4 @@ TEST(StateSum, OfAMeshCoversPositionsCodesAndCells) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::state_sum_test

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::wire_edit_test {
 namespace {
 
 std::uint32_t below(std::mt19937& random, std::uint32_t limit) {
@@ -199,4 +199,4 @@ TEST(Runs, TakeGapsAlongThatAreShorterThanTheBridge) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::wire_edit_test

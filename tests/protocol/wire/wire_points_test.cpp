@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::wire_points_test {
 namespace {
 
 /// Mostly small residuals; one in `rare` is of any size.
@@ -137,4 +137,4 @@ TEST(WirePoints, RefuseUnknownPredictorsChannelsTolerancesAndEscapes) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::wire_points_test

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::wire_topology_test {
 namespace {
 
 using core::no_vertex;
@@ -100,4 +100,4 @@ TEST(WireTopology, FindsTheSameFromTheCellsThatAreAddedAlone) {
 }
 
 } // namespace
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::wire_topology_test

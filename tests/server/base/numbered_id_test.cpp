@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace wakesurf::server {
+namespace wakesurf::server::numbered_id_test {
 
 TEST(NumberedId, ReturnsTheNumberOfEveryIdThatIsMadeFromOne) {
     for (const std::uint64_t number : {0ULL, 1ULL, 7ULL, 10ULL, (1ULL << 53) - 1})
@@ -21,4 +21,4 @@ TEST(NumberedId, ReturnsNothingWhereTheNextNumberWouldNotBeAnother) {
         EXPECT_EQ(number_of(id, "p"), std::nullopt) << id;
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::numbered_id_test

@@ -5,7 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::child_process_test {
 namespace {
 
 std::vector<std::string> lines;
@@ -67,4 +67,4 @@ TEST(ChildProcess, SaysWhenAProgramIsNotThere) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::child_process_test

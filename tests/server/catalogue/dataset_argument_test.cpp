@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-namespace wakesurf::server {
+namespace wakesurf::server::dataset_argument_test {
 namespace {
 
 using Kind = DatasetArgument::Kind;
@@ -75,4 +75,4 @@ TEST(DatasetArgument, SlugsAreSafeInUrlsAndFolders) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::dataset_argument_test

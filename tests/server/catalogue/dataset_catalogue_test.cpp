@@ -16,7 +16,7 @@
 #include <set>
 #include <thread>
 
-namespace wakesurf::server {
+namespace wakesurf::server::dataset_catalogue_test {
 namespace {
 
 using namespace tests;
@@ -327,4 +327,4 @@ TEST(DatasetCatalogue, AFailedSourceThatIsImportedAgainIsUsableFromItsFirstTimeS
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::dataset_catalogue_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::import_process_test {
 namespace {
 
 using core::Error;
@@ -63,4 +63,4 @@ TEST_F(ImportProcess, DoesNotKeepADescriptionWithoutEnd) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::import_process_test

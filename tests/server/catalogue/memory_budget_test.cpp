@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::memory_budget_test {
 namespace {
 
 constexpr std::size_t mebi = std::size_t{1} << 20;
@@ -53,4 +53,4 @@ TEST(MemoryBudget, IsForTheMaskAsWell) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::memory_budget_test

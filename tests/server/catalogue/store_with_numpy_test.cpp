@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace wakesurf::server {
+namespace wakesurf::server::store_with_numpy_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -128,4 +128,4 @@ TEST_F(StoreWithNumpy, TheLinesForCellMeshesPrintPositionsAndVelocitiesOfACell) 
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::store_with_numpy_test

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::bench_command_test {
 
 namespace {
 
@@ -54,4 +54,4 @@ TEST_F(BenchCommand, PassesItsArgumentsOnAndTheExitStatusBack) {
 
 } // namespace
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::bench_command_test

@@ -15,7 +15,7 @@
 #include <chrono>
 #include <cstdio>
 
-namespace wakesurf::server {
+namespace wakesurf::server::generate_command_test {
 
 namespace {
 
@@ -241,4 +241,4 @@ TEST_F(GenerateCommand, RefusesAFolderThatAnotherOneIsWriting) {
     EXPECT_EQ(generate.stop(SIGTERM).first, 1);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::generate_command_test

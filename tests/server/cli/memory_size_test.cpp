@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::memory_size_test {
 namespace {
 
 TEST(MemorySize, IsReadTheWayPeopleWriteIt) {
@@ -23,4 +23,4 @@ TEST(MemorySize, IsRefusedWhenItIsNone) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::memory_size_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wakesurf::server {
+namespace wakesurf::server::moving_surfaces_test {
 
 namespace {
 
@@ -133,4 +133,4 @@ TEST_F(MovingSurfaces, WriteTheSameBytesForAnyNumberOfThreads) {
     }
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::moving_surfaces_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::rake_text_test {
 
 TEST(RakeText, TwoPointsAreALineAndMoreAPolyline) {
     const auto line = parse_rake("0,0.5,-1  1e-3,2,3 ", 7);
@@ -37,4 +37,4 @@ TEST(RakeText, AVectorIsOnePoint) {
     }
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::rake_text_test

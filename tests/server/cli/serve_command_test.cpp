@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::serve_command_test {
 
 namespace {
 
@@ -84,4 +84,4 @@ TEST(ServeCommand, SaysInOneLineWhyItCannotServe) {
     }
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::serve_command_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace wakesurf::server {
+namespace wakesurf::server::server_address_test {
 
 TEST(ServerAddress, IsTakenApart) {
     const auto plain = parse_server_address("http://127.0.0.1:8080/#token=abc");
@@ -32,4 +32,4 @@ TEST(ServerAddress, OthersAreRefused) {
         EXPECT_FALSE(parse_server_address(wrong)) << wrong;
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::server_address_test

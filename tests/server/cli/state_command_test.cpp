@@ -11,7 +11,7 @@
 #include <atomic>
 #include <thread>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::state_command_test {
 
 using nlohmann::json;
 
@@ -143,4 +143,4 @@ TEST_F(StateCommand, SaysWhatIsWrongWithItsArguments) {
     EXPECT_EQ(state({"restore", kept, folder / "nothing"}).status, 1);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::state_command_test

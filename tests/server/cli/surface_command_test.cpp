@@ -16,7 +16,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace wakesurf::server {
+namespace wakesurf::server::surface_command_test {
 
 namespace {
 
@@ -233,4 +233,4 @@ TEST_F(SurfaceCommand, StopsWithinASecondAndLeavesNothingHalfWritten) {
     EXPECT_EQ(files(), 0u);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::surface_command_test

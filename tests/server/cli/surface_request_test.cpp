@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::surface_request_test {
 
 namespace {
 
@@ -107,4 +107,4 @@ TEST(SurfaceRequest, RefusesWhatSurfaceSetRefusesUnderTheNameOfTheOption) {
     EXPECT_EQ(complaint("kind", "time"), "a time surface takes one of --rake2 and --sweep");
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::surface_request_test

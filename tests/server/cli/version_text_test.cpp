@@ -17,7 +17,7 @@
 #include <sstream>
 #include <string>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::version_text_test {
 
 namespace {
 
@@ -86,4 +86,4 @@ TEST(Version, OfEveryFormatIsExplained) {
         EXPECT_NE(table.find("| " + row + " |"), std::string::npos) << row;
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::version_text_test

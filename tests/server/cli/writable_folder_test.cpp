@@ -8,7 +8,7 @@
 
 #include <stdexcept>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::writable_folder_test {
 
 namespace fs = std::filesystem;
 
@@ -59,4 +59,4 @@ TEST(WritableFolder, OfOnesOwnIsFineAlsoWhereItIsYetToBeMade) {
     EXPECT_FALSE(fs::exists(folder.path() / "yet"));
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::writable_folder_test

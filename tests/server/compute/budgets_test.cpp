@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::budgets_test {
 
 namespace {
 
@@ -171,4 +171,4 @@ TEST_F(BudgetsTest, GiveAllWhoCameByALinkOneTurnInThePool) {
     EXPECT_NE(Budgets::line(by_link("g1", "a")), Budgets::line(by_token()));
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::budgets_test

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::compute_pool_test {
 
 namespace {
 
@@ -180,4 +180,4 @@ TEST(ComputePool, RunsJobsByHandInTheOrderOfTurns) {
     EXPECT_EQ(order, "q1bl2");
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::compute_pool_test

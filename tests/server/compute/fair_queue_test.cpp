@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::fair_queue_test {
 
 namespace {
 
@@ -85,4 +85,4 @@ TEST(FairQueue, LetsNobodyWaitLongerThanOneTurnOfEachOther) {
     }
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::fair_queue_test

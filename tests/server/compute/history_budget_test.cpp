@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::history_budget_test {
 
 namespace {
 
@@ -169,4 +169,4 @@ TEST(HistoryBudget, SurfacesThatGiveWayShowTheSameAsThoseWithMemoryOfTheirOwn) {
     EXPECT_TRUE(began_anew) << "the budget was too large to tell";
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::history_budget_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace wakesurf::server {
+namespace wakesurf::server::long_lanes_test {
 
 namespace {
 
@@ -68,4 +68,4 @@ TEST(LongLanes, TakeJobsOfNoSessionOnlyInTheirTurn) {
     EXPECT_EQ(lanes.waiting(), 0U);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::long_lanes_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace wakesurf::server {
+namespace wakesurf::server::pass_budgets_test {
 
 namespace {
 
@@ -95,4 +95,4 @@ TEST(PassBudgets, RecoversStepByStepFromOneSlowPass) {
     EXPECT_NEAR(before, 0.0035, 0.0005);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::pass_budgets_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-namespace wakesurf::server {
+namespace wakesurf::server::quick_lanes_test {
 
 namespace {
 
@@ -134,4 +134,4 @@ TEST(QuickLanes, LosesNoJobAndHoldsItsBoundsUnderRandomUse) {
     }
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::quick_lanes_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-namespace wakesurf::server {
+namespace wakesurf::server::quick_threads_test {
 
 namespace {
 
@@ -76,4 +76,4 @@ TEST(QuickThreads, RunEveryJobBeforeTheyEnd) {
     EXPECT_EQ(ran, 300);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::quick_threads_test

@@ -13,8 +13,9 @@
 
 #include <algorithm>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::cell_sampling_vs_vtk_test {
+
+using namespace tests;
 
 namespace {
 
@@ -163,3 +164,5 @@ TEST(CellSamplingVsVtk, FacesAreVtksInItsOrder) {
         }
     }
 }
+
+} // namespace wakesurf::core::cell_sampling_vs_vtk_test

@@ -2,7 +2,7 @@
 // in several, cell and vertex data, refusals.
 #include "tests/server/import/cgns_files.hpp"
 
-namespace wakesurf::server {
+namespace wakesurf::server::cgns_source_test {
 namespace {
 
 using namespace tests;
@@ -178,4 +178,4 @@ TEST_F(CgnsSource, DoesNotGiveAnotherStepForOneThatIsGone) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::cgns_source_test

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace wakesurf::server {
+namespace wakesurf::server::ensight_source_test {
 namespace {
 
 using namespace tests;
@@ -466,4 +466,4 @@ TEST_F(EnsightSource, RefusesFilesOutsideOfTheCasesFolder) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::ensight_source_test

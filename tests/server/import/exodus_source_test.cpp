@@ -20,7 +20,7 @@
 
 #include <algorithm>
 
-namespace wakesurf::server {
+namespace wakesurf::server::exodus_source_test {
 namespace {
 
 using namespace tests;
@@ -304,4 +304,4 @@ TEST_F(ExodusSource, RefusesOtherFiles) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::exodus_source_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::field_choice_test {
 namespace {
 
 using core::FieldInfo;
@@ -135,4 +135,4 @@ TEST(FieldChoice, StoresScalarsUnderNamesOfTheirOwn) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::field_choice_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <map>
 
-namespace wakesurf::server {
+namespace wakesurf::server::grid_assembly_test {
 namespace {
 
 using namespace tests;
@@ -283,4 +283,4 @@ TEST(GridAssembly, MakesWallsOfTheFacesThatSolidCellsLeave) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::grid_assembly_test

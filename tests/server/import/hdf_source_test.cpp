@@ -8,7 +8,7 @@
 #include <unistd.h>
 #include <vtk_hdf5.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::hdf_source_test {
 namespace {
 
 using namespace tests;
@@ -215,4 +215,4 @@ TEST_F(HdfSource, DoesNotReadOtherDataFromDamagedStructures) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::hdf_source_test

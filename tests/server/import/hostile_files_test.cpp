@@ -7,7 +7,7 @@
 
 #include <chrono>
 
-namespace wakesurf::server {
+namespace wakesurf::server::hostile_files_test {
 namespace {
 
 class HostileFiles : public Import {
@@ -132,4 +132,4 @@ TEST_F(HostileFiles, ThatNeedMoreThanAnyBoundSayWhichBoundWhereTheyAreGood) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::hostile_files_test

@@ -10,7 +10,7 @@
 
 #include <fstream>
 
-namespace wakesurf::server {
+namespace wakesurf::server::import_again_test {
 namespace {
 
 TEST_F(Import, DoesNotRepeatAFinishedImport) {
@@ -133,4 +133,4 @@ TEST_F(Import, DoesNotTouchAFolderWithOtherThingsInIt) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::import_again_test

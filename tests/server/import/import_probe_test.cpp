@@ -19,7 +19,7 @@
 #include <cmath>
 #include <random>
 
-namespace wakesurf::server {
+namespace wakesurf::server::import_probe_test {
 namespace {
 
 using core::Vec3;
@@ -193,4 +193,4 @@ TEST_F(ImportProbe, OfPolyhedraOfTwoSizesGivesLinearFieldsExactly) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::import_probe_test

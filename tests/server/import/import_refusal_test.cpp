@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace wakesurf::server {
+namespace wakesurf::server::import_refusal_test {
 namespace {
 
 TEST_F(Import, RefusesFilesThatAreNotWhatTheySay) {
@@ -140,4 +140,4 @@ TEST_F(Import, RefusesASeriesWhosePartsDisagree) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::import_refusal_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace wakesurf::server {
+namespace wakesurf::server::import_steps_test {
 namespace {
 
 class ImportSteps : public Import {
@@ -165,4 +165,4 @@ TEST_F(ImportSteps, AreNotReadFromOutsideOfTheCollectionsFolder) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::import_steps_test

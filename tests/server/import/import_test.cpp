@@ -15,7 +15,7 @@
 #include <limits>
 #include <random>
 
-namespace wakesurf::server {
+namespace wakesurf::server::import_test {
 namespace {
 
 TEST_F(Import, GivesTheValuesVtkReads) {
@@ -226,4 +226,4 @@ TEST_F(Import, TellsWrongUsageFromFailure) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::import_test

@@ -11,7 +11,7 @@
 
 #include <regex>
 
-namespace wakesurf::server {
+namespace wakesurf::server::library_words_test {
 namespace {
 
 class LibraryWords : public Import {
@@ -138,4 +138,4 @@ TEST_F(LibraryWords, AreFitForOpenfoam) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::library_words_test

@@ -17,7 +17,7 @@
 #include <cerrno>
 #include <fstream>
 
-namespace wakesurf::server {
+namespace wakesurf::server::limited_rights_test {
 namespace {
 
 // Runs a check in a process with limited rights, which are for good. Its exit status is what the check returns.
@@ -202,4 +202,4 @@ TEST(LimitedRights, HoldWhileAnImportRuns) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::limited_rights_test

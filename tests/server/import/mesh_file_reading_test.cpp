@@ -20,7 +20,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace wakesurf::protocol {
+namespace wakesurf::protocol::mesh_file_reading_test {
 
 namespace {
 
@@ -143,4 +143,4 @@ TEST(MeshGlb, WithoutDracoIsReadByVtkWithEveryArray) {
     EXPECT_EQ(arrays->GetArray("_VELOCITY")->GetComponent(5, 1), double(mesh.velocity[5].y));
 }
 
-} // namespace wakesurf::protocol
+} // namespace wakesurf::protocol::mesh_file_reading_test

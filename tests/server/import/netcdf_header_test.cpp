@@ -2,7 +2,7 @@
 #include "tests/server/import/netcdf_files.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace wakesurf::server {
+namespace wakesurf::server::netcdf_header_test {
 namespace {
 
 using namespace tests;
@@ -54,4 +54,4 @@ TEST_F(NetcdfHeader, WhoseUnitMakesCoordinatesInfiniteOrEqualIsRefused) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::netcdf_header_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace wakesurf::server {
+namespace wakesurf::server::netcdf_source_test {
 namespace {
 
 using namespace tests;
@@ -335,4 +335,4 @@ TEST_F(NetcdfSource, DoesNotGiveAnEarlierStepForADamagedOne) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::netcdf_source_test

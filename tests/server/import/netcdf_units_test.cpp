@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-namespace wakesurf::server {
+namespace wakesurf::server::netcdf_units_test {
 namespace {
 
 using core::Error;
@@ -211,4 +211,4 @@ TEST_F(NetcdfUnits, AreInTheNoteAndTheFieldsOfInfo) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::netcdf_units_test

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace wakesurf::server {
+namespace wakesurf::server::node_values_test {
 namespace {
 
 using namespace tests;
@@ -154,4 +154,4 @@ TEST(NodeValues, AreNoNumberWhereTheSourceHasNoneThatFits) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::node_values_test

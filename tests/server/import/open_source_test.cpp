@@ -2,7 +2,7 @@
 #include "tests/server/import/vtk_files.hpp"
 #include "tests/support/foam_files.hpp"
 
-namespace wakesurf::server {
+namespace wakesurf::server::open_source_test {
 namespace {
 
 using namespace tests;
@@ -52,4 +52,4 @@ TEST_F(OpenSource, ListsTheFormatsThatCanBeRead) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::open_source_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::openfoam_file_test {
 namespace {
 
 using namespace tests;
@@ -56,4 +56,4 @@ TEST(OpenfoamFile, ReadsPatchesWithListsInThem) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::openfoam_file_test

@@ -13,7 +13,7 @@
 #include <functional>
 #include <set>
 
-namespace wakesurf::server {
+namespace wakesurf::server::openfoam_source_test {
 namespace {
 
 using namespace tests;
@@ -495,4 +495,4 @@ TEST_P(Truncated, FilesFailOrAreReadRightly) {
 INSTANTIATE_TEST_SUITE_P(AsciiAndBinary, Truncated, testing::Bool());
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::openfoam_source_test

@@ -6,7 +6,7 @@
 
 #include <sys/wait.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::own_output_test {
 namespace {
 
 // What a process writes to standard output and standard error while it has taken them over.
@@ -66,4 +66,4 @@ TEST_F(Import, DescribesAndConvertsCgnsFilesThatTheLibraryWarnsOf) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::own_output_test

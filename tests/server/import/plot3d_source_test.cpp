@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <sstream>
 
-namespace wakesurf::server {
+namespace wakesurf::server::plot3d_source_test {
 namespace {
 
 using namespace tests;
@@ -328,4 +328,4 @@ TEST_F(Plot3dSource, DoesNotGiveAnEarlierStepForADamagedOne) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::plot3d_source_test

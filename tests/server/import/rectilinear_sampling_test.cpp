@@ -14,7 +14,7 @@
 #include <cmath>
 #include <random>
 
-namespace wakesurf::core {
+namespace wakesurf::core::rectilinear_sampling_test {
 namespace {
 
 RectilinearGrid uneven() {
@@ -49,7 +49,7 @@ vtkSmartPointer<vtkRectilinearGrid> in_vtk(const RectilinearGrid& grid) {
 TEST(RectilinearSampling, EqualsVtksInterpolationAtAThousandPoints) {
     const RectilinearGrid grid = uneven();
     const auto vtk = in_vtk(grid);
-    const test::SampledSource source(grid, {0.0}, [](const Vec3& p, double) {
+    const tests::SampledSource source(grid, {0.0}, [](const Vec3& p, double) {
         return Vec3(std::sin(5.0 * p.x) + p.y, std::cos(3.0 * p.y * p.z), p.z * p.z - p.x);
     });
     const auto step = source.load(0, {}).value();
@@ -57,7 +57,7 @@ TEST(RectilinearSampling, EqualsVtksInterpolationAtAThousandPoints) {
     const SolidMask none;
     const CellMask cells(axes.dimensions(), none);
     const auto field = linear_sampler(axes, cells, none, {nullptr, step, nullptr, nullptr});
-    const auto points = test::random_points(grid.bounds(), 1000, 31);
+    const auto points = tests::random_points(grid.bounds(), 1000, 31);
     for (const Vec3& p : points) {
         double position[3] = {p.x, p.y, p.z};
         double parametric[3];
@@ -78,4 +78,4 @@ TEST(RectilinearSampling, EqualsVtksInterpolationAtAThousandPoints) {
 }
 
 } // namespace
-} // namespace wakesurf::core
+} // namespace wakesurf::core::rectilinear_sampling_test

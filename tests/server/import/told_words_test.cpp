@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::told_words_test {
 namespace {
 
 TEST(ToldWords, NameFilesWithoutTheirFolders) {
@@ -69,4 +69,4 @@ TEST(FailureWords, AreSentencesAboutTheFile) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::told_words_test

@@ -4,7 +4,7 @@
 
 #include <vtkDataSetWriter.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::vtk_files_damage_test {
 namespace {
 
 using namespace tests;
@@ -217,4 +217,4 @@ TEST_F(DamagedVtkFiles, DoesNotGiveAnEarlierStepForADamagedOne) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::vtk_files_damage_test

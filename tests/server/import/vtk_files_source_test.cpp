@@ -14,7 +14,7 @@
 #include <vtkXMLMultiBlockDataWriter.h>
 #include <vtkXMLPDataSetWriter.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::vtk_files_source_test {
 namespace {
 
 using namespace tests;
@@ -460,4 +460,4 @@ TEST_F(VtkFilesSource, NamesTheFieldAStepLacks) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::vtk_files_source_test

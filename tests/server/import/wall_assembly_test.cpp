@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace wakesurf::server {
+namespace wakesurf::server::wall_assembly_test {
 namespace {
 
 using namespace tests;
@@ -124,4 +124,4 @@ TEST(WallAssembly, ShowsSolidRegions) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::wall_assembly_test

@@ -18,7 +18,7 @@
 #include <new>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::watched_process_test {
 namespace {
 
 using core::Error;
@@ -237,4 +237,4 @@ TEST(ProcessMemory, IsWhatAProcessReallyTakes) {
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::watched_process_test

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::metrics_test {
 
 using namespace server;
 
@@ -141,4 +141,4 @@ TEST(MetricsTest, LosesNothingWhenAllThreadsObserve) {
     EXPECT_EQ(metrics.totals().frame_bytes, 200000u);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::metrics_test

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::spare_heap_test {
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST(SpareHeap, GoesBackToTheSystemBetweenPiecesThatAreStillInUse) {
@@ -28,4 +28,4 @@ TEST(SpareHeap, GoesBackToTheSystemBetweenPiecesThatAreStillInUse) {
 }
 #endif
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::spare_heap_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::admission_test {
 
 using namespace server;
 using boost::asio::ip::make_address;
@@ -149,4 +149,4 @@ TEST(TokenBucketTest, LetsABurstThroughAndThenTheRate) {
     EXPECT_EQ(bucket.take(now, 1.0).count(), 10) << "no more than a burst is saved up";
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::admission_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::byte_stream_test {
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
@@ -97,4 +97,4 @@ TEST_F(ByteStreamTest, EndsWhatWaitsForAWriteWhenItIsClosed) {
     EXPECT_EQ(order, (std::vector<std::string>{"whole", "small"}));
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::byte_stream_test

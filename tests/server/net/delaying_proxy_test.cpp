@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::delaying_proxy_test {
 
 namespace {
 
@@ -51,4 +51,4 @@ TEST(DelayingProxy, LetsNothingThroughWhileItIsStalledAndLosesNothing) {
     EXPECT_EQ(read_reply(socket).status, 200);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::delaying_proxy_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::download_request_test {
 
 namespace {
 
@@ -80,4 +80,4 @@ TEST(DownloadRequest, TakesLinesOnlyInFormatsThatHaveThem) {
     EXPECT_FALSE(read_download("mesh.vtp", {{"lines", ""}}));
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::download_request_test

@@ -18,7 +18,7 @@
 #include <thread>
 #include <tuple>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::downloads_test {
 
 using nlohmann::json;
 
@@ -310,4 +310,4 @@ TEST(ObstacleDownload, OfABuiltInFlowIsTheBodyThatItIsSolidIn) {
     EXPECT_EQ(obstacle("tornado").status, 404);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::downloads_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::gate_test {
 
 namespace {
 
@@ -462,4 +462,4 @@ TEST(Loopback, IsWhatOnlyThisMachineReaches) {
         EXPECT_FALSE(is_loopback(host)) << host;
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::gate_test

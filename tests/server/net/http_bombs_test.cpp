@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::http_bombs_test {
 
 namespace {
 
@@ -314,4 +314,4 @@ TEST_F(HttpBombs, SayTheSameToBrowsersWhateverTheAnswer) {
     }
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::http_bombs_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::http_test {
 
 using nlohmann::json;
 
@@ -290,4 +290,4 @@ TEST(ServerProcessTest, WithoutAuthenticationStillMindsTheOrigin) {
     EXPECT_EQ(handshake(other, server.port(), {{"Origin", "http://evil.example"}}).status, 403);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::http_test

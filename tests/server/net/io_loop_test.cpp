@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::io_loop_test {
 
 TEST(IoLoop, RunsWhatIsPostedInTheOrderOfPosting) {
     boost::asio::io_context context;
@@ -63,4 +63,4 @@ TEST(IoLoop, RunsNoTaskWhoseTicketIsDropped) {
     EXPECT_FALSE(ran);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::io_loop_test

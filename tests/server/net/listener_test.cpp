@@ -11,7 +11,7 @@
 #include <chrono>
 #include <vector>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::listener_test {
 
 using namespace server;
 
@@ -39,4 +39,4 @@ TEST(ListenerTest, WithoutDescriptorsWaitsAndThenGoesOn) {
     context.run_for(std::chrono::milliseconds(10));
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::listener_test

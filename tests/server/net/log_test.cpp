@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::log_test {
 
 using nlohmann::json;
 using server::log_value;
@@ -95,4 +95,4 @@ TEST(LogTest, OfAWholeExchangeAtItsMostTalkativeHasNoSecretAndNoPath) {
         EXPECT_NE(log.find(event), std::string::npos) << event << "\n" << log;
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::log_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::many_clients_test {
 
 using nlohmann::json;
 
@@ -174,4 +174,4 @@ TEST(ManyClientsTest, BehindATrustedProxyAreCountedByTheAddressItForwards) {
     EXPECT_EQ(http(server.port(), "GET", "/healthz").body, "ok") << "without a word of a proxy";
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::many_clients_test

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-namespace wakesurf::server {
+namespace wakesurf::server::message_batch_test {
 
 namespace {
 
@@ -103,4 +103,4 @@ TEST(MessageBatch, GoesOnWhereTheSocketStopped) {
     }
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::message_batch_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::outbox_memory_test {
 
 namespace {
 
@@ -72,4 +72,4 @@ TEST_F(OutboxMemoryTest, HasAMessageUntilItHasBeenSent) {
     EXPECT_EQ(memory.bytes(), kibi);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::outbox_memory_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::outbox_test {
 
 namespace {
 
@@ -120,4 +120,4 @@ TEST_F(OutboxTest, SaysWhenMessagesPileUp) {
     EXPECT_TRUE(large.push("x"));
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::outbox_test

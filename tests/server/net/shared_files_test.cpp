@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-namespace wakesurf::server {
+namespace wakesurf::server::shared_files_test {
 
 namespace {
 
@@ -168,4 +168,4 @@ TEST_F(SharedFilesTest, EndWithThoseWhoWouldHaveThem) {
     EXPECT_EQ(log_.made, 0);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::shared_files_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::slow_clients_test {
 
 using nlohmann::json;
 
@@ -126,4 +126,4 @@ TEST(SlowClientsTest, AreEndedWhenTheTimeOfTheirPhaseIsOver) {
     }
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::slow_clients_test

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <string>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::tls_test {
 
 namespace {
 
@@ -190,4 +190,4 @@ TEST_F(Tls, EndsHandshakesThatDoNotFinishAndServesTheOthersMeanwhile) {
     EXPECT_EQ(status(ask("GET", "/healthz")), 200);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::tls_test

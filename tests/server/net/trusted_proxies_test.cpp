@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::trusted_proxies_test {
 
 namespace {
 
@@ -108,4 +108,4 @@ TEST(ProxyProtocolTest, TellsOtherProtocolsAndNonsense) {
         EXPECT_EQ(parse_proxy_header(nonsense).is, Is::Malformed) << nonsense;
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::trusted_proxies_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::url_query_test {
 
 using Query = std::map<std::string, std::string>;
 
@@ -21,4 +21,4 @@ TEST(UrlQuery, RefusesWhatCannotBeRead) {
         EXPECT_EQ(url_query(text).error().code, core::Error::Code::InvalidArgument) << text;
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::url_query_test

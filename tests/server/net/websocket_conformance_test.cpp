@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::websocket_conformance_test {
 
 using nlohmann::json;
 using namespace ws;
@@ -86,4 +86,4 @@ INSTANTIATE_TEST_SUITE_P(Rfc6455,
                          testing::ValuesIn(all_cases()),
                          [](const auto& each) { return each.param.name; });
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::websocket_conformance_test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <string>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::websocket_rules_test {
 
 using nlohmann::json;
 using namespace ws;
@@ -99,4 +99,4 @@ TEST_F(WebSocketRules, RefuseHandshakesThatAreNone) {
     EXPECT_EQ(upgrade("POST", both + key + version + "Content-Length: 0\r\n").status, 405);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::websocket_rules_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::write_turns_test {
 
 namespace {
 
@@ -109,4 +109,4 @@ TEST_F(WriteTurnsTest, PassOverWhoHasGone) {
     EXPECT_EQ(order, (std::vector<std::string>{"stays"}));
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::write_turns_test

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::accepted_is_kept_test {
 
 using nlohmann::json;
 
@@ -129,4 +129,4 @@ TEST_F(AcceptedIsKept, WhereItWasMadeWithTheDatasetAndIsEditedWithoutIt) {
     run({"flow:abc"}, flow);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::accepted_is_kept_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::bad_input_test {
 
 using nlohmann::json;
 
@@ -202,4 +202,4 @@ TEST_F(BadInput, OfDeepNestingIsRefusedOnTheSocketToo) {
     EXPECT_EQ(client.result("server.ping"), json::object());
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::bad_input_test

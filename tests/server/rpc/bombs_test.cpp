@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::bombs_test {
 
 using nlohmann::json;
 
@@ -370,4 +370,4 @@ TEST_F(Bombs, OfManyProbesEndAtAQuotaThatIsNamed) {
                             [](const json& each) { return each.contains("result"); }));
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::bombs_test

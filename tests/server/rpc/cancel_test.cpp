@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::cancel_test {
 
 using nlohmann::json;
 
@@ -192,4 +192,4 @@ TEST_F(Cancel, NoProgressIsToldOfANotificationWhichNothingCouldStop) {
     EXPECT_EQ(client.answer(id)["error"]["code"], -32800);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::cancel_test

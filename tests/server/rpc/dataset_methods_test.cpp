@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::dataset_methods_test {
 
 using nlohmann::json;
 
@@ -122,4 +122,4 @@ TEST_F(DatasetMethods, ChangesOfTheCacheAreAnnounced) {
     EXPECT_EQ(resident, (std::set{0, 1}));
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::dataset_methods_test

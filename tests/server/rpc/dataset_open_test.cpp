@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::dataset_open_test {
 
 using nlohmann::json;
 
@@ -167,4 +167,4 @@ TEST_F(DatasetOpen, ANotificationGoesOnWithAnImportButNeitherWaitsNorIsToldOfIt)
     EXPECT_EQ(entry(bob)["state"], "stopped") << "no one else waits";
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::dataset_open_test

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::described_parameters_test {
 
 using nlohmann::json;
 
@@ -127,4 +127,4 @@ TEST_F(DescribedParameters, AreRefusedBeyondTheirDescriptionUnderTheirNames) {
     EXPECT_GT(tried, 200u);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::described_parameters_test

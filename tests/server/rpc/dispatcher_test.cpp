@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace wakesurf::server {
+namespace wakesurf::server::dispatcher_test {
 
 using nlohmann::json;
 using tests::NoDatasets;
@@ -266,4 +266,4 @@ TEST_F(DispatcherTest, AnswersNoBatchWithMoreThanAMessageMayHave) {
     EXPECT_EQ(answers[63]["error"]["data"]["limit"], limits::outbox_message_bytes);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::dispatcher_test

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::document_methods_test {
 
 using nlohmann::json;
 
@@ -246,4 +246,4 @@ TEST_F(DocumentMethods, ADeletionCanDependOnTheRevision) {
     EXPECT_EQ(code("rake.delete", {{"rake", rake["rake"]}, {"ifRev", 1}}), -32004);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::document_methods_test

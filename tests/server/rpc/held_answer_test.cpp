@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::held_answer_test {
 
 using nlohmann::json;
 
@@ -83,4 +83,4 @@ TEST_F(HeldAnswer, AnswersWhereTheJournalEndsFirst) {
     EXPECT_TRUE(fault);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::held_answer_test

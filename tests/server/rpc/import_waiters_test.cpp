@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::import_waiters_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -71,4 +71,4 @@ TEST_F(ImportWaiting, WhoseImportIsStoppedByAnotherIsAnsweredAndWhosePatienceEnd
 }
 
 } // namespace
-} // namespace wakesurf::server
+} // namespace wakesurf::server::import_waiters_test

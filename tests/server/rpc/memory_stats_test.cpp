@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::memory_stats_test {
 
 using nlohmann::json;
 
@@ -66,4 +66,4 @@ TEST_F(SmallServer, RefusesWhatDoesNotFitNamingTheLimitAndACureAndServesOn) {
     EXPECT_TRUE(set_surface(0.5)["result"]["complete"]);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::memory_stats_test

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::permission_test {
 
 using nlohmann::json;
 using tests::NoDatasets;
@@ -445,4 +445,4 @@ TEST_F(PermissionTest, TakesCallsNoFasterThanAPersonMayOverAllTheirConnections) 
     EXPECT_EQ(code_of(answer(edit, editor, &first)), -32004);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::permission_test

@@ -11,7 +11,7 @@
 
 #include <optional>
 
-namespace wakesurf::server {
+namespace wakesurf::server::session_methods_test {
 
 using nlohmann::json;
 using tests::NotedWire;
@@ -219,4 +219,4 @@ TEST_F(SessionMethods, TheDefaultSceneIsNoEdit) {
     EXPECT_EQ(entry("main")["edited"], true);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::session_methods_test

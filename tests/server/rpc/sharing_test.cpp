@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::sharing_test {
 
 using nlohmann::json;
 
@@ -356,4 +356,4 @@ TEST_F(Sharing, RefusesNamesAndColoursThatAreNone) {
     EXPECT_EQ(state["participants"][0]["name"], "Ada");
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::sharing_test

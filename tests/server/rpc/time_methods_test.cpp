@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::time_methods_test {
 
 using nlohmann::json;
 
@@ -196,4 +196,4 @@ TEST_F(TimeMethods, RefusesNumbersThatAreNoneAndSaysWhich) {
     EXPECT_EQ(refused("frame.ack", {{"subscription", 999'999}, {"seq", 0}})["code"], -32004);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::time_methods_test

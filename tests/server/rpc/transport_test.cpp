@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::transport_test {
 
 using nlohmann::json;
 
@@ -155,4 +155,4 @@ TEST_F(Transport, TellsWhatTheServerIs) {
               json::parse(http(server_->port(), "GET", "/openrpc.json", server_->bearer()).body));
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::transport_test

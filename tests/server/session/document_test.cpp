@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::document_test {
 
 using core::Error;
 using server::RecordType;
@@ -332,4 +332,4 @@ TEST(Document, AnAnnotationKeepsItsAuthorAndOutlivesItsSurface) {
     EXPECT_EQ(edited->rev, 2u);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::document_test

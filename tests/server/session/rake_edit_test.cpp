@@ -9,7 +9,7 @@
 #include <chrono>
 #include <set>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::rake_edit_test {
 
 using nlohmann::json;
 
@@ -209,4 +209,4 @@ TEST(RakeEdit, DeletingARakeTakesItsSurfacesAlong) {
     EXPECT_EQ(client.result("server.ping"), json::object());
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::rake_edit_test

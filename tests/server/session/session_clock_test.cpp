@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::session_clock_test {
 
 namespace {
 
@@ -113,4 +113,4 @@ TEST_F(ClockTest, IsToldWhatToPlayOrKnowsItFromTheSurfaces) {
     EXPECT_FALSE(clock.play({{}, {}, {}, 3.0, {}}, std::nullopt)) << "3 to 2";
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::session_clock_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::session_directory_test {
 
 namespace {
 
@@ -295,4 +295,4 @@ TEST(SessionDirectory, ANewNameIsToldAndKept) {
     EXPECT_EQ(after.bench.session->name(), "our wake");
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::session_directory_test

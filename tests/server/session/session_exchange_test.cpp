@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::session_exchange_test {
 
 using core::Error;
 using nlohmann::json;
@@ -167,4 +167,4 @@ TEST(SessionExchange, NamesFromAFileAreMadeFitToBeSeen) {
     EXPECT_LE((*made)->name().size(), server::limits::name_bytes);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::session_exchange_test

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::session_heap_test {
 
 namespace {
 
@@ -55,4 +55,4 @@ TEST(SessionHeap, KeepsNothingOfSessionsThatWereErased) {
     EXPECT_LT(after - std::min(after, before), sessions * 1024) << "bytes, of so many sessions";
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::session_heap_test

@@ -12,7 +12,7 @@
 #include <mutex>
 #include <set>
 
-namespace wakesurf::server {
+namespace wakesurf::server::session_test {
 
 namespace {
 
@@ -331,4 +331,4 @@ TEST_F(SessionTest, GivesAParticipantItsPlaceAgainForItsToken) {
               first->you.id);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::session_test

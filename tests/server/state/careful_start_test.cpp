@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::careful_start_test {
 
 using nlohmann::json;
 
@@ -89,4 +89,4 @@ TEST_F(CarefulStart, DoesNotComeAfterTwoNorAfterACleanEnd) {
     EXPECT_EQ(wait(client)["result"]["stateSum"], before["stateSum"]);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::careful_start_test

@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <memory>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::durable_server_test {
 
 using nlohmann::json;
 
@@ -326,4 +326,4 @@ TEST_F(DurableServer, RefusesAFolderAnotherServerHasAndADamagedOne) {
     EXPECT_EQ(read_file(folder / "damaged" / "sessions.sqlite"), bytes);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::durable_server_test

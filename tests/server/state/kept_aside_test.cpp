@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::kept_aside_test {
 
 using nlohmann::json;
 
@@ -119,4 +119,4 @@ TEST(KeptAside, RecordsAreToldToPeopleAndOverwrittenByNothing) {
     EXPECT_EQ(client.result("session.state")["rakes"].size(), 3u);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::kept_aside_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::kill_test {
 
 TEST(KilledServer, HasEveryEditItAnswered) {
     const TemporaryFolder folder;
@@ -14,4 +14,4 @@ TEST(KilledServer, HasEveryEditItAnswered) {
     EXPECT_EQ(report.wrong, std::vector<std::string>{});
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::kill_test

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::pending_writes_test {
 
 using server::PendingWrites;
 
@@ -73,4 +73,4 @@ TEST(PendingWrites, AreAsLargeAsTheRecordsHoweverManyEdits) {
         EXPECT_TRUE(json) << key.id;
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::pending_writes_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::sqlite_journal_test {
 
 using core::Result;
 using server::SqliteJournal;
@@ -168,4 +168,4 @@ TEST(SqliteJournal, KeepsAnotherConnectionOut) {
     EXPECT_FALSE(StateStore::open(path));
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::sqlite_journal_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::start_guard_test {
 
 using tests::TemporaryFolder;
 
@@ -46,4 +46,4 @@ TEST(StartGuard, CountsNothingWhereItCannotWrite) {
         EXPECT_FALSE(StartGuard(folder / "gone").careful());
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::start_guard_test

@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::state_damage_test {
 
 using core::Error;
 using server::PendingWrites;
@@ -187,4 +187,4 @@ TEST_F(StateDamage, OfOneRecordLeavesTheOthersInUseAndKeepsItsBytes) {
     }
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::state_damage_test

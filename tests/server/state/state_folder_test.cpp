@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::state_folder_test {
 
 using server::StateFolder;
 using std::filesystem::perms;
@@ -56,4 +56,4 @@ TEST(StateFolder, SaysWhyItCannotBeUsed) {
     }
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::state_folder_test

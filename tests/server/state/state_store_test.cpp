@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <array>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::state_store_test {
 
 using core::Error;
 using server::PendingWrites;
@@ -177,4 +177,4 @@ TEST(StateStore, RefusesFilesOfANewerLayoutOrAnotherProgramAndLeavesThemAlone) {
     }
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::state_store_test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::state_upgrade_test {
 
 using server::PendingWrites;
 using server::StateOptions;
@@ -110,4 +110,4 @@ TEST(StateUpgrade, DoesNotStartWhereTheCopyCannotBeMade) {
     EXPECT_EQ(read_file(path), before);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::state_upgrade_test

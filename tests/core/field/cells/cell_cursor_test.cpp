@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::cell_cursor_test {
+
+using namespace tests;
 
 namespace {
 
@@ -171,3 +172,5 @@ TEST(CellCursor, CrossesTheAxisOfAMeshWhoseCellsCollapseThere) {
         EXPECT_LT(glm::length(field.sampler().velocity({0, 0, z}, 0.0) - Vec3(0, 0, 1)), 1e-6) << z;
     }
 }
+
+} // namespace wakesurf::core::cell_cursor_test

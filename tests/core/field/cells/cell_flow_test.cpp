@@ -7,8 +7,9 @@
 #include <limits>
 #include <random>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::cell_flow_test {
+
+using namespace tests;
 
 namespace {
 
@@ -144,3 +145,5 @@ TEST(CellFlow, SamplesTheContinuationOutsideAndTheFieldInside) {
     EXPECT_EQ(flow->status({0.5, 0.5, 0.5}), PointStatus::Inside);
     EXPECT_EQ(flow->status({0.5, 1.5, 0.5}), PointStatus::OutsideDomain);
 }
+
+} // namespace wakesurf::core::cell_flow_test

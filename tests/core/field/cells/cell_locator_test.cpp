@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::cell_locator_test {
+
+using namespace tests;
 
 TEST(CellLocator, FindsTheCellThatLookingAtAllOfThemFinds) {
     const CellMesh mesh = block({7, 9, 6}, round_cylinder, true);
@@ -123,3 +124,5 @@ TEST(CellGeometry, VolumesOfARefinedMeshSumToTheDomains) {
     }
     EXPECT_NEAR(sum, 1.0, 1e-12);
 }
+
+} // namespace wakesurf::core::cell_locator_test

@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::cell_path_test {
+
+using namespace tests;
 
 namespace {
 
@@ -135,3 +136,5 @@ TEST(CellPath, PassesThroughAPyramidsApex) {
     EXPECT_EQ(curve.end, CurveEnd::Time);
     EXPECT_LT(glm::length(curve.last.position - Vec3(0, 0, 0.6)), 1e-9);
 }
+
+} // namespace wakesurf::core::cell_path_test

@@ -5,8 +5,9 @@
 
 #include <limits>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::cell_sampler_test {
+
+using namespace tests;
 
 namespace {
 
@@ -138,3 +139,5 @@ TEST(CellSampler, WhereAVelocityIsNotANumberTheDomainEnds) {
     }
     EXPECT_EQ(cursor.status({0.49, 0.5, 0.5}), PointStatus::Inside);
 }
+
+} // namespace wakesurf::core::cell_sampler_test

@@ -6,8 +6,9 @@
 
 #include <gtest/gtest.h>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::cell_walls_test {
+
+using namespace tests;
 
 namespace {
 
@@ -179,3 +180,5 @@ TEST(CellWalls, ASegmentThroughABentFaceIsFoundOnEitherDiagonal) {
         }
     EXPECT_FALSE(walls.crossed({1.2, 0.5, 1}, {1.2, 0.5, -1}));
 }
+
+} // namespace wakesurf::core::cell_walls_test

@@ -7,8 +7,9 @@
 #include <map>
 #include <tuple>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::column_merge_test {
+
+using namespace tests;
 
 namespace {
 
@@ -156,3 +157,5 @@ TEST(ColumnMerge, AKnobOutsideItsRangeIsRefused) {
         EXPECT_EQ(refused.error().code, Error::Code::InvalidArgument);
     }
 }
+
+} // namespace wakesurf::core::column_merge_test

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-using namespace wakesurf::core;
-using wakesurf::test::straight_curve;
+namespace wakesurf::core::column_test {
+
+using tests::straight_curve;
 
 TEST(Column, VerticesAreEvenlySpacedAndReachBothEnds) {
     const Column column = make_column(0.5, straight_curve({0, 0, 0}, {10, 0, 0}), 2.0, {3.0});
@@ -81,3 +82,5 @@ TEST(NearestArc, FindsTheFootOfAPerpendicularWithinReach) {
     EXPECT_NEAR(nearest_arc(curve, {9.0, 2.0, 0}, 4.0, 1.0), 5.0, 1e-9); // beyond reach
     EXPECT_NEAR(nearest_arc(curve, {12.0, 0, 0}, 9.8, 1.0), 10.0, 1e-9); // beyond the end
 }
+
+} // namespace wakesurf::core::column_test

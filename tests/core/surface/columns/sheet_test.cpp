@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::sheet_test {
+
+using namespace tests;
 
 namespace {
 
@@ -89,3 +90,5 @@ TEST(SheetMesh, HoldsOnlyVerticesThatCellsUse) {
     EXPECT_EQ(std::count(used.begin(), used.end(), false), 0);
     EXPECT_EQ(mesh.stretch.size(), mesh.complex.vertices());
 }
+
+} // namespace wakesurf::core::sheet_test

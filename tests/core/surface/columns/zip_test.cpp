@@ -6,8 +6,9 @@
 
 #include <cmath>
 
-using namespace wakesurf::core;
-using wakesurf::test::straight_curve;
+namespace wakesurf::core::zip_test {
+
+using tests::straight_curve;
 
 namespace {
 
@@ -100,3 +101,5 @@ TEST(Zip, FrontWidthIsMeasuredSquareToTheColumns) {
     const Column right = column({2, 0.3, 0}, {5, 0.3, 0}, 0.5);
     EXPECT_NEAR(front_width(left, right, {0, 0}), 0.3, 1e-12);
 }
+
+} // namespace wakesurf::core::zip_test

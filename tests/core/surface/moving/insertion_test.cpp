@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-using namespace wakesurf::core;
+namespace wakesurf::core::insertion_test {
 
 namespace {
 
@@ -161,3 +161,5 @@ TEST(Insertion, AClosedRakesLastEdgeRunsTheShortWayRound) {
     EXPECT_EQ(past.s, 0.03125); // beyond the seam
     EXPECT_EQ(past.place.column, 0.25);
 }
+
+} // namespace wakesurf::core::insertion_test

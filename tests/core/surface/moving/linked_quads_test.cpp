@@ -9,9 +9,9 @@
 #include <random>
 #include <set>
 
-using namespace wakesurf::core;
-using namespace wakesurf::tests;
-using namespace wakesurf::test;
+namespace wakesurf::core::linked_quads_test {
+
+using namespace tests;
 
 namespace {
 
@@ -152,3 +152,5 @@ TEST(LinkedQuads, RenumberingIsInvisibleInTheSnapshot) {
     EXPECT_EQ(violation(mesh), "");
     EXPECT_EQ(slit(mesh), "");
 }
+
+} // namespace wakesurf::core::linked_quads_test

@@ -11,8 +11,9 @@
 #include <random>
 #include <set>
 
-using namespace wakesurf::core;
-using namespace wakesurf::test;
+namespace wakesurf::core::local_operations_test {
+
+using namespace tests;
 
 namespace {
 
@@ -370,3 +371,5 @@ TEST(LocalOperations, ARingOfHangingNodesIsRefused) {
         EXPECT_EQ(euler_characteristic(snapshot(mesh, false).mesh), 0);
     }
 }
+
+} // namespace wakesurf::core::local_operations_test

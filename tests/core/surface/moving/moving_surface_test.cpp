@@ -12,9 +12,9 @@
 #include <cmath>
 #include <string_view>
 
-using namespace wakesurf::core;
-using namespace wakesurf::tests;
-using namespace wakesurf::test;
+namespace wakesurf::core::moving_surface_test {
+
+using namespace tests;
 
 namespace {
 
@@ -479,3 +479,5 @@ TEST(MovingSurface, AStopRequestCancels) {
     ASSERT_FALSE(surface);
     EXPECT_EQ(surface.error().code, Error::Code::Cancelled);
 }
+
+} // namespace wakesurf::core::moving_surface_test

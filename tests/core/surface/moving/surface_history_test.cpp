@@ -9,8 +9,9 @@
 #include <random>
 #include <set>
 
-using namespace wakesurf::core;
-using namespace wakesurf::tests;
+namespace wakesurf::core::surface_history_test {
+
+using namespace tests;
 
 namespace {
 
@@ -240,3 +241,5 @@ TEST(SurfaceHistory, ACallCancelledInTheMiddleOfAStepDoesNoHarm) {
         EXPECT_GT(cancelled, 2);
     }
 }
+
+} // namespace wakesurf::core::surface_history_test

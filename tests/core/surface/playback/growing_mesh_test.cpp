@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wakesurf::core {
+namespace wakesurf::core::growing_mesh_test {
 
 namespace {
 
@@ -68,4 +68,4 @@ TEST(GrowingMesh, OnlyAppendsAsItGrows) {
     }
 }
 
-} // namespace wakesurf::core
+} // namespace wakesurf::core::growing_mesh_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::core {
+namespace wakesurf::core::played_surface_test {
 
 namespace {
 
@@ -64,4 +64,4 @@ TEST(PlayedSurface, ShowsTheSameAtATimeWhateverWasShownBefore) {
     EXPECT_EQ(straight->mesh.vertex_id, roundabout->mesh.vertex_id);
 }
 
-} // namespace wakesurf::core
+} // namespace wakesurf::core::played_surface_test

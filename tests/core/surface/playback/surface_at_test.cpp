@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::core {
+namespace wakesurf::core::surface_at_test {
 
 namespace {
 
@@ -84,4 +84,4 @@ TEST(SurfaceAt, OfAStreamSurfaceIsTheSameAtAllTimes) {
     EXPECT_EQ(made(job, 1.2).mesh.position, made(job, std::nullopt).mesh.position);
 }
 
-} // namespace wakesurf::core
+} // namespace wakesurf::core::surface_at_test

@@ -13,7 +13,7 @@
 #include <limits>
 #include <numbers>
 
-namespace wakesurf::server {
+namespace wakesurf::server::surface_fields_test {
 
 namespace {
 
@@ -338,4 +338,4 @@ TEST(SurfaceFields, AreAskedForOnceEach) {
               core::Error::Code::InvalidArgument);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::surface_fields_test

@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::fields_on_the_wire_test {
 
 using nlohmann::json;
 
@@ -188,4 +188,4 @@ TEST_F(FieldsOnTheWire, ProgressSaysWhatEachPassTook) {
     EXPECT_EQ(stats["pass"].size(), 4u) << stats;
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::fields_on_the_wire_test

@@ -8,7 +8,7 @@
 
 #include <random>
 
-namespace wakesurf::server {
+namespace wakesurf::server::frame_cursor_test {
 
 namespace {
 
@@ -361,4 +361,4 @@ TEST_F(Cursors, KeepsTheRingWithinItsBytesAndAge) {
     EXPECT_EQ(ring->bytes(), 0U);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::frame_cursor_test

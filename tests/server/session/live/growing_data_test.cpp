@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::growing_data_test {
 
 using nlohmann::json;
 
@@ -54,4 +54,4 @@ TEST(GrowingData, ASurfaceThatEndedForWantOfATimeStepIsBuiltAgainOnceItIsThere) 
     EXPECT_GT(done["stats"]["quads"].get<int>(), before);
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::growing_data_test

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::live_surface_test {
 
 namespace {
 
@@ -327,4 +327,4 @@ TEST_F(LiveSurfaceTest, SaysWhyThereIsNothingToBuildAndBuildsAgainLater) {
     EXPECT_EQ(done.back().epoch, 3U);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::live_surface_test

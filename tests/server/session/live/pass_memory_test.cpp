@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::pass_memory_test {
 
 namespace {
 
@@ -127,4 +127,4 @@ TEST(SurfaceHistoryMemory, IsNotTakenByAStepThatFindsNone) {
     EXPECT_TRUE(history.at(3.0, {})) << "it goes on from its beginning";
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::pass_memory_test

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::resting_surfaces_test {
 
 namespace {
 
@@ -346,4 +346,4 @@ TEST(Session, WithAsManySurfacesAsItMayHaveStaysWithinMemoryThoughTogetherTheyNe
     EXPECT_GT(needed, 0U);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::resting_surfaces_test

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-namespace wakesurf::server {
+namespace wakesurf::server::display_name_test {
 
 TEST(DisplayName, LeavesNothingThatActsOrHides) {
     const std::map<std::string, std::string> names{
@@ -62,4 +62,4 @@ TEST(FreeName, CountsUpUntilNobodyHasIt) {
     EXPECT_EQ(add("longna 2"), "longna 3");
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::display_name_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::grants_test {
 
 namespace {
 
@@ -265,4 +265,4 @@ TEST(Secrets, AreComparedByTheirSha256) {
     EXPECT_EQ(read_digest(std::string(64, 'g')), std::nullopt);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::grants_test

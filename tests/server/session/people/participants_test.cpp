@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::participants_test {
 
 using nlohmann::json;
 using std::chrono::milliseconds;
@@ -459,4 +459,4 @@ TEST_F(ParticipantsTest, TellsLessOftenWhereManyWouldHaveToBeToldOfMany) {
         EXPECT_EQ(other["dragging"]["rake"], "r99") << id;
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::participants_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::server::change_log_test {
 
 namespace {
 
@@ -96,4 +96,4 @@ TEST(ChangeLog, ReachesBackToItsStartOnly) {
     EXPECT_TRUE(log.since(101)->empty());
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::change_log_test

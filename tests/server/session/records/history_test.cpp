@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::history_test {
 
 using server::HistoryMove;
 using server::HistoryMoveResult;
@@ -496,4 +496,4 @@ TEST_F(HistoryTest, UndoChangesOnlyWhatItsAuthorChangedLast) {
     }
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::history_test

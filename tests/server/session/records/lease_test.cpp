@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::tests {
+namespace wakesurf::tests::lease_test {
 
 using std::chrono::milliseconds;
 
@@ -94,4 +94,4 @@ TEST_F(LeaseTest, GoesWithItsRake) {
     EXPECT_EQ(holder(), "") << "what comes back is no one's";
 }
 
-} // namespace wakesurf::tests
+} // namespace wakesurf::tests::lease_test

@@ -12,7 +12,7 @@
 
 #include <string>
 
-namespace wakesurf::server {
+namespace wakesurf::server::record_room_test {
 
 namespace {
 
@@ -147,4 +147,4 @@ TEST_F(RecordRoom, RefusesAFileOfMore) {
     EXPECT_EQ(read.error().limit, limits::session_bytes);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::record_room_test

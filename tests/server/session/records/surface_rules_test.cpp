@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server {
+namespace wakesurf::server::surface_rules_test {
 
 namespace {
 
@@ -101,4 +101,4 @@ TEST(SurfaceRules, TakeTheDatasetsSpacingForASeparationLeftOut) {
     EXPECT_EQ(setting.parameters.separation, abc().flow->finest_spacing());
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::server::surface_rules_test
