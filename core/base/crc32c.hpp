@@ -1,4 +1,4 @@
-// CRC-32C (Castagnoli), the checksum of stores, frames and mesh states. Twin: web-client/src/protocol/crc32c.ts.
+// CRC-32C (Castagnoli), the checksum of a store's files, and part of the ETag of what the server sends as a file.
 #pragma once
 
 #include <cstddef>

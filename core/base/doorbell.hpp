@@ -1,5 +1,5 @@
-// What idle threads sleep at, without a lock: no thread that rings waits for another. A condition variable's notify waits for threads it
-// woke before to have left, and those of low priority may be set aside on the way out: 20 to 160 ms on a busy machine.
+// What idle threads sleep at, without a lock: no thread that rings waits for another. To notify a condition variable of glibc 2.36 is to
+// wait for threads it woke before to have left, and those of low priority may be set aside on the way out: 20 to 160 ms on a busy machine.
 #pragma once
 
 #include <atomic>

@@ -56,7 +56,7 @@ struct MemoryAccount::State {
     explicit State(std::size_t all) : budget(all) {}
 
     const std::size_t budget;
-    std::atomic<std::size_t> used{0};
+    std::atomic<std::size_t> shares{0}; ///< all bytes of all shares
     std::array<std::atomic<std::size_t>, memory_uses> by_use{};
     std::atomic<std::size_t> refused{0};
     std::atomic<std::size_t> unseen{0}; ///< bytes taken since the last look
@@ -64,36 +64,50 @@ struct MemoryAccount::State {
     std::mutex asking;                        ///< guards `givers`
     std::list<std::shared_ptr<Giver>> givers; ///< in their order
     std::function<std::size_t()> resident;
-    std::atomic<std::uint64_t> looks{0}, newest_look{0};
+    std::atomic<std::uint64_t> looks{0};
+    /// KiB beyond the shares in its low bits; above them the number of the look that saw them.
+    std::atomic<std::uint64_t> seen{0};
     std::atomic<std::size_t> program{0}; ///< bytes beyond the shares at the first look: they stay
+
+    static constexpr unsigned kibibyte_bits = 36; // 64 TiB
+    static constexpr std::uint64_t most_kibibytes = (std::uint64_t{1} << kibibyte_bits) - 1;
 
     std::atomic<std::size_t>& of(MemoryUse use) { return by_use[index(use)]; }
 
-    /// Several threads may look at a time: one that is set aside meanwhile would keep the others from seeing. The newest look counts.
+    /// Bytes the process holds beyond its shares.
+    std::size_t other() const { return static_cast<std::size_t>(seen & most_kibibytes) * 1024; }
+
+    std::size_t used() const { return shares + other(); }
+
+    /// Several threads may look at a time: one that is set aside meanwhile would keep the others from seeing. What the look that began
+    /// last saw stays.
     void look() {
         if (!resident)
             return;
         unseen = 0;
         const std::uint64_t number = ++looks;
-        const std::size_t seen = resident();
-        const std::size_t elsewhere = of(MemoryUse::Other) + of(MemoryUse::Importers);
-        const std::size_t all = used;
-        const std::size_t here = all - std::min(all, elsewhere);
-        std::uint64_t newest = newest_look;
-        do {
-            if (newest > number)
-                return;
-        } while (!newest_look.compare_exchange_weak(newest, number));
+        const std::size_t held = resident();
+        const std::size_t importers = of(MemoryUse::Importers), all = shares;
+        const std::size_t here = all - std::min(all, importers);
         // What is told but not touched yet hides as much that is there.
-        const std::size_t other = std::max(seen - std::min(seen, here), program.load());
-        used += other - of(MemoryUse::Other).exchange(other);
+        const std::size_t beyond = std::max(held - std::min(held, here), program.load());
+        const std::uint64_t kibibytes =
+            std::min(beyond / 1024 + (beyond % 1024 != 0), most_kibibytes);
+        const std::uint64_t mine = number << kibibyte_bits | kibibytes;
+        std::uint64_t newest = seen;
+        do {
+            // Numbers wrap around: their distance tells which look began first.
+            if (static_cast<std::int64_t>((newest & ~most_kibibytes) - (mine & ~most_kibibytes)) >
+                0)
+                return;
+        } while (!seen.compare_exchange_weak(newest, mine));
     }
 
     bool fits(std::size_t more, std::size_t beside) const {
         return beside <= budget && more <= budget - beside;
     }
 
-    bool fits(std::size_t more) const { return fits(more, used); }
+    bool fits(std::size_t more) const { return fits(more, used()); }
 
     /// Until `more` fits, or the time is over. `stop` rings as well.
     void sleep(std::size_t more, const std::stop_token& stop, Clock::time_point until) {
@@ -107,7 +121,7 @@ struct MemoryAccount::State {
     }
 
     void change(MemoryUse use, std::size_t from, std::size_t to) {
-        used += to - from;
+        shares += to - from;
         of(use) += to - from;
     }
 
@@ -117,11 +131,11 @@ struct MemoryAccount::State {
         if (unseen.fetch_add(newly) + newly > budget / 256)
             look();
         const std::size_t wanted = more > SIZE_MAX - leave ? SIZE_MAX : more + leave;
-        std::size_t before = used;
+        std::size_t before = shares;
         do {
-            if (!fits(wanted, before))
+            if (!fits(wanted, before + other()))
                 return false;
-        } while (!used.compare_exchange_weak(before, before + more));
+        } while (!shares.compare_exchange_weak(before, before + more));
         of(use) += more;
         return true;
     }
@@ -135,7 +149,7 @@ struct MemoryAccount::State {
         }
         for (const auto& giver : all) {
             look();
-            const std::size_t now = used;
+            const std::size_t now = used();
             if (fits(more, now))
                 return true;
             const bool build = giver->order == GiveBack::Builds;
@@ -284,15 +298,15 @@ std::size_t MemoryAccount::budget() const {
 }
 
 std::size_t MemoryAccount::used() const {
-    return state_->used;
+    return state_->used();
 }
 
 std::size_t MemoryAccount::used(MemoryUse use) const {
-    return state_->of(use);
+    return use == MemoryUse::Other ? state_->other() : state_->of(use).load();
 }
 
 std::size_t MemoryAccount::free() const {
-    const std::size_t used = state_->used;
+    const std::size_t used = state_->used();
     return state_->budget - std::min(state_->budget, used);
 }
 

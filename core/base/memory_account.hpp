@@ -113,9 +113,9 @@ class MemoryAccount {
 
     Share open(MemoryUse use) const;
 
-    /// `give_back` is called with how many bytes are wanted, on the thread that wants them, without the account's lock, and not
-    /// from two threads at once. It shrinks its shares at once, or sees to it on another thread, and must not grow any. Until the
-    /// ticket is dropped, which waits for a call under way.
+    /// `give_back` is called with how many bytes are wanted, on the thread that wants them, and not from two threads at once. Other
+    /// calls of the account do not wait for it. It shrinks its shares at once, or sees to it on another thread, and must not grow any.
+    /// Until the ticket is dropped, which waits for a call under way.
     [[nodiscard]] std::shared_ptr<void>
     on_need(GiveBack order, std::function<void(std::size_t wanted)> give_back) const;
 

@@ -99,11 +99,16 @@ void TimeStepCache::State::load_until(const std::stop_token& stop) {
                     continue;
                 }
                 lock.unlock();
-                window->account->make_room(step_bytes); // of others: somebody waits for it
+                window->account->make_room(step_bytes); // of others: someone waits for it
                 lock.lock();
-                if (picked())
+                // However often it rings: to ask others costs them something.
+                const auto end = Clock::now() + look;
+                for (seen = window->work.rings();
+                     !stop.stop_requested() && !picked() && Clock::now() < end;
+                     seen = window->work.rings())
+                    window->work.wait(lock, seen, end - Clock::now());
+                if (job)
                     break;
-                window->work.wait(lock, seen, look);
             }
             --window->idle_threads;
         }
@@ -184,6 +189,8 @@ const TimeStepSource& TimeStepCache::source() const {
 Result<std::shared_ptr<const TimeStep>>
 TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held) {
     State::Window& window = *state_->window;
+    // Before the lock: its end waits for a call under way.
+    const std::stop_callback wake(stop, [&] { window.changed.ring_all(); });
     std::unique_lock lock(window.mutex);
     if (index >= window.entries.size())
         return fail(Error::Code::InvalidArgument, "there is no time-step " + std::to_string(index));
@@ -203,7 +210,6 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
     window.work.ring_one();
     Patience patience;
     bool given_up = false;
-    const std::stop_callback wake(stop, [&] { window.changed.ring_all(); });
     const auto waited = [&] {
         const auto end = Clock::now() + look;
         for (auto seen = window.changed.rings();

@@ -1,15 +1,12 @@
 #include "core/base/doorbell.hpp"
+#include "tests/support/asleep.hpp"
 
 #include <gtest/gtest.h>
 #include <pthread.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
-#include <fstream>
 #include <future>
-#include <string>
 #include <thread>
 #include <vector>
 
@@ -34,23 +31,16 @@ class Sleeper {
     explicit Sleeper(Doorbell& bell)
         : thread_([this, &bell] {
               const auto seen = bell.rings();
-              id_ = static_cast<int>(syscall(SYS_gettid));
+              id_ = tests::this_thread_id();
               bell.wait(seen);
           }) {
-        while (id_ == 0 || !sleeps())
+        while (id_ == 0 || !tests::asleep(id_))
             std::this_thread::yield();
     }
 
     void set_aside_now() { pthread_kill(thread_.native_handle(), SIGUSR1); }
 
   private:
-    bool sleeps() const {
-        std::ifstream file("/proc/self/task/" + std::to_string(id_) + "/stat");
-        std::string number, name, state;
-        file >> number >> name >> state;
-        return state == "S";
-    }
-
     std::atomic<int> id_{0};
     std::jthread thread_;
 };

@@ -4,6 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
 namespace wakesurf::core::counted_cache_test {
 
 using tests::GatedSource;
@@ -61,6 +68,31 @@ TEST(CountedTimeStepCache, WhoWaitsForAStepHasOthersGiveBackMemory) {
     for (std::size_t i = 0; i < 6; ++i) // two more than there is room for
         held.push_back(*cache.acquire(i));
     EXPECT_EQ(kept.bytes(), 0u);
+}
+
+TEST(CountedTimeStepCache, WhoWaitsForAStepAsksOthersTenTimesASecondHoweverManyComeAndGoMeanwhile) {
+    const MemoryAccount account(32 * step_bytes);
+    TimeStepCache cache(std::make_shared<GatedSource>(100), {0, 1, account});
+    auto kept = account.open(MemoryUse::Builds);
+    ASSERT_TRUE(kept.grow_to(28 * step_bytes));
+    std::atomic<int> asked{0};
+    const auto ticket = account.on_need(GiveBack::Histories, [&](std::size_t) { ++asked; });
+    std::vector<std::shared_ptr<const TimeStep>> held;
+    for (std::size_t i = 0; i < 4; ++i)
+        held.push_back(*cache.acquire(i));
+    std::stop_source gone, enough;
+    gone.request_stop();
+    const auto begin = std::chrono::steady_clock::now();
+    auto waiting =
+        std::async(std::launch::async, [&] { return cache.acquire(4, enough.get_token()); });
+    while (asked == 0)
+        std::this_thread::yield();
+    for (int i = 0; i < 20'000; ++i)
+        (void)cache.acquire(5, gone.get_token()); // comes, and goes at once
+    enough.request_stop();
+    EXPECT_FALSE(waiting.get());
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    EXPECT_LE(asked, 10.0 * took.count() + 2.0);
 }
 
 } // namespace wakesurf::core::counted_cache_test

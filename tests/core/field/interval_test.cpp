@@ -1,9 +1,14 @@
 #include "core/field/interval.hpp"
+#include "tests/support/asleep.hpp"
+#include "tests/support/gated_source.hpp"
 #include "tests/support/sampled_source.hpp"
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <barrier>
+#include <chrono>
+#include <future>
 #include <thread>
 
 namespace wakesurf::core::interval_test {
@@ -57,6 +62,27 @@ TEST(Interval, CallersWhoWantMoreThanTheCacheHoldsAreServedOneAfterTheOther) {
                 }
             });
     }
+}
+
+TEST(Interval, ACallerWhoIsCancelledWhileAnotherHasItsTurnLeavesAtOnce) {
+    const auto source = std::make_shared<tests::GatedSource>(100);
+    source->close();
+    const Intervals intervals(
+        std::make_shared<TimeStepCache>(source, TimeStepCache::Options{4 * tests::step_bytes}));
+    std::jthread first([&] { EXPECT_TRUE(intervals.acquire(1, Intervals::Needs::Four, {})); });
+    source->wait_for_loads(1);
+    std::stop_source stop;
+    std::atomic<int> id{0};
+    auto second = std::async(std::launch::async, [&] {
+        id = tests::this_thread_id();
+        return intervals.acquire(50, Intervals::Needs::Four, stop.get_token());
+    });
+    while (id == 0 || !tests::asleep(id))
+        std::this_thread::yield();
+    stop.request_stop();
+    EXPECT_EQ(second.wait_for(std::chrono::seconds(10)), std::future_status::ready);
+    source->open();
+    EXPECT_EQ(second.get().error().code, Error::Code::Cancelled);
 }
 
 } // namespace wakesurf::core::interval_test
