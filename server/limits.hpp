@@ -40,7 +40,7 @@ inline constexpr std::chrono::seconds stranger_pause{
     1}; ///< between two answers of /healthz on one connection beyond that
 inline constexpr std::size_t addresses = 4096; ///< that are told apart
 
-/// What somebody may use at a time, and how fast, over all WebSockets and HTTP requests: see session/budgets.
+/// What somebody may use at a time, and how fast, over all WebSockets and HTTP requests: see compute/budgets.
 struct Budget {
     std::size_t sockets;   ///< WebSockets
     std::size_t requests;  ///< HTTP requests let in and not answered yet

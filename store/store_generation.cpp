@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace wakesurf::store {
 
@@ -287,7 +288,7 @@ core::Result<void> generate_store(const GenerateRequest& request,
     const auto description = core::describe_analytic_flow(request.flow);
     if (!flow)
         return tl::unexpected(flow.error());
-    return Generation(request, *description, std::move(*flow), folder, show, stop).run();
+    return Generation(request, *description, std::move(*flow), folder, show, std::move(stop)).run();
 }
 
 } // namespace wakesurf::store

@@ -214,7 +214,7 @@ core::Result<void> StoreWriter::finish_step(std::size_t index,
         throw std::logic_error("a time-step was finished before the one before it");
     }
     const bool written = ::lseek(file, at, SEEK_SET) == at && write_whole(file, bytes);
-    const auto outcome = written ? core::Result<void>() : cannot_write(name);
+    auto outcome = written ? core::Result<void>() : cannot_write(name);
     ::close(file); // what is left of a record cut off counts as none
     return outcome;
 }

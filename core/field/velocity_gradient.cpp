@@ -1,5 +1,6 @@
 #include "core/field/velocity_gradient.hpp"
 
+#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -49,6 +50,7 @@ Star star_of(const Flow& flow, const Vec3& point, double longest) {
     return star;
 }
 
+/// Column k is the derivative along axis k.
 glm::dmat3 gradient_of(const Star& star, const Vec3* velocity) {
     glm::dmat3 out;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -103,20 +105,6 @@ Result<void> each_gradient(const Flow& flow,
     return {};
 }
 
-} // namespace
-
-Result<std::vector<glm::dmat3>> velocity_gradients(const Flow& flow,
-                                                   std::span<const Vec3> positions,
-                                                   std::span<const double> times,
-                                                   double step,
-                                                   const std::stop_token& stop) {
-    std::vector<glm::dmat3> out(positions.size());
-    const auto keep = [&](std::size_t i, const glm::dmat3& gradient) { out[i] = gradient; };
-    if (auto done = each_gradient(flow, positions, times, step, stop, keep); !done)
-        return tl::unexpected(done.error());
-    return out;
-}
-
 double vorticity(const glm::dmat3& g) {
     return glm::length(Vec3(g[1].z - g[2].y, g[2].x - g[0].z, g[0].y - g[1].x));
 }
@@ -130,6 +118,8 @@ double q_criterion(const glm::dmat3& g) {
             0.5 * (glm::dot(rotation[axis], rotation[axis]) - glm::dot(strain[axis], strain[axis]));
     return q;
 }
+
+} // namespace
 
 std::optional<GradientField> find_gradient_field(std::string_view name) {
     if (name == vorticity_name)

@@ -73,16 +73,4 @@ CurvePoint CurveReader::at_arc(double arc) {
     return point_in(curve_, step_, theta_at_arc(steps[step_], std::max(arc, 0.0)));
 }
 
-CurvePoint Curve::at_time(double time) const {
-    if (steps.empty() || std::abs(time) >= std::abs(last.time))
-        return last;
-    const auto after =
-        std::upper_bound(steps.begin(), steps.end(), std::abs(time),
-                         [](double t, const CurveStep& step) { return t < std::abs(step.time); });
-    const std::size_t index =
-        after == steps.begin() ? 0 : static_cast<std::size_t>(after - steps.begin()) - 1;
-    const CurveStep& step = steps[index];
-    return point_in(*this, index, std::clamp((time - step.time) / step.dt, 0.0, 1.0));
-}
-
 } // namespace wakesurf::core

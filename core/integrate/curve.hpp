@@ -68,9 +68,6 @@ struct Curve {
 
     /// The point at an arc length from the seed, 0..last.arc. Cost: O(log steps).
     CurvePoint at_arc(double arc) const;
-
-    /// The point at a time since release, between 0 and last.time.
-    CurvePoint at_time(double time) const;
 };
 
 /// Adds a step. False: there is no memory for it, and tracing should end.

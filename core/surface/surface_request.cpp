@@ -82,7 +82,7 @@ Result<void> check_request(const SurfaceParameters& p) {
         return fail(Error::Code::InvalidArgument, "'merge' must lie between 0 and 0.5",
                     "it is a fraction of the separation; 0 never merges");
     if (!(p.angle > 0.0 && p.angle <= 180.0))
-        return fail(Error::Code::InvalidArgument, "'angle' must lie between 0 and 180 degrees",
+        return fail(Error::Code::InvalidArgument, "'angle' must be above 0 and at most 180 degrees",
                     "leave it out for 20");
     if (!(p.stagnation_speed >= 0.0 && p.stagnation_speed <= 0.1))
         return fail(Error::Code::InvalidArgument, "'stagnationSpeed' must lie between 0 and 0.1",

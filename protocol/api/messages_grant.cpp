@@ -56,7 +56,7 @@ core::Result<GrantRecord> read_grant(std::string_view text) {
         !fits(kept, "role", is_text) || !fits(kept, "sha256", is_text) ||
         !fits(kept, "expires", is_number) || !fits(kept, "maker", is_text) ||
         !fits(kept, "lineage", is_list_of_texts) || !fits(kept, "lowered", is_map_of_texts))
-        return core::fail(core::Error::Code::Corrupt, "a share link that was kept is not one",
+        return core::fail(core::Error::Code::Corrupt, "a saved share link is damaged",
                           "make a new one with session.share");
     GrantRecord record{kept["role"], kept["sha256"], {}, {}, {}, {}};
     if (kept.contains("expires"))

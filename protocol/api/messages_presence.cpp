@@ -94,8 +94,8 @@ std::string place_text(const PlaceRecord& record) {
 
 core::Result<PlaceRecord> read_place(std::string_view text) {
     const json kept = json::parse(text, nullptr, false);
-    const auto corrupt = core::fail(core::Error::Code::Corrupt, "a place that was kept is not one",
-                                    "join the session anew");
+    const auto corrupt = core::fail(core::Error::Code::Corrupt, "a saved participant is damaged",
+                                    "join the session again");
     for (const char* name : {"name", "colour", "role", "grant", "sha256"})
         if (!kept.is_object() || !kept.contains(name) || !kept[name].is_string())
             return corrupt;

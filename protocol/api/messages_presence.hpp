@@ -1,5 +1,5 @@
 // Who is in a session, and what they point at, look at and drag just now. Presence passes by: it is never kept.
-// Twin of web-client/src/protocol/messages.ts.
+// Twin: web-client/src/protocol/generated/presence.ts.
 #pragma once
 
 #include "core/base/vec3.hpp"

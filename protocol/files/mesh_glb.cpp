@@ -14,7 +14,7 @@ namespace wakesurf::protocol {
 
 namespace {
 
-constexpr const char* extension = "KHR_draco_mesh_compression";
+constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 
 tinygltf::Value numbers(const std::vector<core::Vec3>& points) {
     tinygltf::Value::Array list;
@@ -125,13 +125,13 @@ void add_compressed(tinygltf::Model& model,
         primitive.attributes[names[i]] = add(model, accessor(draco.points, attributes[i]));
         ids[names[i]] = tinygltf::Value(static_cast<int>(i) + 1);
     }
-    primitive.extensions[extension] = tinygltf::Value(tinygltf::Value::Object{
+    primitive.extensions[draco_extension] = tinygltf::Value(tinygltf::Value::Object{
         {"bufferView", tinygltf::Value(0)}, {"attributes", tinygltf::Value(ids)}});
     add_buffer(model, {draco.bytes.begin(), draco.bytes.end()});
     add_view(model, 0, draco.bytes.size());
     add_primitive(model, std::move(primitive));
-    model.extensionsUsed = {extension};
-    model.extensionsRequired = {extension};
+    model.extensionsUsed = {draco_extension};
+    model.extensionsRequired = {draco_extension};
 }
 
 /// Arrays one behind the other in the file's one buffer.

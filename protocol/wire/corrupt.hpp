@@ -1,4 +1,4 @@
-// What is wrong with bytes that no server of ours wrote so: the one error of everything that reads frames.
+// What is wrong with bytes that no server of ours wrote so: the error of what reads frames.
 #pragma once
 
 #include "core/base/result.hpp"

@@ -21,8 +21,4 @@ bool valid(const Lattice& lattice) {
            lattice.bits >= 1 && lattice.bits <= max_lattice_bits;
 }
 
-core::Vec3 dequantise(const Lattice& lattice, const LatticePoint& node) {
-    return lattice.origin + lattice.step * core::Vec3(node[0], node[1], node[2]);
-}
-
 } // namespace wakesurf::protocol

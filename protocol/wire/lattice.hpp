@@ -67,16 +67,4 @@ class LatticeRounding {
     double last_;
 };
 
-/// Whether the node nearest to `p` exists; false for points that are not finite.
-inline bool on_lattice(const Lattice& lattice, const core::Vec3& p) {
-    return LatticeRounding(lattice).holds(p);
-}
-
-/// The nearest node, halves rounded up. REQUIRES: on_lattice(lattice, p).
-inline LatticePoint quantise(const Lattice& lattice, const core::Vec3& p) {
-    return LatticeRounding(lattice).nearest(p);
-}
-
-core::Vec3 dequantise(const Lattice& lattice, const LatticePoint& node);
-
 } // namespace wakesurf::protocol

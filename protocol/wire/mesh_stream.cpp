@@ -187,7 +187,6 @@ struct MeshStream::Held {
     bool attributes;
     std::uint32_t next_seq;
     bool started = false;
-    std::vector<AttributeRange> ranges; ///< what values are expected in, until a KEY says
     MeshPlaces places;
     std::shared_ptr<const WireMesh> state;
 
@@ -221,7 +220,6 @@ MeshStream::MeshStream(std::uint32_t surface,
                                         first_seq,
                                         false,
                                         {},
-                                        {},
                                         std::make_shared<const WireMesh>()})) {}
 
 MeshStream::~MeshStream() = default;
@@ -234,10 +232,6 @@ std::shared_ptr<const WireMesh> MeshStream::state() const {
 
 std::size_t MeshStream::bytes() const {
     return held_->state->bytes() + held_->places.bytes();
-}
-
-void MeshStream::expect(std::vector<AttributeRange> ranges) {
-    held_->ranges = std::move(ranges);
 }
 
 core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
@@ -264,7 +258,8 @@ core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
     const bool anew = !held.started || options.unrelated;
     std::vector<AttributeRange> ranges;
     if (held.attributes)
-        ranges = ranges_for(values, anew ? held.ranges : std::span(held.state->ranges));
+        ranges = ranges_for(values, anew ? std::span<const AttributeRange>()
+                                         : std::span(held.state->ranges));
     bool key = anew || ranges != held.state->ranges;
     MeshMatch matched = key ? match({}, {}, mesh, held.attributes)
                             : match(held.places, held.state->cells(), mesh, false);

@@ -71,10 +71,6 @@ class MeshStream {
     MeshStream(MeshStream&&) noexcept;
     MeshStream& operator=(MeshStream&&) noexcept;
 
-    /// Ranges that speed, s and t will probably stay in; saves the KEY that a value outside makes necessary. Of use before the
-    /// first update only.
-    void expect(std::vector<AttributeRange> ranges);
-
     /// The update from the mesh of the last call to this one. It is a KEY the first time, when little of the mesh stays and
     /// when an attribute leaves its range. Ids may come in any order: also going back in time is a delta.
     ///

@@ -1,5 +1,7 @@
 #include "protocol/wire/wire_cells.hpp"
 
+#include "protocol/wire/corrupt.hpp"
+
 #include <array>
 
 namespace wakesurf::protocol {
@@ -74,9 +76,7 @@ read_cells(Numbers& numbers, std::size_t count, const CellContext& context) {
     });
     if (fine && !numbers.failed())
         return cells;
-    return core::fail(core::Error::Code::Corrupt,
-                      "a cell of a mesh update has a vertex that is not there",
-                      "subscribe to the surface again");
+    return corrupt("a cell of a mesh update has a vertex that is not there");
 }
 
 } // namespace wakesurf::protocol

@@ -43,10 +43,4 @@ std::uint32_t state_sum(const WireMesh& mesh) {
     return sum_of(parts);
 }
 
-bool same_state(const WireMesh& a, const WireMesh& b) {
-    return a.lattice_bits == b.lattice_bits && a.time == b.time && a.ranges == b.ranges &&
-           a.position == b.position && a.change == b.change && a.codes == b.codes &&
-           a.cells() == b.cells();
-}
-
 } // namespace wakesurf::protocol

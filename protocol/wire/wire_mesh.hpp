@@ -61,7 +61,4 @@ struct WireMesh {
 /// The checksum of all of it but the changes. Cost: about 0.05 ns a byte.
 std::uint32_t state_sum(const WireMesh& mesh);
 
-/// Bit for bit, cells by value.
-bool same_state(const WireMesh& a, const WireMesh& b);
-
 } // namespace wakesurf::protocol

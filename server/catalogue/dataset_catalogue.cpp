@@ -376,7 +376,7 @@ DatasetCatalogue::find(std::string_view dataset) const {
         return core::fail(Error::Code::NotFound,
                           "the import of " + entry->status.name +
                               " was stopped before its first time-step",
-                          "dataset.open goes on with it");
+                          "call dataset.open to resume the import");
     if (!entry->open)
         return core::fail(Error::Code::NotFound,
                           entry->status.name + " has no time-step imported yet",

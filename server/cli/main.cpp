@@ -1,9 +1,9 @@
 // The program `wakesurf`: parses the command line and hands over to one command.
+#include "server/base/memory_size.hpp"
 #include "server/cli/bench_command.hpp"
 #include "server/cli/generate_command.hpp"
 #include "server/cli/import_command.hpp"
 #include "server/cli/info_command.hpp"
-#include "server/cli/memory_size.hpp"
 #include "server/cli/serve_command.hpp"
 #include "server/cli/sessions_command.hpp"
 #include "server/cli/state_command.hpp"

@@ -1,11 +1,11 @@
 #include "server/cli/serve_command.hpp"
 
 #include "server/app/server.hpp"
+#include "server/base/memory_size.hpp"
 #include "server/catalogue/dataset_argument.hpp"
 #include "server/catalogue/shipped_files.hpp"
 #include "server/cli/environment.hpp"
 #include "server/cli/failure.hpp"
-#include "server/cli/memory_size.hpp"
 #include "server/cli/writable_folder.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/token_file.hpp"

@@ -5,10 +5,10 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
+#include "server/base/visitor.hpp"
 #include "server/compute/token_bucket.hpp"
 #include "server/limits.hpp"
 #include "server/metrics/metrics.hpp"
-#include "server/session/people/visitor.hpp"
 
 #include <array>
 #include <chrono>

@@ -37,11 +37,6 @@ std::optional<FairQueue::Turn> QuickLanes::pop_light(Time now) {
     return of(Lane::Upper).pop_least(used(now), most_share(now) / 2);
 }
 
-bool QuickLanes::ready_light(Time now) const {
-    return queues_[static_cast<std::size_t>(Lane::Upper)].ready_below(used(now),
-                                                                      most_share(now) / 2);
-}
-
 void QuickLanes::done(Lane lane, const std::string& session, double seconds, Time now) {
     of(lane).done(session);
     use_.add(session, seconds, now);

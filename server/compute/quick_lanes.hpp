@@ -42,8 +42,6 @@ class QuickLanes {
     /// that are about to be lowered.
     std::optional<FairQueue::Turn> pop_light(Time now);
 
-    bool ready_light(Time now) const;
-
     /// What pop() or pop_light() returned has run and took so many seconds of a processor.
     void done(Lane lane, const std::string& session, double seconds, Time now);
 

@@ -2,7 +2,7 @@
 // hurts no one else.
 #include "protocol/api/dataset_json.hpp"
 #include "protocol/api/json_text.hpp"
-#include "server/cli/memory_size.hpp"
+#include "server/base/memory_size.hpp"
 #include "server/import/conversion.hpp"
 #include "server/import/failure_words.hpp"
 #include "server/import/limited_rights.hpp"

@@ -1,6 +1,6 @@
 #include "server/import/time_selection.hpp"
 
-#include "server/import/sources/series/file_names.hpp"
+#include "server/import/sources/files/file_names.hpp"
 
 #include <algorithm>
 #include <cmath>

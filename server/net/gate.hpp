@@ -5,12 +5,12 @@
 
 #include "core/base/clock.hpp"
 #include "server/base/entropy.hpp"
+#include "server/base/visitor.hpp"
 #include "server/compute/address_rates.hpp"
 #include "server/metrics/metrics.hpp"
 #include "server/net/http_message.hpp"
 #include "server/net/login_cookies.hpp"
 #include "server/session/people/grants.hpp"
-#include "server/session/people/visitor.hpp"
 
 #include <tl/expected.hpp>
 

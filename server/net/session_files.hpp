@@ -1,12 +1,12 @@
 // Sessions as files over HTTP: session.json out and in, of any size, and the picture of a session.
 #pragma once
 
+#include "server/base/identity.hpp"
 #include "server/base/journal.hpp"
 #include "server/base/loop.hpp"
 #include "server/compute/compute_pool.hpp"
 #include "server/net/http_message.hpp"
 #include "server/session/data/datasets.hpp"
-#include "server/session/people/identity.hpp"
 #include "server/session/session_directory.hpp"
 
 #include <cstddef>

@@ -12,6 +12,7 @@
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/websocket.hpp>
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -173,7 +174,9 @@ void WebSocketConnection::received(bool text, bool whole) {
     if (!text)
         return close(websocket::close_code::unknown_data, "binary messages are not accepted");
     if (buffer_.size() > limits::message_bytes)
-        return close(websocket::close_code::too_big, "a message may have at most 65536 bytes");
+        return close(
+            websocket::close_code::too_big,
+            fmt::format("a message may have at most {} bytes", limits::message_bytes).c_str());
     if (!whole)
         return read_after(part_of_message);
     const std::string message = beast::buffers_to_string(buffer_.data());

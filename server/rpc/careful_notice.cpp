@@ -15,8 +15,8 @@ constexpr const char* cure =
 
 std::string reason(unsigned died) {
     return fmt::format(
-        "the server died {} times in a row shortly after it had started, so surfaces "
-        "of before are not computed by themselves",
+        "the server died {} times in a row shortly after it had started, so existing "
+        "surfaces are not rebuilt automatically",
         died);
 }
 

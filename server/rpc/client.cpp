@@ -149,7 +149,7 @@ void Client::sent_away(Farewell why) {
     else if (why == Farewell::Displaced)
         say_goodbye(Goodbye::Displaced, "displaced", "a newer connection has taken this place");
     else
-        say_goodbye(Goodbye::Removed, "removed", "a host has ended your stay in the session");
+        say_goodbye(Goodbye::Removed, "removed", "a host removed you from this session");
 }
 
 void Client::grant_ended(const std::string& reason) {

@@ -2,10 +2,10 @@
 // subscribed to. When it goes, nothing of it stays.
 #pragma once
 
+#include "server/base/visitor.hpp"
 #include "server/rpc/pending_calls.hpp"
 #include "server/rpc/wire.hpp"
 #include "server/session/people/grants.hpp"
-#include "server/session/people/visitor.hpp"
 #include "server/session/records/observer.hpp"
 #include "server/session/session.hpp"
 

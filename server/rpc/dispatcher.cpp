@@ -130,7 +130,7 @@ std::optional<RpcFault> Dispatcher::too_fast(bool edits, const Caller& caller) {
     if (!wait)
         return std::nullopt;
     return RpcFault{RpcCode::OverLimit,
-                    "calls come faster than they may",
+                    "too many calls: the rate limit is exceeded",
                     "wait for data.retryAfterMs milliseconds",
                     {},
                     std::make_shared<const json>(

@@ -5,13 +5,13 @@
 #include "protocol/api/checked_json.hpp"
 #include "protocol/api/json_rpc.hpp"
 #include "server/base/journal.hpp"
+#include "server/base/visitor.hpp"
 #include "server/compute/budgets.hpp"
 #include "server/metrics/metrics.hpp"
 #include "server/rpc/client.hpp"
 #include "server/session/data/datasets.hpp"
 #include "server/session/live/probe.hpp"
 #include "server/session/people/grants.hpp"
-#include "server/session/people/visitor.hpp"
 #include "server/session/session_directory.hpp"
 
 #include <nlohmann/json_fwd.hpp>

@@ -15,7 +15,8 @@ void presence_update(const Call& call, const protocol::PresenceUpdate& update, R
         return reply.fault(session.error());
     if (call.client->session() != *session)
         return reply.fault(core::Error{core::Error::Code::InvalidArgument,
-                                       "presence is of the session joined", "join it first"});
+                                       "presence can only be sent to the session you joined",
+                                       "join it first"});
     (*session)->participants().update(*call.client, protocol::change_of(update));
     reply.result(nlohmann::json::object());
 }

@@ -42,7 +42,7 @@ void server_ping(const Call&, const protocol::ServerPing&, Reply reply) {
 void server_stats(const Call& call, const protocol::ServerStats&, Reply reply) {
     if (call.context.metrics == nullptr || !call.context.standing)
         return reply.fault({protocol::RpcCode::NotFound,
-                            "this server counts nothing",
+                            "this server keeps no statistics",
                             "server.info says what it offers",
                             {},
                             {}});

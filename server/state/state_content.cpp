@@ -200,7 +200,7 @@ core::Result<StateContent> salvage_content(Database& database, std::int64_t now)
     if (const auto sums = read_sums(database))
         compare_sums(*sums, found, out);
     else
-        out.faults.push_back("what was written is not known");
+        out.faults.push_back("the journal's record of what was saved is missing");
     if (!read_head(database, out) || !read_aside(database, out))
         out.faults.push_back("records kept aside cannot be read to the end");
     return out;

@@ -11,6 +11,7 @@
 #include "tests/bench/support/interleaved.hpp"
 #include "tests/bench/support/one_core.hpp"
 #include "tests/bench/support/sampled_flows.hpp"
+#include "tests/support/held_ranges.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -176,11 +177,9 @@ void measure_moves(benchmark::State& state, const std::function<Scene()>& make) 
         const protocol::Lattice lattice = protocol::lattice_over(scene.flow->domain());
         core::MovingSurface surface = grown_streak(scene);
         for (auto _ : state) {
-            Measured live{protocol::MeshStream(1, 1, lattice), protocol::live_tolerance};
-            Measured exact{protocol::MeshStream(1, 1, lattice), protocol::exact_tolerance};
             const auto ranges = expected_ranges(scene, surface.mesh().mesh);
-            live.stream.expect(ranges);
-            exact.stream.expect(ranges);
+            Measured live{tests::stream_with_ranges(lattice, ranges), protocol::live_tolerance};
+            Measured exact{tests::stream_with_ranges(lattice, ranges), protocol::exact_tolerance};
             std::size_t draco = 0, draco_fine = 0;
             core::KeyedMesh before, mesh;
             double moved = 0.0, moving = 0.0;
@@ -268,8 +267,9 @@ void measure_appends(benchmark::State& state,
         const auto ranges = expected_ranges(scene, whole);
         const core::GrowingMesh growing(whole, span);
         for (auto _ : state) {
-            Measured grown{protocol::MeshStream(1, 1, lattice), protocol::live_tolerance};
-            grown.stream.expect({ranges[0], ranges[1], t_range(whole)});
+            Measured grown{
+                tests::stream_with_ranges(lattice, {ranges[0], ranges[1], t_range(whole)}),
+                protocol::live_tolerance};
             // As many vertices as there are in a row, on average.
             const double step = rows_an_update * span / std::sqrt(n);
             double age = 0.5 * span;

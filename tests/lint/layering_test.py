@@ -17,12 +17,13 @@ SOURCE = (".cpp", ".hpp", ".ts", ".tsx", ".py", ".css", ".js", ".mjs", ".sh")
 GENERATED = {"node_modules", "dist", "build", "coverage", ".git", "fixtures", "test-artefacts"}
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
-IMPORT = re.compile(r"""(?:\bfrom\s*|\bimport\s*\(?\s*)["']([^"']+)["']""")
 
 SOCKETS = r"boost/(asio|beast)\b|sys/socket\.h|sys/un\.h|netinet/|arpa/inet|netdb\.h"
 JSON = r"nlohmann/"
 DRACO = r"draco/"
 VTK = r"vtk[A-Z]\w*\.h"
+
+FORMATS = ("cgns", "ensight", "exodus", "netcdf", "openfoam", "plot3d", "vtk")
 
 # Room of the including file -> what it may not include, and why.
 FORBIDDEN = [
@@ -44,16 +45,23 @@ FORBIDDEN = [
     (r"", r"boost/(asio|beast)\.hpp$", "include the single Asio and Beast headers that are needed"),
     (r"", r".*\.cpp$", "a .cpp file is nobody's interface"),
     (r"server/base/", r"server/(?!base/|limits|metrics/)", "base stands below the rest of server"),
-    (r"server/compute/", r"server/(app|catalogue|cli|import|net|rpc|state)/|server/session/(?!people/(identity|visitor))",
+    (r"server/compute/", r"server/(app|catalogue|cli|import|net|rpc|session|state)/",
      "who computes when depends on no session, only on who asks"),
     (r"server/session/data/", r"server/session/(records|people|live|session)", "data know no session"),
-    (r"server/session/records/", r"server/session/(people|live|session)", "records know neither people nor surfaces"),
+    (r"server/session/records/", r"server/(compute|session/(people|live|session))",
+     "records know neither people nor surfaces, nor who computes when"),
     (r"server/session/people/", r"server/(compute|session/(live|session))", "people know no surfaces"),
     (r"server/session/live/", r"server/session/(people|session)", "surfaces know no people"),
     (r"server/(?!app/|cli/)", r"server/app/", "the composition root is used by the command line alone"),
     (r"server/session/", r"server/net/|boost/beast|boost/asio/ip/|nlohmann/json\.hpp",
      "a session knows neither sockets nor JSON text"),
     (r"server/(catalogue|import)/", r"server/(net|rpc|session)/", "datasets know no clients"),
+    (r"server/import/", r"server/(?!base/|import/)", "the importer is a program of its own"),
+    (r"server/import/sources/(files|blocks)/", r"server/import/sources/(?!(files|blocks)/)",
+     "single files and blocks know no format"),
+    (r"server/import/sources/series/", r"server/import/sources/(?!(files|series)/)", "a series knows no format"),
+    *((f"server/import/sources/{one}/", rf"server/import/sources/(?!({one}|files|blocks|series)/)\w+/",
+       "a format knows no other") for one in FORMATS),
     (r"server/state/", r"server/(net|rpc|catalogue)/|nlohmann/", "what keeps records knows neither clients nor JSON"),
     (r"(core|protocol|store|server/(?!state/))", r"sqlite3\.h", "only server/state knows SQLite"),
     # Inside the engine.
@@ -61,14 +69,6 @@ FORBIDDEN = [
     (r"core/dataset/", r"core/(integrate|field|surface)/", "dataset knows no flow"),
     (r"core/integrate/", r"core/(dataset|field|surface)/", "integrate knows only what a field must offer"),
     (r"core/field/", r"core/surface/", "a flow knows no surface"),
-]
-
-# The same for the web client's imports, resolved to paths from the root.
-FORBIDDEN_IMPORTS = [
-    (r"web-client/src/scene/", r"web-client/src/connection/", "the scene knows no connection"),
-    (r"web-client/src/scene/", r"web-client/src/worker/(?!worker_?messages)",
-     "the scene knows the worker's messages only", ),
-    (r"web-client/src/protocol/", r"web-client/src/(?!protocol/)", "protocol is bytes in, values out"),
 ]
 
 
@@ -94,20 +94,6 @@ def wrong_includes(path, text):
                 yield f"{path}:{line_of(text, match.start())}: includes {target}: {why}"
         if match.group(1) == '"' and not re.match(r"(core|protocol|store|server|tests)/", target):
             yield f"{path}:{line_of(text, match.start())}: includes {target}: write it from the root"
-
-
-def wrong_imports(path, text):
-    if not re.match(r"web-client/src/.*\.tsx?$", path) or re.search(r"\.(spec|test)\.tsx?$", path):
-        return
-    for match in IMPORT.finditer(text):
-        target = match.group(1)
-        if target.startswith("."):
-            target = os.path.normpath(os.path.join(os.path.dirname(path), target))
-        elif target.startswith("#src/"):
-            target = "web-client/src/" + target[len("#src/"):]
-        for room, pattern, why in FORBIDDEN_IMPORTS:
-            if re.match(room, path) and re.match(pattern, target):
-                yield f"{path}:{line_of(text, match.start())}: imports {match.group(1)}: {why}"
 
 
 def statement_start(code, at):
@@ -187,7 +173,7 @@ def no_namespace_of_its_own(path, text):
         yield f"{path}: its names belong in a namespace of its own, wakesurf::ROOM::{stem.group(1)}"
 
 
-RULES = [wrong_includes, wrong_imports, co_await_lambdas, too_long, no_namespace_of_its_own]
+RULES = [wrong_includes, co_await_lambdas, too_long, no_namespace_of_its_own]
 
 # (rule, path, text it must flag), (rule, path, text it must leave alone)
 BAD = [
@@ -210,9 +196,12 @@ BAD = [
     (wrong_includes, "server/session/session.cpp", '#include "listener.hpp"\n'),
     (wrong_includes, "server/session/session.cpp", "#include <sqlite3.h>\n"),
     (wrong_includes, "server/state/state_store.cpp", "#include <nlohmann/json.hpp>\n"),
-    (wrong_imports, "web-client/src/scene/scene.ts", 'import { Socket } from "../connection/socket";\n'),
-    (wrong_imports, "web-client/src/scene/scene.ts", 'const m = await import("../worker/draco");\n'),
-    (wrong_imports, "web-client/src/protocol/frame.ts", "import {\n  Scene,\n} from '../scene/scene';\n"),
+    (wrong_includes, "server/compute/budgets.hpp", '#include "server/session/people/grants.hpp"\n'),
+    (wrong_includes, "server/session/records/observer.hpp", '#include "server/compute/pass_budgets.hpp"\n'),
+    (wrong_includes, "server/import/main.cpp", '#include "server/cli/rake_text.hpp"\n'),
+    (wrong_includes, "server/import/sources/series/pvd_series.cpp", '#include "server/import/sources/vtk/xml_file.hpp"\n'),
+    (wrong_includes, "server/import/sources/exodus/exodus_source.cpp",
+     '#include "server/import/sources/netcdf/netcdf_file.hpp"\n'),
     (co_await_lambdas, "server/a.cpp",
      "awaitable<void> f() {\n    co_await post(pool, [self = shared_from_this()] { self->run(); });\n}\n"),
     (co_await_lambdas, "server/a.cpp", "auto f() {\n    auto x = g([&] {\n a; b; }, co_await h());\n}\n"),
@@ -228,11 +217,12 @@ GOOD = [
     (wrong_includes, "protocol/frame.cpp", '#include "core/surface/rake.hpp"\n#include <draco/mesh/mesh.h>\n'),
     (wrong_includes, "protocol/frame.hpp", "#include <nlohmann/json_fwd.hpp>\n"),
     (wrong_includes, "server/import/reader.cpp", "#include <vtkImageData.h>\n"),
+    (wrong_includes, "server/compute/budgets.hpp", '#include "server/base/visitor.hpp"\n'),
+    (wrong_includes, "server/import/sources/plot3d/plot3d_files.cpp",
+     '#include "server/import/sources/files/named_path.hpp"\n#include "server/import/sources/physical_units.hpp"\n'),
     (wrong_includes, "tests/bench/vtk/peer.cpp", "#include <vtkStreamSurface.h>\n"),
     (wrong_includes, "core/surface/front.cpp", "#include <vector>\n#include <oneapi/tbb/parallel_for.h>\n"),
     (wrong_includes, "server/net/listener.cpp", "#include <boost/beast/websocket/stream.hpp>\n"),
-    (wrong_imports, "web-client/src/scene/scene.ts", 'import { Frame } from "../protocol/meshFrame";\n'),
-    (wrong_imports, "web-client/src/ui/panel.ts", 'import { Socket } from "../connection/socket";\n'),
     (co_await_lambdas, "server/a.cpp",
      "auto f() {\n    auto work = [x] { return x; };\n    co_await post(pool, std::move(work));\n}\n"),
     (co_await_lambdas, "server/a.cpp", "auto f() { co_spawn(ex, [s]() -> task { co_await s->run(); }, detached); }\n"),

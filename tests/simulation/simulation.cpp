@@ -3,6 +3,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "tests/simulation/participant.hpp"
 #include "tests/simulation/world_server.hpp"
+#include "tests/support/same_state.hpp"
 
 #include <oneapi/tbb/task_arena.h>
 
@@ -179,7 +180,7 @@ class Simulation {
                 truth = state->mesh;
             if (state->header.state_sum != outcome.state_sum ||
                 protocol::state_sum(*state->mesh) != outcome.state_sum ||
-                !protocol::same_state(*state->mesh, *truth))
+                !tests::same_state(*state->mesh, *truth))
                 return person->name() + " sees another surface " + id;
         }
         return {};

@@ -16,13 +16,6 @@ SurfaceHistory::SurfaceHistory(MovingSurface surface, std::size_t budget_bytes)
     keep();
 }
 
-std::vector<double> SurfaceHistory::checkpoints() const {
-    std::vector<double> times;
-    for (const auto& [since, state] : checkpoints_)
-        times.push_back(state.mesh.time);
-    return times;
-}
-
 void SurfaceHistory::keep() {
     if (surface_.state().steps % every_ != 0)
         return;

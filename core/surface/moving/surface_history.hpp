@@ -21,9 +21,6 @@ class SurfaceHistory {
     /// it stands, telling `work` how far of the way it is and what memory it takes, checkpoints apart. Error: OutOfTime, Cancelled (also where there is no memory; the next call goes on from a checkpoint), what stepping reports.
     Result<KeyedMesh> at(double time, std::stop_token stop, const WorkPart& work = {});
 
-    /// Times one can go back to at once, in order of play.
-    std::vector<double> checkpoints() const;
-
     /// Of the checkpoints.
     std::size_t bytes() const { return bytes_; }
 

@@ -6,7 +6,7 @@
 #include "core/base/memory_account.hpp"
 #include "core/surface/surface_statistics.hpp"
 #include "protocol/wire/mesh_stream.hpp"
-#include "server/compute/pass_seconds.hpp"
+#include "server/base/pass_seconds.hpp"
 
 #include <chrono>
 #include <cstddef>

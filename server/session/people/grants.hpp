@@ -6,11 +6,11 @@
 #include "core/base/result.hpp"
 #include "protocol/api/messages_grant.hpp"
 #include "server/base/entropy.hpp"
+#include "server/base/identity.hpp"
 #include "server/base/journal.hpp"
 #include "server/base/loop.hpp"
 #include "server/base/secret.hpp"
 #include "server/base/unix_time.hpp"
-#include "server/session/people/identity.hpp"
 
 #include <chrono>
 #include <cstdint>

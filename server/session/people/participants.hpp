@@ -5,11 +5,11 @@
 #include "core/base/result.hpp"
 #include "protocol/api/messages_presence.hpp"
 #include "server/base/entropy.hpp"
+#include "server/base/identity.hpp"
 #include "server/base/journal.hpp"
 #include "server/base/loop.hpp"
 #include "server/base/secret.hpp"
 #include "server/base/unix_time.hpp"
-#include "server/session/people/identity.hpp"
 #include "server/session/people/presence_news.hpp"
 #include "server/session/records/observer.hpp"
 

@@ -6,7 +6,7 @@
 #include "core/surface/surface_statistics.hpp"
 #include "protocol/api/generated/time.hpp"
 #include "protocol/wire/mesh_stream.hpp"
-#include "server/compute/pass_seconds.hpp"
+#include "server/base/pass_seconds.hpp"
 #include "server/session/records/session_records.hpp"
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/field/stored_flow.hpp"
 #include "core/surface/surface_builder.hpp"
+#include "tests/support/curve_at_time.hpp"
 #include "tests/support/sampled_source.hpp"
 
 #include <gtest/gtest.h>
@@ -122,8 +123,8 @@ TEST(TrilinearCell, CurvesEqualTinyRungeKuttaStepsThroughTheSampledField) {
                     const double time =
                         part * std::min(std::abs(exact[i].last.time), std::abs(tiny[i].last.time));
                     const double signed_time = duration < 0.0 ? -time : time;
-                    EXPECT_LT(glm::length(exact[i].at_time(signed_time).position -
-                                          tiny[i].at_time(signed_time).position),
+                    EXPECT_LT(glm::length(at_time(exact[i], signed_time).position -
+                                          at_time(tiny[i], signed_time).position),
                               2e-6 * (1.0 + exact[i].last.arc))
                         << c.name << " " << i << " at " << signed_time;
                 }

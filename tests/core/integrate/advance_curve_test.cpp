@@ -1,5 +1,6 @@
 #include "core/field/closed_forms.hpp"
 #include "core/integrate/runge_kutta_steps.hpp"
+#include "tests/support/curve_at_time.hpp"
 
 #include <gtest/gtest.h>
 
@@ -81,7 +82,7 @@ TEST(AdvanceCurve, DenseOutputIsAsAccurateAsTheSteps) {
                                {.tolerance = 1e-9, .longest_step = 1.0});
     const double rate = (1.0 - std::exp(-0.49 / 0.09)) / 0.49;
     for (double t = 0.0; t <= 4.0; t += 0.037) {
-        const CurvePoint point = curve.at_time(t);
+        const CurvePoint point = tests::at_time(curve, t);
         const Vec3 truth(0.7 * std::cos(rate * t), 0.7 * std::sin(rate * t), 0.5 * t);
         EXPECT_LT(glm::length(point.position - truth), 2e-7) << "t " << t;
         EXPECT_NEAR(point.arc, t * std::hypot(0.7 * rate, 0.5), 2e-7);

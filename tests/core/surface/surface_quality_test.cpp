@@ -4,6 +4,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/field/stored_flow.hpp"
 #include "core/surface/surface_builder.hpp"
+#include "tests/support/curve_at_time.hpp"
 #include "tests/support/mesh_measures.hpp"
 #include "tests/support/sampled_source.hpp"
 
@@ -53,7 +54,7 @@ class OneToOne {
         const int rows = static_cast<int>(std::ceil(to_ / dt_));
         for (int k = row; k < rows; ++k) {
             const double time = std::min((k + 1) * dt_, to_);
-            if (glm::length(l.at_time(time).position - r.at_time(time).position) > separation_) {
+            if (glm::length(at_time(l, time).position - at_time(r, time).position) > separation_) {
                 const double middle = 0.5 * (left + right);
                 return static_cast<std::size_t>(k - row) + cells(left, middle, k) +
                        cells(middle, right, k);

@@ -1,5 +1,5 @@
 // What a person types: rakes, vectors and sizes of memory.
-#include "server/cli/memory_size.hpp"
+#include "server/base/memory_size.hpp"
 #include "server/cli/rake_text.hpp"
 #include "tests/fuzz/targets/all.hpp"
 

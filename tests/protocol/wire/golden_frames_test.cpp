@@ -5,6 +5,8 @@
 #include "protocol/wire/numbers.hpp"
 #include "protocol/wire/state_sum.hpp"
 #include "tests/protocol/wire/sample_sequences.hpp"
+#include "tests/support/dequantise.hpp"
+#include "tests/support/held_ranges.hpp"
 #include "tests/support/places.hpp"
 
 #include <nlohmann/json.hpp>
@@ -55,8 +57,8 @@ Frames living(std::uint32_t seed, int updates, std::uint32_t columns, int join_e
 /// A sheet row by row, four rows an update.
 Frames growing() {
     core::QuadComplex all = samples::sheet(32, 24); // its columns serve as rows
-    MeshStream stream(1, 1, lattice_over(samples::domain));
-    stream.expect({{0.f, 3.f}, {0.f, 1.f}, {0.f, 4.f}});
+    MeshStream stream = tests::stream_with_ranges(lattice_over(samples::domain),
+                                                  {{0.f, 3.f}, {0.f, 1.f}, {0.f, 4.f}});
     Frames frames;
     for (std::uint32_t rows = 4; rows <= 32; rows += 4) {
         core::QuadComplex part = all;
@@ -146,7 +148,7 @@ json ids_of(const core::Cell& cell) {
 
 /// Floats, as both languages hold them.
 json vertex(const WireMesh& mesh, std::size_t i) {
-    const core::Vec3 p = dequantise(lattice_over(samples::domain), mesh.position[i]);
+    const core::Vec3 p = tests::dequantise(lattice_over(samples::domain), mesh.position[i]);
     json values = json::array();
     json codes = json::array();
     for (std::size_t a = 0; a < mesh.codes.size(); ++a) {

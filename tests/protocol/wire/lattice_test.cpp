@@ -1,4 +1,5 @@
 #include "protocol/wire/lattice.hpp"
+#include "tests/support/dequantise.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,12 +14,13 @@ const core::Box box{{-1, 2, 0}, {6, 4, 1}};
 
 TEST(Lattice, CoversTheDomainAndHalfAPercentMoreOnEachEndOfTheLongestSide) {
     const Lattice lattice = lattice_over(box);
-    const core::Vec3 far = dequantise(lattice, {lattice.last(), lattice.last(), lattice.last()});
+    const core::Vec3 far =
+        tests::dequantise(lattice, {lattice.last(), lattice.last(), lattice.last()});
     EXPECT_NEAR(lattice.origin.x, -1 - 0.035, 1e-12);
     EXPECT_NEAR(far.x, 6 + 0.035, 1e-12);
     EXPECT_NEAR(far.y - lattice.origin.y, 7 * 1.01, 1e-12);
-    EXPECT_TRUE(on_lattice(lattice, box.lo));
-    EXPECT_TRUE(on_lattice(lattice, box.hi));
+    EXPECT_TRUE(LatticeRounding(lattice).holds(box.lo));
+    EXPECT_TRUE(LatticeRounding(lattice).holds(box.hi));
 }
 
 TEST(Lattice, MovesAPointByAtMostHalfAStepAndANodeNotAtAll) {
@@ -29,24 +31,25 @@ TEST(Lattice, MovesAPointByAtMostHalfAStepAndANodeNotAtAll) {
         for (int i = 0; i < 2000; ++i) {
             const core::Vec3 p =
                 box.lo + box.extent() * core::Vec3(unit(random), unit(random), unit(random));
-            ASSERT_TRUE(on_lattice(lattice, p));
-            const LatticePoint node = quantise(lattice, p);
-            const core::Vec3 q = dequantise(lattice, node);
+            ASSERT_TRUE(LatticeRounding(lattice).holds(p));
+            const LatticePoint node = LatticeRounding(lattice).nearest(p);
+            const core::Vec3 q = tests::dequantise(lattice, node);
             for (int axis = 0; axis < 3; ++axis)
                 ASSERT_LE(std::abs(p[axis] - q[axis]), 0.5 * lattice.step * (1 + 1e-9));
-            ASSERT_EQ(quantise(lattice, q), node) << "bits " << bits;
+            ASSERT_EQ(LatticeRounding(lattice).nearest(q), node) << "bits " << bits;
         }
     }
 }
 
 TEST(Lattice, EndsHalfAStepBeyondItsOuterNodes) {
     const Lattice lattice{{0, 0, 0}, 1.0, 4};
-    EXPECT_TRUE(on_lattice(lattice, {-0.5, 0, 15.4999}));
-    EXPECT_FALSE(on_lattice(lattice, {-0.5001, 0, 0}));
-    EXPECT_FALSE(on_lattice(lattice, {0, 0, 15.5}));
+    EXPECT_TRUE(LatticeRounding(lattice).holds({-0.5, 0, 15.4999}));
+    EXPECT_FALSE(LatticeRounding(lattice).holds({-0.5001, 0, 0}));
+    EXPECT_FALSE(LatticeRounding(lattice).holds({0, 0, 15.5}));
     // The largest number below 15.5 must not round to a node 16 on the way.
     const double below = std::nextafter(15.5, 0.0);
-    EXPECT_TRUE(!on_lattice(lattice, {below, 0, 0}) || quantise(lattice, {below, 0, 0})[0] == 15);
+    EXPECT_TRUE(!LatticeRounding(lattice).holds({below, 0, 0}) ||
+                LatticeRounding(lattice).nearest({below, 0, 0})[0] == 15);
 }
 
 TEST(Lattice, HasNoNodeForNumbersThatAreNotFinite) {
@@ -57,7 +60,7 @@ TEST(Lattice, HasNoNodeForNumbersThatAreNotFinite) {
         for (int axis = 0; axis < 3; ++axis) {
             core::Vec3 p = box.lo;
             p[axis] = bad;
-            EXPECT_FALSE(on_lattice(lattice, p)) << bad;
+            EXPECT_FALSE(LatticeRounding(lattice).holds(p)) << bad;
         }
 }
 

@@ -1,6 +1,7 @@
 #include "protocol/wire/mesh_decoder.hpp"
 #include "protocol/wire/numbers.hpp"
 #include "tests/protocol/wire/sample_sequences.hpp"
+#include "tests/support/same_state.hpp"
 
 #include <bit>
 #include <chrono>
@@ -158,7 +159,7 @@ TEST(MeshDecoder, RefusesEveryMutatedOrTruncatedFrameAndComesBackWithAKey) {
             EXPECT_EQ(good.newest().has_value(), held.has_value()) << "what was there stays";
         }
         ASSERT_TRUE(folds(good, encode_key(1, update)->frames));
-        ASSERT_TRUE(same_state(*good.newest()->mesh, *update.state));
+        ASSERT_TRUE(tests::same_state(*good.newest()->mesh, *update.state));
     }
     EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(20));
 }

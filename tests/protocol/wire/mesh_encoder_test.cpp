@@ -34,7 +34,8 @@ void expect_quantised(const WireMesh& wire, const core::QuadComplex& mesh) {
         place[order.vertices()[p]] = p;
     for (std::size_t v = 0; v < mesh.vertices(); ++v) {
         const std::size_t i = place[v];
-        ASSERT_EQ(wire.position[i], quantise(lattice, mesh.position[v])) << "vertex " << v;
+        ASSERT_EQ(wire.position[i], LatticeRounding(lattice).nearest(mesh.position[v]))
+            << "vertex " << v;
         const double truth[] = {mesh.speed(static_cast<core::VertexId>(v)), mesh.s[v], mesh.t[v]};
         for (std::size_t a = 0; a < 3; ++a) {
             const AttributeRange& range = wire.ranges[a];

@@ -1,6 +1,8 @@
 #include "protocol/wire/mesh_decoder.hpp"
 #include "protocol/wire/mesh_stream.hpp"
 #include "tests/protocol/wire/sample_sequences.hpp"
+#include "tests/support/held_ranges.hpp"
+#include "tests/support/same_state.hpp"
 
 #include <tbb/task_arena.h>
 
@@ -27,7 +29,7 @@ bool folds(MeshDecoder& decoder, const EncodedUpdate& update) {
 
 bool holds(const MeshDecoder& decoder, const EncodedUpdate& update) {
     return decoder.newest() && decoder.newest()->header.state_sum == update.state_sum &&
-           same_state(*decoder.newest()->mesh, *update.state);
+           tests::same_state(*decoder.newest()->mesh, *update.state);
 }
 
 /// The state against the surface it stands for, by the rule for places.
@@ -42,7 +44,7 @@ void expect_close(const WireMesh& state,
             std::ranges::lower_bound(mesh.vertex_id, places.vertices()[place]) -
             mesh.vertex_id.begin());
         place_of[i] = place;
-        const LatticePoint truth = quantise(lattice, mesh.mesh.position[i]);
+        const LatticePoint truth = LatticeRounding(lattice).nearest(mesh.mesh.position[i]);
         for (std::size_t axis = 0; axis < 3; ++axis)
             ASSERT_LE(std::abs(truth[axis] - state.position[place][axis]), tolerance.position);
         const double values[] = {mesh.mesh.speed(static_cast<core::VertexId>(i)), mesh.mesh.s[i],
@@ -146,10 +148,9 @@ TEST(MeshStream, SpendsNothingOnWhatDoesNotChange) {
 
 TEST(MeshStream, SendsOnlyTheNewRowsOfAGrowingSurface) {
     const core::QuadComplex all = samples::sheet(200, 60); // columns become rows
-    MeshStream stream(1, 1, lattice);
+    const std::vector<AttributeRange> ranges{{0.f, 3.f}, {0.f, 1.f}, {0.f, 4.f}};
+    MeshStream stream = tests::stream_with_ranges(lattice, ranges);
     MeshDecoder decoder;
-    std::vector<AttributeRange> ranges{{0.f, 3.f}, {0.f, 1.f}, {0.f, 4.f}};
-    stream.expect(ranges);
     for (std::uint32_t rows = 2; rows <= 200; rows += 6) {
         core::QuadComplex part = all;
         part.position.resize(60 * rows);
@@ -282,7 +283,7 @@ TEST(MeshStream, BecomesExactWhenToldTo) {
     EXPECT_EQ(update.phase, Phase::Final);
     std::vector<LatticePoint> truth;
     for (const core::Vec3& p : mesh.mesh.position)
-        truth.push_back(quantise(lattice, p));
+        truth.push_back(LatticeRounding(lattice).nearest(p));
     std::vector<LatticePoint> held = update.state->position;
     std::ranges::sort(truth);
     std::ranges::sort(held);

@@ -91,11 +91,9 @@ TEST(QuickLanes, KeepsAThreadFromSessionsThatAreAboutToBeLowered) {
     EXPECT_EQ(lanes.push(
                   "drags", [] {}, now),
               Lane::Upper);
-    EXPECT_FALSE(lanes.ready_light(now));
     EXPECT_FALSE(lanes.pop_light(now));
     lanes.push(
         "light", [] {}, now);
-    EXPECT_TRUE(lanes.ready_light(now));
     EXPECT_EQ(lanes.pop_light(now)->session, "light");
     EXPECT_EQ(lanes.pop(Lane::Upper, now)->session, "drags");
 }

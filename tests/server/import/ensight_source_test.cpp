@@ -420,10 +420,10 @@ TEST_F(EnsightSource, RefusesWhatItCannotRead) {
 }
 
 TEST_F(EnsightSource, RefusesNumbersThatAreNoneAndCountsNoMoreFilesThanTimes) {
-    const auto opened = [&](const std::string& times) {
+    const auto opened = [&](const std::string& rest) {
         std::istringstream in("FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: g\nVARIABLE\n"
                               "vector per node: 1 U u.*\nTIME\ntime set: 1\n" +
-                              times);
+                              rest);
         return parse_ensight_case(in, folder_.path(), "flow.case");
     };
     const std::string many = "number of steps: 2000000000\n";
@@ -431,11 +431,11 @@ TEST_F(EnsightSource, RefusesNumbersThatAreNoneAndCountsNoMoreFilesThanTimes) {
                                      "time values: 1 2\n");
     ASSERT_TRUE(small.has_value()) << small.error().message;
     EXPECT_EQ(small->time_sets.front().numbers, (std::vector<int>{7, 12}));
-    for (const char* const times :
+    for (const char* const rest :
          {"filename start number: 2000000000\nfilename increment: 2000000000\ntime values: 1 2\n",
           "filename increment: 1\ntime values: 1 1e999\n", "filename increment: 9999999999\n"}) {
-        const auto refused = opened(many + times);
-        ASSERT_FALSE(refused.has_value()) << times;
+        const auto refused = opened(many + rest);
+        ASSERT_FALSE(refused.has_value()) << rest;
         EXPECT_EQ(refused.error().message, "flow.case has a time set that cannot be read");
     }
 }

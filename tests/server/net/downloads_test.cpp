@@ -1,6 +1,7 @@
 // Whole meshes over HTTP, in every format, from the real program.
 #include "protocol/wire/lattice.hpp"
 #include "protocol/wire/mesh_decoder.hpp"
+#include "tests/support/dequantise.hpp"
 #include "tests/support/mesh_readers.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
@@ -306,7 +307,7 @@ TEST(ObstacleDownload, OfABuiltInFlowIsTheBodyThatItIsSolidIn) {
     ASSERT_GT(mesh.vertices(), 1000u);
     EXPECT_GT(mesh.cells().size(), 2000u);
     for (const protocol::LatticePoint& node : mesh.position)
-        EXPECT_NEAR(glm::length(protocol::dequantise(lattice, node)), 2.0, lattice.step);
+        EXPECT_NEAR(glm::length(dequantise(lattice, node)), 2.0, lattice.step);
     EXPECT_EQ(obstacle("tornado").status, 404);
 }
 

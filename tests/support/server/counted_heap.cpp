@@ -11,7 +11,7 @@ namespace wakesurf::tests {
 
 namespace {
 
-// Smaller pieces are counted, and seen with the next large one: the account's lock is too slow for each.
+// Smaller pieces are counted too, but looked at only with the next large one, so that looking costs little.
 constexpr std::size_t large = 4'096;
 
 std::atomic<std::size_t> live{0};

@@ -3,7 +3,7 @@
 #include "server/import/sources/blocks/fluid_blocks.hpp"
 #include "server/import/sources/blocks/wanted_arrays.hpp"
 #include "server/import/sources/cgns/cgns_survey.hpp"
-#include "server/import/sources/series/file_names.hpp"
+#include "server/import/sources/files/file_names.hpp"
 #include "server/import/sources/series/series_times.hpp"
 #include "server/import/vtk_messages.hpp"
 

@@ -1,6 +1,6 @@
 #include "server/import/sources/ensight/ensight_case.hpp"
 
-#include "server/import/sources/series/named_path.hpp"
+#include "server/import/sources/files/named_path.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -2,8 +2,8 @@
 
 #include "server/import/sources/blocks/vtk_fields.hpp"
 #include "server/import/sources/blocks/wall_faces.hpp"
-#include "server/import/sources/netcdf/netcdf_size.hpp"
-#include "server/import/sources/series/source_files.hpp"
+#include "server/import/sources/files/netcdf_size.hpp"
+#include "server/import/sources/files/source_files.hpp"
 #include "server/import/vtk_messages.hpp"
 
 #include <vtkCellData.h>

@@ -1,7 +1,7 @@
 #include "server/import/sources/netcdf/netcdf_file.hpp"
 
 #include "server/import/progress_marks.hpp"
-#include "server/import/sources/netcdf/netcdf_size.hpp"
+#include "server/import/sources/files/netcdf_size.hpp"
 
 #include <algorithm>
 #include <array>

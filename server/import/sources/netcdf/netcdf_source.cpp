@@ -1,9 +1,9 @@
 #include "server/import/sources/netcdf/netcdf_source.hpp"
 
 #include "server/import/sources/blocks/fluid_blocks.hpp"
+#include "server/import/sources/files/file_names.hpp"
 #include "server/import/sources/netcdf/netcdf_axes.hpp"
 #include "server/import/sources/netcdf/netcdf_units.hpp"
-#include "server/import/sources/series/file_names.hpp"
 #include "server/import/sources/series/series_times.hpp"
 #include "server/import/velocity_choice.hpp"
 

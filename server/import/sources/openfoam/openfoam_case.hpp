@@ -4,7 +4,7 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
-#include "server/import/sources/series/source_files.hpp"
+#include "server/import/sources/files/source_files.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 #include "server/import/sources/plot3d/plot3d_files.hpp"
 
-#include "server/import/sources/series/file_names.hpp"
-#include "server/import/sources/series/named_path.hpp"
+#include "server/import/sources/files/file_names.hpp"
+#include "server/import/sources/files/named_path.hpp"
 #include "server/import/sources/series/numbered_files.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "server/import/sources/plot3d/plot3d_layout.hpp"
 
 #include "server/import/progress_marks.hpp"
-#include "server/import/sources/series/file_names.hpp"
+#include "server/import/sources/files/file_names.hpp"
 
 #include <algorithm>
 #include <bit>

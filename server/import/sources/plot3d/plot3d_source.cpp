@@ -2,11 +2,11 @@
 
 #include "server/import/sources/blocks/fluid_blocks.hpp"
 #include "server/import/sources/blocks/vtk_fields.hpp"
+#include "server/import/sources/files/file_names.hpp"
+#include "server/import/sources/files/source_files.hpp"
 #include "server/import/sources/plot3d/plot3d_files.hpp"
 #include "server/import/sources/plot3d/plot3d_layout.hpp"
-#include "server/import/sources/series/file_names.hpp"
 #include "server/import/sources/series/series_times.hpp"
-#include "server/import/sources/series/source_files.hpp"
 #include "server/import/vtk_messages.hpp"
 
 #include <vtkMultiBlockDataSet.h>

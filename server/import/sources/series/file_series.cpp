@@ -1,10 +1,10 @@
 #include "server/import/sources/series/file_series.hpp"
 
-#include "server/import/sources/series/file_names.hpp"
+#include "server/import/sources/files/file_names.hpp"
+#include "server/import/sources/files/source_files.hpp"
 #include "server/import/sources/series/json_series.hpp"
 #include "server/import/sources/series/numbered_files.hpp"
 #include "server/import/sources/series/pvd_series.hpp"
-#include "server/import/sources/series/source_files.hpp"
 
 namespace wakesurf::server {
 

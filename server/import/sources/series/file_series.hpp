@@ -33,7 +33,7 @@ struct FileSeries {
 /// exist yet. Error: NotFound, Io, Corrupt, InvalidArgument.
 core::Result<FileSeries> open_file_series(const std::filesystem::path& source);
 
-/// As of source_files.hpp.
+/// As of files/source_files.hpp.
 core::Result<std::vector<store::SourceFile>> fingerprint(const std::vector<ListedFile>& files);
 
 /// Of files that hold several time-steps each: a single one is shared by all of them, of several each time-step has its own.

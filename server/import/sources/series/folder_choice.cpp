@@ -1,6 +1,6 @@
 #include "server/import/sources/series/folder_choice.hpp"
 
-#include "server/import/sources/series/file_names.hpp"
+#include "server/import/sources/files/file_names.hpp"
 #include "server/import/sources/series/numbered_files.hpp"
 
 #include <algorithm>

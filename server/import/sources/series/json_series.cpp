@@ -1,7 +1,7 @@
 #include "server/import/sources/series/json_series.hpp"
 
-#include "server/import/sources/series/file_names.hpp"
-#include "server/import/sources/series/named_path.hpp"
+#include "server/import/sources/files/file_names.hpp"
+#include "server/import/sources/files/named_path.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,10 @@
 #include "server/import/sources/series/pvd_series.hpp"
 
-#include "server/import/sources/series/bounded_xml.hpp"
-#include "server/import/sources/series/file_names.hpp"
-#include "server/import/sources/series/named_path.hpp"
+#include "server/import/sources/files/bounded_xml.hpp"
+#include "server/import/sources/files/file_names.hpp"
+#include "server/import/sources/files/named_path.hpp"
+#include "server/import/sources/files/xml_attribute.hpp"
 #include "server/import/sources/series/series_times.hpp"
-#include "server/import/sources/vtk/xml_attribute.hpp"
 #include "server/import/vtk_messages.hpp"
 
 #include <vtkSmartPointer.h>

@@ -1,9 +1,9 @@
 #include "server/import/sources/vtk/composite_file.hpp"
 
 #include "core/base/disk.hpp"
-#include "server/import/sources/series/file_names.hpp"
-#include "server/import/sources/series/named_path.hpp"
-#include "server/import/sources/vtk/xml_attribute.hpp"
+#include "server/import/sources/files/file_names.hpp"
+#include "server/import/sources/files/named_path.hpp"
+#include "server/import/sources/files/xml_attribute.hpp"
 #include "server/import/sources/vtk/xml_header.hpp"
 #include "server/import/vtk_messages.hpp"
 

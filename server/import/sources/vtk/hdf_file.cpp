@@ -1,6 +1,6 @@
 #include "server/import/sources/vtk/hdf_file.hpp"
 
-#include "server/import/sources/series/file_names.hpp"
+#include "server/import/sources/files/file_names.hpp"
 #include "server/import/vtk_messages.hpp"
 
 #include <vtkCellData.h>

@@ -1,6 +1,6 @@
 #include "server/import/sources/vtk/vtk_file.hpp"
 
-#include "server/import/sources/series/file_names.hpp"
+#include "server/import/sources/files/file_names.hpp"
 #include "server/import/sources/vtk/hdf_file.hpp"
 #include "server/import/sources/vtk/legacy_file.hpp"
 #include "server/import/sources/vtk/xml_file.hpp"

@@ -5,7 +5,7 @@
 #include "server/import/sources/blocks/fluid_blocks.hpp"
 #include "server/import/sources/blocks/vtk_fields.hpp"
 #include "server/import/sources/blocks/wall_patches.hpp"
-#include "server/import/sources/series/file_names.hpp"
+#include "server/import/sources/files/file_names.hpp"
 #include "server/import/sources/series/series_times.hpp"
 #include "server/import/sources/vtk/composite_file.hpp"
 #include "server/import/sources/vtk/vtk_file.hpp"

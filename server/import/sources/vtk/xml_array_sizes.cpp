@@ -1,6 +1,6 @@
 #include "server/import/sources/vtk/xml_array_sizes.hpp"
 
-#include "server/import/sources/vtk/xml_attribute.hpp"
+#include "server/import/sources/files/xml_attribute.hpp"
 
 #include <algorithm>
 #include <array>

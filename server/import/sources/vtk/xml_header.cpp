@@ -1,7 +1,7 @@
 #include "server/import/sources/vtk/xml_header.hpp"
 
 #include "server/import/progress_marks.hpp"
-#include "server/import/sources/series/bounded_xml.hpp"
+#include "server/import/sources/files/bounded_xml.hpp"
 
 #include <algorithm>
 #include <array>

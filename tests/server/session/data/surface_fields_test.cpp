@@ -5,6 +5,7 @@
 #include "server/session/data/datasets.hpp"
 #include "server/session/live/surface_build.hpp"
 #include "server/session/records/surface_rules.hpp"
+#include "tests/support/dequantise.hpp"
 #include "tests/support/small_store.hpp"
 
 #include <gtest/gtest.h>
@@ -156,9 +157,10 @@ TEST(SurfaceFields, AScalarIsWhatTheFormulaSaysWhereAndWhenEachVertexIs) {
                 const double time = kind == SurfaceKind::Stream ? 2.0
                                     : kind == SurfaceKind::Path ? 2.0 + value(state, 2, v)
                                                                 : update.time;
-                ASSERT_NEAR(value(state, 3, v),
-                            pressure(dequantise(store.dataset().lattice, state.position[v]), time),
-                            near)
+                ASSERT_NEAR(
+                    value(state, 3, v),
+                    pressure(tests::dequantise(store.dataset().lattice, state.position[v]), time),
+                    near)
                     << "kind " << static_cast<int>(kind) << " at " << update.time;
             }
         }
@@ -177,7 +179,7 @@ TEST(SurfaceFields, TheTwoPartsOfAStreakSurfaceAreSampledAtTheTimeOfEach) {
         const double age = pass.time.value_or(3.5) - 2.0;
         std::array<int, 2> seen{};
         for (std::size_t v = 0; v < state.vertices(); ++v) {
-            const Vec3 x = dequantise(job.lattice, state.position[v]);
+            const Vec3 x = tests::dequantise(job.lattice, state.position[v]);
             if (std::abs(x.x - 2.0) < 1e-3)
                 continue; // on the rake both meet
             const bool forward = x.x > 2.0;
@@ -203,7 +205,7 @@ TEST(SurfaceFields, ValuesThatAreMissingAreSentAsTheLeastThereIs) {
             const WireMesh& state = *update.wire.state;
             std::size_t missing = 0;
             for (std::size_t v = 0; v < state.vertices(); ++v) {
-                const double y = dequantise(job.lattice, state.position[v]).y;
+                const double y = tests::dequantise(job.lattice, state.position[v]).y;
                 if (std::abs(y - 1.75) < 1e-3 || std::abs(y - 1.5) < 1e-3)
                     continue; // where the cells with holes begin
                 missing += y > 1.75 ? 1 : 0;

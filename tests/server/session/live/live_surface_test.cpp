@@ -2,6 +2,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "protocol/wire/mesh_decoder.hpp"
 #include "server/session/live/live_surface.hpp"
+#include "tests/support/same_state.hpp"
 #include "tests/support/server/hand_clock.hpp"
 
 #include <gtest/gtest.h>
@@ -306,11 +307,11 @@ TEST_F(LiveSurfaceTest, GivesWhoComesLateTheStateOthersHaveFollowedTo) {
     settle(); // the keyframe, if it had to be made
     read();
     ASSERT_TRUE(other.newest());
-    EXPECT_TRUE(protocol::same_state(*other.newest()->mesh, *decoder.newest()->mesh));
+    EXPECT_TRUE(tests::same_state(*other.newest()->mesh, *decoder.newest()->mesh));
     surface->show(1.6, true, false);
     settle();
     read();
-    EXPECT_TRUE(protocol::same_state(*other.newest()->mesh, *decoder.newest()->mesh));
+    EXPECT_TRUE(tests::same_state(*other.newest()->mesh, *decoder.newest()->mesh));
 }
 
 TEST_F(LiveSurfaceTest, SaysWhyThereIsNothingToBuildAndBuildsAgainLater) {

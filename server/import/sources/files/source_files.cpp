@@ -1,4 +1,4 @@
-#include "server/import/sources/series/source_files.hpp"
+#include "server/import/sources/files/source_files.hpp"
 
 #include "core/base/disk.hpp"
 

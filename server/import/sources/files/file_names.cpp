@@ -1,4 +1,4 @@
-#include "server/import/sources/series/file_names.hpp"
+#include "server/import/sources/files/file_names.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,7 @@
 // Who asks: what the token or link lets them do, and which of those who have it they are.
 #pragma once
 
-#include "server/session/people/identity.hpp"
+#include "server/base/identity.hpp"
 
 #include <string>
 #include <utility>

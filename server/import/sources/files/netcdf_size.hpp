@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "server/import/sources/series/source_files.hpp"
+#include "server/import/sources/files/source_files.hpp"
 
 namespace wakesurf::server {
 

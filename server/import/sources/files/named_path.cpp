@@ -1,4 +1,4 @@
-#include "server/import/sources/series/named_path.hpp"
+#include "server/import/sources/files/named_path.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "server/import/sources/series/bounded_xml.hpp"
+#include "server/import/sources/files/bounded_xml.hpp"
 
 namespace wakesurf::server {
 

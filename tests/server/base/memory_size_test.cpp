@@ -1,4 +1,4 @@
-#include "server/cli/memory_size.hpp"
+#include "server/base/memory_size.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/import/sources/netcdf/netcdf_size.hpp"
+#include "server/import/sources/files/netcdf_size.hpp"
 
 #include "core/base/disk.hpp"
 
