@@ -68,482 +68,482 @@ _SURFACE_NAMES = {"rake": "rake", "kind": "kind", "dataset": "dataset", "to": "t
 class Lattice(TypedDict, total=False):
     """The integer grid of a dataset's frames: node (i, j, k) lies at origin + step * (i, j, k)."""
 
-    origin: List[float]  # of node (0, 0, 0) (the dataset's unit of length)
-    step: float  # between nodes (the dataset's unit of length)
-    bits: int  # there are 2^bits nodes a side
+    origin: List[float]  # position of node (0, 0, 0) (the dataset's unit of length)
+    step: float  # distance between neighbouring nodes (the dataset's unit of length)
+    bits: int  # there are 2^bits nodes along each side
 
 
 class Problem(TypedDict, total=False):
-    """An error as a value, where the call itself did not fail."""
+    """An error that is part of a result, where the call itself did not fail."""
 
-    code: int  # as of an error
+    code: int  # code of the error
     message: str  # what is wrong
     kind: str  # a word for programs
-    hint: str  # a sentence for people: what to do; may be empty
-    limit: float  # of overLimit: the most that is granted; may be missing
+    hint: str  # a sentence for people: what to do about it; may be empty
+    limit: float  # for overLimit: the most that is allowed; may be missing
 
 
 class Quantiles(TypedDict, total=False):
-    """Of the last minute."""
+    """Quantiles of the times measured in the last minute."""
 
-    p50: float  # half took no longer (s)
-    p95: float  # 95 % took no longer (s)
-    p99: float  # 99 % took no longer (s)
-    count: int  # how many there were
+    p50: float  # half took no longer than this (s)
+    p95: float  # 95 % took no longer than this (s)
+    p99: float  # 99 % took no longer than this (s)
+    count: int  # number of measurements
 
 
 class CacheStanding(TypedDict, total=False):
-    """A dataset's cache of time-steps."""
+    """The cache of time-steps of a dataset."""
 
-    dataset: str  # its id
-    hits: int  # time-steps that were there
-    loads: int  # time-steps that were read
-    bytes: int  # in memory (bytes)
-    budget: int  # that may be in memory (bytes)
+    dataset: str  # id of the dataset
+    hits: int  # number of requests for a time-step that was in memory
+    loads: int  # number of time-steps that were read
+    bytes: int  # memory that the time-steps take (bytes)
+    budget: int  # memory that the time-steps may take (bytes)
 
 
 class MemoryStanding(TypedDict, total=False):
     """The memory of the process."""
 
-    rss: int  # that it holds (bytes)
-    peak: int  # the most that it held (bytes)
-    budget: int  # --memory (bytes)
-    used: int  # of the budget (bytes)
-    refused: int  # how often there was none left
-    byUse: Dict[str, int]  # by what it is for: timeSteps, meshes, builds, surfaces, rings, histories, downloads, ...
+    rss: int  # memory that the process holds now (bytes)
+    peak: int  # the most memory that the process has held (bytes)
+    budget: int  # memory that the server may use (--memory) (bytes)
+    used: int  # how much of the budget is used (bytes)
+    refused: int  # how often memory was refused because none was left
+    byUse: Dict[str, int]  # memory by what it is used for: timeSteps, meshes, builds, surfaces, rings, histories, ...
 
 
 class Stages(TypedDict, total=False):
-    """From an edit to the socket."""
+    """How long each stage from an edit to the socket takes."""
 
-    queue: Quantiles  # until the pass began
+    queue: Quantiles  # waiting until the pass begins
     load: Quantiles  # waiting for time-steps
     advect: Quantiles  # moving particles
-    refine: Quantiles  # putting in vertices and taking them out
-    encode: Quantiles  # making frames
-    send: Quantiles  # until the socket took them
+    refine: Quantiles  # inserting and removing vertices
+    encode: Quantiles  # encoding frames
+    send: Quantiles  # waiting until the socket has taken the frames
 
 
 class Steps(TypedDict, total=False):
-    """Time-steps."""
+    """Numbers of time-steps."""
 
-    ready: int  # that can be used
-    total: int  # that there will be
+    ready: int  # time-steps that can be used
+    total: int  # time-steps that there will be after the import
 
 
 class DatasetEntry(TypedDict, total=False):
-    """A dataset in a list."""
+    """A dataset as a list shows it."""
 
-    dataset: str  # its id
-    name: str  # for people
-    state: str  # how far the import is
-    steps: Steps  # its time-steps
-    progress: float  # of the import; may be missing
-    remaining: float  # that the import will still take (s); may be missing
+    dataset: str  # id of the dataset
+    name: str  # display name
+    state: str  # state of the import
+    steps: Steps  # numbers of time-steps
+    progress: float  # progress of the import; may be missing
+    remaining: float  # time that the import still needs (s); may be missing
     error: Problem  # why the import failed or ended early; may be missing
 
 
 class Field(TypedDict, total=False):
     """A field of a dataset."""
 
-    name: str  # as in the files
-    components: int  # 3: a vector
-    source: str  # where the files have it
-    range: List[Optional[float]]  # least and largest value, of a vector's length; null: unknown
-    unit: str  # as in the files; may be missing
+    name: str  # name of the field in the files
+    components: int  # number of components; 3: a vector
+    source: str  # whether the files have the values at points or in cells
+    range: List[Optional[float]]  # smallest and largest value (for a vector, of its magnitude); null: unknown
+    unit: str  # unit of the values, as stated in the files; may be missing
 
 
 class Dataset(TypedDict, total=False):
-    """What a dataset is."""
+    """The description of a dataset."""
 
-    dataset: str  # its id
-    name: str  # for people
-    reader: str  # what read the files
+    dataset: str  # id of the dataset
+    name: str  # display name
+    reader: str  # name of the reader that read the files
     grid: str  # kind of grid
-    bounds: List[float]  # x0, x1, y0, y1, z0, z1 (the dataset's unit of length)
-    points: int  # of the grid
-    cells: int  # of the grid
-    times: List[float]  # of the time-steps (the dataset's unit of time)
-    steady: bool  # it does not change in time
-    fields: List[Field]  # all of them
+    bounds: List[float]  # bounding box: x0, x1, y0, y1, z0, z1 (the dataset's unit of length)
+    points: int  # number of points of the grid
+    cells: int  # number of cells of the grid
+    times: List[float]  # times of the time-steps (the dataset's unit of time)
+    steady: bool  # true: the flow does not change in time
+    fields: List[Field]  # all fields
     velocity: str  # name of the field that particles follow
-    why: str  # this field is the velocity because
-    obstacle: bool  # there is an obstacle in the flow
-    bytesPerStep: int  # of a time-step in memory (bytes)
-    finestSpacing: float  # of the grid (the dataset's unit of length)
-    lattice: Lattice  # of the frames of its surfaces
-    surfaceFields: List[str]  # what `fields` of surface.set may name
-    note: str  # something to know about the data, for people; may be missing
-    precision: str  # half: kept with 16 bits a number; may be missing
-    dimensions: List[int]  # points along x, y, z; may be missing
-    spacing: List[float]  # of a uniform grid (the dataset's unit of length); may be missing
+    why: str  # why this field was taken as the velocity
+    obstacle: bool  # true: there is an obstacle in the flow
+    bytesPerStep: int  # memory that one time-step takes (bytes)
+    finestSpacing: float  # smallest spacing of the grid (the dataset's unit of length)
+    lattice: Lattice  # lattice of the frames of its surfaces
+    surfaceFields: List[str]  # names that `fields` of surface.set accepts
+    note: str  # a remark about the data, for people; may be missing
+    precision: str  # half: the values are stored with 16 bits each; may be missing
+    dimensions: List[int]  # number of points along x, y and z; may be missing
+    spacing: List[float]  # spacing of a uniform grid along x, y and z (the dataset's unit of length); may be missing
 
 
 class CacheStatus(TypedDict, total=False):
     """Which time-steps are in memory."""
 
-    dataset: str  # its id
-    steps: List[str]  # one state a time-step; none of a built-in flow
-    bytes: int  # in memory (bytes)
-    budget: int  # that may be in memory (bytes)
+    dataset: str  # id of the dataset
+    steps: List[str]  # state of each time-step; empty for a built-in flow
+    bytes: int  # memory that the time-steps take (bytes)
+    budget: int  # memory that the time-steps may take (bytes)
 
 
 class AsideRecord(TypedDict, total=False):
     """A record that could not be used when the server started."""
 
-    type: str  # rake, surface, bookmark or annotation
-    id: str  # of the record
-    why: str  # it could not be used
+    type: str  # kind of record: rake, surface, bookmark or annotation
+    id: str  # id of the record
+    why: str  # why it could not be used
     since: int  # when it was put aside (s since 1970)
 
 
 class KeptAside(TypedDict, total=False):
-    """Records that could not be used when the server started; nothing of them is deleted."""
+    """Records that could not be used when the server started."""
 
-    count: int  # of all of them
-    records: List[AsideRecord]  # the newest 50
+    count: int  # number of all such records
+    records: List[AsideRecord]  # the newest 50 of them
 
 
 class Snapshot(TypedDict, total=False):
-    """Every record of a session."""
+    """All records of a session."""
 
-    session: str  # its id
-    name: str  # for people
-    rakes: List[RakeRecord]  # all of them
-    surfaces: List[SurfaceRecord]  # all of them
-    bookmarks: List[BookmarkRecord]  # all of them
-    annotations: List[AnnotationRecord]  # all of them
-    clock: ClockRecord  # A session's clock. `time` is as the message is written; it runs on by `speed` while ...
-    keptAside: KeptAside  # where there are such records; may be missing
+    session: str  # id of the session
+    name: str  # display name
+    rakes: List[RakeRecord]  # all rakes
+    surfaces: List[SurfaceRecord]  # all surfaces
+    bookmarks: List[BookmarkRecord]  # all bookmarks
+    annotations: List[AnnotationRecord]  # all annotations
+    clock: ClockRecord  # the session's clock
+    keptAside: KeptAside  # records that are kept aside, if there are any; may be missing
 
 
 class SessionName(TypedDict, total=False):
-    """A session and what it is called."""
+    """The id and the name of a session."""
 
-    session: str  # its id
-    name: str  # for people
+    session: str  # id of the session
+    name: str  # display name
 
 
 class SessionMade(TypedDict, total=False):
     """A new session."""
 
-    session: str  # its id
-    name: str  # for people
+    session: str  # id of the session
+    name: str  # display name
     remaining: int  # how many more sessions can be made
 
 
 class TimesOfDataset(TypedDict, total=False):
     """The time-steps of a dataset."""
 
-    count: int  # how many
-    first: float  # time of the first one (the dataset's unit of time)
-    last: float  # time of the last one (the dataset's unit of time)
+    count: int  # number of time-steps
+    first: float  # time of the first time-step (the dataset's unit of time)
+    last: float  # time of the last time-step (the dataset's unit of time)
 
 
 class NamedDataset(TypedDict, total=False):
-    """A dataset that surfaces of a file name; only its id where it could not be used when the file was written."""
+    """A dataset that surfaces of a document use."""
 
-    dataset: str  # its id
-    name: str  # for people; may be missing
-    fingerprint: str  # of the mesh and the names of the fields, the same for a dataset that grows; may be missing
-    times: TimesOfDataset  # The time-steps of a dataset.; may be missing
-    bounds: List[float]  # x0, x1, y0, y1, z0, z1 (the dataset's unit of length); may be missing
+    dataset: str  # id of the dataset
+    name: str  # display name; may be missing
+    fingerprint: str  # fingerprint of the mesh and of the names of the fields; it stays the same when time-steps ...
+    times: TimesOfDataset  # its time-steps; may be missing
+    bounds: List[float]  # bounding box: x0, x1, y0, y1, z0, z1 (the dataset's unit of length); may be missing
 
 
 class FileRecords(TypedDict, total=False):
-    """As in a snapshot, without rev and epoch; ids stay."""
+    """The records of a session as in a snapshot, with their ids, but without `rev` and `epoch`."""
 
-    rakes: List[Json]  # all of them
-    surfaces: List[Json]  # all of them
-    bookmarks: List[Json]  # all of them
-    annotations: List[Json]  # all of them
-    clock: ClockRecord  # A session's clock. `time` is as the message is written; it runs on by `speed` while ...
+    rakes: List[Json]  # all rakes
+    surfaces: List[Json]  # all surfaces
+    bookmarks: List[Json]  # all bookmarks
+    annotations: List[Json]  # all annotations
+    clock: ClockRecord  # the session's clock
 
 
 class SessionFile(TypedDict, total=False):
-    """A session as one document, which any wakesurf takes in, checked like edits and as a whole or not at all."""
+    """A session as one document."""
 
     wakesurfSession: int  # version of the format
-    name: str  # for people
-    exported: str  # when it was written, in UTC
-    wakesurf: str  # version of the program
-    records: FileRecords  # As in a snapshot, without rev and epoch; ids stay.
-    datasets: List[NamedDataset]  # that surfaces name
+    name: str  # display name
+    exported: str  # when the document was written, in UTC
+    wakesurf: str  # version of the program that wrote it
+    records: FileRecords  # the records of the session
+    datasets: List[NamedDataset]  # datasets that the surfaces use
 
 
 class Visitor(TypedDict, total=False):
     """Someone who was in a session."""
 
-    name: str  # what they were called
-    colour: str  # #rrggbb
+    name: str  # the name they had
+    colour: str  # their colour, #rrggbb
 
 
 class SessionEntry(TypedDict, total=False):
-    """A session in a list."""
+    """A session as a list shows it."""
 
-    session: str  # its id
-    name: str  # for people
-    participants: int  # who are here now
-    people: List[Visitor]  # who were here; the last to come is the first
-    created: str  # in UTC; missing where the session is older than this was noted; may be missing
-    lastUsed: str  # in UTC
-    edited: bool  # by anyone, beyond the first rake and surface that a page puts there
-    rakes: int  # how many
-    surfaces: int  # how many
-    bookmarks: int  # how many
-    annotations: int  # how many
-    thumbnail: bool  # there is a picture of it
-    deletedAt: str  # in UTC; of a session in the trash; may be missing
-    deletedUntil: str  # in UTC; it can be restored until then; may be missing
+    session: str  # id of the session
+    name: str  # display name
+    participants: int  # number of participants who are in the session now
+    people: List[Visitor]  # people who have been in the session; the last to join is the first in the list
+    created: str  # when the session was made, in UTC; not recorded for old sessions; may be missing
+    lastUsed: str  # when the session was last used, in UTC
+    edited: bool  # true: someone has edited it, beyond the first rake and surface that a page makes
+    rakes: int  # number of rakes
+    surfaces: int  # number of surfaces
+    bookmarks: int  # number of bookmarks
+    annotations: int  # number of annotations
+    thumbnail: bool  # true: there is a picture of it
+    deletedAt: str  # for a session in the trash: when it was deleted, in UTC; may be missing
+    deletedUntil: str  # for a session in the trash: until when it can be restored, in UTC; may be missing
 
 
 class Patch(TypedDict, total=False):
-    """A record as it is now, or that it is gone."""
+    """A change of a record: the record as it is now, or that it was deleted."""
 
-    op: str  # what became of it
-    type: str  # of the record
-    id: str  # of the record
-    record: Any  # as it is now; of put; may be missing
+    op: str  # what happened to the record
+    type: str  # kind of record
+    id: str  # id of the record
+    record: Any  # for put: the record as it is now; may be missing
 
 
 class Joined(TypedDict, total=False):
-    """What session.join answers: either `snapshot` or `patches`."""
+    """What session.join returns: either `snapshot` or `patches`."""
 
     you: str  # your id as a participant
-    role: str  # what someone may do: each role includes the one before
-    resumeToken: str  # to come back with; another one than was sent means that nothing from before holds: no epoch, ...
-    seq: int  # of the session now
-    participants: List[Participant]  # all of them
-    created: str  # in UTC, as in session.list; may be missing
-    resumed: bool  # true: `patches` come; false: `snapshot` comes
-    snapshot: Snapshot  # Every record of a session.; may be missing
-    patches: List[Patch]  # what changed after `lastSeq`: of each record the newest change; may be missing
+    role: str  # your role in the session
+    resumeToken: str  # token with which you can come back; if it differs from the one you sent, nothing from before ...
+    seq: int  # `seq` of the session now
+    participants: List[Participant]  # all participants
+    created: str  # when the session was made, in UTC, as in session.list; may be missing
+    resumed: bool  # true: `patches` is present; false: `snapshot` is present
+    snapshot: Snapshot  # all records of the session; may be missing
+    patches: List[Patch]  # what changed after `lastSeq`; for each record only the newest change; may be missing
 
 
 class ShareMaker(TypedDict, total=False):
-    """The one who made a link."""
+    """Who made a link."""
 
-    grant: str  # the link its maker came by; left out: the server's own token; may be missing
-    name: str  # of the participant; empty: a script
+    grant: str  # id of the link by which they came; if left out, they had the server's own token; may be missing
+    name: str  # name of the participant; empty: a script
 
 
 class Share(TypedDict, total=False):
-    """A share link in force, without its key."""
+    """A valid share link, without its key."""
 
-    grant: str  # its id
-    role: str  # what someone may do: each role includes the one before
-    expires: float  # left out: never (s since 1970); may be missing
-    newcomers: str  # where a host gave someone who came by it a lesser role: what those are who come by it from ...
+    grant: str  # id of the link
+    role: str  # role of those who come by it
+    expires: float  # when the link expires; if left out, never (s since 1970); may be missing
+    newcomers: str  # role of those who come by it from now on; present if a host has given someone who came by it a ...
     madeBy: ShareMaker  # who made it
-    children: int  # links in force that were made by it, or by those it made
+    children: int  # number of valid links that were made through this one, directly or indirectly
 
 
 class Camera(TypedDict, total=False):
     """Where someone looks from."""
 
-    position: List[float]  # of the eye (the dataset's unit of length)
-    target: List[float]  # what is in the middle of the picture (the dataset's unit of length)
-    up: List[float]  # points up in the picture (the dataset's unit of length)
-    fov: float  # from top to bottom; left out: orthographic, or unknown (degrees); may be missing
+    position: List[float]  # position of the eye (the dataset's unit of length)
+    target: List[float]  # the point in the middle of the picture (the dataset's unit of length)
+    up: List[float]  # direction that points up in the picture (the dataset's unit of length)
+    fov: float  # field of view from top to bottom; if left out, the view is orthographic or unknown (degrees); may ...
 
 
 class DraggedRake(TypedDict, total=False):
-    """A rake as it is on its way."""
+    """A rake while it is dragged."""
 
-    rake: str  # its id
-    points: List[List[float]]  # where it is now; may be missing
+    rake: str  # id of the rake
+    points: List[List[float]]  # where the rake is now; may be missing
 
 
 class Presence(TypedDict, total=False):
-    """What someone does just now."""
+    """What someone is doing at the moment."""
 
-    pointer: Optional[List[float]]  # what they point at (the dataset's unit of length); may be missing
+    pointer: Optional[List[float]]  # the point they point at (the dataset's unit of length); may be missing
     camera: Optional[Camera]  # where they look from; may be missing
-    dragging: Optional[DraggedRake]  # what they drag; may be missing
+    dragging: Optional[DraggedRake]  # the rake they drag; may be missing
     selected: Optional[str]  # id of the record they have selected; may be missing
 
 
 class Participant(TypedDict, total=False):
     """Someone in a session."""
 
-    participant: str  # their id
-    name: str  # two people of a session are never called the same
-    colour: str  # #rrggbb
-    role: str  # what someone may do: each role includes the one before
+    participant: str  # id of the participant
+    name: str  # display name; two people in a session never have the same one
+    colour: str  # their colour, #rrggbb
+    role: str  # what someone may do; each role includes the ones before it
     connected: bool  # false: the connection was lost less than 10 s ago
-    pointer: Optional[List[float]]  # what they point at (the dataset's unit of length); may be missing
+    pointer: Optional[List[float]]  # the point they point at (the dataset's unit of length); may be missing
     camera: Optional[Camera]  # where they look from; may be missing
-    dragging: Optional[DraggedRake]  # what they drag; may be missing
+    dragging: Optional[DraggedRake]  # the rake they drag; may be missing
     selected: Optional[str]  # id of the record they have selected; may be missing
 
 
 class RakeRecord(TypedDict, total=False):
     """A rake as the session keeps it."""
 
-    rake: str  # its id
+    rake: str  # id of the rake
     rev: int  # counts the edits of a record
-    kind: str  # what the points are: line: 2; polyline and points: 2 or more; circle: the centre and two points of ...
-    points: List[List[float]]  # where it lies; a part outside of the domain is cut away (the dataset's unit of length)
-    seeds: int  # how many seeds lie on it
-    name: str  # for people
+    kind: str  # what the points are; line: 2 points; polyline and points: 2 or more; circle: the centre and two ...
+    points: List[List[float]]  # where the rake lies; parts outside the domain are cut off (the dataset's unit of ...
+    seeds: int  # number of seeds on the rake
+    name: str  # display name
     colour: str  # #rrggbb
-    author: str  # the name of the one who made it
-    clipped: bool  # a part was outside the domain and is cut away
-    dragging: bool  # someone holds it just now
-    leasedBy: str  # the participant who holds it; only while someone does; may be missing
+    author: str  # name of the one who made it
+    clipped: bool  # true: a part was outside the domain and was cut off
+    dragging: bool  # true: someone holds the lease at the moment
+    leasedBy: str  # id of the participant who holds the lease; only present while someone does; may be missing
 
 
 class SurfaceEpoch(TypedDict, total=False):
-    """A surface that is built again."""
+    """A surface that is being built again."""
 
-    surface: str  # an id that the server gave
-    epoch: int  # counts the surfaces that a record has had; only grows
+    surface: str  # id of the surface
+    epoch: int  # counts the surfaces that have been built for the record; it never decreases
 
 
 SurfaceRecord = TypedDict("SurfaceRecord", {  # A surface as the session keeps it: its parameters, not its mesh.
-    "surface": "str",  # its id
+    "surface": "str",  # id of the surface
     "rev": "int",  # counts the edits of a record
-    "epoch": "int",  # counts the surfaces that a record has had; only grows
-    "rake": "str",  # an id from rake.list: the particles start there
-    "rake2": "str",  # the patch lies between the rake and this one; may be missing
+    "epoch": "int",  # counts the surfaces that have been built for the record; it never decreases
+    "rake": "str",  # an id from rake.list; the particles start from this rake
+    "rake2": "str",  # the patch lies between the rake and this second rake; may be missing
     "dataset": "str",  # an id from dataset.list
-    "kind": "str",  # stream: of the field frozen at `from`; path: particles released at `from`; streak: particles ...
-    "direction": "str",  # which way in time particles go
-    "accuracy": "str",  # of the integration, and of how vertices are put in
-    "to": "float",  # the surface is shown until this time; the integration takes to - from (the dataset's unit of time)
-    "releaseUntil": "float",  # the release stops here; left out: at `to` (the dataset's unit of time); may be missing
+    "kind": "str",  # stream: streamlines of the field frozen at `from`; path: particles released together at ...
+    "direction": "str",  # direction in time in which particles are traced
+    "accuracy": "str",  # how accurately particles are traced and vertices inserted
+    "to": "float",  # time until which the surface is shown; the integration time is to - from (the dataset's unit ...
+    "releaseUntil": "float",  # time at which the release stops; if left out, `to` (the dataset's unit of time); may ...
     "sweep": "List[float]",  # the patch is the rake swept along this vector (the dataset's unit of length); may be ...
-    "merge": "float",  # cells smaller than this merge; 0: never (part of the separation)
-    "angle": "float",  # cells that meet at more than this are refined, as far as the separation and `maxQuads` ...
-    "stagnationSpeed": "float",  # a particle that is slower counts as at rest and ends; 0: only one that does not ...
-    "maxQuads": "int",  # quads to build at most
-    "from": "float",  # time of the (first) release (the dataset's unit of time)
-    "separation": "float",  # the longest edge (the dataset's unit of length)
-    "fields": "List[str]",  # further attributes of the vertices, in frames and exports: scalar fields of the ...
+    "merge": "float",  # quads smaller than this are joined; 0: never (part of the separation)
+    "angle": "float",  # neighbouring quads at a larger angle are refined, as far as the separation and `maxQuads` ...
+    "stagnationSpeed": "float",  # a slower particle counts as at rest and ends; 0: only a particle that does not ...
+    "maxQuads": "int",  # maximum number of quads
+    "from": "float",  # time of release; for streak surfaces, of the first release (the dataset's unit of time)
+    "separation": "float",  # longest edge allowed (the dataset's unit of length)
+    "fields": "List[str]",  # additional attributes of the vertices, in frames and exports: scalar fields of the ...
 }, total=False)
 
 
 class SurfaceSetResult(TypedDict, total=False):
-    """What surface.set answers."""
+    """What surface.set returns."""
 
-    surface: str  # its id
+    surface: str  # id of the surface
     rev: int  # counts the edits of a record
-    epoch: int  # counts the surfaces that a record has had; only grows
-    seq: int  # of the session after the edit
+    epoch: int  # counts the surfaces that have been built for the record; it never decreases
+    seq: int  # `seq` of the session after the edit
 
 
 class PassSeconds(TypedDict, total=False):
-    """What the pass that made the newest state took."""
+    """How long the pass that made the newest state took."""
 
-    queue: float  # from the edit, or the state before, until it began (s)
+    queue: float  # from the edit, or the state before, until the pass began (s)
     load: float  # waiting for time-steps of the velocity (s)
-    compute: float  # all else of building (s)
-    encode: float  # making frames (s)
+    compute: float  # everything else in building the surface (s)
+    encode: float  # encoding frames (s)
 
 
 class Terminations(TypedDict, total=False):
-    """Particles by what ended them."""
+    """Numbers of particles, by what ended them."""
 
-    domain: int  # left the domain
-    time: int  # reached the end of the time asked for
-    obstacle: int  # came to an obstacle
-    stagnation: int  # came to rest
-    budget: int  # used up the steps allowed
+    domain: int  # particles that left the domain
+    time: int  # particles that reached the end of the requested time
+    obstacle: int  # particles that reached an obstacle
+    stagnation: int  # particles that came to rest
+    budget: int  # particles that used up the steps allowed
 
 
 class BuildSeconds(TypedDict, total=False):
-    """What building a surface took."""
+    """How long it took to build a surface."""
 
     load: float  # waiting for time-steps (s)
     advect: float  # moving particles (s)
-    refine: float  # putting in vertices and taking them out (s)
-    other: float  # all else (s)
-    total: float  # all of it (s)
+    refine: float  # inserting and removing vertices (s)
+    other: float  # everything else (s)
+    total: float  # the whole build (s)
 
 
-Statistics = TypedDict("Statistics", {  # What the newest state of a surface is and took, in the shape of `wakesurf surface --stats`.
-    "surface": "str",  # its id
-    "epoch": "int",  # counts the surfaces that a record has had; only grows
-    "complete": "bool",  # it is the final surface of this epoch
-    "kind": "str",  # stream: of the field frozen at `from`; path: particles released at `from`; streak: particles ...
-    "quads": "int",  # of the mesh
-    "vertices": "int",  # of the mesh
-    "steps": "int",  # of the surface, in time or along its curves
-    "vertexSteps": "int",  # of the integrator, all particles together
-    "approximated": "int",  # vertices that were interpolated, not traced from the rake
-    "terminated": "Terminations",  # of streak and time surfaces of all particles there have been
-    "maxEdge": "float",  # the longest edge there is (the dataset's unit of length)
-    "separation": "float",  # the longest edge asked for (the dataset's unit of length)
-    "seconds": "BuildSeconds",  # what building it took
-    "pass": "PassSeconds",  # what making this state took; may be missing
-    "peakBytes": "int",  # the most memory that building it took (bytes)
+Statistics = TypedDict("Statistics", {  # Statistics of the newest state of a surface, in the shape of `wakesurf surface --stats`.
+    "surface": "str",  # id of the surface
+    "epoch": "int",  # counts the surfaces that have been built for the record; it never decreases
+    "complete": "bool",  # true: this is the final surface of its epoch
+    "kind": "str",  # stream: streamlines of the field frozen at `from`; path: particles released together at ...
+    "quads": "int",  # number of quads
+    "vertices": "int",  # number of vertices
+    "steps": "int",  # number of steps of the surface, in time or along its curves
+    "vertexSteps": "int",  # number of steps of the integrator, for all particles together
+    "approximated": "int",  # number of vertices that were interpolated, not traced from the rake
+    "terminated": "Terminations",  # numbers of particles, by what ended them; for streak and time surfaces, of all ...
+    "maxEdge": "float",  # length of the longest edge (the dataset's unit of length)
+    "separation": "float",  # longest edge allowed (the dataset's unit of length)
+    "seconds": "BuildSeconds",  # how long it took to build the surface
+    "pass": "PassSeconds",  # how long it took to make this state; may be missing
+    "peakBytes": "int",  # the most memory that the build used (bytes)
     "stopped": "str",  # why the surface ends early; may be missing
     "stateSum": "int",  # checksum of what clients show, as in the frames (protocol/wire/FORMAT.md, State sum)
-    "error": "Problem",  # why there is none; may be missing
+    "error": "Problem",  # why the surface is not complete; may be missing
 }, total=False)
 
 
 class BookmarkRecord(TypedDict, total=False):
     """A bookmark as the session keeps it."""
 
-    bookmark: str  # its id
+    bookmark: str  # id of the bookmark
     rev: int  # counts the edits of a record
-    name: str  # for people
-    view: Json  # camera, colours and the like, as the client that made it likes; at most 4 KiB as JSON text
-    time: float  # the session's time the view belongs to (the dataset's unit of time); may be missing
+    name: str  # display name
+    view: Json  # camera, colours and so on, in whatever form the client chooses; at most 4 KiB as JSON text
+    time: float  # the session's time that belongs to the view (the dataset's unit of time); may be missing
 
 
 class AnnotationRecord(TypedDict, total=False):
     """An annotation as the session keeps it."""
 
-    annotation: str  # its id
+    annotation: str  # id of the annotation
     rev: int  # counts the edits of a record
-    text: str  # of one line or several
-    position: List[float]  # where it points to (the dataset's unit of length)
-    author: str  # the name of the one who made it
-    surface: str  # the surface it speaks of, which may be gone since; may be missing
+    text: str  # text of one or more lines
+    position: List[float]  # the point that it refers to (the dataset's unit of length)
+    author: str  # name of the one who made it
+    surface: str  # id of the surface that it refers to, which may have been deleted since; may be missing
 
 
 class Change(TypedDict, total=False):
     """A record that was changed."""
 
-    op: str  # what became of it
-    type: str  # rake, surface, bookmark or annotation
-    id: str  # of the record
+    op: str  # what happened to the record
+    type: str  # kind of record: rake, surface, bookmark or annotation
+    id: str  # id of the record
     rev: int  # counts the edits of a record; may be missing
 
 
 class Skip(TypedDict, total=False):
-    """A record that someone else has changed since."""
+    """A record that was skipped because someone else has changed it since."""
 
-    type: str  # rake, surface, bookmark or annotation
-    id: str  # of the record
-    why: str  # it was skipped, for people
+    type: str  # kind of record: rake, surface, bookmark or annotation
+    id: str  # id of the record
+    why: str  # why it was skipped, for people
 
 
 class HistoryDepth(TypedDict, total=False):
-    """What there is to undo and redo."""
+    """What can be undone and redone."""
 
-    seq: int  # of the session after the edit
-    skipped: List[Skip]  # edits that are forgotten, once and for all
-    undo: int  # edits that can still be taken back
-    redo: int  # edits that can be made again
+    seq: int  # `seq` of the session after the edit
+    skipped: List[Skip]  # records that were skipped; their edits are forgotten for good
+    undo: int  # number of edits that can still be taken back
+    redo: int  # number of edits that can be repeated
 
 
-ClockRecord = TypedDict("ClockRecord", {  # A session's clock.
-    "time": "Optional[float]",  # simulation time; null: never set, surfaces are shown at their end (the dataset's ...
-    "playing": "bool",  # it runs
-    "speed": "float",  # how fast it runs (simulation time a second)
-    "loop": "bool",  # it begins again at the end
-    "from": "Optional[float]",  # what is played begins here; null before it first was (the dataset's unit of time)
-    "to": "Optional[float]",  # and ends here (the dataset's unit of time)
+ClockRecord = TypedDict("ClockRecord", {  # The clock of a session.
+    "time": "Optional[float]",  # simulation time; null: it was never set, and surfaces are shown at their end (the ...
+    "playing": "bool",  # true: the clock runs
+    "speed": "float",  # how fast the clock runs (simulation time a second)
+    "loop": "bool",  # true: the clock goes on at `from` when it reaches `to`
+    "from": "Optional[float]",  # time at which playing starts; null before the clock was first played (the ...
+    "to": "Optional[float]",  # time at which playing ends; null before the clock was first played (the dataset's ...
 }, total=False)
 
 
 class ClockAnswer(TypedDict, total=False):
     """The clock after the call."""
 
-    clock: ClockRecord  # as it is now
+    clock: ClockRecord  # the clock as it is now
 # </records>
 
 
@@ -897,28 +897,29 @@ class Session:
         """Makes a surface and starts computing it. What is left out has the default of `surface.set`, whose spelling, as in
         maxQuads, is taken too. What `fields` names is also in `Surface.mesh`, by name.
 
-        `rake`: an id from rake.list: the particles start there.
-        `kind`: stream: of the field frozen at `from`; path: particles released at `from`; streak: particles released
-            from `from` on; time: a patch of particles released at `from`.
+        `rake`: an id from rake.list; the particles start from this rake.
+        `kind`: stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak:
+            particles released continuously from `from` on; time: a patch of particles released at `from`.
         `dataset`: an id from dataset.list.
-        `to`: the surface is shown until this time; the integration takes to - from (the dataset's unit of time).
-        `from_`: time of release; streak: of the first one; left out: the dataset's first time (the dataset's unit of
-            time).
-        `rake2`: the patch lies between the rake and this one; only for time surfaces.
-        `direction`: which way in time particles go; default forward.
-        `accuracy`: of the integration, and of how vertices are put in; default balanced.
-        `release_until`: the release stops here; left out: at `to` (the dataset's unit of time); only for streak
-            surfaces.
+        `to`: time until which the surface is shown; the integration time is to - from (the dataset's unit of time).
+        `from_`: time of release; for streak surfaces, of the first release; if left out, the dataset's first time (the
+            dataset's unit of time).
+        `rake2`: the patch lies between the rake and this second rake; only for time surfaces.
+        `direction`: direction in time in which particles are traced; default forward.
+        `accuracy`: how accurately particles are traced and vertices inserted; default balanced.
+        `release_until`: time at which the release stops; if left out, `to` (the dataset's unit of time); only for
+            streak surfaces.
         `sweep`: the patch is the rake swept along this vector (the dataset's unit of length); only for time surfaces.
-        `merge`: cells smaller than this merge; 0: never (part of the separation); 0 to 0.5; default 0.35.
-        `angle`: cells that meet at more than this are refined, as far as the separation and `max_quads` allow; 180:
+        `merge`: quads smaller than this are joined; 0: never (part of the separation); 0 to 0.5; default 0.35.
+        `angle`: neighbouring quads at a larger angle are refined, as far as the separation and `max_quads` allow; 180:
             never (degrees); above 0, at most 180; default 20.
-        `stagnation_speed`: a particle that is slower counts as at rest and ends; 0: only one that does not move at all
+        `stagnation_speed`: a slower particle counts as at rest and ends; 0: only a particle that does not move at all
             (part of the largest speed); 0 to 0.1; default 1e-06.
-        `max_quads`: quads to build at most; 1 to 4,000,000; default 1,000,000.
-        `separation`: the longest edge; left out: the dataset's finest spacing (the dataset's unit of length); above 0.
-        `fields`: further attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity
-            (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude), `q_criterion`.
+        `max_quads`: maximum number of quads; 1 to 4,000,000; default 1,000,000.
+        `separation`: longest edge allowed; if left out, the dataset's finest spacing (the dataset's unit of length);
+            above 0.
+        `fields`: additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its
+            velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude), `q_criterion`.
         """
         given: Json = {"rake": _id(rake), "kind": kind, "dataset": dataset, "to": to, "from": from_, "rake2": rake2,
                        "direction": direction, "accuracy": accuracy, "releaseUntil": release_until, "sweep": sweep,

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What is made from protocol/api/*.schema.json is what protocol/api/generate makes of it today.
 
-Needs clang-format and, for TypeScript, prettier. Run it alone with: python3 tests/lint/api_test.py
+Needs clang-format, jsonschema and, for TypeScript, prettier. Run it alone with: python3 tests/lint/api_test.py
 """
 import copy
 import os
@@ -10,9 +10,35 @@ import tempfile
 import json
 import unittest
 
+from jsonschema import Draft7Validator
+
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(ROOT, "protocol", "api"))
-from generator import outputs, schema  # noqa: E402
+from generator import openrpc, outputs, schema  # noqa: E402
+
+
+def example_faults(api):
+    """What is wrong with the examples of methods, as messages."""
+    components = {"schemas": openrpc.components(api)[0]}
+
+    def check(value, shape, where):
+        for each in Draft7Validator({"allOf": [shape], "components": components}).iter_errors(value):
+            yield f"{where}: {'/'.join(map(str, each.absolute_path))}: {each.message}"
+
+    for method in api.methods:
+        example = method.data.get("x-example")
+        if example is None:
+            yield f"{method.name}: has no example"
+            continue
+        shapes = {each.name: openrpc.schema_json(each.node) for each in method.params.fields}
+        for name in example["params"].keys() - shapes.keys():
+            yield f"{method.name}: there is no parameter {name}"
+        for each in method.params.fields:
+            if each.name in example["params"]:
+                yield from check(example["params"][each.name], shapes[each.name], f"{method.name} {each.name}")
+            elif each.required:
+                yield f"{method.name}: {each.name} is missing"
+        yield from check(example["result"], openrpc.result_json(api, method), method.name)
 
 
 class TheDescription(unittest.TestCase):
@@ -32,11 +58,28 @@ class TheDescription(unittest.TestCase):
             if path.endswith((".cpp", ".hpp", ".ts")):
                 self.assertLessEqual(text.count("\n"), 500, path)
 
-    def test_has_an_example_that_names_only_parameters_there_are(self):
-        for method in self.api.methods:
-            example = method.data.get("x-example", {"params": {}})
-            names = {each.name for each in method.params.fields}
-            self.assertLessEqual(set(example["params"]), names, method.name)
+    def test_has_an_example_of_every_method_that_its_schemas_allow(self):
+        self.assertEqual(list(example_faults(self.api)), [])
+
+    def test_shows_the_limits_that_there_are(self):
+        method = next(each for each in self.api.methods if each.name == "server.info")
+        self.assertEqual(method.data["x-example"]["result"]["limits"],
+                         {name: data["const"] for name, data in self.api.limits if name in self.api.told})
+
+    def test_finds_what_is_wrong_with_an_example(self):
+        changes = [
+            lambda data: data.pop("x-example"),
+            lambda data: data["x-example"]["params"].update(colours="#ffffff"),
+            lambda data: data["x-example"]["params"].update(seeds=1),
+            lambda data: data["x-example"]["params"].pop("points"),
+            lambda data: data["x-example"]["result"].update(clipped="no"),
+            lambda data: data["x-example"]["result"].pop("rake"),
+            lambda data: data["x-example"]["result"].update(more=1)]
+        for change in changes:
+            api = copy.deepcopy(self.api)
+            method = next(each for each in api.methods if each.name == "rake.set")
+            change(method.data)
+            self.assertEqual(len(list(example_faults(api))), 1)
 
     def test_gives_each_default_within_its_range(self):
         for method in self.api.methods:

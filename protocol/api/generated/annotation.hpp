@@ -16,17 +16,17 @@ namespace wakesurf::protocol {
 
 /// An annotation as the session keeps it.
 struct AnnotationRecord {
-    /// its id
+    /// id of the annotation
     std::string annotation;
     /// counts the edits of a record
     std::uint64_t rev = 0;
-    /// of one line or several
+    /// text of one or more lines
     std::string text;
-    /// where it points to (the dataset's unit of length)
+    /// the point that it refers to (the dataset's unit of length)
     core::Vec3 position{0.0};
-    /// the name of the one who made it
+    /// name of the one who made it
     std::string author;
-    /// the surface it speaks of, which may be gone since
+    /// id of the surface that it refers to, which may have been deleted since
     std::optional<std::string> surface;
 
     bool operator==(const AnnotationRecord&) const = default;
@@ -39,26 +39,25 @@ nlohmann::json annotation_json(const AnnotationRecord& record);
 /// As it is kept: what read() reads.
 nlohmann::json kept_json(const AnnotationRecord& record);
 
-/// Parameters of annotation.set: Creates an annotation, or replaces one as a whole; it keeps the
+/// Parameters of annotation.set: Creates an annotation, or replaces one as a whole. It keeps the
 /// name of the one who made it.
 struct AnnotationSetting {
     static constexpr std::string_view method = "annotation.set";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
-    /// left out: create one
+    /// id of the annotation to replace; if left out, a new one is created
     std::optional<std::string> annotation;
-    /// of one line or several
+    /// text of one or more lines
     std::string text;
-    /// where it points to (the dataset's unit of length)
+    /// the point that it refers to (the dataset's unit of length)
     core::Vec3 position{0.0};
-    /// the surface it speaks of, which may be gone since
+    /// id of the surface that it refers to, which may have been deleted since
     std::optional<std::string> surface;
-    /// a name for what the user does; edits that follow each other with the same one are one step
-    /// of undo
+    /// a name for what the user is doing; consecutive edits with the same name are one step of undo
     std::optional<std::string> gesture;
-    /// refuse the edit if the record is at another revision
+    /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
 
     bool operator==(const AnnotationSetting&) const = default;
@@ -70,15 +69,14 @@ void read(CheckedJson& in, AnnotationSetting& out);
 struct AnnotationDelete {
     static constexpr std::string_view method = "annotation.delete";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
     /// an id from annotation.list
     std::string annotation;
-    /// a name for what the user does; edits that follow each other with the same one are one step
-    /// of undo
+    /// a name for what the user is doing; consecutive edits with the same name are one step of undo
     std::optional<std::string> gesture;
-    /// refuse the edit if the record is at another revision
+    /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
 
     bool operator==(const AnnotationDelete&) const = default;
@@ -86,12 +84,12 @@ struct AnnotationDelete {
 
 void read(CheckedJson& in, AnnotationDelete& out);
 
-/// Parameters of annotation.list: The annotations of a session.
+/// Parameters of annotation.list: Lists the annotations of a session.
 struct AnnotationList {
     static constexpr std::string_view method = "annotation.list";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
 
     bool operator==(const AnnotationList&) const = default;

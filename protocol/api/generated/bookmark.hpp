@@ -15,15 +15,15 @@ namespace wakesurf::protocol {
 
 /// A bookmark as the session keeps it.
 struct BookmarkRecord {
-    /// its id
+    /// id of the bookmark
     std::string bookmark;
     /// counts the edits of a record
     std::uint64_t rev = 0;
-    /// for people
+    /// display name
     std::string name;
-    /// camera, colours and the like, as the client that made it likes; at most 4 KiB as JSON text
+    /// camera, colours and so on, in whatever form the client chooses; at most 4 KiB as JSON text
     std::string view;
-    /// the session's time the view belongs to (the dataset's unit of time)
+    /// the session's time that belongs to the view (the dataset's unit of time)
     std::optional<double> time;
 
     bool operator==(const BookmarkRecord&) const = default;
@@ -40,21 +40,20 @@ nlohmann::json kept_json(const BookmarkRecord& record);
 struct BookmarkSetting {
     static constexpr std::string_view method = "bookmark.set";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
-    /// left out: create one
+    /// id of the bookmark to replace; if left out, a new one is created
     std::optional<std::string> bookmark;
-    /// for people
+    /// display name
     std::string name;
-    /// camera, colours and the like, as the client that made it likes; at most 4 KiB as JSON text
+    /// camera, colours and so on, in whatever form the client chooses; at most 4 KiB as JSON text
     std::string view;
-    /// the session's time the view belongs to (the dataset's unit of time)
+    /// the session's time that belongs to the view (the dataset's unit of time)
     std::optional<double> time;
-    /// a name for what the user does; edits that follow each other with the same one are one step
-    /// of undo
+    /// a name for what the user is doing; consecutive edits with the same name are one step of undo
     std::optional<std::string> gesture;
-    /// refuse the edit if the record is at another revision
+    /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
 
     bool operator==(const BookmarkSetting&) const = default;
@@ -66,15 +65,14 @@ void read(CheckedJson& in, BookmarkSetting& out);
 struct BookmarkDelete {
     static constexpr std::string_view method = "bookmark.delete";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
     /// an id from bookmark.list
     std::string bookmark;
-    /// a name for what the user does; edits that follow each other with the same one are one step
-    /// of undo
+    /// a name for what the user is doing; consecutive edits with the same name are one step of undo
     std::optional<std::string> gesture;
-    /// refuse the edit if the record is at another revision
+    /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
 
     bool operator==(const BookmarkDelete&) const = default;
@@ -82,12 +80,12 @@ struct BookmarkDelete {
 
 void read(CheckedJson& in, BookmarkDelete& out);
 
-/// Parameters of bookmark.list: The bookmarks of a session.
+/// Parameters of bookmark.list: Lists the bookmarks of a session.
 struct BookmarkList {
     static constexpr std::string_view method = "bookmark.list";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
 
     bool operator==(const BookmarkList&) const = default;

@@ -13,15 +13,15 @@
 
 namespace wakesurf::protocol {
 
-/// Parameters of dataset.list: The datasets this server serves.
+/// Parameters of dataset.list: Lists the datasets that this server serves.
 struct DatasetList {
     static constexpr std::string_view method = "dataset.list";
 };
 
 void read(CheckedJson& in, DatasetList& out);
 
-/// Parameters of dataset.describe: Grid, times, fields and lattice of one dataset, in the shape of
-/// `wakesurf info --json`, and what `fields` of surface.set may name.
+/// Parameters of dataset.describe: Returns the grid, times, fields and lattice of one dataset, in
+/// the shape of `wakesurf info --json`, and the names that `fields` of surface.set accepts.
 struct DatasetDescribe {
     static constexpr std::string_view method = "dataset.describe";
 
@@ -33,18 +33,18 @@ struct DatasetDescribe {
 
 void read(CheckedJson& in, DatasetDescribe& out);
 
-/// Parameters of dataset.open: Answers once a dataset is imported; an import that was stopped goes
-/// on where it ended. $/cancelRequest ends the waiting, and the import with it when no one else
-/// waits; a connection that is lost ends no import. The state is importing when timeoutMs ran out,
-/// and incomplete where the import ended before the last time-step.
+/// Parameters of dataset.open: Returns once a dataset is imported. An import that was stopped goes
+/// on where it ended. $/cancelRequest ends the waiting, and the import with it if no one else waits
+/// for it. A lost connection does not end an import. The state is `importing` if `timeoutMs` ran
+/// out, and `incomplete` if the import ended before the last time-step.
 struct DatasetOpen {
     static constexpr std::string_view method = "dataset.open";
 
     /// an id from dataset.list
     std::string dataset;
-    /// patience; 0: no waiting (ms)
+    /// how long to wait, at most; 0: do not wait (ms)
     std::uint64_t timeout_ms = 600000;
-    /// on a WebSocket: $/progress with this token tells how far the work is
+    /// on a WebSocket: $/progress reports the progress of the work with this token
     std::optional<std::string> work_done_token;
 
     bool operator==(const DatasetOpen&) const = default;
@@ -52,7 +52,7 @@ struct DatasetOpen {
 
 void read(CheckedJson& in, DatasetOpen& out);
 
-/// Parameters of cache.status: Which time-steps of a dataset are in memory.
+/// Parameters of cache.status: Reports which time-steps of a dataset are in memory.
 struct CacheStatus {
     static constexpr std::string_view method = "cache.status";
 
@@ -64,18 +64,18 @@ struct CacheStatus {
 
 void read(CheckedJson& in, CacheStatus& out);
 
-/// Parameters of probe.sample: Fields at points and one time, interpolated as the surfaces'
-/// vertices are.
+/// Parameters of probe.sample: Returns the values of fields at points and one time, interpolated as
+/// at the vertices of surfaces.
 struct ProbeSample {
     static constexpr std::string_view method = "probe.sample";
 
     /// an id from dataset.list
     std::string dataset;
-    /// where (the dataset's unit of length)
+    /// points to sample (the dataset's unit of length)
     std::vector<core::Vec3> points;
-    /// in the dataset's range (the dataset's unit of time)
+    /// simulation time, in the dataset's range (the dataset's unit of time)
     double time = 0.0;
-    /// the velocity's name or scalars; left out: the velocity
+    /// name of the velocity, or names of scalar fields; if left out, the velocity
     std::vector<std::string> fields;
 
     bool operator==(const ProbeSample&) const = default;

@@ -10,14 +10,14 @@
 
 namespace wakesurf::protocol {
 
-/// Parameters of history.undo: Takes back the caller's newest edit, a whole gesture (or drag) at
-/// once. Never undoes others' work: an edit whose records someone else has changed since is
-/// skipped.
+/// Parameters of history.undo: Takes back the caller's newest edit, or a whole gesture (or drag) at
+/// once. It never undoes the work of others: an edit is skipped if someone else has changed its
+/// records since.
 struct HistoryUndo {
     static constexpr std::string_view method = "history.undo";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
 
     bool operator==(const HistoryUndo&) const = default;
@@ -25,12 +25,12 @@ struct HistoryUndo {
 
 void read(CheckedJson& in, HistoryUndo& out);
 
-/// Parameters of history.redo: Makes the caller's newest undone edit again.
+/// Parameters of history.redo: Repeats the caller's newest edit that was taken back.
 struct HistoryRedo {
     static constexpr std::string_view method = "history.redo";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
 
     bool operator==(const HistoryRedo&) const = default;

@@ -7,50 +7,56 @@
 
 namespace wakesurf::protocol::limits {
 
-inline constexpr std::size_t message_bytes = 65536;   ///< of one message (bytes)
-inline constexpr std::size_t batch = 64;              ///< calls in one message
-inline constexpr std::size_t message_depth = 32;      ///< levels of nesting in a message
-inline constexpr std::size_t clients = 2048;          ///< WebSockets of all people together
-inline constexpr double calls_per_second = 2000.0;    ///< of one person; twice as many at once
-inline constexpr double edits_per_second = 200.0;     ///< of one person; twice as many at once
-inline constexpr std::size_t kept_sessions = 1024;    ///< that the server keeps
+inline constexpr std::size_t message_bytes = 65536; ///< size of one message (bytes)
+inline constexpr std::size_t batch = 64;            ///< calls in one message
+inline constexpr std::size_t message_depth = 32;    ///< levels of nesting in a message
+inline constexpr std::size_t clients = 2048;        ///< WebSockets of all people together
+inline constexpr double calls_per_second =
+    2000.0; ///< calls of one person in a second; bursts may have twice as many
+inline constexpr double edits_per_second =
+    200.0; ///< edits of one person in a second; bursts may have twice as many
+inline constexpr std::size_t kept_sessions = 1024;    ///< sessions that the server keeps
 inline constexpr std::size_t trash = 256;             ///< deleted sessions that can be restored
-inline constexpr std::size_t thumbnail_bytes = 24576; ///< of a session's picture (bytes)
-inline constexpr std::size_t participants = 1536;     ///< in a session at a time
-inline constexpr std::size_t rakes = 256;             ///< in a session
-inline constexpr std::size_t rake_points = 1024;      ///< of a rake
-inline constexpr std::uint64_t seeds_most = 4096;     ///< of a rake
-inline constexpr std::size_t surfaces = 64;           ///< in a session
-inline constexpr std::size_t bookmarks = 256;         ///< in a session
-inline constexpr std::size_t annotations = 512;       ///< in a session
+inline constexpr std::size_t thumbnail_bytes = 24576; ///< size of a session's picture (bytes)
+inline constexpr std::size_t participants = 1536;     ///< participants in a session at a time
+inline constexpr std::size_t rakes = 256;             ///< rakes in a session
+inline constexpr std::size_t rake_points = 1024;      ///< points of a rake
+inline constexpr std::uint64_t seeds_most = 4096;     ///< seeds of a rake
+inline constexpr std::size_t surfaces = 64;           ///< surfaces in a session
+inline constexpr std::size_t bookmarks = 256;         ///< bookmarks in a session
+inline constexpr std::size_t annotations = 512;       ///< annotations in a session
 inline constexpr std::size_t session_bytes =
-    1048576; ///< of all records of a session; as text, when someone joins, three times as much (bytes)
+    1048576; ///< size of all records of a session; as text, when someone joins, they take three times as much (bytes)
 inline constexpr std::size_t undo_steps = 100; ///< edits of one participant that can be taken back
-inline constexpr std::size_t grants = 32;      ///< of a session
-inline constexpr std::size_t subscriptions = 1024; ///< of one WebSocket
+inline constexpr std::size_t grants = 32;      ///< valid share links of a session
+inline constexpr std::size_t subscriptions = 1024; ///< subscriptions of one WebSocket
 inline constexpr std::size_t waiters = 64;         ///< unanswered surface.wait calls of one surface
 inline constexpr std::size_t pending_calls = 256;  ///< unanswered calls of one WebSocket
 inline constexpr std::size_t probes = 4;           ///< unanswered probe.sample calls of one person
 inline constexpr std::size_t sockets = 64;         ///< WebSockets of one person
 inline constexpr std::size_t downloads = 8;        ///< unfinished downloads of one person
-inline constexpr std::uint64_t quads_most = 4000000; ///< of a surface
-inline constexpr std::size_t fields = 4; ///< of a surface: further attributes of its vertices
-inline constexpr std::uint64_t wait_ms = 600000; ///< that a call may wait (ms)
-inline constexpr std::size_t name_bytes = 120;   ///< of a name (bytes)
-inline constexpr std::size_t gesture_bytes = 64; ///< of a gesture's name (bytes)
-inline constexpr std::size_t view_bytes = 4096;  ///< of a bookmark's view, as JSON text (bytes)
-inline constexpr std::size_t annotation_bytes = 4096;     ///< of an annotation's text (bytes)
-inline constexpr std::size_t presence_points = 64;        ///< of a rake while it is dragged
-inline constexpr std::size_t probe_points = 4096;         ///< of one probe.sample
-inline constexpr std::size_t probe_fields = 64;           ///< of one probe.sample
-inline constexpr std::uint64_t seeds_least = 2;           ///< of a rake
-inline constexpr std::uint64_t quads_default = 1000000;   ///< of a surface that does not say
-inline constexpr std::uint64_t grant_seconds = 316224000; ///< of a share link that ends (s)
+inline constexpr std::uint64_t quads_most = 4000000; ///< quads of a surface
+inline constexpr std::size_t fields = 4;         ///< additional attributes of a surface's vertices
+inline constexpr std::uint64_t wait_ms = 600000; ///< time that a call may wait (ms)
+inline constexpr std::size_t name_bytes = 120;   ///< length of a name (bytes)
+inline constexpr std::size_t gesture_bytes = 64; ///< length of a gesture's name (bytes)
+inline constexpr std::size_t view_bytes =
+    4096; ///< length of a bookmark's view, as JSON text (bytes)
+inline constexpr std::size_t annotation_bytes = 4096; ///< length of an annotation's text (bytes)
+inline constexpr std::size_t presence_points = 64;    ///< points of a rake while it is dragged
+inline constexpr std::size_t probe_points = 4096;     ///< points in one call of probe.sample
+inline constexpr std::size_t probe_fields = 64;       ///< fields in one call of probe.sample
+inline constexpr std::uint64_t seeds_least = 2;       ///< fewest seeds of a rake
+inline constexpr std::uint64_t quads_default =
+    1000000; ///< quads of a surface, if `maxQuads` is left out
+inline constexpr std::uint64_t grant_seconds =
+    316224000; ///< lifetime of a share link that expires (s)
 inline constexpr std::uint64_t grant_seconds_default =
-    604800;                                      ///< of a share link that does not say (s)
-inline constexpr double clock_speed = 1000000.0; ///< of a clock, simulation time a second
-inline constexpr std::size_t lease_ms = 5000;    ///< of a rake's lease (ms)
-inline constexpr std::size_t trash_days = 30; ///< in which a deleted session can be restored (days)
+    604800; ///< lifetime of a share link, if `expiresIn` is left out (s)
+inline constexpr double clock_speed = 1000000.0; ///< speed of a clock, in simulation time a second
+inline constexpr std::size_t lease_ms = 5000;    ///< duration of a rake's lease (ms)
+inline constexpr std::size_t trash_days =
+    30; ///< days for which a deleted session can be restored (days)
 
 /// A limit that server.info tells.
 struct ToldLimit {

@@ -5,7 +5,7 @@ namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_1 = R"json({
  "name": "rpc.discover",
- "summary": "This description as an OpenRPC document: every method with its parameters.",
+ "summary": "Returns this description as an OpenRPC document: every method with its parameters. The example shows only a part of the document.",
  "tags": [{"name": "rpc"}],
  "paramStructure": "by-name",
  "params": [],
@@ -24,10 +24,28 @@ const std::string_view methods_1 = R"json({
   {"$ref": "#/components/errors/unauthenticated"},
   {"$ref": "#/components/errors/notPermitted"}],
  "x-leastRole": "viewer",
- "x-websocketOnly": false},
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "rpc.discover",
+   "params": [],
+   "result": {
+    "name": "result",
+    "value": {
+     "openrpc": "1.3.2",
+     "info": {"title": "wakesurf", "version": "0.1.0"},
+     "x-paths": {"http": "/rpc", "websocket": "/ws"},
+     "methods": [
+      {
+       "name": "server.ping",
+       "params": [],
+       "paramStructure": "by-name",
+       "x-leastRole": "viewer",
+       "x-websocketOnly": false,
+       "result": {"name": "result", "schema": {"$ref": "#/components/schemas/Empty"}}}]}}}]},
 {
  "name": "server.info",
- "summary": "What this server is, what it offers, and what it grants.",
+ "summary": "Reports what this server is, what it offers, and what its limits are.",
  "tags": [{"name": "server"}],
  "paramStructure": "by-name",
  "params": [],
@@ -37,10 +55,10 @@ const std::string_view methods_1 = R"json({
   "schema": {
    "type": "object",
    "properties": {
-    "name": {"type": "string", "description": "wakesurf"},
-    "version": {"type": "string", "description": "of the program"},
-    "apiLevel": {"type": "integer", "minimum": 1, "description": "raised when a client of before could misunderstand the server"},
-    "capabilities": {"type": "array", "description": "what a client may look for before it relies on it", "items": {"type": "string"}},
+    "name": {"type": "string", "description": "always `wakesurf`"},
+    "version": {"type": "string", "description": "version of the program"},
+    "apiLevel": {"type": "integer", "minimum": 1, "description": "raised whenever an older client could misunderstand the server"},
+    "capabilities": {"type": "array", "description": "features that a client may look for before it relies on them", "items": {"type": "string"}},
     "limits": {"$ref": "#/components/schemas/Limits"}},
    "required": ["name", "version", "apiLevel", "capabilities", "limits"],
    "additionalProperties": false}},
@@ -51,14 +69,74 @@ const std::string_view methods_1 = R"json({
   {"$ref": "#/components/errors/unauthenticated"},
   {"$ref": "#/components/errors/notPermitted"}],
  "x-leastRole": "viewer",
- "x-websocketOnly": false},
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "server.info",
+   "params": [],
+   "result": {
+    "name": "result",
+    "value": {
+     "apiLevel": 4,
+     "capabilities": [
+      "stream",
+      "path",
+      "streak",
+      "time",
+      "obstacle.bin",
+      "lease",
+      "clock",
+      "history",
+      "bookmark",
+      "annotation",
+      "cancel",
+      "progress",
+      "stop",
+      "trash",
+      "thumbnail",
+      "mesh.vtp",
+      "mesh.glb",
+      "mesh.ply",
+      "mesh.obj",
+      "mesh.drc"],
+     "limits": {
+      "annotations": 512,
+      "batch": 64,
+      "bookmarks": 256,
+      "callsPerSecond": 2000,
+      "clients": 2048,
+      "depth": 32,
+      "downloads": 8,
+      "editsPerSecond": 200,
+      "fields": 4,
+      "messageBytes": 65536,
+      "participants": 1536,
+      "pendingCalls": 256,
+      "probes": 4,
+      "quads": 4000000,
+      "rakePoints": 1024,
+      "rakes": 256,
+      "seeds": 4096,
+      "sessionBytes": 1048576,
+      "sessions": 1024,
+      "shareLinks": 32,
+      "sockets": 64,
+      "subscriptions": 1024,
+      "surfaces": 64,
+      "thumbnailBytes": 24576,
+      "trash": 256,
+      "undo": 100,
+      "waitMs": 600000,
+      "waiters": 64},
+     "name": "wakesurf",
+     "version": "0.1.0"}}}]},
 {
  "name": "server.ping",
- "summary": "Answers at once: a client's heartbeat.",
+ "summary": "Returns at once. Clients use it as their heartbeat.",
  "tags": [{"name": "server"}],
  "paramStructure": "by-name",
  "params": [],
- "result": {"name": "result", "description": "nothing", "schema": {"$ref": "#/components/schemas/Empty"}},
+ "result": {"name": "result", "description": "an empty object", "schema": {"$ref": "#/components/schemas/Empty"}},
  "errors": [
   {"$ref": "#/components/errors/invalidParameters"},
   {"$ref": "#/components/errors/internal"},
@@ -70,7 +148,7 @@ const std::string_view methods_1 = R"json({
  "examples": [{"name": "server.ping", "params": [], "result": {"name": "result", "value": {}}}]},
 {
  "name": "server.stats",
- "summary": "How long each stage from an edit to the socket took in the last minute, and how the server stands; with a share link only how its session does: participants, surfaces, stages and firstFrame.",
+ "summary": "Reports how long each stage from an edit to the socket took in the last minute, and how the server is doing. With a share link it returns only participants, surfaces, stages and firstFrame, where participants and surfaces are those of the link's session.",
  "tags": [{"name": "server"}],
  "paramStructure": "by-name",
  "params": [],
@@ -80,21 +158,24 @@ const std::string_view methods_1 = R"json({
   "schema": {
    "type": "object",
    "properties": {
-    "uptime": {"type": "number", "minimum": 0, "description": "since the start", "x-unit": "s"},
-    "connections": {"type": "integer", "minimum": 0, "description": "open ones"},
-    "clients": {"type": "integer", "minimum": 0, "description": "WebSockets"},
-    "sessions": {"type": "integer", "minimum": 0, "description": "that the server keeps"},
-    "participants": {"type": "integer", "minimum": 0, "description": "here now"},
-    "surfaces": {"type": "integer", "minimum": 0, "description": "of all sessions, or of the link's"},
+    "uptime": {"type": "number", "minimum": 0, "description": "time since the server started", "x-unit": "s"},
+    "connections": {"type": "integer", "minimum": 0, "description": "number of open connections"},
+    "clients": {"type": "integer", "minimum": 0, "description": "number of WebSockets"},
+    "sessions": {"type": "integer", "minimum": 0, "description": "number of sessions that the server keeps"},
+    "participants": {"type": "integer", "minimum": 0, "description": "number of participants now"},
+    "surfaces": {"type": "integer", "minimum": 0, "description": "number of surfaces, in all sessions or in the share link's session"},
     "stages": {"$ref": "#/components/schemas/Stages"},
     "firstFrame": {"$ref": "#/components/schemas/Quantiles"},
-    "cache": {"type": "array", "description": "one entry a dataset", "items": {"$ref": "#/components/schemas/CacheStanding"}},
+    "cache": {
+     "type": "array",
+     "description": "one entry for each dataset with a cache of time-steps",
+     "items": {"$ref": "#/components/schemas/CacheStanding"}},
     "memory": {"$ref": "#/components/schemas/MemoryStanding"},
-    "messages": {"type": "integer", "minimum": 0, "description": "sent"},
-    "frames": {"type": "integer", "minimum": 0, "description": "sent"},
-    "bytes": {"type": "integer", "minimum": 0, "description": "sent", "x-unit": "bytes"},
-    "keyframes": {"type": "integer", "minimum": 0, "description": "made for clients that were behind"},
-    "dropped": {"type": "integer", "minimum": 0, "description": "updates that were left out"}},
+    "messages": {"type": "integer", "minimum": 0, "description": "number of messages that were sent"},
+    "frames": {"type": "integer", "minimum": 0, "description": "number of frames that were sent"},
+    "bytes": {"type": "integer", "minimum": 0, "description": "size of all messages and frames that were sent", "x-unit": "bytes"},
+    "keyframes": {"type": "integer", "minimum": 0, "description": "number of keyframes that were made for clients that had fallen behind"},
+    "dropped": {"type": "integer", "minimum": 0, "description": "number of updates that were left out"}},
    "required": ["participants", "surfaces", "stages", "firstFrame"],
    "additionalProperties": false}},
  "errors": [
@@ -105,14 +186,64 @@ const std::string_view methods_1 = R"json({
   {"$ref": "#/components/errors/notPermitted"},
   {"$ref": "#/components/errors/notFound"}],
  "x-leastRole": "viewer",
- "x-websocketOnly": false},
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "server.stats",
+   "params": [],
+   "result": {
+    "name": "result",
+    "value": {
+     "bytes": 13706,
+     "cache": [],
+     "clients": 2,
+     "connections": 2,
+     "dropped": 0,
+     "firstFrame": {"count": 1, "p50": 0.00505662, "p95": 0.00505662, "p99": 0.00505662},
+     "frames": 1,
+     "keyframes": 0,
+     "memory": {
+      "budget": 15164876340,
+      "byUse": {
+       "builds": 0,
+       "downloads": 0,
+       "histories": 0,
+       "importers": 0,
+       "meshes": 0,
+       "messages": 0,
+       "other": 22473111,
+       "records": 5006,
+       "rings": 11372,
+       "surfaces": 0,
+       "timeSteps": 0},
+      "peak": 23158784,
+      "refused": 0,
+      "rss": 22568960,
+      "used": 22489489},
+     "messages": 20,
+     "participants": 2,
+     "sessions": 1,
+     "stages": {
+      "advect": {"count": 2, "p50": 0.000927614, "p95": 0.00235064, "p99": 0.00235064},
+      "encode": {"count": 2, "p50": 0.00128925, "p95": 0.00205174, "p99": 0.00205174},
+      "load": {"count": 2, "p50": 8.7092e-05, "p95": 0.000100999, "p99": 0.000100999},
+      "queue": {"count": 2, "p50": 0.000197068, "p95": 0.000233186, "p99": 0.000233186},
+      "refine": {"count": 2, "p50": 0.000666673, "p95": 0.00101074, "p99": 0.00101074},
+      "send": {"count": 1, "p50": 2.3343e-05, "p95": 2.3343e-05, "p99": 2.3343e-05}},
+     "surfaces": 1,
+     "uptime": 1.08396}}}]},
 {
  "name": "$/cancelRequest",
- "summary": "A notification: answers an open call of this WebSocket with -32800 at once and stops its work. What an edit has changed stays changed.",
+ "summary": "A notification. The open call of this WebSocket with this id fails at once with the error -32800, and its work stops. What an edit has changed stays changed.",
  "tags": [{"name": "$"}],
  "paramStructure": "by-name",
- "params": [{"name": "id", "required": true, "description": "of the call", "schema": {"type": ["string", "number"], "description": "of the call"}}],
- "result": {"name": "result", "description": "nothing", "schema": {"$ref": "#/components/schemas/Empty"}},
+ "params": [
+  {
+   "name": "id",
+   "required": true,
+   "description": "id of the call",
+   "schema": {"type": ["string", "number"], "description": "id of the call"}}],
+ "result": {"name": "result", "description": "an empty object", "schema": {"$ref": "#/components/schemas/Empty"}},
  "errors": [
   {"$ref": "#/components/errors/invalidParameters"},
   {"$ref": "#/components/errors/internal"},
@@ -120,10 +251,11 @@ const std::string_view methods_1 = R"json({
   {"$ref": "#/components/errors/unauthenticated"},
   {"$ref": "#/components/errors/notPermitted"}],
  "x-leastRole": "viewer",
- "x-websocketOnly": true},
+ "x-websocketOnly": true,
+ "examples": [{"name": "$/cancelRequest", "params": [{"name": "id", "value": 12345}], "result": {"name": "result", "value": {}}}]},
 {
  "name": "dataset.list",
- "summary": "The datasets this server serves.",
+ "summary": "Lists the datasets that this server serves.",
  "tags": [{"name": "dataset"}],
  "paramStructure": "by-name",
  "params": [],
@@ -132,7 +264,7 @@ const std::string_view methods_1 = R"json({
   "description": "what it answers",
   "schema": {
    "type": "object",
-   "properties": {"datasets": {"type": "array", "description": "all of them", "items": {"$ref": "#/components/schemas/DatasetEntry"}}},
+   "properties": {"datasets": {"type": "array", "description": "all datasets", "items": {"$ref": "#/components/schemas/DatasetEntry"}}},
    "required": ["datasets"],
    "additionalProperties": false}},
  "errors": [
@@ -155,7 +287,7 @@ const std::string_view methods_1 = R"json({
       {"dataset": "double-gyre", "name": "double-gyre", "state": "ready", "steps": {"ready": 21, "total": 21}}]}}}]},
 {
  "name": "dataset.describe",
- "summary": "Grid, times, fields and lattice of one dataset, in the shape of `wakesurf info --json`, and what `fields` of surface.set may name.",
+ "summary": "Returns the grid, times, fields and lattice of one dataset, in the shape of `wakesurf info --json`, and the names that `fields` of surface.set accepts.",
  "tags": [{"name": "dataset"}],
  "paramStructure": "by-name",
  "params": [
@@ -164,7 +296,7 @@ const std::string_view methods_1 = R"json({
    "required": true,
    "description": "an id from dataset.list",
    "schema": {"type": "string", "maxLength": 256, "description": "an id from dataset.list"}}],
- "result": {"name": "result", "description": "What a dataset is.", "schema": {"$ref": "#/components/schemas/Dataset"}},
+ "result": {"name": "result", "description": "The description of a dataset.", "schema": {"$ref": "#/components/schemas/Dataset"}},
  "errors": [
   {"$ref": "#/components/errors/invalidParameters"},
   {"$ref": "#/components/errors/internal"},
@@ -174,10 +306,34 @@ const std::string_view methods_1 = R"json({
   {"$ref": "#/components/errors/notFound"},
   {"$ref": "#/components/errors/datasetError"}],
  "x-leastRole": "viewer",
- "x-websocketOnly": false},
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "dataset.describe",
+   "params": [{"name": "dataset", "value": "lamb-oseen"}],
+   "result": {
+    "name": "result",
+    "value": {
+     "bounds": [-10, 10, -10, 10, -10, 10],
+     "bytesPerStep": 0,
+     "cells": 0,
+     "dataset": "lamb-oseen",
+     "fields": [{"components": 3, "name": "velocity", "range": [0.5, 0.943398], "source": "point"}],
+     "finestSpacing": 0.2,
+     "grid": "analytic",
+     "lattice": {"bits": 16, "origin": [-10.1, -10.1, -10.1], "step": 0.000308232},
+     "name": "lamb-oseen",
+     "obstacle": false,
+     "points": 0,
+     "reader": "analytic",
+     "steady": true,
+     "surfaceFields": ["velocity", "deformation", "approximated", "vorticity", "q_criterion"],
+     "times": [0],
+     "velocity": "velocity",
+     "why": "built-in closed form"}}}]},
 {
  "name": "dataset.open",
- "summary": "Answers once a dataset is imported; an import that was stopped goes on where it ended. $/cancelRequest ends the waiting, and the import with it when no one else waits; a connection that is lost ends no import. The state is importing when timeoutMs ran out, and incomplete where the import ended before the last time-step.",
+ "summary": "Returns once a dataset is imported. An import that was stopped goes on where it ended. $/cancelRequest ends the waiting, and the import with it if no one else waits for it. A lost connection does not end an import. The state is `importing` if `timeoutMs` ran out, and `incomplete` if the import ended before the last time-step.",
  "tags": [{"name": "dataset"}],
  "paramStructure": "by-name",
  "params": [
@@ -189,14 +345,20 @@ const std::string_view methods_1 = R"json({
   {
    "name": "timeoutMs",
    "required": false,
-   "description": "patience; 0: no waiting",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 600000, "default": 600000, "description": "patience; 0: no waiting", "x-unit": "ms"}},
+   "description": "how long to wait, at most; 0: do not wait",
+   "schema": {
+    "type": "integer",
+    "minimum": 0,
+    "maximum": 600000,
+    "default": 600000,
+    "description": "how long to wait, at most; 0: do not wait",
+    "x-unit": "ms"}},
   {
    "name": "workDoneToken",
    "required": false,
-   "description": "on a WebSocket: $/progress with this token tells how far the work is",
-   "schema": {"type": ["string", "integer"], "description": "on a WebSocket: $/progress with this token tells how far the work is"}}],
- "result": {"name": "result", "description": "A dataset in a list.", "schema": {"$ref": "#/components/schemas/DatasetEntry"}},
+   "description": "on a WebSocket: $/progress reports the progress of the work with this token",
+   "schema": {"type": ["string", "integer"], "description": "on a WebSocket: $/progress reports the progress of the work with this token"}}],
+ "result": {"name": "result", "description": "A dataset as a list shows it.", "schema": {"$ref": "#/components/schemas/DatasetEntry"}},
  "errors": [
   {"$ref": "#/components/errors/invalidParameters"},
   {"$ref": "#/components/errors/internal"},
@@ -215,7 +377,7 @@ const std::string_view methods_1 = R"json({
    "result": {"name": "result", "value": {"dataset": "lamb-oseen", "name": "lamb-oseen", "state": "ready", "steps": {"ready": 1, "total": 1}}}}]},
 {
  "name": "cache.status",
- "summary": "Which time-steps of a dataset are in memory.",
+ "summary": "Reports which time-steps of a dataset are in memory.",
  "tags": [{"name": "cache"}],
  "paramStructure": "by-name",
  "params": [
@@ -239,163 +401,6 @@ const std::string_view methods_1 = R"json({
   {
    "name": "cache.status",
    "params": [{"name": "dataset", "value": "lamb-oseen"}],
-   "result": {"name": "result", "value": {"budget": 0, "bytes": 0, "dataset": "lamb-oseen", "steps": []}}}]},
-{
- "name": "probe.sample",
- "summary": "Fields at points and one time, interpolated as the surfaces' vertices are.",
- "tags": [{"name": "probe"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "dataset",
-   "required": true,
-   "description": "an id from dataset.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from dataset.list"}},
-  {
-   "name": "points",
-   "required": true,
-   "description": "where",
-   "schema": {
-    "type": "array",
-    "maxItems": 4096,
-    "description": "where",
-    "x-unit": "the dataset's unit of length",
-    "items": {
-     "type": "array",
-     "minItems": 3,
-     "maxItems": 3,
-     "description": "[x, y, z], finite as 32-bit floats",
-     "x-unit": "the dataset's unit of length",
-     "items": {"type": "number"}}}},
-  {
-   "name": "time",
-   "required": true,
-   "description": "in the dataset's range",
-   "schema": {"type": "number", "description": "in the dataset's range", "x-unit": "the dataset's unit of time"}},
-  {
-   "name": "fields",
-   "required": false,
-   "description": "the velocity's name or scalars; left out: the velocity",
-   "schema": {"type": "array", "maxItems": 64, "description": "the velocity's name or scalars; left out: the velocity", "items": {"type": "string"}}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "values": {
-     "type": "object",
-     "description": "by the name of a field, one a point; null: none there",
-     "properties": {},
-     "additionalProperties": {
-      "type": "array",
-      "items": {
-       "anyOf": [
-        {"type": ["number", "null"]},
-        {
-         "type": "array",
-         "minItems": 3,
-         "maxItems": 3,
-         "description": "[x, y, z], finite as 32-bit floats",
-         "x-unit": "the dataset's unit of length",
-         "items": {"type": "number"}}]}}},
-    "inside": {"type": "array", "description": "which points are in the fluid", "items": {"type": "boolean"}}},
-   "required": ["values", "inside"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/outsideDomain"},
-  {"$ref": "#/components/errors/outsideTimeRange"},
-  {"$ref": "#/components/errors/overLimit"},
-  {"$ref": "#/components/errors/datasetError"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "probe.sample",
-   "params": [{"name": "dataset", "value": "lamb-oseen"}, {"name": "points", "value": [[0, 0, 0], [50, 0, 0]]}, {"name": "time", "value": 0}],
-   "result": {"name": "result", "value": {"inside": [true, false], "values": {"velocity": [[0, 0, 0.5], null]}}}}]},
-{
- "name": "session.create",
- "summary": "Makes a new, empty session. One without a name that no one edits, shares or is in goes again when there are too many; no other does.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "name",
-   "required": false,
-   "description": "for people",
-   "schema": {"type": "string", "maxLength": 120, "default": "", "description": "for people"}}],
- "result": {
-  "name": "result",
-  "description": "A new session.",
-  "schema": {
-   "type": "object",
-   "description": "A new session.",
-   "properties": {
-    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "its id"},
-    "name": {"type": "string", "description": "for people"},
-    "remaining": {"type": "integer", "minimum": 0, "description": "how many more sessions can be made"},
-    "durable": {"type": "boolean", "description": "the edit is on the server's disk; only there with --state"},
-    "hint": {"type": "string", "description": "why it is not"}},
-   "required": ["session", "name", "remaining"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "editor",
- "x-websocketOnly": false},
-{
- "name": "session.fork",
- "summary": "Makes a new session with the records of another, but none of its people, links and history. Not for share links.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}},
-  {
-   "name": "name",
-   "required": false,
-   "description": "for people",
-   "schema": {"type": "string", "maxLength": 120, "default": "", "description": "for people"}}],
- "result": {
-  "name": "result",
-  "description": "A new session.",
-  "schema": {
-   "type": "object",
-   "description": "A new session.",
-   "properties": {
-    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "its id"},
-    "name": {"type": "string", "description": "for people"},
-    "remaining": {"type": "integer", "minimum": 0, "description": "how many more sessions can be made"},
-    "durable": {"type": "boolean", "description": "the edit is on the server's disk; only there with --state"},
-    "hint": {"type": "string", "description": "why it is not"}},
-   "required": ["session", "name", "remaining"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "editor",
- "x-websocketOnly": false})json";
+   "result": {"name": "result", "value": {"budget": 0, "bytes": 0, "dataset": "lamb-oseen", "steps": []}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

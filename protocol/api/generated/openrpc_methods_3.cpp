@@ -4,268 +4,37 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_3 = R"json({
- "name": "session.share",
- "summary": "Makes a link that lets people into this session, in a role, until it expires or is taken back. The key is told this once; it works wherever the token does.",
+ "name": "session.state",
+ "summary": "Returns all records of a session.",
  "tags": [{"name": "session"}],
  "paramStructure": "by-name",
  "params": [
   {
-   "name": "role",
-   "required": true,
-   "description": "viewers look, editors edit, hosts also say who may be here",
-   "schema": {"enum": ["viewer", "editor", "host"], "description": "viewers look, editors edit, hosts also say who may be here"}},
-  {
    "name": "session",
    "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
    "schema": {
     "type": "string",
     "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}},
-  {
-   "name": "expiresIn",
-   "required": false,
-   "description": "from now; left out: 7 days, or as long as the link you came by; null: until it is taken back",
-   "schema": {
-    "type": ["integer", "null"],
-    "minimum": 1,
-    "maximum": 316224000,
-    "description": "from now; left out: 7 days, or as long as the link you came by; null: until it is taken back",
-    "x-unit": "s"}}],
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
  "result": {
   "name": "result",
   "description": "what it answers",
   "schema": {
    "type": "object",
    "properties": {
-    "grant": {"type": "string", "minLength": 1, "maxLength": 256, "description": "its id"},
-    "role": {"enum": ["viewer", "editor", "host"], "description": "what someone may do: each role includes the one before"},
-    "expires": {"type": "number", "description": "left out: never", "x-unit": "s since 1970"},
-    "newcomers": {
-     "enum": ["viewer", "editor"],
-     "description": "where a host gave someone who came by it a lesser role: what those are who come by it from then on"},
-    "madeBy": {"$ref": "#/components/schemas/ShareMaker"},
-    "children": {"type": "integer", "minimum": 0, "description": "links in force that were made by it, or by those it made"},
-    "key": {"type": "string", "description": "the secret of the link"},
-    "link": {"type": "string", "description": "goes behind the page's address"},
-    "durable": {"type": "boolean", "description": "the edit is on the server's disk; only there with --state"},
-    "hint": {"type": "string", "description": "why it is not"}},
-   "required": ["grant", "role", "madeBy", "children", "key", "link"],
+    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+    "name": {"type": "string", "description": "display name"},
+    "rakes": {"type": "array", "description": "all rakes", "items": {"$ref": "#/components/schemas/Rake"}},
+    "surfaces": {"type": "array", "description": "all surfaces", "items": {"$ref": "#/components/schemas/Surface"}},
+    "bookmarks": {"type": "array", "description": "all bookmarks", "items": {"$ref": "#/components/schemas/Bookmark"}},
+    "annotations": {"type": "array", "description": "all annotations", "items": {"$ref": "#/components/schemas/Annotation"}},
+    "clock": {"$ref": "#/components/schemas/Clock"},
+    "keptAside": {"$ref": "#/components/schemas/KeptAside"},
+    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session now"},
+    "participants": {"type": "array", "description": "all participants", "items": {"$ref": "#/components/schemas/Participant"}}},
+   "required": ["session", "name", "rakes", "surfaces", "bookmarks", "annotations", "clock", "seq", "participants"],
    "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "host",
- "x-websocketOnly": false},
-{
- "name": "session.shares",
- "summary": "The links into this session that are in force, without their keys.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {"shares": {"type": "array", "description": "all of them", "items": {"$ref": "#/components/schemas/Share"}}},
-   "required": ["shares"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"}],
- "x-leastRole": "host",
- "x-websocketOnly": false},
-{
- "name": "session.unshare",
- "summary": "Takes a link back; all who came by it are disconnected. Links that were made by it stay, unless `children` says otherwise.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "grant",
-   "required": true,
-   "description": "an id from session.shares",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.shares"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}},
-  {
-   "name": "children",
-   "required": false,
-   "description": "also those made by it, and by those it made",
-   "schema": {"type": "boolean", "default": false, "description": "also those made by it, and by those it made"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "children": {"type": "array", "description": "the links made by it that are still in force", "items": {"$ref": "#/components/schemas/Share"}},
-    "durable": {"type": "boolean", "description": "the edit is on the server's disk; only there with --state"},
-    "hint": {"type": "string", "description": "why it is not"}},
-   "required": ["children"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "host",
- "x-websocketOnly": false},
-{
- "name": "session.setRole",
- "summary": "Sets what a participant may do here, from its next message on. A lesser role than that of the link they came by also holds for their other places, for calls without a place, and for all others who come by that link from now on.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "participant",
-   "required": true,
-   "description": "an id from session.state",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.state"}},
-  {
-   "name": "role",
-   "required": true,
-   "description": "viewers look, editors edit, hosts also say who may be here",
-   "schema": {"enum": ["viewer", "editor", "host"], "description": "viewers look, editors edit, hosts also say who may be here"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "participant": {"type": "string", "minLength": 1, "maxLength": 256, "description": "their id"},
-    "role": {"enum": ["viewer", "editor", "host"], "description": "what someone may do: each role includes the one before"},
-    "also": {"type": "array", "description": "other places of that person, which get the role too", "items": {"type": "string"}},
-    "newcomers": {"enum": ["viewer", "editor"], "description": "the role of the people who come by that link from now on"},
-    "durable": {"type": "boolean", "description": "the edit is on the server's disk; only there with --state"},
-    "hint": {"type": "string", "description": "why it is not"}},
-   "required": ["participant", "role", "also"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "host",
- "x-websocketOnly": false},
-{
- "name": "session.kick",
- "summary": "Disconnects a participant, whose place is lost. A link it came by stays good: take that back as well.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "participant",
-   "required": true,
-   "description": "an id from session.state",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.state"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "nothing",
-  "schema": {
-   "type": "object",
-   "description": "nothing",
-   "properties": {
-    "durable": {"type": "boolean", "description": "the edit is on the server's disk; only there with --state"},
-    "hint": {"type": "string", "description": "why it is not"}},
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "host",
- "x-websocketOnly": false},
-{
- "name": "presence.update",
- "summary": "Tells the others what one points at, looks at, drags and has selected. What is left out stays; null takes it away. Best sent as a notification.",
- "tags": [{"name": "presence"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}},
-  {
-   "name": "pointer",
-   "required": false,
-   "description": "what they point at",
-   "schema": {
-    "type": ["array", "null"],
-    "minItems": 3,
-    "maxItems": 3,
-    "description": "what they point at",
-    "x-unit": "the dataset's unit of length",
-    "items": {"type": "number"}}},
-  {
-   "name": "camera",
-   "required": false,
-   "description": "where they look from",
-   "schema": {"anyOf": [{"$ref": "#/components/schemas/Camera"}, {"type": "null"}]}},
-  {
-   "name": "dragging",
-   "required": false,
-   "description": "what they drag",
-   "schema": {"anyOf": [{"$ref": "#/components/schemas/DraggedRake"}, {"type": "null"}]}},
-  {
-   "name": "selected",
-   "required": false,
-   "description": "id of the record they have selected",
-   "schema": {"type": ["string", "null"], "maxLength": 64, "description": "id of the record they have selected"}}],
- "result": {"name": "result", "description": "nothing", "schema": {"$ref": "#/components/schemas/Empty"}},
  "errors": [
   {"$ref": "#/components/errors/invalidParameters"},
   {"$ref": "#/components/errors/internal"},
@@ -274,6 +43,342 @@ const std::string_view methods_3 = R"json({
   {"$ref": "#/components/errors/notPermitted"},
   {"$ref": "#/components/errors/notFound"}],
  "x-leastRole": "viewer",
- "x-websocketOnly": true})json";
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.state",
+   "params": [{"name": "session", "value": "main"}],
+   "result": {
+    "name": "result",
+    "value": {
+     "annotations": [{"annotation": "a1", "author": "Ada", "position": [0, 0, 0], "rev": 1, "surface": "s1", "text": "look"}],
+     "bookmarks": [{"bookmark": "b1", "name": "here", "rev": 1, "time": 1.5, "view": {"camera": [1, 2]}}],
+     "clock": {"from": null, "loop": false, "playing": false, "speed": 1, "time": null, "to": null},
+     "name": "main",
+     "participants": [
+      {
+       "camera": {"fov": 40, "position": [4, -6, 3], "target": [0, 0, 0], "up": [0, 0, 1]},
+       "colour": "#4477aa",
+       "connected": true,
+       "name": "Ada",
+       "participant": "p1",
+       "pointer": [0.5, 0, 0.2],
+       "role": "host",
+       "selected": "r1"},
+      {"colour": "#0072b2", "connected": true, "name": "Grace", "participant": "p2", "role": "host"}],
+     "rakes": [
+      {
+       "author": "Ada",
+       "clipped": false,
+       "colour": "#0072b2",
+       "dragging": false,
+       "kind": "line",
+       "name": "r1",
+       "points": [[0.2, 0, -1], [1, 0, -1]],
+       "rake": "r1",
+       "rev": 1,
+       "seeds": 9}],
+     "seq": 4,
+     "session": "main",
+     "surfaces": [
+      {
+       "accuracy": "balanced",
+       "angle": 20,
+       "dataset": "lamb-oseen",
+       "direction": "forward",
+       "epoch": 1,
+       "fields": [],
+       "from": 0,
+       "kind": "stream",
+       "maxQuads": 1000000,
+       "merge": 0.35,
+       "rake": "r1",
+       "rev": 1,
+       "separation": 0.1,
+       "stagnationSpeed": 1e-06,
+       "surface": "s1",
+       "to": 2}]}}}]},
+{
+ "name": "session.rename",
+ "summary": "Renames a session. Everyone in it is notified.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "name",
+   "required": true,
+   "description": "display name",
+   "schema": {"type": "string", "maxLength": 120, "description": "display name"}},
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "The id and the name of a session.",
+  "schema": {
+   "type": "object",
+   "description": "The id and the name of a session.",
+   "properties": {
+    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+    "name": {"type": "string", "description": "display name"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["session", "name"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "host",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.rename",
+   "params": [{"name": "name", "value": "tip vortex"}, {"name": "session", "value": "session-2"}],
+   "result": {"name": "result", "value": {"name": "tip vortex", "session": "session-2"}}}]},
+{
+ "name": "session.delete",
+ "summary": "Moves a session to the trash, from which session.restore can bring it back for 30 days. The people in it are notified, and meanwhile its share links let no one in. `main` cannot be deleted.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": true,
+   "description": "an id from session.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.list"}},
+  {
+   "name": "forever",
+   "required": false,
+   "description": "true: permanently deletes a session that is in the trash",
+   "schema": {"type": "boolean", "default": false, "description": "true: permanently deletes a session that is in the trash"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {
+    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+    "deletedUntil": {"type": "string", "description": "until when the session can be restored, in UTC"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["session"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "host",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.delete",
+   "params": [{"name": "session", "value": "session-2"}],
+   "result": {"name": "result", "value": {"deletedUntil": "2026-12-23T11:45:42Z", "session": "session-2"}}}]},
+{
+ "name": "session.restore",
+ "summary": "Brings a session back from the trash as it was, with its share links.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": true,
+   "description": "an id from session.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.list"}}],
+ "result": {
+  "name": "result",
+  "description": "The id and the name of a session.",
+  "schema": {
+   "type": "object",
+   "description": "The id and the name of a session.",
+   "properties": {
+    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+    "name": {"type": "string", "description": "display name"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["session", "name"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.restore",
+   "params": [{"name": "session", "value": "session-2"}],
+   "result": {"name": "result", "value": {"name": "tip vortex", "session": "session-2"}}}]},
+{
+ "name": "session.export",
+ "summary": "Returns a session as one document: its records, and the names and fingerprints of their datasets. A large session is refused here; GET /api/v1/sessions/SESSION/session.json returns sessions of any size.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {"file": {"$ref": "#/components/schemas/SessionFile"}},
+   "required": ["file"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.export",
+   "params": [{"name": "session", "value": "session-2"}],
+   "result": {
+    "name": "result",
+    "value": {
+     "file": {
+      "datasets": [
+       {
+        "bounds": [-10, 10, -10, 10, -10, 10],
+        "dataset": "lamb-oseen",
+        "fingerprint": "0ad4b1a18c3ba722d822772ded1fe63aa4cf9b3853ced52ae51b69a1e31c7c7d",
+        "name": "lamb-oseen",
+        "times": {"count": 1, "first": 0, "last": 0}}],
+      "exported": "2026-11-23T11:45:42Z",
+      "name": "tip vortex",
+      "records": {
+       "annotations": [{"annotation": "a1", "author": "Ada", "position": [0, 0, 0], "surface": "s1", "text": "look"}],
+       "bookmarks": [{"bookmark": "b1", "name": "here", "time": 1.5, "view": {"camera": [1, 2]}}],
+       "clock": {"from": null, "loop": false, "playing": false, "speed": 1, "time": null, "to": null},
+       "rakes": [
+        {
+         "author": "Ada",
+         "clipped": false,
+         "colour": "#0072b2",
+         "kind": "line",
+         "name": "r1",
+         "points": [[0.2, 0, -1], [1, 0, -1]],
+         "rake": "r1",
+         "seeds": 9}],
+       "surfaces": [
+        {
+         "accuracy": "balanced",
+         "angle": 20,
+         "dataset": "lamb-oseen",
+         "direction": "forward",
+         "fields": [],
+         "from": 0,
+         "kind": "stream",
+         "maxQuads": 1000000,
+         "merge": 0.35,
+         "rake": "r1",
+         "separation": 0.1,
+         "stagnationSpeed": 1e-06,
+         "surface": "s1",
+         "to": 2}]},
+      "wakesurf": "0.1.0",
+      "wakesurfSession": 1}}}}]},
+{
+ "name": "session.import",
+ "summary": "Makes a new session from a document of session.export. POST /api/v1/sessions takes documents that are too large for a message.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "file",
+   "required": true,
+   "description": "the `file` that session.export returned",
+   "schema": {"type": "object", "description": "the `file` that session.export returned", "additionalProperties": true}},
+  {
+   "name": "name",
+   "required": false,
+   "description": "name of the new session; if left out, the name in the document",
+   "schema": {"type": "string", "maxLength": 120, "default": "", "description": "name of the new session; if left out, the name in the document"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {
+    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+    "name": {"type": "string", "description": "display name"},
+    "remaining": {"type": "integer", "minimum": 0, "description": "how many more sessions can be made"},
+    "notes": {
+     "type": "array",
+     "description": "for people: which datasets this server does not have, or which differ here",
+     "items": {"type": "string"}},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["session", "name", "remaining", "notes"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.import",
+   "params": [
+    {
+     "name": "file",
+     "value": {
+      "datasets": [],
+      "exported": "2026-11-23T11:45:42Z",
+      "name": "wing tip",
+      "records": {
+       "annotations": [],
+       "bookmarks": [],
+       "clock": {"from": null, "loop": false, "playing": false, "speed": 1, "time": null, "to": null},
+       "rakes": [
+        {
+         "author": "a script",
+         "clipped": false,
+         "colour": "#0072b2",
+         "kind": "line",
+         "name": "r1",
+         "points": [[0.2, 0, -1], [1, 0, -1]],
+         "rake": "r1",
+         "seeds": 9}],
+       "surfaces": []},
+      "wakesurf": "0.1.0",
+      "wakesurfSession": 1}},
+    {"name": "name", "value": "twin"}],
+   "result": {"name": "result", "value": {"name": "twin", "notes": [], "remaining": 1020, "session": "session-3"}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

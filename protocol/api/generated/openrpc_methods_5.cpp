@@ -4,192 +4,126 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_5 = R"json({
- "name": "surface.set",
- "summary": "Creates a surface, or replaces its record as a whole, and starts building it.",
- "tags": [{"name": "surface"}],
+ "name": "rake.set",
+ "summary": "Creates a rake, or replaces one as a whole. The surfaces of the rake are rebuilt at once, unless only its name or colour changes.",
+ "tags": [{"name": "rake"}],
  "paramStructure": "by-name",
  "params": [
   {
-   "name": "rake",
-   "required": true,
-   "description": "an id from rake.list: the particles start there",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from rake.list: the particles start there"}},
-  {
-   "name": "dataset",
-   "required": true,
-   "description": "an id from dataset.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from dataset.list"}},
-  {
    "name": "kind",
    "required": true,
-   "description": "stream: of the field frozen at `from`; path: particles released at `from`; streak: particles released from `from` on; time: a patch of particles released at `from`",
+   "description": "what the points are; line: 2 points; polyline and points: 2 or more; circle: the centre and two points on the rim",
    "schema": {
-    "enum": ["stream", "path", "streak", "time"],
-    "description": "stream: of the field frozen at `from`; path: particles released at `from`; streak: particles released from `from` on; time: a patch of particles released at `from`"}},
+    "enum": ["line", "polyline", "circle", "points"],
+    "description": "what the points are; line: 2 points; polyline and points: 2 or more; circle: the centre and two points on the rim"}},
   {
-   "name": "to",
+   "name": "points",
    "required": true,
-   "description": "the surface is shown until this time; the integration takes to - from",
+   "description": "where the rake lies; parts outside the domain are cut off",
    "schema": {
-    "type": "number",
-    "minimum": -3.4028234663852886e+38,
-    "maximum": 3.4028234663852886e+38,
-    "description": "the surface is shown until this time; the integration takes to - from",
-    "x-unit": "the dataset's unit of time"}},
+    "type": "array",
+    "maxItems": 1024,
+    "description": "where the rake lies; parts outside the domain are cut off",
+    "x-unit": "the dataset's unit of length",
+    "items": {
+     "type": "array",
+     "minItems": 3,
+     "maxItems": 3,
+     "description": "[x, y, z], finite as 32-bit floats",
+     "x-unit": "the dataset's unit of length",
+     "items": {"type": "number"}}}},
+  {
+   "name": "seeds",
+   "required": true,
+   "description": "number of seeds on the rake",
+   "schema": {"type": "integer", "minimum": 2, "maximum": 4096, "description": "number of seeds on the rake"}},
   {
    "name": "session",
    "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
    "schema": {
     "type": "string",
     "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}},
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
   {
-   "name": "surface",
+   "name": "rake",
    "required": false,
-   "description": "left out: create one",
-   "schema": {"type": "string", "maxLength": 256, "description": "left out: create one"}},
+   "description": "id of the rake to replace; if left out, a new one is created",
+   "schema": {"type": "string", "maxLength": 256, "description": "id of the rake to replace; if left out, a new one is created"}},
   {
-   "name": "rake2",
+   "name": "name",
    "required": false,
-   "description": "the patch lies between the rake and this one",
-   "schema": {"type": "string", "maxLength": 256, "description": "the patch lies between the rake and this one", "x-only-for": ["time"]}},
+   "description": "display name",
+   "schema": {"type": "string", "maxLength": 120, "default": "", "description": "display name"}},
   {
-   "name": "from",
+   "name": "colour",
    "required": false,
-   "description": "time of release; streak: of the first one; left out: the dataset's first time",
+   "description": "#rrggbb; if left out, a rake keeps its colour, and a new rake gets one that few others have",
    "schema": {
-    "type": "number",
-    "minimum": -3.4028234663852886e+38,
-    "maximum": 3.4028234663852886e+38,
-    "description": "time of release; streak: of the first one; left out: the dataset's first time",
-    "x-unit": "the dataset's unit of time"}},
+    "type": "string",
+    "pattern": "^#[0-9a-fA-F]{6}$",
+    "description": "#rrggbb; if left out, a rake keeps its colour, and a new rake gets one that few others have"}},
   {
-   "name": "direction",
+   "name": "dragging",
    "required": false,
-   "description": "which way in time particles go",
-   "schema": {"enum": ["forward", "backward", "both"], "default": "forward", "description": "which way in time particles go"}},
-  {
-   "name": "accuracy",
-   "required": false,
-   "description": "of the integration, and of how vertices are put in",
-   "schema": {"enum": ["fast", "balanced", "exact"], "default": "balanced", "description": "of the integration, and of how vertices are put in"}},
-  {
-   "name": "releaseUntil",
-   "required": false,
-   "description": "the release stops here; left out: at `to`",
+   "description": "true: no one else may edit the rake for 5 s from now; false: others may edit it again; if left out, nothing changes",
    "schema": {
-    "type": "number",
-    "minimum": -3.4028234663852886e+38,
-    "maximum": 3.4028234663852886e+38,
-    "description": "the release stops here; left out: at `to`",
-    "x-unit": "the dataset's unit of time",
-    "x-only-for": ["streak"]}},
+    "type": "boolean",
+    "description": "true: no one else may edit the rake for 5 s from now; false: others may edit it again; if left out, nothing changes"}},
   {
-   "name": "sweep",
+   "name": "force",
    "required": false,
-   "description": "the patch is the rake swept along this vector",
-   "schema": {
-    "type": "array",
-    "minItems": 3,
-    "maxItems": 3,
-    "description": "the patch is the rake swept along this vector",
-    "x-unit": "the dataset's unit of length",
-    "x-only-for": ["time"],
-    "items": {"type": "number"}}},
-  {
-   "name": "merge",
-   "required": false,
-   "description": "cells smaller than this merge; 0: never",
-   "schema": {
-    "type": "number",
-    "minimum": 0,
-    "maximum": 0.5,
-    "default": 0.35,
-    "description": "cells smaller than this merge; 0: never",
-    "x-unit": "part of the separation"}},
-  {
-   "name": "angle",
-   "required": false,
-   "description": "cells that meet at more than this are refined, as far as the separation and `maxQuads` allow; 180: never",
-   "schema": {
-    "type": "number",
-    "maximum": 180,
-    "exclusiveMinimum": 0,
-    "default": 20,
-    "description": "cells that meet at more than this are refined, as far as the separation and `maxQuads` allow; 180: never",
-    "x-unit": "degrees"}},
-  {
-   "name": "stagnationSpeed",
-   "required": false,
-   "description": "a particle that is slower counts as at rest and ends; 0: only one that does not move at all",
-   "schema": {
-    "type": "number",
-    "minimum": 0,
-    "maximum": 0.1,
-    "default": 1e-06,
-    "description": "a particle that is slower counts as at rest and ends; 0: only one that does not move at all",
-    "x-unit": "part of the largest speed"}},
-  {
-   "name": "maxQuads",
-   "required": false,
-   "description": "quads to build at most",
-   "schema": {"type": "integer", "minimum": 1, "maximum": 4000000, "default": 1000000, "description": "quads to build at most"}},
-  {
-   "name": "separation",
-   "required": false,
-   "description": "the longest edge; left out: the dataset's finest spacing",
-   "schema": {
-    "type": "number",
-    "exclusiveMinimum": 0,
-    "description": "the longest edge; left out: the dataset's finest spacing",
-    "x-unit": "the dataset's unit of length"}},
-  {
-   "name": "fields",
-   "required": false,
-   "description": "further attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude), `q_criterion`",
-   "schema": {
-    "type": "array",
-    "maxItems": 4,
-    "default": [],
-    "description": "further attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude), `q_criterion`",
-    "items": {"type": "string"}}},
+   "description": "true: lets a host edit the rake although someone else holds the lease",
+   "schema": {"type": "boolean", "default": false, "description": "true: lets a host edit the rake although someone else holds the lease"}},
   {
    "name": "default",
    "required": false,
-   "description": "true: only if no one has edited the session and there is no such record yet; it counts as no edit, so undo does not turn it",
+   "description": "true: make the record only if no one has edited the session and it has no such record yet; this does not count as an edit, and undo does not take it back",
    "schema": {
     "type": "boolean",
     "default": false,
-    "description": "true: only if no one has edited the session and there is no such record yet; it counts as no edit, so undo does not turn it"}},
+    "description": "true: make the record only if no one has edited the session and it has no such record yet; this does not count as an edit, and undo does not take it back"}},
   {
    "name": "gesture",
    "required": false,
-   "description": "a name for what the user does; edits that follow each other with the same one are one step of undo",
+   "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo",
    "schema": {
     "type": "string",
     "minLength": 1,
     "maxLength": 64,
-    "description": "a name for what the user does; edits that follow each other with the same one are one step of undo"}},
+    "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo"}},
   {
    "name": "ifRev",
    "required": false,
-   "description": "refuse the edit if the record is at another revision",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "refuse the edit if the record is at another revision"}}],
+   "description": "the edit is refused if the record is at another revision",
+   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "the edit is refused if the record is at another revision"}}],
  "result": {
   "name": "result",
-  "description": "What surface.set answers.",
+  "description": "what it answers",
   "schema": {
    "type": "object",
-   "description": "What surface.set answers.",
    "properties": {
-    "surface": {"type": "string", "minLength": 1, "maxLength": 256, "description": "its id"},
+    "rake": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the rake"},
     "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"},
-    "epoch": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "counts the surfaces that a record has had; only grows"},
-    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "of the session after the edit"},
-    "durable": {"type": "boolean", "description": "the edit is on the server's disk; only there with --state"},
-    "hint": {"type": "string", "description": "why it is not"}},
-   "required": ["surface", "rev", "epoch", "seq"],
+    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
+    "clipped": {"type": "boolean", "description": "true: a part was outside the domain and was cut off"},
+    "points": {
+     "type": "array",
+     "description": "the points, clipped to the domain",
+     "items": {
+      "type": "array",
+      "minItems": 3,
+      "maxItems": 3,
+      "description": "[x, y, z], finite as 32-bit floats",
+      "x-unit": "the dataset's unit of length",
+      "items": {"type": "number"}}},
+    "surfaces": {
+     "type": "array",
+     "description": "surfaces of the rake that are being built again",
+     "items": {"$ref": "#/components/schemas/SurfaceEpoch"}},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["rake", "rev", "seq", "clipped", "points", "surfaces"],
    "additionalProperties": false}},
  "errors": [
   {"$ref": "#/components/errors/invalidParameters"},
@@ -199,67 +133,68 @@ const std::string_view methods_5 = R"json({
   {"$ref": "#/components/errors/unauthenticated"},
   {"$ref": "#/components/errors/notPermitted"},
   {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/leased"},
   {"$ref": "#/components/errors/outsideDomain"},
-  {"$ref": "#/components/errors/outsideTimeRange"},
-  {"$ref": "#/components/errors/overLimit"},
-  {"$ref": "#/components/errors/datasetError"}],
+  {"$ref": "#/components/errors/overLimit"}],
  "x-leastRole": "editor",
  "x-websocketOnly": false,
  "examples": [
   {
-   "name": "surface.set",
+   "name": "rake.set",
    "params": [
-    {"name": "rake", "value": "r1"},
-    {"name": "dataset", "value": "lamb-oseen"},
-    {"name": "kind", "value": "stream"},
-    {"name": "to", "value": 2},
-    {"name": "session", "value": "main"},
-    {"name": "from", "value": 0},
-    {"name": "separation", "value": 0.1}],
-   "result": {"name": "result", "value": {"epoch": 1, "rev": 1, "seq": 5, "surface": "s1"}}}]},
+    {"name": "kind", "value": "line"},
+    {"name": "points", "value": [[0.2, 0, -1], [1, 0, -1]]},
+    {"name": "seeds", "value": 9},
+    {"name": "session", "value": "main"}],
+   "result": {"name": "result", "value": {"clipped": false, "points": [[0.2, 0, -1], [1, 0, -1]], "rake": "r1", "rev": 1, "seq": 1, "surfaces": []}}}]},
 {
- "name": "surface.delete",
- "summary": "Deletes a surface.",
- "tags": [{"name": "surface"}],
+ "name": "rake.delete",
+ "summary": "Deletes a rake and its surfaces.",
+ "tags": [{"name": "rake"}],
  "paramStructure": "by-name",
  "params": [
   {
-   "name": "surface",
+   "name": "rake",
    "required": true,
-   "description": "an id from surface.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from surface.list"}},
+   "description": "an id from rake.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from rake.list"}},
   {
    "name": "session",
    "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
    "schema": {
     "type": "string",
     "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}},
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
+  {
+   "name": "force",
+   "required": false,
+   "description": "true: lets a host delete the rake although someone else holds the lease",
+   "schema": {"type": "boolean", "default": false, "description": "true: lets a host delete the rake although someone else holds the lease"}},
   {
    "name": "gesture",
    "required": false,
-   "description": "a name for what the user does; edits that follow each other with the same one are one step of undo",
+   "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo",
    "schema": {
     "type": "string",
     "minLength": 1,
     "maxLength": 64,
-    "description": "a name for what the user does; edits that follow each other with the same one are one step of undo"}},
+    "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo"}},
   {
    "name": "ifRev",
    "required": false,
-   "description": "refuse the edit if the record is at another revision",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "refuse the edit if the record is at another revision"}}],
+   "description": "the edit is refused if the record is at another revision",
+   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "the edit is refused if the record is at another revision"}}],
  "result": {
   "name": "result",
-  "description": "Of the answer to an edit.",
+  "description": "What every edit returns.",
   "schema": {
    "type": "object",
-   "description": "Of the answer to an edit.",
+   "description": "What every edit returns.",
    "properties": {
-    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "of the session after the edit"},
-    "durable": {"type": "boolean", "description": "the edit is on the server's disk; only there with --state"},
-    "hint": {"type": "string", "description": "why it is not"}},
+    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
    "required": ["seq"],
    "additionalProperties": false}},
  "errors": [
@@ -270,80 +205,36 @@ const std::string_view methods_5 = R"json({
   {"$ref": "#/components/errors/unauthenticated"},
   {"$ref": "#/components/errors/notPermitted"},
   {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"},
-  {"$ref": "#/components/errors/datasetError"}],
+  {"$ref": "#/components/errors/leased"},
+  {"$ref": "#/components/errors/overLimit"}],
  "x-leastRole": "editor",
  "x-websocketOnly": false,
  "examples": [
   {
-   "name": "surface.delete",
-   "params": [{"name": "surface", "value": "s2"}, {"name": "session", "value": "main"}],
-   "result": {"name": "result", "value": {"seq": 17}}}]},
+   "name": "rake.delete",
+   "params": [{"name": "rake", "value": "r1"}, {"name": "session", "value": "main"}],
+   "result": {"name": "result", "value": {"seq": 18}}}]},
 {
- "name": "surface.stop",
- "summary": "Stops computing a surface, for everyone, within 50 ms. What is there of it stays, and its statistics and surface.done say who stopped it; the next edit of it or its rake computes it again.",
- "tags": [{"name": "surface"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "surface",
-   "required": true,
-   "description": "an id from surface.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from surface.list"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "epoch": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "counts the surfaces that a record has had; only grows"},
-    "stopped": {"type": "boolean", "description": "false: nothing was under way"}},
-   "required": ["epoch", "stopped"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/datasetError"}],
- "x-leastRole": "editor",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "surface.stop",
-   "params": [{"name": "surface", "value": "s2"}, {"name": "session", "value": "main"}],
-   "result": {"name": "result", "value": {"epoch": 1, "stopped": false}}}]},
-{
- "name": "surface.list",
- "summary": "The surfaces of a session.",
- "tags": [{"name": "surface"}],
+ "name": "rake.list",
+ "summary": "Lists the rakes of a session.",
+ "tags": [{"name": "rake"}],
  "paramStructure": "by-name",
  "params": [
   {
    "name": "session",
    "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
    "schema": {
     "type": "string",
     "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}}],
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
  "result": {
   "name": "result",
   "description": "what it answers",
   "schema": {
    "type": "object",
-   "properties": {"surfaces": {"type": "array", "description": "all of them", "items": {"$ref": "#/components/schemas/Surface"}}},
-   "required": ["surfaces"],
+   "properties": {"rakes": {"type": "array", "description": "all rakes", "items": {"$ref": "#/components/schemas/Rake"}}},
+   "required": ["rakes"],
    "additionalProperties": false}},
  "errors": [
   {"$ref": "#/components/errors/invalidParameters"},
@@ -354,39 +245,24 @@ const std::string_view methods_5 = R"json({
   {"$ref": "#/components/errors/notFound"}],
  "x-leastRole": "viewer",
  "x-websocketOnly": false,
- "examples": [{"name": "surface.list", "params": [{"name": "session", "value": "main"}], "result": {"name": "result", "value": {"surfaces": []}}}]},
-{
- "name": "surface.stats",
- "summary": "What the newest state of a surface is and took.",
- "tags": [{"name": "surface"}],
- "paramStructure": "by-name",
- "params": [
+ "examples": [
   {
-   "name": "surface",
-   "required": true,
-   "description": "an id from surface.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from surface.list"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "What the newest state of a surface is and took, in the shape of `wakesurf surface --stats`.",
-  "schema": {"$ref": "#/components/schemas/Statistics"}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/datasetError"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": false})json";
+   "name": "rake.list",
+   "params": [{"name": "session", "value": "main"}],
+   "result": {
+    "name": "result",
+    "value": {
+     "rakes": [
+      {
+       "author": "Ada",
+       "clipped": false,
+       "colour": "#0072b2",
+       "dragging": false,
+       "kind": "line",
+       "name": "r1",
+       "points": [[0.2, 0, -1], [1, 0, -1]],
+       "rake": "r1",
+       "rev": 1,
+       "seeds": 9}]}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

@@ -4,280 +4,199 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_6 = R"json({
- "name": "surface.wait",
- "summary": "Answers once the surface is complete; `complete` is false when the time ran out.",
+ "name": "surface.set",
+ "summary": "Creates a surface, or replaces its record as a whole, and starts to build it.",
  "tags": [{"name": "surface"}],
  "paramStructure": "by-name",
  "params": [
   {
-   "name": "surface",
+   "name": "rake",
    "required": true,
-   "description": "an id from surface.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from surface.list"}},
+   "description": "an id from rake.list; the particles start from this rake",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from rake.list; the particles start from this rake"}},
   {
-   "name": "timeoutMs",
+   "name": "dataset",
    "required": true,
-   "description": "patience",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 600000, "description": "patience", "x-unit": "ms"}},
+   "description": "an id from dataset.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from dataset.list"}},
   {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}},
-  {
-   "name": "epoch",
-   "required": false,
-   "description": "this one or a later one; left out: the current",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "this one or a later one; left out: the current"}},
-  {
-   "name": "workDoneToken",
-   "required": false,
-   "description": "on a WebSocket: $/progress with this token tells how far the work is",
-   "schema": {"type": ["string", "integer"], "description": "on a WebSocket: $/progress with this token tells how far the work is"}}],
- "result": {
-  "name": "result",
-  "description": "What the newest state of a surface is and took, in the shape of `wakesurf surface --stats`.",
-  "schema": {"$ref": "#/components/schemas/Statistics"}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"},
-  {"$ref": "#/components/errors/datasetError"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "surface.wait",
-   "params": [{"name": "surface", "value": "s1"}, {"name": "timeoutMs", "value": 60000}, {"name": "session", "value": "main"}],
-   "result": {
-    "name": "result",
-    "value": {
-     "approximated": 0,
-     "complete": true,
-     "stateSum": 1157798037,
-     "epoch": 1,
-     "kind": "stream",
-     "maxEdge": 0.0997601,
-     "pass": {"compute": 0.00289537, "encode": 0.000951646, "load": 2.1352e-05, "queue": 0.0264928},
-     "peakBytes": 704000,
-     "quads": 1263,
-     "seconds": {"advect": 0.00154239, "load": 2.1352e-05, "other": 0.000781874, "refine": 0.000532572, "total": 0.00287818},
-     "separation": 0.1,
-     "steps": 48,
-     "surface": "s1",
-     "terminated": {"budget": 0, "domain": 0, "obstacle": 0, "stagnation": 0, "time": 104},
-     "vertexSteps": 2669,
-     "vertices": 1502}}}]},
-{
- "name": "surface.subscribe",
- "summary": "Sends the mesh of a surface, now and after every change, as binary frames. Cannot be part of a batch.",
- "tags": [{"name": "surface"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "surface",
+   "name": "kind",
    "required": true,
-   "description": "an id from surface.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from surface.list"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
+   "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`",
    "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}},
+    "enum": ["stream", "path", "streak", "time"],
+    "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`"}},
   {
-   "name": "from",
-   "required": false,
-   "description": "the newest update folded before a lost connection: go on after it if possible",
-   "schema": {
-    "type": "object",
-    "description": "the newest update folded before a lost connection: go on after it if possible",
-    "properties": {
-     "epoch": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "counts the surfaces that a record has had; only grows"},
-     "seq": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "of the update in its epoch"}},
-    "required": ["epoch", "seq"],
-    "additionalProperties": false}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "subscription": {"type": "integer", "minimum": 0, "description": "the number in the frames' headers"},
-    "lattice": {"$ref": "#/components/schemas/Lattice"},
-    "attributes": {"type": "array", "description": "of the vertices, in the frames' order", "items": {"type": "string"}},
-    "epoch": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "counts the surfaces that a record has had; only grows"},
-    "resumed": {"type": "boolean", "description": "what follows `from` comes, and no keyframe"}},
-   "required": ["subscription", "lattice", "attributes", "epoch", "resumed"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/outsideTimeRange"},
-  {"$ref": "#/components/errors/overLimit"},
-  {"$ref": "#/components/errors/datasetError"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": true,
- "examples": [
-  {
-   "name": "surface.subscribe",
-   "params": [{"name": "surface", "value": "s1"}, {"name": "session", "value": "main"}],
-   "result": {
-    "name": "result",
-    "value": {
-     "attributes": ["speed", "s", "t"],
-     "epoch": 1,
-     "lattice": {"bits": 16, "origin": [-10.1, -10.1, -10.1], "step": 0.000308232},
-     "resumed": false,
-     "subscription": 1}}}]},
-{
- "name": "surface.unsubscribe",
- "summary": "Ends a subscription.",
- "tags": [{"name": "surface"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}},
-  {
-   "name": "subscription",
-   "required": false,
-   "description": "the number, or name the surface",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "the number, or name the surface"}},
-  {
-   "name": "surface",
-   "required": false,
-   "description": "instead of the number",
-   "schema": {"type": "string", "maxLength": 256, "description": "instead of the number"}}],
- "result": {"name": "result", "description": "nothing", "schema": {"$ref": "#/components/schemas/Empty"}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/datasetError"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": true,
- "examples": [{"name": "surface.unsubscribe", "params": [{"name": "subscription", "value": 1}], "result": {"name": "result", "value": {}}}]},
-{
- "name": "frame.ack",
- "summary": "Says up to which update a subscription's frames have been folded. A client that does so is sent at most eight updates more than that; meant as a notification.",
- "tags": [{"name": "frame"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "subscription",
+   "name": "to",
    "required": true,
-   "description": "the number",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "the number"}},
-  {
-   "name": "seq",
-   "required": true,
-   "description": "of the update in its epoch",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "of the update in its epoch"}},
-  {
-   "name": "epoch",
-   "required": false,
-   "description": "left out: the surface's current one",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "left out: the surface's current one"}}],
- "result": {"name": "result", "description": "nothing", "schema": {"$ref": "#/components/schemas/Empty"}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": true},
-{
- "name": "bookmark.set",
- "summary": "Creates a bookmark, or replaces one as a whole.",
- "tags": [{"name": "bookmark"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "view",
-   "required": true,
-   "description": "camera, colours and the like, as the client that made it likes; at most 4 KiB as JSON text",
-   "schema": {
-    "type": "object",
-    "description": "camera, colours and the like, as the client that made it likes; at most 4 KiB as JSON text",
-    "additionalProperties": true}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}},
-  {
-   "name": "bookmark",
-   "required": false,
-   "description": "left out: create one",
-   "schema": {"type": "string", "maxLength": 256, "description": "left out: create one"}},
-  {
-   "name": "name",
-   "required": false,
-   "description": "for people",
-   "schema": {"type": "string", "maxLength": 120, "default": "", "description": "for people"}},
-  {
-   "name": "time",
-   "required": false,
-   "description": "the session's time the view belongs to",
+   "description": "time until which the surface is shown; the integration time is to - from",
    "schema": {
     "type": "number",
     "minimum": -3.4028234663852886e+38,
     "maximum": 3.4028234663852886e+38,
-    "description": "the session's time the view belongs to",
+    "description": "time until which the surface is shown; the integration time is to - from",
     "x-unit": "the dataset's unit of time"}},
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
+  {
+   "name": "surface",
+   "required": false,
+   "description": "id of the surface to replace; if left out, a new one is created",
+   "schema": {"type": "string", "maxLength": 256, "description": "id of the surface to replace; if left out, a new one is created"}},
+  {
+   "name": "rake2",
+   "required": false,
+   "description": "the patch lies between the rake and this second rake",
+   "schema": {"type": "string", "maxLength": 256, "description": "the patch lies between the rake and this second rake", "x-only-for": ["time"]}},
+  {
+   "name": "from",
+   "required": false,
+   "description": "time of release; for streak surfaces, of the first release; if left out, the dataset's first time",
+   "schema": {
+    "type": "number",
+    "minimum": -3.4028234663852886e+38,
+    "maximum": 3.4028234663852886e+38,
+    "description": "time of release; for streak surfaces, of the first release; if left out, the dataset's first time",
+    "x-unit": "the dataset's unit of time"}},
+  {
+   "name": "direction",
+   "required": false,
+   "description": "direction in time in which particles are traced",
+   "schema": {"enum": ["forward", "backward", "both"], "default": "forward", "description": "direction in time in which particles are traced"}},
+  {
+   "name": "accuracy",
+   "required": false,
+   "description": "how accurately particles are traced and vertices inserted",
+   "schema": {
+    "enum": ["fast", "balanced", "exact"],
+    "default": "balanced",
+    "description": "how accurately particles are traced and vertices inserted"}},
+  {
+   "name": "releaseUntil",
+   "required": false,
+   "description": "time at which the release stops; if left out, `to`",
+   "schema": {
+    "type": "number",
+    "minimum": -3.4028234663852886e+38,
+    "maximum": 3.4028234663852886e+38,
+    "description": "time at which the release stops; if left out, `to`",
+    "x-unit": "the dataset's unit of time",
+    "x-only-for": ["streak"]}},
+  {
+   "name": "sweep",
+   "required": false,
+   "description": "the patch is the rake swept along this vector",
+   "schema": {
+    "type": "array",
+    "minItems": 3,
+    "maxItems": 3,
+    "description": "the patch is the rake swept along this vector",
+    "x-unit": "the dataset's unit of length",
+    "x-only-for": ["time"],
+    "items": {"type": "number"}}},
+  {
+   "name": "merge",
+   "required": false,
+   "description": "quads smaller than this are joined; 0: never",
+   "schema": {
+    "type": "number",
+    "minimum": 0,
+    "maximum": 0.5,
+    "default": 0.35,
+    "description": "quads smaller than this are joined; 0: never",
+    "x-unit": "part of the separation"}},
+  {
+   "name": "angle",
+   "required": false,
+   "description": "neighbouring quads at a larger angle are refined, as far as the separation and `maxQuads` allow; 180: never",
+   "schema": {
+    "type": "number",
+    "maximum": 180,
+    "exclusiveMinimum": 0,
+    "default": 20,
+    "description": "neighbouring quads at a larger angle are refined, as far as the separation and `maxQuads` allow; 180: never",
+    "x-unit": "degrees"}},
+  {
+   "name": "stagnationSpeed",
+   "required": false,
+   "description": "a slower particle counts as at rest and ends; 0: only a particle that does not move at all",
+   "schema": {
+    "type": "number",
+    "minimum": 0,
+    "maximum": 0.1,
+    "default": 1e-06,
+    "description": "a slower particle counts as at rest and ends; 0: only a particle that does not move at all",
+    "x-unit": "part of the largest speed"}},
+  {
+   "name": "maxQuads",
+   "required": false,
+   "description": "maximum number of quads",
+   "schema": {"type": "integer", "minimum": 1, "maximum": 4000000, "default": 1000000, "description": "maximum number of quads"}},
+  {
+   "name": "separation",
+   "required": false,
+   "description": "longest edge allowed; if left out, the dataset's finest spacing",
+   "schema": {
+    "type": "number",
+    "exclusiveMinimum": 0,
+    "description": "longest edge allowed; if left out, the dataset's finest spacing",
+    "x-unit": "the dataset's unit of length"}},
+  {
+   "name": "fields",
+   "required": false,
+   "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude), `q_criterion`",
+   "schema": {
+    "type": "array",
+    "maxItems": 4,
+    "default": [],
+    "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude), `q_criterion`",
+    "items": {"type": "string"}}},
+  {
+   "name": "default",
+   "required": false,
+   "description": "true: make the record only if no one has edited the session and it has no such record yet; this does not count as an edit, and undo does not take it back",
+   "schema": {
+    "type": "boolean",
+    "default": false,
+    "description": "true: make the record only if no one has edited the session and it has no such record yet; this does not count as an edit, and undo does not take it back"}},
   {
    "name": "gesture",
    "required": false,
-   "description": "a name for what the user does; edits that follow each other with the same one are one step of undo",
+   "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo",
    "schema": {
     "type": "string",
     "minLength": 1,
     "maxLength": 64,
-    "description": "a name for what the user does; edits that follow each other with the same one are one step of undo"}},
+    "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo"}},
   {
    "name": "ifRev",
    "required": false,
-   "description": "refuse the edit if the record is at another revision",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "refuse the edit if the record is at another revision"}}],
+   "description": "the edit is refused if the record is at another revision",
+   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "the edit is refused if the record is at another revision"}}],
  "result": {
   "name": "result",
-  "description": "what it answers",
+  "description": "What surface.set returns.",
   "schema": {
    "type": "object",
+   "description": "What surface.set returns.",
    "properties": {
-    "bookmark": {"type": "string", "minLength": 1, "maxLength": 256, "description": "its id"},
+    "surface": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the surface"},
     "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"},
-    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "of the session after the edit"},
-    "durable": {"type": "boolean", "description": "the edit is on the server's disk; only there with --state"},
-    "hint": {"type": "string", "description": "why it is not"}},
-   "required": ["bookmark", "rev", "seq"],
+    "epoch": {
+     "type": "integer",
+     "minimum": 0,
+     "maximum": 4294967295,
+     "description": "counts the surfaces that have been built for the record; it never decreases"},
+    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["surface", "rev", "epoch", "seq"],
    "additionalProperties": false}},
  "errors": [
   {"$ref": "#/components/errors/invalidParameters"},
@@ -287,62 +206,67 @@ const std::string_view methods_6 = R"json({
   {"$ref": "#/components/errors/unauthenticated"},
   {"$ref": "#/components/errors/notPermitted"},
   {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/outsideDomain"},
   {"$ref": "#/components/errors/outsideTimeRange"},
-  {"$ref": "#/components/errors/overLimit"}],
+  {"$ref": "#/components/errors/overLimit"},
+  {"$ref": "#/components/errors/datasetError"}],
  "x-leastRole": "editor",
  "x-websocketOnly": false,
  "examples": [
   {
-   "name": "bookmark.set",
+   "name": "surface.set",
    "params": [
-    {"name": "view", "value": {"camera": [1, 2]}},
+    {"name": "rake", "value": "r1"},
+    {"name": "dataset", "value": "lamb-oseen"},
+    {"name": "kind", "value": "stream"},
+    {"name": "to", "value": 2},
     {"name": "session", "value": "main"},
-    {"name": "name", "value": "here"},
-    {"name": "time", "value": 1.5}],
-   "result": {"name": "result", "value": {"bookmark": "b1", "rev": 1, "seq": 11}}}]},
+    {"name": "from", "value": 0},
+    {"name": "separation", "value": 0.1}],
+   "result": {"name": "result", "value": {"epoch": 1, "rev": 1, "seq": 5, "surface": "s1"}}}]},
 {
- "name": "bookmark.delete",
- "summary": "Deletes a bookmark.",
- "tags": [{"name": "bookmark"}],
+ "name": "surface.delete",
+ "summary": "Deletes a surface.",
+ "tags": [{"name": "surface"}],
  "paramStructure": "by-name",
  "params": [
   {
-   "name": "bookmark",
+   "name": "surface",
    "required": true,
-   "description": "an id from bookmark.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from bookmark.list"}},
+   "description": "an id from surface.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from surface.list"}},
   {
    "name": "session",
    "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
    "schema": {
     "type": "string",
     "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}},
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
   {
    "name": "gesture",
    "required": false,
-   "description": "a name for what the user does; edits that follow each other with the same one are one step of undo",
+   "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo",
    "schema": {
     "type": "string",
     "minLength": 1,
     "maxLength": 64,
-    "description": "a name for what the user does; edits that follow each other with the same one are one step of undo"}},
+    "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo"}},
   {
    "name": "ifRev",
    "required": false,
-   "description": "refuse the edit if the record is at another revision",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "refuse the edit if the record is at another revision"}}],
+   "description": "the edit is refused if the record is at another revision",
+   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "the edit is refused if the record is at another revision"}}],
  "result": {
   "name": "result",
-  "description": "Of the answer to an edit.",
+  "description": "What every edit returns.",
   "schema": {
    "type": "object",
-   "description": "Of the answer to an edit.",
+   "description": "What every edit returns.",
    "properties": {
-    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "of the session after the edit"},
-    "durable": {"type": "boolean", "description": "the edit is on the server's disk; only there with --state"},
-    "hint": {"type": "string", "description": "why it is not"}},
+    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
    "required": ["seq"],
    "additionalProperties": false}},
  "errors": [
@@ -353,35 +277,84 @@ const std::string_view methods_6 = R"json({
   {"$ref": "#/components/errors/unauthenticated"},
   {"$ref": "#/components/errors/notPermitted"},
   {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
+  {"$ref": "#/components/errors/overLimit"},
+  {"$ref": "#/components/errors/datasetError"}],
  "x-leastRole": "editor",
  "x-websocketOnly": false,
  "examples": [
   {
-   "name": "bookmark.delete",
-   "params": [{"name": "bookmark", "value": "b1"}, {"name": "session", "value": "main"}],
-   "result": {"name": "result", "value": {"seq": 15}}}]},
+   "name": "surface.delete",
+   "params": [{"name": "surface", "value": "s2"}, {"name": "session", "value": "main"}],
+   "result": {"name": "result", "value": {"seq": 17}}}]},
 {
- "name": "bookmark.list",
- "summary": "The bookmarks of a session.",
- "tags": [{"name": "bookmark"}],
+ "name": "surface.stop",
+ "summary": "Stops the computation of a surface, for everyone, within 50 ms. What has been computed stays; the surface's statistics and surface.done say who stopped it. The next edit of the surface or of its rake computes it again.",
+ "tags": [{"name": "surface"}],
  "paramStructure": "by-name",
  "params": [
   {
+   "name": "surface",
+   "required": true,
+   "description": "an id from surface.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from surface.list"}},
+  {
    "name": "session",
    "required": false,
-   "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link",
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
    "schema": {
     "type": "string",
     "maxLength": 256,
-    "description": "an id from session.list; may be left out on a WebSocket that has joined one, and with a share link"}}],
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
  "result": {
   "name": "result",
   "description": "what it answers",
   "schema": {
    "type": "object",
-   "properties": {"bookmarks": {"type": "array", "description": "all of them", "items": {"$ref": "#/components/schemas/Bookmark"}}},
-   "required": ["bookmarks"],
+   "properties": {
+    "epoch": {
+     "type": "integer",
+     "minimum": 0,
+     "maximum": 4294967295,
+     "description": "counts the surfaces that have been built for the record; it never decreases"},
+    "stopped": {"type": "boolean", "description": "false: nothing was being computed"}},
+   "required": ["epoch", "stopped"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/datasetError"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "surface.stop",
+   "params": [{"name": "surface", "value": "s2"}, {"name": "session", "value": "main"}],
+   "result": {"name": "result", "value": {"epoch": 1, "stopped": false}}}]},
+{
+ "name": "surface.list",
+ "summary": "Lists the surfaces of a session.",
+ "tags": [{"name": "surface"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {"surfaces": {"type": "array", "description": "all surfaces", "items": {"$ref": "#/components/schemas/Surface"}}},
+   "required": ["surfaces"],
    "additionalProperties": false}},
  "errors": [
   {"$ref": "#/components/errors/invalidParameters"},
@@ -394,8 +367,28 @@ const std::string_view methods_6 = R"json({
  "x-websocketOnly": false,
  "examples": [
   {
-   "name": "bookmark.list",
+   "name": "surface.list",
    "params": [{"name": "session", "value": "main"}],
-   "result": {"name": "result", "value": {"bookmarks": [{"bookmark": "b1", "name": "here", "rev": 1, "time": 1.5, "view": {"camera": [1, 2]}}]}}}]})json";
+   "result": {
+    "name": "result",
+    "value": {
+     "surfaces": [
+      {
+       "accuracy": "balanced",
+       "angle": 20,
+       "dataset": "lamb-oseen",
+       "direction": "forward",
+       "epoch": 1,
+       "fields": [],
+       "from": 0,
+       "kind": "stream",
+       "maxQuads": 1000000,
+       "merge": 0.35,
+       "rake": "r1",
+       "rev": 1,
+       "separation": 0.1,
+       "stagnationSpeed": 1e-06,
+       "surface": "s1",
+       "to": 2}]}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

@@ -15,13 +15,13 @@ namespace wakesurf::protocol {
 
 /// Where someone looks from.
 struct CameraPose {
-    /// of the eye (the dataset's unit of length)
+    /// position of the eye (the dataset's unit of length)
     core::Vec3 position{0.0};
-    /// what is in the middle of the picture (the dataset's unit of length)
+    /// the point in the middle of the picture (the dataset's unit of length)
     core::Vec3 target{0.0};
-    /// points up in the picture (the dataset's unit of length)
+    /// direction that points up in the picture (the dataset's unit of length)
     core::Vec3 up{0.0};
-    /// from top to bottom; left out: orthographic, or unknown (degrees)
+    /// field of view from top to bottom; if left out, the view is orthographic or unknown (degrees)
     std::optional<double> fov;
 
     bool operator==(const CameraPose&) const = default;
@@ -29,11 +29,11 @@ struct CameraPose {
 
 void read(CheckedJson& in, CameraPose& out);
 
-/// A rake as it is on its way.
+/// A rake while it is dragged.
 struct DraggedRake {
-    /// its id
+    /// id of the rake
     std::string rake;
-    /// where it is now
+    /// where the rake is now
     std::vector<core::Vec3> points;
 
     bool operator==(const DraggedRake&) const = default;
@@ -41,19 +41,19 @@ struct DraggedRake {
 
 void read(CheckedJson& in, DraggedRake& out);
 
-/// Parameters of presence.update: Tells the others what one points at, looks at, drags and has
-/// selected. What is left out stays; null takes it away. Best sent as a notification.
+/// Parameters of presence.update: Shows the others what the caller points at, looks at, drags and
+/// has selected. What is left out stays as it is; null removes it. Best sent as a notification.
 struct PresenceUpdate {
     static constexpr std::string_view method = "presence.update";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
-    /// what they point at (the dataset's unit of length)
+    /// the point they point at (the dataset's unit of length)
     Nullable<core::Vec3> pointer;
     /// where they look from
     Nullable<CameraPose> camera;
-    /// what they drag
+    /// the rake they drag
     Nullable<DraggedRake> dragging;
     /// id of the record they have selected
     Nullable<std::string> selected;

@@ -16,23 +16,23 @@ namespace wakesurf::protocol {
 
 /// A rake as the session keeps it.
 struct RakeRecord {
-    /// its id
+    /// id of the rake
     std::string rake;
     /// counts the edits of a record
     std::uint64_t rev = 0;
     /// kind, points, seeds
     core::Rake shape;
-    /// for people
+    /// display name
     std::string name;
     /// #rrggbb
     std::string colour;
-    /// the name of the one who made it
+    /// name of the one who made it
     std::string author;
-    /// a part was outside the domain and is cut away
+    /// true: a part was outside the domain and was cut off
     bool clipped = false;
-    /// someone holds it just now
+    /// true: someone holds the lease at the moment
     bool dragging = false;
-    /// the participant who holds it; only while someone does
+    /// id of the participant who holds the lease; only present while someone does
     std::string leased_by;
 
     bool operator==(const RakeRecord&) const = default;
@@ -45,34 +45,33 @@ nlohmann::json rake_json(const RakeRecord& record);
 /// As it is kept: what read() reads.
 nlohmann::json kept_json(const RakeRecord& record);
 
-/// Parameters of rake.set: Creates a rake, or replaces one as a whole; the surfaces that hang on it
-/// are rebuilt at once, unless only its name or colour changes.
+/// Parameters of rake.set: Creates a rake, or replaces one as a whole. The surfaces of the rake are
+/// rebuilt at once, unless only its name or colour changes.
 struct RakeSetting {
     static constexpr std::string_view method = "rake.set";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
-    /// left out: create one
+    /// id of the rake to replace; if left out, a new one is created
     std::optional<std::string> rake;
     /// kind, points, seeds
     core::Rake shape;
-    /// for people
+    /// display name
     std::string name;
-    /// #rrggbb; left out: as it was, of a new rake one that few others have
+    /// #rrggbb; if left out, a rake keeps its colour, and a new rake gets one that few others have
     std::optional<std::string> colour;
-    /// true: no one else may edit the rake for 5 s from now; false: they may again; left out: as it
-    /// was
+    /// true: no one else may edit the rake for 5 s from now; false: others may edit it again; if
+    /// left out, nothing changes
     std::optional<bool> dragging;
-    /// a host's edit goes before someone else's lease
+    /// true: lets a host edit the rake although someone else holds the lease
     bool force = false;
-    /// true: only if no one has edited the session and there is no such record yet; it counts as no
-    /// edit, so undo does not turn it
+    /// true: make the record only if no one has edited the session and it has no such record yet;
+    /// this does not count as an edit, and undo does not take it back
     bool default_scene = false;
-    /// a name for what the user does; edits that follow each other with the same one are one step
-    /// of undo
+    /// a name for what the user is doing; consecutive edits with the same name are one step of undo
     std::optional<std::string> gesture;
-    /// refuse the edit if the record is at another revision
+    /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
 
     bool operator==(const RakeSetting&) const = default;
@@ -80,21 +79,20 @@ struct RakeSetting {
 
 void read(CheckedJson& in, RakeSetting& out);
 
-/// Parameters of rake.delete: Deletes a rake and the surfaces that hang on it.
+/// Parameters of rake.delete: Deletes a rake and its surfaces.
 struct RakeDelete {
     static constexpr std::string_view method = "rake.delete";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
     /// an id from rake.list
     std::string rake;
-    /// although someone else drags it; for hosts
+    /// true: lets a host delete the rake although someone else holds the lease
     bool force = false;
-    /// a name for what the user does; edits that follow each other with the same one are one step
-    /// of undo
+    /// a name for what the user is doing; consecutive edits with the same name are one step of undo
     std::optional<std::string> gesture;
-    /// refuse the edit if the record is at another revision
+    /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
 
     bool operator==(const RakeDelete&) const = default;
@@ -102,12 +100,12 @@ struct RakeDelete {
 
 void read(CheckedJson& in, RakeDelete& out);
 
-/// Parameters of rake.list: The rakes of a session.
+/// Parameters of rake.list: Lists the rakes of a session.
 struct RakeList {
     static constexpr std::string_view method = "rake.list";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
 
     bool operator==(const RakeList&) const = default;

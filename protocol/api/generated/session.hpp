@@ -11,12 +11,13 @@
 
 namespace wakesurf::protocol {
 
-/// Parameters of session.create: Makes a new, empty session. One without a name that no one edits,
-/// shares or is in goes again when there are too many; no other does.
+/// Parameters of session.create: Makes a new, empty session. When there are too many sessions, one
+/// without a name that no one has edited or shared and no one is in is removed; no other session
+/// ever is.
 struct SessionCreate {
     static constexpr std::string_view method = "session.create";
 
-    /// for people
+    /// display name
     std::string name;
 
     bool operator==(const SessionCreate&) const = default;
@@ -24,15 +25,15 @@ struct SessionCreate {
 
 void read(CheckedJson& in, SessionCreate& out);
 
-/// Parameters of session.fork: Makes a new session with the records of another, but none of its
-/// people, links and history. Not for share links.
+/// Parameters of session.fork: Makes a new session with the records of another, but without its
+/// people, links and history. Not available with a share link.
 struct SessionFork {
     static constexpr std::string_view method = "session.fork";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
-    /// for people
+    /// display name
     std::string name;
 
     bool operator==(const SessionFork&) const = default;
@@ -40,11 +41,12 @@ struct SessionFork {
 
 void read(CheckedJson& in, SessionFork& out);
 
-/// Parameters of session.list: The sessions of this server; with a share link, its own.
+/// Parameters of session.list: Lists the sessions of this server. With a share link, only the
+/// session of the link is listed.
 struct SessionList {
     static constexpr std::string_view method = "session.list";
 
-    /// true: those that were deleted instead
+    /// true: list the deleted sessions instead
     bool trash = false;
 
     bool operator==(const SessionList&) const = default;
@@ -52,20 +54,21 @@ struct SessionList {
 
 void read(CheckedJson& in, SessionList& out);
 
-/// Parameters of session.join: Enters a session: its changes are told to this WebSocket from now
-/// on.
+/// Parameters of session.join: Enters a session. From now on its changes are sent to this
+/// WebSocket.
 struct SessionJoin {
     static constexpr std::string_view method = "session.join";
 
-    /// an id from session.list or session.create; left out: the share link's, else `main`
+    /// an id from session.list or session.create; if left out, the share link's session, or else
+    /// `main`
     std::optional<std::string> session;
-    /// for people
+    /// display name
     std::string name;
-    /// #rrggbb; left out: one that few others have
+    /// #rrggbb; if left out, a colour that few others have
     std::optional<std::string> colour;
-    /// of an earlier stay, to take up its place again
+    /// token of an earlier stay, to take up its place again
     std::optional<std::string> resume_token;
-    /// with resumeToken: the last seq seen; what was missed comes instead of the snapshot
+    /// with `resumeToken`: the last `seq` seen; what was missed is returned instead of the snapshot
     std::optional<std::uint64_t> last_seq;
 
     bool operator==(const SessionJoin&) const = default;
@@ -73,19 +76,19 @@ struct SessionJoin {
 
 void read(CheckedJson& in, SessionJoin& out);
 
-/// Parameters of session.leave: Leaves the session joined; its changes are not told any more.
+/// Parameters of session.leave: Leaves the session. Its changes are no longer sent.
 struct SessionLeave {
     static constexpr std::string_view method = "session.leave";
 };
 
 void read(CheckedJson& in, SessionLeave& out);
 
-/// Parameters of session.state: Every record of a session.
+/// Parameters of session.state: Returns all records of a session.
 struct SessionState {
     static constexpr std::string_view method = "session.state";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
 
     bool operator==(const SessionState&) const = default;
@@ -93,14 +96,14 @@ struct SessionState {
 
 void read(CheckedJson& in, SessionState& out);
 
-/// Parameters of session.rename: Gives a session another name; everyone in it is told.
+/// Parameters of session.rename: Renames a session. Everyone in it is notified.
 struct SessionRename {
     static constexpr std::string_view method = "session.rename";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
-    /// for people
+    /// display name
     std::string name;
 
     bool operator==(const SessionRename&) const = default;
@@ -108,15 +111,15 @@ struct SessionRename {
 
 void read(CheckedJson& in, SessionRename& out);
 
-/// Parameters of session.delete: Moves a session to the trash, from where session.restore brings it
-/// back for 30 days; its people are told, its share links let no one in meanwhile. `main` cannot be
-/// deleted.
+/// Parameters of session.delete: Moves a session to the trash, from which session.restore can bring
+/// it back for 30 days. The people in it are notified, and meanwhile its share links let no one in.
+/// `main` cannot be deleted.
 struct SessionDelete {
     static constexpr std::string_view method = "session.delete";
 
     /// an id from session.list
     std::string session;
-    /// true: removes a session that is in the trash for good
+    /// true: permanently deletes a session that is in the trash
     bool forever = false;
 
     bool operator==(const SessionDelete&) const = default;
@@ -137,14 +140,14 @@ struct SessionRestore {
 
 void read(CheckedJson& in, SessionRestore& out);
 
-/// Parameters of session.export: A session as one document: its records, and the names and
-/// fingerprints of their datasets. A large one is refused here: GET
-/// /api/v1/sessions/SESSION/session.json answers with any.
+/// Parameters of session.export: Returns a session as one document: its records, and the names and
+/// fingerprints of their datasets. A large session is refused here; GET
+/// /api/v1/sessions/SESSION/session.json returns sessions of any size.
 struct SessionExport {
     static constexpr std::string_view method = "session.export";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
 
     bool operator==(const SessionExport&) const = default;
@@ -152,14 +155,14 @@ struct SessionExport {
 
 void read(CheckedJson& in, SessionExport& out);
 
-/// Parameters of session.import: Makes a new session of such a document. POST /api/v1/sessions
-/// takes larger documents than a message may be.
+/// Parameters of session.import: Makes a new session from a document of session.export. POST
+/// /api/v1/sessions takes documents that are too large for a message.
 struct SessionImport {
     static constexpr std::string_view method = "session.import";
 
-    /// what session.export answered
+    /// the `file` that session.export returned
     std::string file;
-    /// left out: the document's
+    /// name of the new session; if left out, the name in the document
     std::string name;
 
     bool operator==(const SessionImport&) const = default;
@@ -167,15 +170,15 @@ struct SessionImport {
 
 void read(CheckedJson& in, SessionImport& out);
 
-/// Parameters of session.thumbnail: Keeps a small picture of the session for lists: the newest one
-/// sent. GET /api/v1/sessions/SESSION/thumbnail answers with it.
+/// Parameters of session.thumbnail: Stores a small picture of the session for lists; it replaces
+/// the one before. GET /api/v1/sessions/SESSION/thumbnail returns it.
 struct SessionThumbnail {
     static constexpr std::string_view method = "session.thumbnail";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
-    /// base64 of a PNG, JPEG or WebP picture of at most 24 KiB
+    /// a PNG, JPEG or WebP picture of at most 24 KiB, in base64
     std::string image;
 
     bool operator==(const SessionThumbnail&) const = default;

@@ -11,11 +11,12 @@
 
 namespace wakesurf::protocol {
 
-/// the newest update folded before a lost connection: go on after it if possible
+/// the last update that was applied before a connection was lost; the server goes on after it if
+/// possible
 struct UpdatePlace {
-    /// counts the surfaces that a record has had; only grows
+    /// counts the surfaces that have been built for the record; it never decreases
     std::uint32_t epoch = 0;
-    /// of the update in its epoch
+    /// number of the update in its epoch
     std::uint32_t seq = 0;
 
     bool operator==(const UpdatePlace&) const = default;
@@ -23,12 +24,12 @@ struct UpdatePlace {
 
 void read(CheckedJson& in, UpdatePlace& out);
 
-/// Parameters of surface.stats: What the newest state of a surface is and took.
+/// Parameters of surface.stats: Returns statistics of the newest state of a surface.
 struct SurfaceStats {
     static constexpr std::string_view method = "surface.stats";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
     /// an id from surface.list
     std::string surface;
@@ -38,21 +39,21 @@ struct SurfaceStats {
 
 void read(CheckedJson& in, SurfaceStats& out);
 
-/// Parameters of surface.wait: Answers once the surface is complete; `complete` is false when the
+/// Parameters of surface.wait: Returns once the surface is complete; `complete` is false if the
 /// time ran out.
 struct SurfaceWait {
     static constexpr std::string_view method = "surface.wait";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
     /// an id from surface.list
     std::string surface;
-    /// this one or a later one; left out: the current
+    /// epoch to wait for: this one or a later one; if left out, the current one
     std::optional<std::uint32_t> epoch;
-    /// patience (ms)
+    /// how long to wait, at most (ms)
     std::uint64_t timeout_ms = 0;
-    /// on a WebSocket: $/progress with this token tells how far the work is
+    /// on a WebSocket: $/progress reports the progress of the work with this token
     std::optional<std::string> work_done_token;
 
     bool operator==(const SurfaceWait&) const = default;
@@ -60,17 +61,18 @@ struct SurfaceWait {
 
 void read(CheckedJson& in, SurfaceWait& out);
 
-/// Parameters of surface.subscribe: Sends the mesh of a surface, now and after every change, as
-/// binary frames. Cannot be part of a batch.
+/// Parameters of surface.subscribe: Sends the mesh of a surface as binary frames, now and after
+/// every change. It cannot be part of a batch.
 struct SurfaceSubscribe {
     static constexpr std::string_view method = "surface.subscribe";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
     /// an id from surface.list
     std::string surface;
-    /// the newest update folded before a lost connection: go on after it if possible
+    /// the last update that was applied before a connection was lost; the server goes on after it
+    /// if possible
     std::optional<UpdatePlace> from;
 
     bool operator==(const SurfaceSubscribe&) const = default;
@@ -82,12 +84,12 @@ void read(CheckedJson& in, SurfaceSubscribe& out);
 struct SurfaceUnsubscribe {
     static constexpr std::string_view method = "surface.unsubscribe";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
-    /// the number, or name the surface
+    /// number of the subscription; or give `surface` instead
     std::optional<std::uint32_t> subscription;
-    /// instead of the number
+    /// id of the surface, instead of the number
     std::optional<std::string> surface;
 
     bool operator==(const SurfaceUnsubscribe&) const = default;
@@ -95,16 +97,17 @@ struct SurfaceUnsubscribe {
 
 void read(CheckedJson& in, SurfaceUnsubscribe& out);
 
-/// Parameters of frame.ack: Says up to which update a subscription's frames have been folded. A
-/// client that does so is sent at most eight updates more than that; meant as a notification.
+/// Parameters of frame.ack: Reports the last update of a subscription that the client has applied.
+/// The server then sends at most eight updates beyond the reported one. Best sent as a
+/// notification.
 struct FrameAck {
     static constexpr std::string_view method = "frame.ack";
 
-    /// the number
+    /// number of the subscription
     std::uint32_t subscription = 0;
-    /// left out: the surface's current one
+    /// epoch of the update; if left out, the surface's current one
     std::optional<std::uint32_t> epoch;
-    /// of the update in its epoch
+    /// number of the update in its epoch
     std::uint32_t seq = 0;
 
     bool operator==(const FrameAck&) const = default;

@@ -17,23 +17,23 @@ namespace wakesurf::protocol {
 
 /// A surface as the session keeps it: its parameters, not its mesh.
 struct SurfaceRecord {
-    /// its id
+    /// id of the surface
     std::string surface;
     /// counts the edits of a record
     std::uint64_t rev = 0;
-    /// counts the surfaces that a record has had; only grows
+    /// counts the surfaces that have been built for the record; it never decreases
     std::uint32_t epoch = 0;
-    /// an id from rake.list: the particles start there
+    /// an id from rake.list; the particles start from this rake
     std::string rake;
-    /// the patch lies between the rake and this one
+    /// the patch lies between the rake and this second rake
     std::optional<std::string> rake2;
     /// an id from dataset.list
     std::string dataset;
     /// kind, direction, accuracy, to, releaseUntil, sweep, merge, angle, stagnationSpeed, maxQuads,
     /// from, separation
     core::SurfaceParameters parameters;
-    /// further attributes of the vertices, in frames and exports: scalar fields of the dataset, its
-    /// velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude),
+    /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
+    /// its velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude),
     /// `q_criterion`
     std::vector<std::string> fields;
 
@@ -47,39 +47,38 @@ nlohmann::json surface_json(const SurfaceRecord& record);
 /// As it is kept: what read() reads.
 nlohmann::json kept_json(const SurfaceRecord& record);
 
-/// Parameters of surface.set: Creates a surface, or replaces its record as a whole, and starts
-/// building it.
+/// Parameters of surface.set: Creates a surface, or replaces its record as a whole, and starts to
+/// build it.
 struct SurfaceSetting {
     static constexpr std::string_view method = "surface.set";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
-    /// left out: create one
+    /// id of the surface to replace; if left out, a new one is created
     std::optional<std::string> surface;
-    /// an id from rake.list: the particles start there
+    /// an id from rake.list; the particles start from this rake
     std::string rake;
-    /// the patch lies between the rake and this one
+    /// the patch lies between the rake and this second rake
     std::optional<std::string> rake2;
     /// an id from dataset.list
     std::string dataset;
     /// kind, to, direction, accuracy, releaseUntil, sweep, merge, angle, stagnationSpeed, maxQuads,
     /// separation
     core::SurfaceParameters parameters;
-    /// time of release; streak: of the first one; left out: the dataset's first time (the dataset's
-    /// unit of time)
+    /// time of release; for streak surfaces, of the first release; if left out, the dataset's first
+    /// time (the dataset's unit of time)
     std::optional<double> from;
-    /// further attributes of the vertices, in frames and exports: scalar fields of the dataset, its
-    /// velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude),
+    /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
+    /// its velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude),
     /// `q_criterion`
     std::vector<std::string> fields;
-    /// true: only if no one has edited the session and there is no such record yet; it counts as no
-    /// edit, so undo does not turn it
+    /// true: make the record only if no one has edited the session and it has no such record yet;
+    /// this does not count as an edit, and undo does not take it back
     bool default_scene = false;
-    /// a name for what the user does; edits that follow each other with the same one are one step
-    /// of undo
+    /// a name for what the user is doing; consecutive edits with the same name are one step of undo
     std::optional<std::string> gesture;
-    /// refuse the edit if the record is at another revision
+    /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
 
     bool operator==(const SurfaceSetting&) const = default;
@@ -97,15 +96,14 @@ core::Result<void> check_rules(const SurfaceSetting& setting);
 struct SurfaceDelete {
     static constexpr std::string_view method = "surface.delete";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
     /// an id from surface.list
     std::string surface;
-    /// a name for what the user does; edits that follow each other with the same one are one step
-    /// of undo
+    /// a name for what the user is doing; consecutive edits with the same name are one step of undo
     std::optional<std::string> gesture;
-    /// refuse the edit if the record is at another revision
+    /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
 
     bool operator==(const SurfaceDelete&) const = default;
@@ -113,14 +111,14 @@ struct SurfaceDelete {
 
 void read(CheckedJson& in, SurfaceDelete& out);
 
-/// Parameters of surface.stop: Stops computing a surface, for everyone, within 50 ms. What is there
-/// of it stays, and its statistics and surface.done say who stopped it; the next edit of it or its
-/// rake computes it again.
+/// Parameters of surface.stop: Stops the computation of a surface, for everyone, within 50 ms. What
+/// has been computed stays; the surface's statistics and surface.done say who stopped it. The next
+/// edit of the surface or of its rake computes it again.
 struct SurfaceStop {
     static constexpr std::string_view method = "surface.stop";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
     /// an id from surface.list
     std::string surface;
@@ -130,12 +128,12 @@ struct SurfaceStop {
 
 void read(CheckedJson& in, SurfaceStop& out);
 
-/// Parameters of surface.list: The surfaces of a session.
+/// Parameters of surface.list: Lists the surfaces of a session.
 struct SurfaceList {
     static constexpr std::string_view method = "surface.list";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
 
     bool operator==(const SurfaceList&) const = default;

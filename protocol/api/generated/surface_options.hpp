@@ -14,42 +14,47 @@ struct SurfaceOption {
 };
 
 inline constexpr SurfaceOption surface_options[]{
-    {"--rake2", "rake2", "text", "Time: the patch lies between the rake and this one", "", false},
+    {"--rake2", "rake2", "text", "Time: the patch lies between the rake and this second rake", "",
+     false},
     {"--kind", "kind", "text",
-     "Stream: of the field frozen at --from; path: particles released at --from; streak: particles "
-     "released from --from on; time: a patch of particles released at --from",
+     "Stream: streamlines of the field frozen at --from; path: particles released together at "
+     "--from; streak: particles released continuously from --from on; time: a patch of particles "
+     "released at --from",
      "", true},
     {"--from", "from", "number",
-     "Time of release; streak: of the first one; left out: the dataset's first time (the dataset's "
-     "unit of time)",
+     "Time of release; for streak surfaces, of the first release; if left out, the dataset's first "
+     "time (the dataset's unit of time)",
      "", false},
     {"--to", "to", "number",
-     "The surface is shown until this time; the integration takes to - from (the dataset's unit of "
-     "time)",
+     "Time until which the surface is shown; the integration time is to - from (the dataset's unit "
+     "of time)",
      "", false},
     {"--direction", "direction", "text",
-     "forward, backward or both: which way in time particles go", "forward", false},
-    {"--accuracy", "accuracy", "text",
-     "fast, balanced or exact: of the integration, and of how vertices are put in", "balanced",
+     "forward, backward or both: direction in time in which particles are traced", "forward",
      false},
+    {"--accuracy", "accuracy", "text",
+     "fast, balanced or exact: how accurately particles are traced and vertices inserted",
+     "balanced", false},
     {"--release-until", "releaseUntil", "number",
-     "Streak: the release stops here; left out: at --to (the dataset's unit of time)", "", false},
+     "Streak: time at which the release stops; if left out, --to (the dataset's unit of time)", "",
+     false},
     {"--sweep", "sweep", "point",
      "Time: the patch is the rake swept along this vector (the dataset's unit of length)", "",
      false},
     {"--merge", "merge", "number",
-     "Cells smaller than this merge; 0: never (part of the separation; 0 to 0.5)", "0.35", false},
+     "Quads smaller than this are joined; 0: never (part of the separation; 0 to 0.5)", "0.35",
+     false},
     {"--angle", "angle", "number",
-     "Cells that meet at more than this are refined, as far as the separation and --max-quads "
+     "Neighbouring quads at a larger angle are refined, as far as the separation and --max-quads "
      "allow; 180: never (degrees; above 0, at most 180)",
      "20", false},
     {"--stagnation-speed", "stagnationSpeed", "number",
-     "A particle that is slower counts as at rest and ends; 0: only one that does not move at all "
+     "A slower particle counts as at rest and ends; 0: only a particle that does not move at all "
      "(part of the largest speed; 0 to 0.1)",
      "1e-06", false},
     {"--separation", "separation", "number",
-     "The longest edge; left out: the dataset's finest spacing (the dataset's unit of length; "
-     "above 0)",
+     "Longest edge allowed; if left out, the dataset's finest spacing (the dataset's unit of "
+     "length; above 0)",
      "", false},
 };
 

@@ -13,21 +13,23 @@
 
 namespace wakesurf::protocol {
 
-/// A session's clock. `time` is as the message is written; it runs on by `speed` while `playing`,
-/// up to `to`, and there it stops or goes on at `from` (`loop`).
+/// The clock of a session. `time` is its time when the message was written. While it is `playing`,
+/// it advances by `speed` up to `to`, and there it stops or goes on at `from` (`loop`).
 struct ClockRecord {
-    /// simulation time; null: never set, surfaces are shown at their end (the dataset's unit of
-    /// time)
+    /// simulation time; null: it was never set, and surfaces are shown at their end (the dataset's
+    /// unit of time)
     std::optional<double> time;
-    /// it runs
+    /// true: the clock runs
     bool playing = false;
-    /// how fast it runs (simulation time a second)
+    /// how fast the clock runs (simulation time a second)
     double speed = 1.0;
-    /// it begins again at the end
+    /// true: the clock goes on at `from` when it reaches `to`
     bool loop = false;
-    /// what is played begins here; null before it first was (the dataset's unit of time)
+    /// time at which playing starts; null before the clock was first played (the dataset's unit of
+    /// time)
     std::optional<double> from;
-    /// and ends here (the dataset's unit of time)
+    /// time at which playing ends; null before the clock was first played (the dataset's unit of
+    /// time)
     std::optional<double> to;
 
     bool operator==(const ClockRecord&) const = default;
@@ -40,15 +42,16 @@ nlohmann::json clock_json(const ClockRecord& record);
 /// As it is kept: what read() reads.
 nlohmann::json kept_json(const ClockRecord& record);
 
-/// Parameters of time.set: Jumps to a time: path, streak and time surfaces are shown as they are
-/// then, within their own `from` and `to`.
+/// Parameters of time.set: Jumps to a time. Path, streak and time surfaces are shown as they are at
+/// this time, within their own `from` and `to`.
 struct TimeSet {
     static constexpr std::string_view method = "time.set";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
-    /// simulation time; null: no time, surfaces are shown at their end (the dataset's unit of time)
+    /// simulation time; null: no time, and surfaces are shown at their end (the dataset's unit of
+    /// time)
     Nullable<double> time;
 
     bool operator==(const TimeSet&) const = default;
@@ -56,20 +59,22 @@ struct TimeSet {
 
 void read(CheckedJson& in, TimeSet& out);
 
-/// Parameters of time.play: Lets the clock run, from where it stands or from the start.
+/// Parameters of time.play: Starts the clock, from where it stands or from the beginning.
 struct PlaySetting {
     static constexpr std::string_view method = "time.play";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
-    /// how fast it runs; left out: as before, at first 1 (simulation time a second)
+    /// how fast the clock runs; if left out, as before, at first 1 (simulation time a second)
     std::optional<double> speed;
-    /// begin again at the end; left out: as before, at first not
+    /// true: go on at `from` when the clock reaches `to`; if left out, as before, at first false
     std::optional<bool> loop;
-    /// left out: as before, at first where the first surface begins (the dataset's unit of time)
+    /// time at which playing starts; if left out, as before, at first where the first surface
+    /// begins (the dataset's unit of time)
     std::optional<double> from;
-    /// left out: as before, at first where the last surface ends (the dataset's unit of time)
+    /// time at which playing ends; if left out, as before, at first where the last surface ends
+    /// (the dataset's unit of time)
     std::optional<double> to;
 
     bool operator==(const PlaySetting&) const = default;
@@ -81,8 +86,8 @@ void read(CheckedJson& in, PlaySetting& out);
 struct TimePause {
     static constexpr std::string_view method = "time.pause";
 
-    /// an id from session.list; may be left out on a WebSocket that has joined one, and with a
-    /// share link
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
     std::optional<std::string> session;
 
     bool operator==(const TimePause&) const = default;

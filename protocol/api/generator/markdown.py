@@ -38,6 +38,8 @@ def type_of(node):
         words = "[x, y, z]"
     elif node.kind == "object":
         words = link(node) if node.name else "object"
+    elif node.kind == "tuple":
+        words = "[" + ", ".join(type_of(each) for each in node.parts) + "]"
     elif node.items is not None:
         words = f"list of {type_of(node.items)}"
     elif node.choices:

@@ -8,7 +8,7 @@ from . import cpp_table, markdown
 from .cpp import Cpp
 from .python import Python
 from .schema import FOLDER
-from .typescript import TypeScript
+from .typescript_table import Tables
 
 ROOT = os.path.dirname(os.path.dirname(FOLDER))
 CPP = "protocol/api/generated"
@@ -64,7 +64,7 @@ def formatted_typescript(files):
 def make(api):
     """path -> text. Error: ToolError."""
     out = {f"{CPP}/{name}": text for name, text in formatted_cpp(cpp_table.files(api, Cpp(api))).items()}
-    out.update({f"{TYPESCRIPT}/{name}": text for name, text in formatted_typescript(TypeScript(api).files()).items()})
+    out.update({f"{TYPESCRIPT}/{name}": text for name, text in formatted_typescript(Tables(api).files()).items()})
     out["docs/api.md"] = markdown.text(api)
     out[CLIENT] = Python(api).text(kept(CLIENT))
     return out

@@ -16,8 +16,8 @@ OTHERS = ("shared", "limits", "errors")
 OF_USE = {"description", "default", "x-cpp", "x-option", "x-only-for", "x-older", "x-unit", "x-kept", "x-missing", "x-plain",
           "x-nullable", "x-emptyIsMissing", "x-partial", "x-nonzero", "x-between", "x-differs"}
 OF_SHAPE = {"type", "enum", "const", "minimum", "maximum", "exclusiveMinimum", "minLength", "maxLength", "pattern", "items", "minItems",
-            "maxItems", "properties", "required", "additionalProperties", "unevaluatedProperties", "allOf", "anyOf", "$ref", "x-limit",
-            "x-shape", "x-lines", "x-cpp-type", "x-cpp-members", "x-order", "x-record", "x-ordered", "x-together", "x-needs",
+            "maxItems", "properties", "required", "additionalProperties", "unevaluatedProperties", "allOf", "anyOf", "prefixItems", "$ref",
+            "x-limit", "x-shape", "x-lines", "x-cpp-type", "x-cpp-members", "x-order", "x-record", "x-ordered", "x-together", "x-needs",
             "x-exactly-one", "x-maxBytes"}
 LAST = ("default", "gesture", "ifRev")  # what all edits have comes after what is their own
 OF_METHOD = {"description", "x-role", "x-edits", "x-websocketOnly", "x-wholeServer", "x-errors", "params", "result", "x-example"}
@@ -35,6 +35,7 @@ class Node:
     name: str = ""
     fields: list = field(default_factory=list)
     items: "Node" = None
+    parts: list = field(default_factory=list)  # of a list of which each entry is of a kind of its own
     choices: list = field(default_factory=list)
     values: "Node" = None  # of an object: what members that are not named must be
 
@@ -62,7 +63,7 @@ class Node:
 
     @property
     def kind(self):
-        """One word for what it is: point, points, texts, text, lines, flag, number, count, enum, const, token, object, list ..."""
+        """One word for what it is: point, points, texts, text, lines, flag, number, count, enum, const, token, tuple, object, list ..."""
         shape = self.data.get("x-shape")
         if shape == "text":
             return "json"
@@ -79,6 +80,8 @@ class Node:
             return {"boolean": "flag", "number": "number"}[plain[0]]
         if plain == ["integer"]:
             return "count"
+        if plain == ["array"] and self.parts:
+            return "tuple"
         if plain == ["array"]:
             inner = self.items.kind
             return {"point": "points", "text": "texts"}.get(inner, "list")
@@ -187,6 +190,7 @@ class Loader:
             merged["x-named"] = {**merged["x-named"], keyword: limit}
         node = Node(merged, name)
         node.items = self.resolve(schema["items"], noun) if "items" in schema else base.items
+        node.parts = [self.resolve(each, noun) for each in schema.get("prefixItems", [])] or base.parts
         node.choices = [self.resolve(each, noun) for each in schema.get("anyOf", [])] or base.choices
         values = schema.get("additionalProperties")
         node.values = self.resolve(values, noun) if isinstance(values, dict) else base.values

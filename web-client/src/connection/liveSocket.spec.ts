@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { FakeClock, settled } from './fakeClock.ts';
+import { FakeClock, settled } from '../testing/fakeClock.ts';
 import { type ConnectionState, HopelessError, LiveSocket, type OpenSocket } from './liveSocket.ts';
 
 class FakeSocket implements OpenSocket {

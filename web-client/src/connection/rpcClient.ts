@@ -1,6 +1,9 @@
-// Calls over one socket: numbers requests, matches replies. Knows the envelope, not the socket.
+// Calls over one socket: numbers requests, matches replies, and takes no answer that is not what its method answers. Knows the
+// envelope, not the socket.
 import { encodeNotification, encodeRequest, type Incoming, RpcError } from '../protocol/jsonRpc.ts';
 import type { MethodName, ParamsOf, ResultOf } from '../protocol/messages.ts';
+import { resultChecks } from '../protocol/results.ts';
+import { UnreadableAnswer } from '../protocol/unreadable.ts';
 
 /** The call went unanswered because the connection is down; it may or may not have been carried out. */
 export class DisconnectedError extends Error {
@@ -33,7 +36,12 @@ export class RpcClient {
                 reject(new DisconnectedError());
                 return;
             }
-            this.pending.set(id, { resolve: (result) => resolve(result as ResultOf<M>), reject });
+            const answered = (result: unknown): void => {
+                const fault = resultChecks[method](result);
+                if (fault === null) resolve(result as ResultOf<M>);
+                else reject(new UnreadableAnswer(method, fault));
+            };
+            this.pending.set(id, { resolve: answered, reject });
             signal?.addEventListener('abort', () => this.cancel(id));
         });
     }

@@ -1,4 +1,4 @@
-// The numbers that an update begins with: varints, deflated. protocol/wire/FORMAT.md, Update. Twin: protocol/wire/bytes.hpp.
+// The numbers that an update begins with: varints, deflated. protocol/wire/FORMAT.md, Update. Twin: protocol/wire/numbers.hpp.
 import { inflateSync } from 'fflate';
 import { FrameError } from './frameError.ts';
 

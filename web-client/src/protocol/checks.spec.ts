@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { flag, is, list, mapOf, members, number, oneOf, optional, orNull, point, text, whole } from './checks.ts';
+import { flag, is, list, mapOf, members, number, oneOf, optional, orNull, point, text, token, tuple, whole } from './checks.ts';
 
 const shape = members({
     name: text,
@@ -36,5 +36,14 @@ describe('checks', () => {
         expect(shape({ ...sound, on: 'yes' })).toBe('.on is not true or false');
         expect(mapOf(number)({ a: 1, b: 'x' })).toBe('.b is not a finite number');
         expect(list(number, 2)([1])).toBe(' has 1 entries, not 2');
+        expect(token(null)).toBe(' is not a text or a number');
+    });
+
+    it('take a list whose entries differ entry by entry', () => {
+        const pair = tuple<[number, string]>([whole, text]);
+        expect(pair([3, 'a'])).toBeNull();
+        expect(pair([3, 4])).toBe('[1] is not a text');
+        expect(pair([3, 'a', 'b'])).toBe(' has 3 entries, not 2');
+        expect(pair('3a')).toBe(' is not a list');
     });
 });

@@ -17,12 +17,12 @@ function plain<T>(sound: (value: unknown) => boolean, what: string): Check<T> {
     return (value) => (sound(value) ? null : ` is not ${what}`);
 }
 
-export const anything: Check<unknown> = () => null;
 export const text = plain<string>((value) => typeof value === 'string', 'a text');
 export const number = plain<number>(Number.isFinite, 'a finite number');
 export const whole = plain<number>(Number.isSafeInteger, 'a whole number');
 export const flag = plain<boolean>((value) => typeof value === 'boolean', 'true or false');
 export const point = plain<Vec3>(isVec3, 'three finite numbers');
+export const token = plain<string | number>((value) => typeof value === 'string' || Number.isFinite(value), 'a text or a number');
 export const anyObject = plain<Record<string, unknown>>(isObject, 'an object');
 
 // @__NO_SIDE_EFFECTS__
@@ -40,25 +40,25 @@ export function list<T>(inner: Check<T>): Check<T[]>;
 export function list(inner: Check<unknown>, length: number): Check<never>;
 // @__NO_SIDE_EFFECTS__
 export function list(inner: Check<unknown>, length?: number): Check<never> {
-    return (value) => {
-        if (!Array.isArray(value)) return ' is not a list';
-        if (length !== undefined && value.length !== length) return ` has ${value.length} entries, not ${length}`;
-        return firstFault(value, (each, i) => at(`[${i}]`, inner(each)));
-    };
+    return (value) => listFault(value, () => inner, length);
+}
+
+/** A list of which each entry has a check of its own. */
+// @__NO_SIDE_EFFECTS__
+export function tuple<T extends readonly unknown[]>(inner: { [Place in keyof T]: Check<T[Place]> }): Check<T> {
+    return (value) => listFault(value, (i) => inner[i]!, inner.length);
 }
 
 /** An object of which every member is alike. */
 // @__NO_SIDE_EFFECTS__
 export function mapOf<T>(inner: Check<T>): Check<Record<string, T>> {
-    return (value) =>
-        isObject(value) ? firstFault(Object.entries(value), ([name, each]) => at(`.${name}`, inner(each))) : ' is not an object';
+    return (value) => (isObject(value) ? memberFault(value, Object.keys(value), () => inner) : ' is not an object');
 }
 
 // @__NO_SIDE_EFFECTS__
 export function members<T>(checks: { [Name in keyof T]-?: Check<T[Name]> }): Check<T> {
-    const named = Object.entries<Check<unknown>>(checks);
-    return (value) =>
-        isObject(value) ? firstFault(named, ([name, check]) => at(`.${name}`, check(value[name]))) : ' is not an object';
+    const [names, inner] = [Object.keys(checks), Object.values<Check<unknown>>(checks)];
+    return (value) => (isObject(value) ? memberFault(value, names, (i) => inner[i]!) : ' is not an object');
 }
 
 // @__NO_SIDE_EFFECTS__
@@ -77,14 +77,24 @@ export function either(inner: readonly Check<unknown>[]): Check<never> {
     return (value) => (inner.some((check) => check(value) === null) ? null : ' is none of what it may be');
 }
 
-function at(place: string, fault: string | null): string | null {
-    return fault === null ? null : place + fault;
+function listFault(value: unknown, checkOf: (i: number) => Check<unknown>, length?: number): string | null {
+    if (!Array.isArray(value)) return ' is not a list';
+    if (length !== undefined && value.length !== length) return ` has ${value.length} entries, not ${length}`;
+    for (let i = 0; i < value.length; ++i) {
+        const fault = checkOf(i)(value[i]);
+        if (fault !== null) return `[${i}]${fault}`;
+    }
+    return null;
 }
 
-function firstFault<T>(values: readonly T[], faultOf: (value: T, i: number) => string | null): string | null {
-    for (const [i, value] of values.entries()) {
-        const fault = faultOf(value, i);
-        if (fault !== null) return fault;
+function memberFault(
+    value: Record<string, unknown>,
+    names: readonly string[],
+    checkOf: (i: number) => Check<unknown>,
+): string | null {
+    for (let i = 0; i < names.length; ++i) {
+        const fault = checkOf(i)(value[names[i]!]);
+        if (fault !== null) return `.${names[i]}${fault}`;
     }
     return null;
 }

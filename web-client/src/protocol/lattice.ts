@@ -9,24 +9,6 @@ export interface Lattice {
 
 export const maxLatticeBits = 20;
 
-/** Number of the last node along an axis. */
-export function lastNode(bits: number): number {
-    return 2 ** bits - 1;
-}
-
-export function isLattice(lattice: Lattice): boolean {
-    const { origin, step, bits } = lattice;
-    return (
-        origin.length === 3 &&
-        origin.every(Number.isFinite) &&
-        Number.isFinite(step) &&
-        step > 0 &&
-        Number.isInteger(bits) &&
-        bits >= 1 &&
-        bits <= maxLatticeBits
-    );
-}
-
 /** Positions of nodes, xyz interleaved, rounded to float32. `positions` is as long as `nodes`. */
 export function dequantise(lattice: Lattice, nodes: Int32Array, positions: Float32Array): void {
     const [x, y, z] = lattice.origin;

@@ -11,7 +11,6 @@ export type { Share as ShareLink } from './generated/share.ts';
 export type { PassSeconds, Statistics as SurfaceStats, Terminations } from './generated/subscription.ts';
 export type { SurfaceSetParams } from './generated/surface.ts';
 export type { ProbeSampleResult as SampledPoints } from './generated/dataset.ts';
-export type { HistoryDepth } from './generated/history.ts';
 export type { SurfaceSubscribeResult as Subscription } from './generated/subscription.ts';
 export type {
     SessionEntry,
@@ -32,6 +31,9 @@ export interface Methods extends Omit<Described, 'session.join'> {
 export type MethodName = keyof Methods;
 export type ParamsOf<M extends MethodName> = Methods[M]['params'];
 export type ResultOf<M extends MethodName> = Methods[M]['result'];
+
+/** What history.undo and history.redo answer. */
+export type HistoryDepth = Omit<ResultOf<'history.undo'>, 'undone'>;
 
 /** What surface.set takes from this page: a surface that says when it begins. */
 export type SurfaceSetting = Methods['surface.set']['params'] & { from: number };

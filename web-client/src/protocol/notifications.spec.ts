@@ -1,164 +1,162 @@
 import { describe, expect, it } from 'vitest';
-import { errorWords } from './records.ts';
 import { readNotification } from './notifications.ts';
-import { sampleRake, sampleSurface } from './testing/sampleRecords.ts';
+import { sampleRake, sampleStatistics, sampleSurface } from './testing/sampleRecords.ts';
 
 const rake = sampleRake();
 
+function patched(...patches: unknown[]) {
+    const read = readNotification('session.patched', { session: 'a', seq: 4, patches });
+    return { patches: read.notification?.method === 'session.patched' ? read.notification.patches : null, faults: read.faults };
+}
+
 describe('readNotification', () => {
-    it('reads patches that put and delete records', () => {
-        const patches = [
-            { op: 'put', type: 'rake', id: 'r1', record: rake },
-            { op: 'delete', type: 'surface', id: 's1' },
+    it('takes what is as described, also with members that it does not know', () => {
+        const told: [method: string, params: Record<string, unknown>][] = [
+            ['server.notice', { kind: 'notDurable', level: 'warning', text: 'The disk is full.' }],
+            ['server.notice', { kind: 'catchingUp', surface: 's1', subscription: 3 }],
+            ['$/progress', { token: 'a', value: { kind: 'report', message: 'refining', percentage: 25, quads: 7 } }],
+            ['dataset.patched', { dataset: 'd', name: 'D', state: 'importing', progress: 0.2, steps: { ready: 3, total: 16 } }],
+            ['cache.patched', { dataset: 'd', changes: [[3, 'resident']], bytes: 1, budget: 2 }],
+            ['session.patched', { session: 'a', seq: 4, patches: [] }],
+            ['presence.patched', { session: 'a', participants: [], left: ['p3'] }],
+            ['surface.progress', { surface: 's1', epoch: 2, phase: 'coarse' }],
+            ['surface.done', { surface: 's1', epoch: 2, stats: sampleStatistics() }],
         ];
-        expect(readNotification('session.patched', { session: 'a', seq: 4, patches })).toEqual({
-            method: 'session.patched',
-            session: 'a',
-            seq: 4,
-            patches,
-            faults: [],
-        });
+        for (const [method, params] of told) {
+            const more = { ...params, newer: { than: 'this page' } };
+            expect(readNotification(method, more)).toEqual({ notification: { method, ...more }, faults: [] });
+        }
     });
 
-    it('leaves out patches that it cannot trust, and says why', () => {
-        const broken = { ...rake, points: [[0, 0, null]] };
+    it('ignores notifications that it does not know', () => {
+        expect(readNotification('weather.patched', { rain: true })).toEqual({ notification: null, faults: [] });
+        expect(readNotification('toString', {})).toEqual({ notification: null, faults: [] });
+    });
+
+    it('says of what is not as described what is wrong where', () => {
+        const faultsOf = (method: string, params: Record<string, unknown>): unknown => {
+            const { notification, faults } = readNotification(method, params);
+            expect(notification, method).toBeNull();
+            return faults;
+        };
+        expect(faultsOf('surface.done', { surface: 's1' })).toEqual(['in surface.done, epoch is not a whole number']);
+        const stats = { ...sampleStatistics(), maxEdge: null };
+        const notFinite = 'in surface.done, stats.maxEdge is not a finite number';
+        expect(faultsOf('surface.done', { surface: 's1', epoch: 1, stats })).toEqual([notFinite]);
+        expect(faultsOf('presence.patched', {})).toEqual(['in presence.patched, session is not a text']);
+        const noList = { session: 'a', participants: 3, left: [] };
+        expect(faultsOf('presence.patched', noList)).toEqual(['in presence.patched, participants is not a list']);
+        expect(faultsOf('$/progress', { token: null, value: {} })).toEqual(['in $/progress, token is not a text or a number']);
+        const entry = { dataset: 'd', name: 'D', state: 'lost', steps: { ready: 0, total: 1 } };
+        const states = 'ready, importing, failed, stopped, incomplete';
+        expect(faultsOf('dataset.patched', entry)).toEqual([`in dataset.patched, state is not one of ${states}`]);
+        expect(faultsOf('server.notice', { kind: 7 })).toEqual(['in server.notice, kind is not a text']);
+    });
+});
+
+describe('the patches of a session', () => {
+    const clock = { time: 2.5, playing: true, speed: 1, loop: false, from: null, to: null };
+
+    it('put and delete records', () => {
         const patches = [
-            { op: 'put', type: 'rake', id: 'r1', record: broken },
-            { op: 'put', type: 'camera', id: 'c1', record: {} },
-            { op: 'move', type: 'rake', id: 'r1' },
-            7,
+            { op: 'put', type: 'rake', id: 'r1', record: { ...rake, newer: 1 } },
+            { op: 'put', type: 'clock', id: 'clock', record: clock },
+            { op: 'put', type: 'session', id: 'a', record: { session: 'a', name: 'Tuesday' } },
+            { op: 'delete', type: 'surface', id: 's1' },
         ];
-        const read = readNotification('session.patched', { session: 'a', seq: 4, patches });
-        expect(read).toMatchObject({
-            patches: [],
+        expect(patched(...patches)).toEqual({ patches, faults: [] });
+    });
+
+    it('are left out where they are not as described, each alone, and the page hears why', () => {
+        const sound = { op: 'delete', type: 'annotation', id: 'a1' };
+        expect(
+            patched(
+                { op: 'put', type: 'rake', id: 'r1', record: { ...rake, points: [[0, 0, null]] } },
+                { op: 'move', type: 'rake', id: 'r1' },
+                { op: 'put', type: 'rake', id: 'r2' },
+                { op: 'put', type: 'rake', id: 7, record: rake },
+                7,
+                { op: 'put', id: 'r1', record: rake },
+                sound,
+                { op: 'put', type: 'clock', id: 'clock', record: { ...clock, speed: 'fast' } },
+                { op: 'put', type: 'bookmark', id: 'b1', record: rake },
+                { op: 'delete', type: 'clock', id: 'clock' },
+            ),
+        ).toEqual({
+            patches: [sound],
             faults: [
                 'rake r1.points[0] is not three finite numbers',
-                'rake r1 is neither put nor deleted',
+                'rake r1.op is not one of put, delete',
+                'rake r2 is not an object',
+                'rake 7.id is not a text',
                 'a patch is not an object',
+                'the type of a patch is not a text',
+                'clock clock.speed is not a finite number',
+                'bookmark b1.bookmark is not a text',
+                'clock clock cannot be deleted',
             ],
         });
     });
 
-    it('keeps what and what to do of the error of a surface', () => {
-        const error = { code: -32012, message: 'the rake is outside', hint: 'move it' };
-        expect(readNotification('surface.done', { surface: 's1', epoch: 2, error })).toEqual({
-            method: 'surface.done',
-            surface: 's1',
-            epoch: 2,
-            error: { message: 'the rake is outside', hint: 'move it' },
-        });
-        expect(readNotification('surface.done', { surface: 's1', epoch: 2, stats: {} })).toMatchObject({
-            error: null,
-        });
+    it('are ignored where they are of a type that newer servers have', () => {
+        expect(patched({ op: 'put', type: 'camera', id: 'c1', record: {} })).toEqual({ patches: [], faults: [] });
     });
 
-    it('says of a surface that ends before it should why it does', () => {
-        const stats = { stopped: 'time-step 4 is damaged' };
-        expect(readNotification('surface.done', { surface: 's1', epoch: 2, stats })).toMatchObject({
-            error: { message: 'The surface ends early: time-step 4 is damaged' },
-        });
-    });
-
-    it('says what and what to do in one text', () => {
-        expect(errorWords({ message: 'it is outside', hint: 'move it' })).toBe('it is outside: move it');
-        expect(errorWords({ message: 'it is outside' })).toBe('it is outside');
-    });
-
-    it('reads the clock, and leaves out what is no record', () => {
-        const clock = { time: 2.5, playing: true, speed: 1, loop: false, from: null, to: null };
-        const patches = [
-            { op: 'put', type: 'clock', record: clock },
-            { op: 'put', type: 'clock', record: { ...clock, speed: 'fast' } },
-            { op: 'put', type: 'bookmark', id: 'b1', record: {} },
-            { op: 'delete', type: 'annotation', id: 'a1' },
-        ];
-        expect(readNotification('session.patched', { session: 's', seq: 1, patches })).toEqual({
-            method: 'session.patched',
-            session: 's',
-            seq: 1,
-            patches: [patches[0], patches[3]],
-            faults: ['clock.speed is not a finite number', 'bookmark b1.bookmark is not a text'],
-        });
-        expect(readNotification('presence.patched', {})).toBeNull();
-        expect(readNotification('cache.patched', {})).toBeNull();
-    });
-
-    it('reads a notice for people, for programs, or for both', () => {
-        const method = 'server.notice';
-        expect(readNotification(method, { kind: 'catchingUp', surface: 's1' })).toEqual({
-            ...{ method, kind: 'catchingUp', text: null, surface: 's1' },
-        });
-        expect(readNotification(method, { kind: 'notDurable', text: 'The disk is full.' })).toEqual({
-            ...{ method, kind: 'notDurable', text: 'The disk is full.', surface: null },
-        });
-    });
-
-    it('reads the progress of an import', () => {
-        const steps = { ready: 3, total: 16 };
-        const read = readNotification('dataset.patched', {
-            dataset: 'd',
-            state: 'importing',
-            progress: 0.2,
-            steps,
-        });
-        expect(read).toEqual({
-            method: 'dataset.patched',
-            dataset: 'd',
-            change: { state: 'importing', progress: 0.2, steps },
-        });
-    });
-
-    it('takes streak and time surfaces, and drops records whose parts are not what they say', () => {
+    it('have surfaces of every kind, and none of which a member is not what it says', () => {
         const record = sampleSurface({ kind: 'time', to: 1, fields: ['p'] });
-        const patched = (more: object): number => {
-            const patches = [{ op: 'put', type: 'surface', id: 's1', record: { ...record, ...more } }];
-            const read = readNotification('session.patched', { session: 'main', seq: 1, patches });
-            return read?.method === 'session.patched' ? read.patches.length : -1;
-        };
-        expect(patched({ sweep: [0, 1, 0] })).toBe(1);
-        expect(patched({ rake2: 'r2' })).toBe(1);
-        expect(patched({ kind: 'streak', releaseUntil: 0.5 })).toBe(1);
-        expect(patched({ sweep: [0, 1] })).toBe(0);
-        expect(patched({ rake2: 2 })).toBe(0);
-        expect(patched({ releaseUntil: '1' })).toBe(0);
-        expect(patched({ kind: 'steam' })).toBe(0);
-        expect(patched({ dataset: undefined })).toBe(0);
-        expect(patched({ fields: [1] })).toBe(0);
-        for (const name of Object.keys(record)) expect(patched({ [name]: undefined }), name).toBe(0);
+        const put = (more: object) => patched({ op: 'put', type: 'surface', id: 's1', record: { ...record, ...more } });
+        for (const more of [{ sweep: [0, 1, 0] }, { rake2: 'r2' }, { kind: 'streak', releaseUntil: 0.5 }]) {
+            expect(put(more).faults, JSON.stringify(more)).toEqual([]);
+        }
+        const wrong = [{ sweep: [0, 1] }, { rake2: 2 }, { releaseUntil: '1' }, { kind: 'steam' }, { fields: [1] }];
+        const missing = Object.keys(record).map((name) => ({ [name]: undefined }));
+        for (const more of [...wrong, ...missing]) {
+            expect(put(more), Object.keys(more)[0]).toEqual({ patches: [], faults: [expect.stringMatching(/^surface s1\./)] });
+        }
+    });
+});
+
+describe('what has changed of people', () => {
+    const camera = { position: [0, 0, 9], target: [0, 0, 0], up: [0, 1, 0], fov: 30 };
+    const ada = { participant: 'p1', name: 'Ada', colour: '#0072b2', role: 'host', connected: true, camera };
+    const read = (...participants: unknown[]) => readNotification('presence.patched', { session: 's', participants, left: [] });
+
+    it('is some of their members, null where one is taken away', () => {
+        const participants = [ada, { participant: 'p2', pointer: null, dragging: { rake: 'r1' } }];
+        expect(read(...participants)).toEqual({
+            notification: { method: 'presence.patched', session: 's', participants, left: [] },
+            faults: [],
+        });
     });
 
-    it('ignores what it does not know', () => {
-        expect(readNotification('presence.patched', {})).toBeNull();
-        expect(readNotification('surface.done', { surface: 's1' })).toBeNull();
-    });
-
-    it('reads what changed of people, and leaves out what is not as it should be', () => {
-        const camera = { position: [0, 0, 9], target: [0, 0, 0], up: [0, 1, 0], fov: 30 };
-        const participants = [
-            { participant: 'p1', name: 'Ada', colour: '#0072b2', role: 'host', connected: true, camera },
-            { participant: 'p2', pointer: null, colour: 'red', camera: { position: [0, 0] } },
+    it('is left out of those of whom it is not as described, and the page hears why', () => {
+        const { notification, faults } = read(
+            { participant: 'p2', pointer: null, colour: 'red' },
+            ada,
+            { participant: 'p3', camera: { position: [0, 0] } },
             { name: 'nobody' },
-        ];
-        expect(readNotification('presence.patched', { session: 's', participants, left: ['p3'] })).toEqual({
-            method: 'presence.patched',
-            participants: [participants[0], { participant: 'p2', pointer: null }],
-            left: ['p3'],
-        });
+            null,
+        );
+        expect(notification).toMatchObject({ participants: [ada] });
+        expect(faults).toEqual([
+            'participant p2.colour is not written as ^#[0-9a-fA-F]{6}$',
+            'participant p3.camera.position is not three finite numbers',
+            'a participant.participant is not a text',
+            'a participant is not an object',
+        ]);
     });
+});
 
-    it('reads which time-steps are in memory, as pairs', () => {
-        const changes = [[3, 'resident'], [4, 'melting'], 'loading'];
-        expect(readNotification('cache.patched', { dataset: 'd', changes, bytes: 1, budget: 2 })).toEqual({
-            method: 'cache.patched',
-            dataset: 'd',
-            changes: [{ step: 3, state: 'resident' }],
-        });
-    });
-
-    it('reads the progress of a call as a fraction', () => {
-        const value = { kind: 'report', message: 'refining', percentage: 25 };
-        expect(readNotification('$/progress', { token: 'a', value })).toEqual({
-            ...{ method: '$/progress', token: 'a', fraction: 0.25, message: 'refining', ended: false },
-        });
+describe('which time-steps are in memory', () => {
+    it('are pairs, of which those that are not as described are left out, and the page hears why', () => {
+        const changes = [[3, 'resident'], [4, 'melting'], [5], 'loading', ['6', 'cold']];
+        const { notification, faults } = readNotification('cache.patched', { dataset: 'd', changes, bytes: 1, budget: 2 });
+        expect(notification).toMatchObject({ changes: [[3, 'resident']] });
+        expect(faults).toEqual([
+            'in a change of time-steps in memory, [1] is not one of resident, loading, cold',
+            'a change of time-steps in memory has 1 entries, not 2',
+            'a change of time-steps in memory is not a list',
+            'in a change of time-steps in memory, [0] is not a whole number',
+        ]);
     });
 });

@@ -3,13 +3,13 @@
 import { is } from './checks.ts';
 import { type AnnotationRecord, annotationRecordCheck } from './generated/annotation.ts';
 import { type BookmarkRecord, bookmarkRecordCheck } from './generated/bookmark.ts';
-import type { Presence } from './generated/presence.ts';
 import { type RakeRecord, rakeRecordCheck } from './generated/rake.ts';
+import { sessionNameCheck } from './generated/session.ts';
 import { type SurfaceRecord, surfaceRecordCheck } from './generated/surface.ts';
 import { type ClockRecord, clockRecordCheck } from './generated/time.ts';
 import { isObject } from './jsonRpc.ts';
 
-export type { AnnotationRecord, BookmarkRecord, ClockRecord, Presence, RakeRecord, SurfaceRecord };
+export type { AnnotationRecord, BookmarkRecord, ClockRecord, RakeRecord, SurfaceRecord };
 export type {
     Dataset as DatasetDescription,
     DatasetEntry,
@@ -18,7 +18,7 @@ export type {
     StepState,
 } from './generated/dataset.ts';
 export { datasetStates } from './generated/dataset.ts';
-export type { Camera as CameraPlace, Participant } from './generated/presence.ts';
+export type { Camera as CameraPlace, Participant, PresenceUpdateParams as Presence } from './generated/presence.ts';
 export type { RakeKind } from './generated/rake.ts';
 export type { Snapshot as SessionSnapshot } from './generated/session.ts';
 export type { Lattice as LatticeDescription, Role } from './generated/shared.ts';
@@ -48,6 +48,7 @@ export const recordChecks = {
     bookmark: bookmarkRecordCheck,
     annotation: annotationRecordCheck,
     clock: clockRecordCheck,
+    session: sessionNameCheck,
 } as const;
 
 /** Why something failed, as an object of that shape; null if it is none. */

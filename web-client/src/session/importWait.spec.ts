@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { settled } from '../connection/fakeClock.ts';
+import { settled } from '../testing/fakeClock.ts';
 import type { DatasetEntry } from '../protocol/messages.ts';
 import { AppState } from '../state/appState.ts';
 import { answering } from '../testing/answering.ts';

@@ -1,11 +1,10 @@
 // Waits for the import of the dataset that is opened, as one of all who do, until this page's user stops it: the last one who
 // does ends the import (protocol/api/README.md, "Datasets that are imported").
 import { effect, signal, untracked } from '@preact/signals-core';
+import { errorCodes } from '../protocol/generated/errors.ts';
 import type { DatasetEntry } from '../protocol/messages.ts';
 import type { AppState } from '../state/appState.ts';
 import { CallError, type WorkerClient } from '../worker/workerClient.ts';
-
-const cancelled = -32800;
 
 export interface ImportWaitOptions {
     state: AppState;
@@ -46,7 +45,7 @@ export class ImportWait {
             }
         } catch (error) {
             // Other failures are told by the dataset's entry, or by the connection.
-            if (error instanceof CallError && error.failure.code === cancelled) this.left.value = true;
+            if (error instanceof CallError && error.failure.code === errorCodes.cancelled) this.left.value = true;
         } finally {
             this.waiting = null;
             const entry = this.options.state.datasetEntry.value;

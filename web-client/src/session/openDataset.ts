@@ -1,5 +1,5 @@
 // The dataset that the page shows: waits for its import, puts its domain and body into the picture, follows its growth.
-import { type DatasetDescription, type DatasetEntry, errorWords, type StepState } from '../protocol/messages.ts';
+import { type DatasetDescription, type DatasetEntry, errorWords, type StepChange } from '../protocol/messages.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
@@ -34,7 +34,7 @@ export class OpenDataset {
             if (entry === undefined) throw new Error(noDataset(id));
             state.datasetEntry.value = entry;
             if (entry.state === 'failed') throw new Error(importFailed(entry));
-            const usable = entry.state === 'ready' || (entry.steps?.ready ?? 0) > 0;
+            const usable = entry.state === 'ready' || entry.steps.ready > 0;
             // What someone has stopped stays so where there is something to see.
             const wanted = entry.state === 'importing' || (entry.state === 'stopped' && !usable);
             if (wanted && !imports.left.value) void imports.begin(entry.dataset);
@@ -70,18 +70,16 @@ export class OpenDataset {
         }
     }
 
-    patched(dataset: string, change: Partial<DatasetEntry>): void {
+    patched(entry: DatasetEntry): void {
         const { state } = this.options;
-        const entry = state.datasetEntry.value;
-        if (entry === null || entry.dataset !== dataset) return;
-        const rest = { ...entry };
-        delete rest.error; // a patch says what is wrong now
-        state.datasetEntry.value = { ...rest, ...change };
+        const { dataset } = entry;
+        if (state.datasetEntry.value?.dataset !== dataset) return;
+        state.datasetEntry.value = entry;
         // The range of the velocity is known in full only now.
-        if (change.state === 'ready' || change.state === 'incomplete') void this.describe(dataset).catch(() => undefined);
+        if (entry.state === 'ready' || entry.state === 'incomplete') void this.describe(dataset).catch(() => undefined);
     }
 
-    stepsPatched(dataset: string, changes: readonly { step: number; state: StepState }[]): void {
+    stepsPatched(dataset: string, changes: readonly StepChange[]): void {
         this.stepStates.patched(dataset, changes);
     }
 }

@@ -11,7 +11,7 @@ export interface SurfaceNews {
 }
 
 export function adoptSnapshot(state: AppState, snapshot: SessionSnapshot): void {
-    const { name, rakes, surfaces, bookmarks = [], annotations = [], clock = null } = snapshot;
+    const { name, rakes, surfaces, bookmarks, annotations, clock } = snapshot;
     state.sessionName.value = name;
     state.rakes.value = new Map(rakes.map((record) => [record.rake, record]));
     state.surfaces.value = new Map(surfaces.map((record) => [record.surface, record]));

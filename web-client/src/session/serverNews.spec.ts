@@ -1,23 +1,28 @@
 import { describe, expect, it } from 'vitest';
+import type { DatasetEntry } from '../protocol/messages.ts';
+import { sampleStatistics } from '../protocol/testing/sampleRecords.ts';
 import { AppState } from '../state/appState.ts';
 import { ServerNews } from './serverNews.ts';
 
 function bench() {
     const state = new AppState();
     let deleted = 0;
-    const patched: string[] = [];
+    const done: unknown[] = [];
+    const progressed: unknown[] = [];
+    const datasets: unknown[] = [];
     const unheard = (): void => undefined;
     const news = new ServerNews({
         state,
-        feed: { done: unheard, progressed: unheard },
+        feed: { done: (_surface, _epoch, error) => void done.push(error), progressed: unheard },
         people: { patched: unheard },
-        progress: { progressed: unheard },
-        dataset: { patched: unheard, stepsPatched: unheard },
-        controller: { patched: (session) => void patched.push(session), deleted: async () => void ++deleted },
+        progress: { progressed: (...what) => void progressed.push(what) },
+        dataset: { patched: (entry) => void datasets.push(entry), stepsPatched: unheard },
+        controller: { patched: unheard, deleted: async () => void ++deleted },
     });
-    const hear = (kind: string, text: string | null, surface: string | null = null): void =>
+    const hear = (kind: string, text?: string, surface?: string): void =>
         news.take({ method: 'server.notice', kind, text, surface });
-    return { state, hear, said: () => [...state.notices.all.value], deleted: () => deleted, news, patched };
+    const said = () => [...state.notices.all.value];
+    return { state, hear, said, deleted: () => deleted, news, done, progressed, datasets };
 }
 
 describe('a notice of the server', () => {
@@ -51,9 +56,9 @@ describe('a notice of the server', () => {
 
     it('for programs only, or before the connection is closed, is not shown', () => {
         const { state, hear, said, deleted } = bench();
-        hear('catchingUp', null, 's1');
+        hear('catchingUp', undefined, 's1');
         expect([...state.catchingUp.value]).toEqual(['s1']);
-        hear('caughtUp', null, 's1');
+        hear('caughtUp', undefined, 's1');
         expect(state.catchingUp.value.size).toBe(0);
         hear('linkEnded', 'the share link has expired');
         hear('sessionDeleted', 'the session was deleted');
@@ -61,20 +66,54 @@ describe('a notice of the server', () => {
     });
 });
 
-describe('records that the page cannot read', () => {
-    it('are reported, once for the same reason', () => {
-        const { state, news, patched } = bench();
+describe('what the page cannot read', () => {
+    it('is reported, once for the same reason', () => {
+        const { state, news, said } = bench();
         const faults = ['rake r1.seeds is not a whole number', 'rake r2.name is not a text'];
-        news.take({ method: 'session.patched', session: 'main', seq: 1, patches: [], faults });
-        expect([...state.notices.all.value]).toEqual([
+        news.unreadable(faults);
+        expect(said()).toEqual([
             [
                 'unreadable',
                 'This page cannot read what the server sent: rake r1.seeds is not a whole number and 1 more. Reload the page.',
             ],
         ]);
         state.notices.solved('unreadable');
-        news.take({ method: 'session.patched', session: 'main', seq: 2, patches: [], faults });
-        expect([...state.notices.all.value]).toEqual([]);
-        expect(patched).toEqual(['main', 'main']);
+        news.unreadable(faults);
+        expect(said()).toEqual([]);
+    });
+});
+
+describe('what the server tells', () => {
+    it('of a surface is that it is whole, why there is none, or why it ends early', () => {
+        const { news, done } = bench();
+        const about = { method: 'surface.done', surface: 's1', epoch: 2 } as const;
+        const error = { code: -32012, message: 'the rake is outside', kind: 'outsideDomain', hint: 'move it' };
+        news.take({ ...about, error });
+        news.take({ ...about, stats: sampleStatistics() });
+        news.take({ ...about, stats: sampleStatistics({ stopped: 'time-step 4 is damaged' }) });
+        expect(done).toEqual([error, null, { message: 'The surface ends early: time-step 4 is damaged' }]);
+    });
+
+    it('of a call is how far it is, as a fraction where the server knows it', () => {
+        const { news, progressed } = bench();
+        news.take({ method: '$/progress', token: 'a', value: { kind: 'report', message: 'refining', percentage: 25 } });
+        news.take({ method: '$/progress', token: 'a', value: { kind: 'begin' } });
+        expect(progressed).toEqual([
+            ['a', 0.25, 'refining'],
+            ['a', null, ''],
+        ]);
+    });
+
+    it('of a dataset is its entry in the list', () => {
+        const { news, datasets } = bench();
+        const entry: DatasetEntry = {
+            dataset: 'd',
+            name: 'D',
+            state: 'importing',
+            steps: { ready: 3, total: 16 },
+            progress: 0.2,
+        };
+        news.take({ method: 'dataset.patched', ...entry });
+        expect(datasets).toEqual([entry]);
     });
 });

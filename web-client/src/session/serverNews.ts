@@ -1,5 +1,6 @@
 // What the server tells by itself, handed to whom it concerns: records, surfaces, people, datasets, notices.
-import type { Notification } from '../protocol/messages.ts';
+import type { Notification, ReportedError, SurfaceDone } from '../protocol/messages.ts';
+import { unreadableWords } from '../protocol/unreadable.ts';
 import type { AppState } from '../state/appState.ts';
 import type { OpenDataset } from './openDataset.ts';
 import type { People } from './people/people.ts';
@@ -34,16 +35,17 @@ export class ServerNews {
         switch (notification.method) {
             case 'session.patched':
                 controller.patched(notification.session, notification.patches);
-                this.unreadable(notification.faults);
                 break;
             case 'surface.done':
-                feed.done(notification.surface, notification.epoch, notification.error);
+                feed.done(notification.surface, notification.epoch, whyNotWhole(notification));
                 break;
-            case 'dataset.patched':
-                dataset.patched(notification.dataset, notification.change);
+            case 'dataset.patched': {
+                const { method: _, ...entry } = notification;
+                dataset.patched(entry);
                 break;
+            }
             case 'server.notice':
-                this.noticed(notification.kind, notification.text, notification.surface ?? '');
+                this.noticed(notification.kind, notification.text ?? null, notification.surface ?? '');
                 break;
             case 'presence.patched':
                 people.patched(notification.participants, notification.left);
@@ -52,12 +54,22 @@ export class ServerNews {
                 dataset.stepsPatched(notification.dataset, notification.changes);
                 break;
             case 'surface.progress':
-                feed.progressed(notification.surface, notification.epoch, notification.seconds);
+                feed.progressed(notification.surface, notification.epoch, notification.seconds ?? null);
                 break;
-            case '$/progress':
-                progress.progressed(notification.token, notification.fraction, notification.message);
+            case '$/progress': {
+                const { percentage, message = '' } = notification.value;
+                progress.progressed(notification.token, percentage === undefined ? null : percentage / 100, message);
                 break;
+            }
         }
+    }
+
+    /** What the page shows is not all there is, until it is loaded by a server that it understands. */
+    unreadable(faults: readonly string[]): void {
+        const [first] = faults;
+        if (first === undefined) return;
+        const more = faults.length > 1 ? ` and ${faults.length - 1} more` : '';
+        this.say('unreadable', unreadableWords(first + more));
     }
 
     /** Whatever the kind, words for people are shown. */
@@ -72,14 +84,6 @@ export class ServerNews {
         } else if (text !== null && !farewells.has(kind)) this.say(subjects[kind] ?? kind, sentence(text));
     }
 
-    /** What the page shows is not all there is, until it is loaded by a server that it understands. */
-    private unreadable(faults: readonly string[]): void {
-        const [first] = faults;
-        if (first === undefined) return;
-        const more = faults.length > 1 ? ` and ${faults.length - 1} more` : '';
-        this.say('unreadable', `This page cannot read what the server sent: ${first}${more}. Reload the page.`);
-    }
-
     /** Some notices come again whenever the session is joined; what was sent away stays away. */
     private say(about: string, words: string): void {
         if (this.told.get(about) === words) return;
@@ -92,4 +96,10 @@ export class ServerNews {
 function sentence(text: string): string {
     const first = text.charAt(0).toUpperCase() + text.slice(1);
     return /[.!?…]$/.test(first) ? first : `${first}.`;
+}
+
+/** A surface that ends before a time-step which cannot be read is there, but not all that was asked for. */
+function whyNotWhole({ error, stats }: SurfaceDone): ReportedError | null {
+    if (error !== undefined) return error;
+    return stats?.stopped === undefined ? null : { message: `The surface ends early: ${stats.stopped}` };
 }

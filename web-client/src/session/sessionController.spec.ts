@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals-core';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { settled } from '../connection/fakeClock.ts';
+import { settled } from '../testing/fakeClock.ts';
 import type { DatasetEntry, Patch, SessionSnapshot } from '../protocol/messages.ts';
 import { emptySnapshot } from '../protocol/testing/sampleRecords.ts';
 import { apiLevel } from '../protocol/version.ts';

@@ -187,7 +187,7 @@ export class SessionController {
     private entered(joined: JoinedSession, before: string | undefined): void {
         const { state, edits, people } = this.options;
         if (joined.resumeToken !== before) edits.history.clear();
-        state.role.value = joined.role ?? 'host';
+        state.role.value = joined.role;
         state.session.value = joined.snapshot.session;
         state.sessionName.value = joined.snapshot.name;
         state.gone.value = null;

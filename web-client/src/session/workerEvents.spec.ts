@@ -10,7 +10,7 @@ function bench() {
     const receivers: Receivers = {
         state,
         feed: { receive: to('feed'), troubled: async (...what) => void heard.push(['feed', what]) },
-        news: { take: to('news') },
+        news: { take: to('news'), unreadable: to('unreadable') },
         controller: { connectionChanged: to('controller') },
     };
     return { state, heard, hear: (event: WorkerEvent) => handOut(event, receivers) };
@@ -36,12 +36,14 @@ describe('what the worker sends', () => {
 
     it('is news of the server, the state of the connection or how far away the server is', () => {
         const { state, heard, hear } = bench();
-        const notification = { method: 'server.notice', kind: 'carefulStart', text: 'hello', surface: null } as const;
+        const notification = { method: 'server.notice', kind: 'carefulStart', text: 'hello' } as const;
         hear({ type: 'notification', notification });
+        hear({ type: 'unreadable', faults: ['rake r1.seeds is not a whole number'] });
         hear({ type: 'connection', state: 'open' });
         hear({ type: 'roundTrip', ms: 12 });
         expect(heard).toEqual([
             ['news', notification],
+            ['unreadable', ['rake r1.seeds is not a whole number']],
             ['controller', { state: 'open' }],
         ]);
         expect(state.roundTripMs.value).toBe(12);

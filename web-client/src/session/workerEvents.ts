@@ -8,7 +8,7 @@ import type { SurfaceFeed } from './surface/surfaceFeed.ts';
 export interface Receivers {
     state: Pick<AppState, 'roundTripMs'>;
     feed: Pick<SurfaceFeed, 'receive' | 'troubled'>;
-    news: Pick<ServerNews, 'take'>;
+    news: Pick<ServerNews, 'take' | 'unreadable'>;
     controller: Pick<SessionController, 'connectionChanged'>;
 }
 
@@ -22,6 +22,9 @@ export function handOut(event: WorkerEvent, { state, feed, news, controller }: R
             break;
         case 'notification':
             news.take(event.notification);
+            break;
+        case 'unreadable':
+            news.unreadable(event.faults);
             break;
         case 'roundTrip':
             state.roundTripMs.value = event.ms;

@@ -7,6 +7,7 @@ import { RpcClient } from '../connection/rpcClient.ts';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { encodeNotification, parseIncoming, RpcError } from '../protocol/jsonRpc.ts';
 import { type MethodName, type ParamsOf, readNotification, type ResultOf } from '../protocol/messages.ts';
+import { UnreadableAnswer } from '../protocol/unreadable.ts';
 import { keepDracoSmall, loadDraco } from './draco.ts';
 import { fetchObstacle } from './obstacle.ts';
 import { SurfaceFolder } from './surfaceFolder.ts';
@@ -137,13 +138,14 @@ class SessionWorker {
         const incoming = parseIncoming(text);
         if (incoming === null) return;
         if (incoming.type === 'notification') {
-            const notification = readNotification(incoming.method, incoming.params);
+            const { notification, faults } = readNotification(incoming.method, incoming.params);
             if (notification?.method === 'session.patched') {
                 for (const patch of notification.patches) {
                     if (patch.op === 'put' && patch.type === 'surface') this.folder.recorded(patch.record);
                 }
             }
             if (notification !== null) this.port.postMessage({ type: 'notification', notification });
+            if (faults.length > 0) this.port.postMessage({ type: 'unreadable', faults });
             return;
         }
         this.rpc.receive(incoming);
@@ -163,7 +165,7 @@ function failureOf(error: unknown): CallFailure {
         return { kind: 'rpc', code: error.code, message: error.message, hint: error.hint };
     }
     const message = error instanceof Error ? error.message : String(error);
-    return { kind: 'disconnected', code: 0, message, hint: '' };
+    return { kind: error instanceof UnreadableAnswer ? 'unreadable' : 'disconnected', code: 0, message, hint: '' };
 }
 
 const port = self as unknown as WorkerPort;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { FakeClock } from '../connection/fakeClock.ts';
+import { FakeClock } from '../testing/fakeClock.ts';
 import { Watchdog } from './watchdog.ts';
 
 class Bench {

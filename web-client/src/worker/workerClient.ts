@@ -5,7 +5,7 @@ import { errorWords, type MethodName, type ParamsOf, type ResultOf } from '../pr
 import type { CallFailure, FromWorker, GeometryArrays, MessageOf, PartsWish, ToWorker } from './workerMessages.ts';
 import { Watchdog } from './watchdog.ts';
 
-/** A call that the server refused or that no connection carried. */
+/** A call that the server refused, that no connection carried, or of which this page does not understand the answer. */
 export class CallError extends Error {
     readonly failure: CallFailure;
 

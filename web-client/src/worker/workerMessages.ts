@@ -31,6 +31,8 @@ export interface FromWorker {
     reply: { id: number; result: unknown };
     failure: { id: number; failure: CallFailure };
     notification: { notification: Notification };
+    /** What of a notification the page would not understand, in words. */
+    unreadable: { faults: string[] };
     surface: SurfaceState;
     /** Frames of a surface did not fit together; it has to be subscribed again. */
     frameTrouble: { surface: string; subscription: number; reason: string };
@@ -40,7 +42,7 @@ export interface FromWorker {
 }
 
 export interface CallFailure {
-    kind: 'rpc' | 'disconnected';
+    kind: 'rpc' | 'disconnected' | 'unreadable';
     code: number;
     message: string;
     hint: string;

@@ -1,36 +1,36 @@
 // Made by protocol/api/generate from dataset.schema.json: do not edit.
-import { flag, list, members, number, oneOf, optional, orNull, point, text, whole } from '../checks.ts';
-import { type Vec3 } from '../vec3.ts';
-import { latticeCheck, problemCheck, type Lattice, type Problem } from './shared.ts';
+import { flag, list, members, number, oneOf, optional, orNull, point, text, tuple, whole } from '../checks.ts';
+import type { Vec3 } from '../vec3.ts';
+import { type Lattice, type Problem, latticeCheck, problemCheck } from './shared.ts';
 
-/** how far the import is */
+/** state of the import */
 export const datasetStates = ['ready', 'importing', 'failed', 'stopped', 'incomplete'] as const;
 export type DatasetState = (typeof datasetStates)[number];
 export const datasetStateCheck = oneOf(datasetStates);
 
-/** Time-steps. */
+/** Numbers of time-steps. */
 export interface Steps {
-    /** that can be used */
+    /** time-steps that can be used */
     ready: number;
-    /** that there will be */
+    /** time-steps that there will be after the import */
     total: number;
 }
 
 export const stepsCheck = members<Steps>({ ready: whole, total: whole });
 
-/** A dataset in a list. */
+/** A dataset as a list shows it. */
 export interface DatasetEntry {
-    /** its id */
+    /** id of the dataset */
     dataset: string;
-    /** for people */
+    /** display name */
     name: string;
-    /** how far the import is */
+    /** state of the import */
     state: DatasetState;
-    /** its time-steps */
+    /** numbers of time-steps */
     steps: Steps;
-    /** of the import */
+    /** progress of the import */
     progress?: number;
-    /** that the import will still take (s) */
+    /** time that the import still needs (s) */
     remaining?: number;
     /** why the import failed or ended early */
     error?: Problem;
@@ -48,15 +48,15 @@ export const datasetEntryCheck = members<DatasetEntry>({
 
 /** A field of a dataset. */
 export interface Field {
-    /** as in the files */
+    /** name of the field in the files */
     name: string;
-    /** 3: a vector */
+    /** number of components; 3: a vector */
     components: number;
-    /** where the files have it */
+    /** whether the files have the values at points or in cells */
     source: 'point' | 'cell';
-    /** least and largest value, of a vector's length; null: unknown */
+    /** smallest and largest value (for a vector, of its magnitude); null: unknown */
     range: [number | null, number | null];
-    /** as in the files */
+    /** unit of the values, as stated in the files */
     unit?: string;
 }
 
@@ -68,49 +68,49 @@ export const fieldCheck = members<Field>({
     unit: optional(text),
 });
 
-/** What a dataset is. */
+/** The description of a dataset. */
 export interface Dataset {
-    /** its id */
+    /** id of the dataset */
     dataset: string;
-    /** for people */
+    /** display name */
     name: string;
-    /** what read the files */
+    /** name of the reader that read the files */
     reader: string;
     /** kind of grid */
     grid: 'uniform' | 'rectilinear' | 'curvilinear' | 'unstructured' | 'analytic';
-    /** x0, x1, y0, y1, z0, z1 (the dataset's unit of length) */
+    /** bounding box: x0, x1, y0, y1, z0, z1 (the dataset's unit of length) */
     bounds: [number, number, number, number, number, number];
-    /** of the grid */
+    /** number of points of the grid */
     points: number;
-    /** of the grid */
+    /** number of cells of the grid */
     cells: number;
-    /** of the time-steps (the dataset's unit of time) */
+    /** times of the time-steps (the dataset's unit of time) */
     times: number[];
-    /** it does not change in time */
+    /** true: the flow does not change in time */
     steady: boolean;
-    /** all of them */
+    /** all fields */
     fields: Field[];
     /** name of the field that particles follow */
     velocity: string;
-    /** this field is the velocity because */
+    /** why this field was taken as the velocity */
     why: string;
-    /** there is an obstacle in the flow */
+    /** true: there is an obstacle in the flow */
     obstacle: boolean;
-    /** of a time-step in memory (bytes) */
+    /** memory that one time-step takes (bytes) */
     bytesPerStep: number;
-    /** of the grid (the dataset's unit of length) */
+    /** smallest spacing of the grid (the dataset's unit of length) */
     finestSpacing: number;
-    /** of the frames of its surfaces */
+    /** lattice of the frames of its surfaces */
     lattice: Lattice;
-    /** what `fields` of surface.set may name */
+    /** names that `fields` of surface.set accepts */
     surfaceFields: string[];
-    /** something to know about the data, for people */
+    /** a remark about the data, for people */
     note?: string;
-    /** half: kept with 16 bits a number */
+    /** half: the values are stored with 16 bits each */
     precision?: 'half';
-    /** points along x, y, z */
+    /** number of points along x, y and z */
     dimensions?: [number, number, number];
-    /** of a uniform grid (the dataset's unit of length) */
+    /** spacing of a uniform grid along x, y and z (the dataset's unit of length) */
     spacing?: Vec3;
 }
 
@@ -138,20 +138,24 @@ export const datasetCheck = members<Dataset>({
     spacing: optional(point),
 });
 
-/** resident: in memory */
+/** resident: in memory; loading: being read; cold: not in memory */
 export const stepStates = ['resident', 'loading', 'cold'] as const;
 export type StepState = (typeof stepStates)[number];
 export const stepStateCheck = oneOf(stepStates);
 
+/** the index of a time-step, and its state now */
+export type StepChange = [number, StepState];
+export const stepChangeCheck = tuple<StepChange>([whole, stepStateCheck]);
+
 /** Which time-steps are in memory. */
 export interface CacheStatus {
-    /** its id */
+    /** id of the dataset */
     dataset: string;
-    /** one state a time-step; none of a built-in flow */
+    /** state of each time-step; empty for a built-in flow */
     steps: StepState[];
-    /** in memory (bytes) */
+    /** memory that the time-steps take (bytes) */
     bytes: number;
-    /** that may be in memory (bytes) */
+    /** memory that the time-steps may take (bytes) */
     budget: number;
 }
 
@@ -159,7 +163,7 @@ export const cacheStatusCheck = members<CacheStatus>({ dataset: text, steps: lis
 
 /** What dataset.list answers. */
 export interface DatasetListResult {
-    /** all of them */
+    /** all datasets */
     datasets: DatasetEntry[];
 }
 
@@ -173,9 +177,9 @@ export interface DatasetDescribeParams {
 export interface DatasetOpenParams {
     /** an id from dataset.list */
     dataset: string;
-    /** patience; 0: no waiting (ms) */
+    /** how long to wait, at most; 0: do not wait (ms) */
     timeoutMs?: number;
-    /** on a WebSocket: $/progress with this token tells how far the work is */
+    /** on a WebSocket: $/progress reports the progress of the work with this token */
     workDoneToken?: string | number;
 }
 
@@ -189,18 +193,18 @@ export interface CacheStatusParams {
 export interface ProbeSampleParams {
     /** an id from dataset.list */
     dataset: string;
-    /** where (the dataset's unit of length) */
+    /** points to sample (the dataset's unit of length) */
     points: Vec3[];
-    /** in the dataset's range (the dataset's unit of time) */
+    /** simulation time, in the dataset's range (the dataset's unit of time) */
     time: number;
-    /** the velocity's name or scalars; left out: the velocity */
+    /** name of the velocity, or names of scalar fields; if left out, the velocity */
     fields?: string[];
 }
 
 /** What probe.sample answers. */
 export interface ProbeSampleResult {
-    /** by the name of a field, one a point; null: none there */
+    /** for each field, by its name, one value for each point; null: there is no value at that point */
     values: Record<string, (number | null | Vec3)[]>;
-    /** which points are in the fluid */
+    /** for each point, whether it is in the fluid */
     inside: boolean[];
 }

@@ -3,7 +3,7 @@ import { members, whole } from '../checks.ts';
 
 /** What one server of this version grants. */
 export const limits = {
-    /** of one message (bytes) */
+    /** size of one message (bytes) */
     messageBytes: 65_536,
     /** calls in one message */
     batch: 64,
@@ -11,37 +11,37 @@ export const limits = {
     depth: 32,
     /** WebSockets of all people together */
     clients: 2_048,
-    /** of one person; twice as many at once */
+    /** calls of one person in a second; bursts may have twice as many */
     callsPerSecond: 2_000,
-    /** of one person; twice as many at once */
+    /** edits of one person in a second; bursts may have twice as many */
     editsPerSecond: 200,
-    /** that the server keeps */
+    /** sessions that the server keeps */
     sessions: 1_024,
     /** deleted sessions that can be restored */
     trash: 256,
-    /** of a session's picture (bytes) */
+    /** size of a session's picture (bytes) */
     thumbnailBytes: 24_576,
-    /** in a session at a time */
+    /** participants in a session at a time */
     participants: 1_536,
-    /** in a session */
+    /** rakes in a session */
     rakes: 256,
-    /** of a rake */
+    /** points of a rake */
     rakePoints: 1_024,
-    /** of a rake */
+    /** seeds of a rake */
     seeds: 4_096,
-    /** in a session */
+    /** surfaces in a session */
     surfaces: 64,
-    /** in a session */
+    /** bookmarks in a session */
     bookmarks: 256,
-    /** in a session */
+    /** annotations in a session */
     annotations: 512,
-    /** of all records of a session; as text, when someone joins, three times as much (bytes) */
+    /** size of all records of a session; as text, when someone joins, they take three times as much (bytes) */
     sessionBytes: 1_048_576,
     /** edits of one participant that can be taken back */
     undo: 100,
-    /** of a session */
+    /** valid share links of a session */
     shareLinks: 32,
-    /** of one WebSocket */
+    /** subscriptions of one WebSocket */
     subscriptions: 1_024,
     /** unanswered surface.wait calls of one surface */
     waiters: 64,
@@ -53,45 +53,45 @@ export const limits = {
     sockets: 64,
     /** unfinished downloads of one person */
     downloads: 8,
-    /** of a surface */
+    /** quads of a surface */
     quads: 4_000_000,
-    /** of a surface: further attributes of its vertices */
+    /** additional attributes of a surface's vertices */
     fields: 4,
-    /** that a call may wait (ms) */
+    /** time that a call may wait (ms) */
     waitMs: 600_000,
-    /** of a name (bytes) */
+    /** length of a name (bytes) */
     nameBytes: 120,
-    /** of a gesture's name (bytes) */
+    /** length of a gesture's name (bytes) */
     gestureBytes: 64,
-    /** of a bookmark's view, as JSON text (bytes) */
+    /** length of a bookmark's view, as JSON text (bytes) */
     viewBytes: 4_096,
-    /** of an annotation's text (bytes) */
+    /** length of an annotation's text (bytes) */
     annotationBytes: 4_096,
-    /** of a rake while it is dragged */
+    /** points of a rake while it is dragged */
     presencePoints: 64,
-    /** of one probe.sample */
+    /** points in one call of probe.sample */
     probePoints: 4_096,
-    /** of one probe.sample */
+    /** fields in one call of probe.sample */
     probeFields: 64,
-    /** of a rake */
+    /** fewest seeds of a rake */
     seedsLeast: 2,
-    /** of a surface that does not say */
+    /** quads of a surface, if `maxQuads` is left out */
     quadsDefault: 1_000_000,
-    /** of a share link that ends (s) */
+    /** lifetime of a share link that expires (s) */
     grantSeconds: 316_224_000,
-    /** of a share link that does not say (s) */
+    /** lifetime of a share link, if `expiresIn` is left out (s) */
     grantSecondsDefault: 604_800,
-    /** of a clock, simulation time a second */
+    /** speed of a clock, in simulation time a second */
     clockSpeed: 1_000_000,
-    /** of a rake's lease (ms) */
+    /** duration of a rake's lease (ms) */
     leaseMs: 5_000,
-    /** in which a deleted session can be restored (days) */
+    /** days for which a deleted session can be restored (days) */
     trashDays: 30,
 } as const;
 
-/** What server.info tells. */
+/** The limits that server.info returns. */
 export interface Limits {
-    /** of one message (bytes) */
+    /** size of one message (bytes) */
     messageBytes: number;
     /** calls in one message */
     batch: number;
@@ -99,37 +99,37 @@ export interface Limits {
     depth: number;
     /** WebSockets of all people together */
     clients: number;
-    /** of one person; twice as many at once */
+    /** calls of one person in a second; bursts may have twice as many */
     callsPerSecond: number;
-    /** of one person; twice as many at once */
+    /** edits of one person in a second; bursts may have twice as many */
     editsPerSecond: number;
-    /** that the server keeps */
+    /** sessions that the server keeps */
     sessions: number;
     /** deleted sessions that can be restored */
     trash: number;
-    /** of a session's picture (bytes) */
+    /** size of a session's picture (bytes) */
     thumbnailBytes: number;
-    /** in a session at a time */
+    /** participants in a session at a time */
     participants: number;
-    /** in a session */
+    /** rakes in a session */
     rakes: number;
-    /** of a rake */
+    /** points of a rake */
     rakePoints: number;
-    /** of a rake */
+    /** seeds of a rake */
     seeds: number;
-    /** in a session */
+    /** surfaces in a session */
     surfaces: number;
-    /** in a session */
+    /** bookmarks in a session */
     bookmarks: number;
-    /** in a session */
+    /** annotations in a session */
     annotations: number;
-    /** of all records of a session; as text, when someone joins, three times as much (bytes) */
+    /** size of all records of a session; as text, when someone joins, they take three times as much (bytes) */
     sessionBytes: number;
     /** edits of one participant that can be taken back */
     undo: number;
-    /** of a session */
+    /** valid share links of a session */
     shareLinks: number;
-    /** of one WebSocket */
+    /** subscriptions of one WebSocket */
     subscriptions: number;
     /** unanswered surface.wait calls of one surface */
     waiters: number;
@@ -141,11 +141,11 @@ export interface Limits {
     sockets: number;
     /** unfinished downloads of one person */
     downloads: number;
-    /** of a surface */
+    /** quads of a surface */
     quads: number;
-    /** of a surface: further attributes of its vertices */
+    /** additional attributes of a surface's vertices */
     fields: number;
-    /** that a call may wait (ms) */
+    /** time that a call may wait (ms) */
     waitMs: number;
 }
 

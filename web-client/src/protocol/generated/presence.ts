@@ -1,68 +1,49 @@
 // Made by protocol/api/generate from presence.schema.json: do not edit.
 import { flag, list, matching, members, number, optional, orNull, point, text } from '../checks.ts';
-import { type Vec3 } from '../vec3.ts';
-import { roleCheck, type Role } from './shared.ts';
+import type { Vec3 } from '../vec3.ts';
+import { type Role, roleCheck } from './shared.ts';
 
 /** Where someone looks from. */
 export interface Camera {
-    /** of the eye (the dataset's unit of length) */
+    /** position of the eye (the dataset's unit of length) */
     position: Vec3;
-    /** what is in the middle of the picture (the dataset's unit of length) */
+    /** the point in the middle of the picture (the dataset's unit of length) */
     target: Vec3;
-    /** points up in the picture (the dataset's unit of length) */
+    /** direction that points up in the picture (the dataset's unit of length) */
     up: Vec3;
-    /** from top to bottom; left out: orthographic, or unknown (degrees) */
+    /** field of view from top to bottom; if left out, the view is orthographic or unknown (degrees) */
     fov?: number;
 }
 
 export const cameraCheck = members<Camera>({ position: point, target: point, up: point, fov: optional(number) });
 
-/** A rake as it is on its way. */
+/** A rake while it is dragged. */
 export interface DraggedRake {
-    /** its id */
+    /** id of the rake */
     rake: string;
-    /** where it is now */
+    /** where the rake is now */
     points?: Vec3[];
 }
 
 export const draggedRakeCheck = members<DraggedRake>({ rake: text, points: optional(list(point)) });
 
-/** What someone does just now. */
-export interface Presence {
-    /** what they point at (the dataset's unit of length) */
-    pointer?: Vec3 | null;
-    /** where they look from */
-    camera?: Camera | null;
-    /** what they drag */
-    dragging?: DraggedRake | null;
-    /** id of the record they have selected */
-    selected?: string | null;
-}
-
-export const presenceCheck = members<Presence>({
-    pointer: optional(orNull(point)),
-    camera: optional(orNull(cameraCheck)),
-    dragging: optional(orNull(draggedRakeCheck)),
-    selected: optional(orNull(text)),
-});
-
-/** Someone in a session. A notification has only what changed; null: taken away. */
+/** Someone in a session. A notification has only what changed; null: no longer there. */
 export interface Participant {
-    /** their id */
+    /** id of the participant */
     participant: string;
-    /** two people of a session are never called the same */
+    /** display name; two people in a session never have the same one */
     name: string;
-    /** #rrggbb */
+    /** their colour, #rrggbb */
     colour: string;
-    /** what someone may do: each role includes the one before */
+    /** what someone may do; each role includes the ones before it */
     role: Role;
     /** false: the connection was lost less than 10 s ago */
     connected: boolean;
-    /** what they point at (the dataset's unit of length) */
+    /** the point they point at (the dataset's unit of length) */
     pointer?: Vec3 | null;
     /** where they look from */
     camera?: Camera | null;
-    /** what they drag */
+    /** the rake they drag */
     dragging?: DraggedRake | null;
     /** id of the record they have selected */
     selected?: string | null;
@@ -80,15 +61,29 @@ export const participantCheck = members<Participant>({
     selected: optional(orNull(text)),
 });
 
+/** What has changed of a Participant; null: it has been taken away. */
+export type ParticipantChange = Partial<Participant> & { participant: string };
+export const participantChangeCheck = members<ParticipantChange>({
+    participant: text,
+    name: optional(text),
+    colour: optional(matching(/^#[0-9a-fA-F]{6}$/)),
+    role: optional(roleCheck),
+    connected: optional(flag),
+    pointer: optional(orNull(point)),
+    camera: optional(orNull(cameraCheck)),
+    dragging: optional(orNull(draggedRakeCheck)),
+    selected: optional(orNull(text)),
+});
+
 /** Parameters of presence.update. */
 export interface PresenceUpdateParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
-    /** what they point at (the dataset's unit of length) */
+    /** the point they point at (the dataset's unit of length) */
     pointer?: Vec3 | null;
     /** where they look from */
     camera?: Camera | null;
-    /** what they drag */
+    /** the rake they drag */
     dragging?: DraggedRake | null;
     /** id of the record they have selected */
     selected?: string | null;

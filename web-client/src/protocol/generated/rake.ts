@@ -1,47 +1,38 @@
 // Made by protocol/api/generate from rake.schema.json: do not edit.
 import { flag, list, matching, members, oneOf, optional, point, text, whole } from '../checks.ts';
-import { type Vec3 } from '../vec3.ts';
+import type { Vec3 } from '../vec3.ts';
 
-/** what the points are: line: 2; polyline and points: 2 or more; circle: the centre and two points of the rim */
+/** what the points are; line: 2 points; polyline and points: 2 or more; circle: the centre and two points on the rim */
 export const rakeKinds = ['line', 'polyline', 'circle', 'points'] as const;
 export type RakeKind = (typeof rakeKinds)[number];
 export const rakeKindCheck = oneOf(rakeKinds);
 
-/** What a rake is, to the engine. */
-export interface RakeShape {
-    /** what the points are: line: 2; polyline and points: 2 or more; circle: the centre and two points of the rim */
-    kind: RakeKind;
-    /** where it lies; a part outside of the domain is cut away (the dataset's unit of length) */
-    points: Vec3[];
-    /** how many seeds lie on it */
-    seeds: number;
-}
-
-export const rakeShapeCheck = members<RakeShape>({ kind: rakeKindCheck, points: list(point), seeds: whole });
-
 /** A rake as the session keeps it. */
 export interface RakeRecord {
-    /** its id */
+    /** id of the rake */
     rake: string;
     /** counts the edits of a record */
     rev: number;
-    /** what the points are: line: 2; polyline and points: 2 or more; circle: the centre and two points of the rim */
+    /**
+     * what the points are; line: 2 points; polyline and points: 2 or more; circle: the centre and two points on the
+     * rim
+     */
     kind: RakeKind;
-    /** where it lies; a part outside of the domain is cut away (the dataset's unit of length) */
+    /** where the rake lies; parts outside the domain are cut off (the dataset's unit of length) */
     points: Vec3[];
-    /** how many seeds lie on it */
+    /** number of seeds on the rake */
     seeds: number;
-    /** for people */
+    /** display name */
     name: string;
     /** #rrggbb */
     colour: string;
-    /** the name of the one who made it */
+    /** name of the one who made it */
     author: string;
-    /** a part was outside the domain and is cut away */
+    /** true: a part was outside the domain and was cut off */
     clipped: boolean;
-    /** someone holds it just now */
+    /** true: someone holds the lease at the moment */
     dragging: boolean;
-    /** the participant who holds it; only while someone does */
+    /** id of the participant who holds the lease; only present while someone does */
     leasedBy?: string;
 }
 
@@ -59,11 +50,11 @@ export const rakeRecordCheck = members<RakeRecord>({
     leasedBy: optional(text),
 });
 
-/** A surface that is built again. */
+/** A surface that is being built again. */
 export interface SurfaceEpoch {
-    /** an id that the server gave */
+    /** id of the surface */
     surface: string;
-    /** counts the surfaces that a record has had; only grows */
+    /** counts the surfaces that have been built for the record; it never decreases */
     epoch: number;
 }
 
@@ -71,81 +62,79 @@ export const surfaceEpochCheck = members<SurfaceEpoch>({ surface: text, epoch: w
 
 /** Parameters of rake.set. */
 export interface RakeSetParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
-    /** left out: create one */
+    /** id of the rake to replace; if left out, a new one is created */
     rake?: string;
-    /** what the points are: line: 2; polyline and points: 2 or more; circle: the centre and two points of the rim */
+    /**
+     * what the points are; line: 2 points; polyline and points: 2 or more; circle: the centre and two points on the
+     * rim
+     */
     kind: RakeKind;
-    /** where it lies; a part outside of the domain is cut away (the dataset's unit of length) */
+    /** where the rake lies; parts outside the domain are cut off (the dataset's unit of length) */
     points: Vec3[];
-    /** how many seeds lie on it */
+    /** number of seeds on the rake */
     seeds: number;
-    /** for people */
+    /** display name */
     name?: string;
-    /** #rrggbb; left out: as it was, of a new rake one that few others have */
+    /** #rrggbb; if left out, a rake keeps its colour, and a new rake gets one that few others have */
     colour?: string;
-    /** true: no one else may edit the rake for 5 s from now; false: they may again; left out: as it was */
+    /**
+     * true: no one else may edit the rake for 5 s from now; false: others may edit it again; if left out, nothing
+     * changes
+     */
     dragging?: boolean;
-    /** a host's edit goes before someone else's lease */
+    /** true: lets a host edit the rake although someone else holds the lease */
     force?: boolean;
     /**
-     * true: only if no one has edited the session and there is no such record yet; it counts as no edit, so undo does
-     * not turn it
+     * true: make the record only if no one has edited the session and it has no such record yet; this does not count
+     * as an edit, and undo does not take it back
      */
     default?: boolean;
-    /** a name for what the user does; edits that follow each other with the same one are one step of undo */
+    /** a name for what the user is doing; consecutive edits with the same name are one step of undo */
     gesture?: string;
-    /** refuse the edit if the record is at another revision */
+    /** the edit is refused if the record is at another revision */
     ifRev?: number;
 }
 
 /** What rake.set answers. */
 export interface RakeSetResult {
-    /** its id */
+    /** id of the rake */
     rake: string;
     /** counts the edits of a record */
     rev: number;
-    /** of the session after the edit */
+    /** `seq` of the session after the edit */
     seq: number;
-    /** a part was outside the domain and is cut away */
+    /** true: a part was outside the domain and was cut off */
     clipped: boolean;
-    /** as clipped to the domain */
+    /** the points, clipped to the domain */
     points: Vec3[];
-    /** those that hang on it and are built again */
+    /** surfaces of the rake that are being built again */
     surfaces: SurfaceEpoch[];
 }
 
 /** Parameters of rake.delete. */
 export interface RakeDeleteParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
     /** an id from rake.list */
     rake: string;
-    /** although someone else drags it; for hosts */
+    /** true: lets a host delete the rake although someone else holds the lease */
     force?: boolean;
-    /** a name for what the user does; edits that follow each other with the same one are one step of undo */
+    /** a name for what the user is doing; consecutive edits with the same name are one step of undo */
     gesture?: string;
-    /** refuse the edit if the record is at another revision */
+    /** the edit is refused if the record is at another revision */
     ifRev?: number;
 }
 
 /** Parameters of rake.list. */
 export interface RakeListParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
 }
 
 /** What rake.list answers. */
 export interface RakeListResult {
-    /** all of them */
+    /** all rakes */
     rakes: RakeRecord[];
 }
-
-/** What of a record rake.set asks for, beside its id. */
-export const rakeAskedNames = ['kind', 'points', 'seeds', 'name', 'colour', 'dragging'] as const;
-
-/** What holds of a rake where rake.set is not told. */
-export const rakeDefaults = {
-    name: '',
-};

@@ -1,32 +1,32 @@
 // Made by protocol/api/generate from server.schema.json: do not edit.
 import { mapOf, members, number, text, whole } from '../checks.ts';
-import { type Limits } from './limits.ts';
+import type { Limits } from './limits.ts';
 
-/** Of the last minute. */
+/** Quantiles of the times measured in the last minute. */
 export interface Quantiles {
-    /** half took no longer (s) */
+    /** half took no longer than this (s) */
     p50: number;
-    /** 95 % took no longer (s) */
+    /** 95 % took no longer than this (s) */
     p95: number;
-    /** 99 % took no longer (s) */
+    /** 99 % took no longer than this (s) */
     p99: number;
-    /** how many there were */
+    /** number of measurements */
     count: number;
 }
 
 export const quantilesCheck = members<Quantiles>({ p50: number, p95: number, p99: number, count: whole });
 
-/** A dataset's cache of time-steps. */
+/** The cache of time-steps of a dataset. */
 export interface CacheStanding {
-    /** its id */
+    /** id of the dataset */
     dataset: string;
-    /** time-steps that were there */
+    /** number of requests for a time-step that was in memory */
     hits: number;
-    /** time-steps that were read */
+    /** number of time-steps that were read */
     loads: number;
-    /** in memory (bytes) */
+    /** memory that the time-steps take (bytes) */
     bytes: number;
-    /** that may be in memory (bytes) */
+    /** memory that the time-steps may take (bytes) */
     budget: number;
 }
 
@@ -40,19 +40,19 @@ export const cacheStandingCheck = members<CacheStanding>({
 
 /** The memory of the process. */
 export interface MemoryStanding {
-    /** that it holds (bytes) */
+    /** memory that the process holds now (bytes) */
     rss: number;
-    /** the most that it held (bytes) */
+    /** the most memory that the process has held (bytes) */
     peak: number;
-    /** --memory (bytes) */
+    /** memory that the server may use (--memory) (bytes) */
     budget: number;
-    /** of the budget (bytes) */
+    /** how much of the budget is used (bytes) */
     used: number;
-    /** how often there was none left */
+    /** how often memory was refused because none was left */
     refused: number;
     /**
-     * by what it is for: timeSteps, meshes, builds, surfaces, rings, histories, downloads, importers, records,
-     * messages, other (bytes)
+     * memory by what it is used for: timeSteps, meshes, builds, surfaces, rings, histories, downloads, importers,
+     * records, messages, other (bytes)
      */
     byUse: Record<string, number>;
 }
@@ -66,19 +66,19 @@ export const memoryStandingCheck = members<MemoryStanding>({
     byUse: mapOf(whole),
 });
 
-/** From an edit to the socket. */
+/** How long each stage from an edit to the socket takes. */
 export interface Stages {
-    /** until the pass began */
+    /** waiting until the pass begins */
     queue: Quantiles;
     /** waiting for time-steps */
     load: Quantiles;
     /** moving particles */
     advect: Quantiles;
-    /** putting in vertices and taking them out */
+    /** inserting and removing vertices */
     refine: Quantiles;
-    /** making frames */
+    /** encoding frames */
     encode: Quantiles;
-    /** until the socket took them */
+    /** waiting until the socket has taken the frames */
     send: Quantiles;
 }
 
@@ -99,54 +99,54 @@ export interface RpcDiscoverResult {
 
 /** What server.info answers. */
 export interface ServerInfoResult {
-    /** wakesurf */
+    /** always `wakesurf` */
     name: string;
-    /** of the program */
+    /** version of the program */
     version: string;
-    /** raised when a client of before could misunderstand the server */
+    /** raised whenever an older client could misunderstand the server */
     apiLevel: number;
-    /** what a client may look for before it relies on it */
+    /** features that a client may look for before it relies on them */
     capabilities: string[];
-    /** what it grants */
+    /** the limits of this server */
     limits: Limits;
 }
 
 /** What server.stats answers. */
 export interface ServerStatsResult {
-    /** since the start (s) */
+    /** time since the server started (s) */
     uptime?: number;
-    /** open ones */
+    /** number of open connections */
     connections?: number;
-    /** WebSockets */
+    /** number of WebSockets */
     clients?: number;
-    /** that the server keeps */
+    /** number of sessions that the server keeps */
     sessions?: number;
-    /** here now */
+    /** number of participants now */
     participants: number;
-    /** of all sessions, or of the link's */
+    /** number of surfaces, in all sessions or in the share link's session */
     surfaces: number;
     /** how long each took */
     stages: Stages;
-    /** from an edit to the first frame that was sent */
+    /** time from an edit to the first frame that was sent */
     firstFrame: Quantiles;
-    /** one entry a dataset */
+    /** one entry for each dataset with a cache of time-steps */
     cache?: CacheStanding[];
-    /** of the process */
+    /** memory of the process */
     memory?: MemoryStanding;
-    /** sent */
+    /** number of messages that were sent */
     messages?: number;
-    /** sent */
+    /** number of frames that were sent */
     frames?: number;
-    /** sent (bytes) */
+    /** size of all messages and frames that were sent (bytes) */
     bytes?: number;
-    /** made for clients that were behind */
+    /** number of keyframes that were made for clients that had fallen behind */
     keyframes?: number;
-    /** updates that were left out */
+    /** number of updates that were left out */
     dropped?: number;
 }
 
 /** Parameters of $/cancelRequest. */
 export interface CancelRequestParams {
-    /** of the call */
+    /** id of the call */
     id: string | number;
 }

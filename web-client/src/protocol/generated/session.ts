@@ -1,20 +1,20 @@
 // Made by protocol/api/generate from session.schema.json: do not edit.
 import { anyObject, either, flag, list, members, number, oneOf, optional, text, whole } from '../checks.ts';
-import { annotationRecordCheck, type AnnotationRecord } from './annotation.ts';
-import { bookmarkRecordCheck, type BookmarkRecord } from './bookmark.ts';
-import { participantCheck, type Participant } from './presence.ts';
-import { rakeRecordCheck, type RakeRecord } from './rake.ts';
-import { roleCheck, type Role } from './shared.ts';
-import { surfaceRecordCheck, type SurfaceRecord } from './surface.ts';
-import { clockRecordCheck, type ClockRecord } from './time.ts';
+import { type AnnotationRecord, annotationRecordCheck } from './annotation.ts';
+import { type BookmarkRecord, bookmarkRecordCheck } from './bookmark.ts';
+import { type Participant, participantCheck } from './presence.ts';
+import { type RakeRecord, rakeRecordCheck } from './rake.ts';
+import { type Role, roleCheck } from './shared.ts';
+import { type SurfaceRecord, surfaceRecordCheck } from './surface.ts';
+import { type ClockRecord, clockRecordCheck } from './time.ts';
 
 /** A record that could not be used when the server started. */
 export interface AsideRecord {
-    /** rake, surface, bookmark or annotation */
+    /** kind of record: rake, surface, bookmark or annotation */
     type: string;
-    /** of the record */
+    /** id of the record */
     id: string;
-    /** it could not be used */
+    /** why it could not be used */
     why: string;
     /** when it was put aside (s since 1970) */
     since: number;
@@ -22,36 +22,33 @@ export interface AsideRecord {
 
 export const asideRecordCheck = members<AsideRecord>({ type: text, id: text, why: text, since: whole });
 
-/** Records that could not be used when the server started; nothing of them is deleted. */
+/** Records that could not be used when the server started. None of them is deleted. */
 export interface KeptAside {
-    /** of all of them */
+    /** number of all such records */
     count: number;
-    /** the newest 50 */
+    /** the newest 50 of them */
     records: AsideRecord[];
 }
 
 export const keptAsideCheck = members<KeptAside>({ count: whole, records: list(asideRecordCheck) });
 
-/** Every record of a session. */
+/** All records of a session. */
 export interface Snapshot {
-    /** its id */
+    /** id of the session */
     session: string;
-    /** for people */
+    /** display name */
     name: string;
-    /** all of them */
+    /** all rakes */
     rakes: RakeRecord[];
-    /** all of them */
+    /** all surfaces */
     surfaces: SurfaceRecord[];
-    /** all of them */
+    /** all bookmarks */
     bookmarks: BookmarkRecord[];
-    /** all of them */
+    /** all annotations */
     annotations: AnnotationRecord[];
-    /**
-     * A session's clock. `time` is as the message is written; it runs on by `speed` while `playing`, up to `to`, and
-     * there it stops or goes on at `from` (`loop`).
-     */
+    /** the session's clock */
     clock: ClockRecord;
-    /** where there are such records */
+    /** records that are kept aside, if there are any */
     keptAside?: KeptAside;
 }
 
@@ -66,11 +63,11 @@ export const snapshotCheck = members<Snapshot>({
     keptAside: optional(keptAsideCheck),
 });
 
-/** A session and what it is called. */
+/** The id and the name of a session. */
 export interface SessionName {
-    /** its id */
+    /** id of the session */
     session: string;
-    /** for people */
+    /** display name */
     name: string;
 }
 
@@ -78,9 +75,9 @@ export const sessionNameCheck = members<SessionName>({ session: text, name: text
 
 /** A new session. */
 export interface SessionMade {
-    /** its id */
+    /** id of the session */
     session: string;
-    /** for people */
+    /** display name */
     name: string;
     /** how many more sessions can be made */
     remaining: number;
@@ -90,27 +87,30 @@ export const sessionMadeCheck = members<SessionMade>({ session: text, name: text
 
 /** The time-steps of a dataset. */
 export interface TimesOfDataset {
-    /** how many */
+    /** number of time-steps */
     count: number;
-    /** time of the first one (the dataset's unit of time) */
+    /** time of the first time-step (the dataset's unit of time) */
     first: number;
-    /** time of the last one (the dataset's unit of time) */
+    /** time of the last time-step (the dataset's unit of time) */
     last: number;
 }
 
 export const timesOfDatasetCheck = members<TimesOfDataset>({ count: whole, first: number, last: number });
 
-/** A dataset that surfaces of a file name; only its id where it could not be used when the file was written. */
+/**
+ * A dataset that surfaces of a document use. Only the id is present if the dataset could not be used when the document
+ * was written.
+ */
 export interface NamedDataset {
-    /** its id */
+    /** id of the dataset */
     dataset: string;
-    /** for people */
+    /** display name */
     name?: string;
-    /** of the mesh and the names of the fields, the same for a dataset that grows */
+    /** fingerprint of the mesh and of the names of the fields; it stays the same when time-steps are added */
     fingerprint?: string;
-    /** The time-steps of a dataset. */
+    /** its time-steps */
     times?: TimesOfDataset;
-    /** x0, x1, y0, y1, z0, z1 (the dataset's unit of length) */
+    /** bounding box: x0, x1, y0, y1, z0, z1 (the dataset's unit of length) */
     bounds?: [number, number, number, number, number, number];
 }
 
@@ -122,20 +122,17 @@ export const namedDatasetCheck = members<NamedDataset>({
     bounds: optional(list(number, 6)),
 });
 
-/** As in a snapshot, without rev and epoch; ids stay. */
+/** The records of a session as in a snapshot, with their ids, but without `rev` and `epoch`. */
 export interface FileRecords {
-    /** all of them */
+    /** all rakes */
     rakes: Record<string, unknown>[];
-    /** all of them */
+    /** all surfaces */
     surfaces: Record<string, unknown>[];
-    /** all of them */
+    /** all bookmarks */
     bookmarks: Record<string, unknown>[];
-    /** all of them */
+    /** all annotations */
     annotations: Record<string, unknown>[];
-    /**
-     * A session's clock. `time` is as the message is written; it runs on by `speed` while `playing`, up to `to`, and
-     * there it stops or goes on at `from` (`loop`).
-     */
+    /** the session's clock */
     clock: ClockRecord;
 }
 
@@ -147,19 +144,22 @@ export const fileRecordsCheck = members<FileRecords>({
     clock: clockRecordCheck,
 });
 
-/** A session as one document, which any wakesurf takes in, checked like edits and as a whole or not at all. */
+/**
+ * A session as one document. Any wakesurf server can import it; it is checked like edits, and imported as a whole or
+ * not at all.
+ */
 export interface SessionFile {
     /** version of the format */
     wakesurfSession: 1;
-    /** for people */
+    /** display name */
     name: string;
-    /** when it was written, in UTC */
+    /** when the document was written, in UTC */
     exported: string;
-    /** version of the program */
+    /** version of the program that wrote it */
     wakesurf: string;
-    /** As in a snapshot, without rev and epoch; ids stay. */
+    /** the records of the session */
     records: FileRecords;
-    /** that surfaces name */
+    /** datasets that the surfaces use */
     datasets: NamedDataset[];
 }
 
@@ -174,43 +174,43 @@ export const sessionFileCheck = members<SessionFile>({
 
 /** Someone who was in a session. */
 export interface Visitor {
-    /** what they were called */
+    /** the name they had */
     name: string;
-    /** #rrggbb */
+    /** their colour, #rrggbb */
     colour: string;
 }
 
 export const visitorCheck = members<Visitor>({ name: text, colour: text });
 
-/** A session in a list. */
+/** A session as a list shows it. */
 export interface SessionEntry {
-    /** its id */
+    /** id of the session */
     session: string;
-    /** for people */
+    /** display name */
     name: string;
-    /** who are here now */
+    /** number of participants who are in the session now */
     participants: number;
-    /** who were here; the last to come is the first */
+    /** people who have been in the session; the last to join is the first in the list */
     people: Visitor[];
-    /** in UTC; missing where the session is older than this was noted */
+    /** when the session was made, in UTC; not recorded for old sessions */
     created?: string;
-    /** in UTC */
+    /** when the session was last used, in UTC */
     lastUsed: string;
-    /** by anyone, beyond the first rake and surface that a page puts there */
+    /** true: someone has edited it, beyond the first rake and surface that a page makes */
     edited: boolean;
-    /** how many */
+    /** number of rakes */
     rakes: number;
-    /** how many */
+    /** number of surfaces */
     surfaces: number;
-    /** how many */
+    /** number of bookmarks */
     bookmarks: number;
-    /** how many */
+    /** number of annotations */
     annotations: number;
-    /** there is a picture of it */
+    /** true: there is a picture of it */
     thumbnail: boolean;
-    /** in UTC; of a session in the trash */
+    /** for a session in the trash: when it was deleted, in UTC */
     deletedAt?: string;
-    /** in UTC; it can be restored until then */
+    /** for a session in the trash: until when it can be restored, in UTC */
     deletedUntil?: string;
 }
 
@@ -231,20 +231,18 @@ export const sessionEntryCheck = members<SessionEntry>({
     deletedUntil: optional(text),
 });
 
-/** a kind of record */
-export const recordTypes = ['rake', 'surface', 'bookmark', 'annotation'] as const;
-export type RecordType = (typeof recordTypes)[number];
-export const recordTypeCheck = oneOf(recordTypes);
-
-/** A record as it is now, or that it is gone. Of the type session: the session's name. */
+/**
+ * A change of a record: the record as it is now, or that it was deleted. For the type `session`: the name of the
+ * session.
+ */
 export interface Patch {
-    /** what became of it */
+    /** what happened to the record */
     op: 'put' | 'delete';
-    /** of the record */
+    /** kind of record */
     type: 'rake' | 'surface' | 'bookmark' | 'annotation' | 'clock' | 'session';
-    /** of the record */
+    /** id of the record */
     id: string;
-    /** as it is now; of put */
+    /** for put: the record as it is now */
     record?: RakeRecord | SurfaceRecord | BookmarkRecord | AnnotationRecord | ClockRecord | SessionName;
 }
 
@@ -264,25 +262,28 @@ export const patchCheck = members<Patch>({
     ),
 });
 
-/** What session.join answers: either `snapshot` or `patches`. */
+/** What session.join returns: either `snapshot` or `patches`. */
 export interface Joined {
     /** your id as a participant */
     you: string;
-    /** what someone may do: each role includes the one before */
+    /** your role in the session */
     role: Role;
-    /** to come back with; another one than was sent means that nothing from before holds: no epoch, seq or subscription */
+    /**
+     * token with which you can come back; if it differs from the one you sent, nothing from before is valid: no epoch,
+     * `seq` or subscription
+     */
     resumeToken: string;
-    /** of the session now */
+    /** `seq` of the session now */
     seq: number;
-    /** all of them */
+    /** all participants */
     participants: Participant[];
-    /** in UTC, as in session.list */
+    /** when the session was made, in UTC, as in session.list */
     created?: string;
-    /** true: `patches` come; false: `snapshot` comes */
+    /** true: `patches` is present; false: `snapshot` is present */
     resumed: boolean;
-    /** Every record of a session. */
+    /** all records of the session */
     snapshot?: Snapshot;
-    /** what changed after `lastSeq`: of each record the newest change */
+    /** what changed after `lastSeq`; for each record only the newest change */
     patches?: Patch[];
 }
 
@@ -300,86 +301,83 @@ export const joinedCheck = members<Joined>({
 
 /** Parameters of session.create. */
 export interface SessionCreateParams {
-    /** for people */
+    /** display name */
     name?: string;
 }
 
 /** Parameters of session.fork. */
 export interface SessionForkParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
-    /** for people */
+    /** display name */
     name?: string;
 }
 
 /** Parameters of session.list. */
 export interface SessionListParams {
-    /** true: those that were deleted instead */
+    /** true: list the deleted sessions instead */
     trash?: boolean;
 }
 
 /** What session.list answers. */
 export interface SessionListResult {
-    /** all of them */
+    /** all sessions */
     sessions: SessionEntry[];
     /** how many sessions the server keeps */
     limit: number;
-    /** and how many deleted ones */
+    /** how many deleted sessions the server keeps */
     trashLimit: number;
 }
 
 /** Parameters of session.join. */
 export interface SessionJoinParams {
-    /** an id from session.list or session.create; left out: the share link's, else `main` */
+    /** an id from session.list or session.create; if left out, the share link's session, or else `main` */
     session?: string;
-    /** for people */
+    /** display name */
     name?: string;
-    /** #rrggbb; left out: one that few others have */
+    /** #rrggbb; if left out, a colour that few others have */
     colour?: string;
-    /** of an earlier stay, to take up its place again */
+    /** token of an earlier stay, to take up its place again */
     resumeToken?: string;
-    /** with resumeToken: the last seq seen; what was missed comes instead of the snapshot */
+    /** with `resumeToken`: the last `seq` seen; what was missed is returned instead of the snapshot */
     lastSeq?: number;
 }
 
 /** Parameters of session.state. */
 export interface SessionStateParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
 }
 
 /** What session.state answers. */
 export interface SessionStateResult {
-    /** its id */
+    /** id of the session */
     session: string;
-    /** for people */
+    /** display name */
     name: string;
-    /** all of them */
+    /** all rakes */
     rakes: RakeRecord[];
-    /** all of them */
+    /** all surfaces */
     surfaces: SurfaceRecord[];
-    /** all of them */
+    /** all bookmarks */
     bookmarks: BookmarkRecord[];
-    /** all of them */
+    /** all annotations */
     annotations: AnnotationRecord[];
-    /**
-     * A session's clock. `time` is as the message is written; it runs on by `speed` while `playing`, up to `to`, and
-     * there it stops or goes on at `from` (`loop`).
-     */
+    /** the session's clock */
     clock: ClockRecord;
-    /** where there are such records */
+    /** records that are kept aside, if there are any */
     keptAside?: KeptAside;
-    /** of the session now */
+    /** `seq` of the session now */
     seq: number;
-    /** all of them */
+    /** all participants */
     participants: Participant[];
 }
 
 /** Parameters of session.rename. */
 export interface SessionRenameParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
-    /** for people */
+    /** display name */
     name: string;
 }
 
@@ -387,15 +385,15 @@ export interface SessionRenameParams {
 export interface SessionDeleteParams {
     /** an id from session.list */
     session: string;
-    /** true: removes a session that is in the trash for good */
+    /** true: permanently deletes a session that is in the trash */
     forever?: boolean;
 }
 
 /** What session.delete answers. */
 export interface SessionDeleteResult {
-    /** its id */
+    /** id of the session */
     session: string;
-    /** in UTC; it can be restored until then */
+    /** until when the session can be restored, in UTC */
     deletedUntil?: string;
 }
 
@@ -407,40 +405,40 @@ export interface SessionRestoreParams {
 
 /** Parameters of session.export. */
 export interface SessionExportParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
 }
 
 /** What session.export answers. */
 export interface SessionExportResult {
-    /** the document */
+    /** the session as a document */
     file: SessionFile;
 }
 
 /** Parameters of session.import. */
 export interface SessionImportParams {
-    /** what session.export answered */
+    /** the `file` that session.export returned */
     file: Record<string, unknown>;
-    /** left out: the document's */
+    /** name of the new session; if left out, the name in the document */
     name?: string;
 }
 
 /** What session.import answers. */
 export interface SessionImportResult {
-    /** its id */
+    /** id of the session */
     session: string;
-    /** for people */
+    /** display name */
     name: string;
     /** how many more sessions can be made */
     remaining: number;
-    /** for people: which datasets are not here, or are other ones */
+    /** for people: which datasets this server does not have, or which differ here */
     notes: string[];
 }
 
 /** Parameters of session.thumbnail. */
 export interface SessionThumbnailParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
-    /** base64 of a PNG, JPEG or WebP picture of at most 24 KiB */
+    /** a PNG, JPEG or WebP picture of at most 24 KiB, in base64 */
     image: string;
 }

@@ -1,33 +1,33 @@
 // Made by protocol/api/generate from subscription.schema.json: do not edit.
 import { flag, members, number, oneOf, optional, text, whole } from '../checks.ts';
-import { problemCheck, type Lattice, type Problem } from './shared.ts';
-import { surfaceKindCheck, type SurfaceKind } from './surface.ts';
+import { type Lattice, type Problem, problemCheck } from './shared.ts';
+import { type SurfaceKind, surfaceKindCheck } from './surface.ts';
 
-/** What the pass that made the newest state took. */
+/** How long the pass that made the newest state took. */
 export interface PassSeconds {
-    /** from the edit, or the state before, until it began (s) */
+    /** from the edit, or the state before, until the pass began (s) */
     queue: number;
     /** waiting for time-steps of the velocity (s) */
     load: number;
-    /** all else of building (s) */
+    /** everything else in building the surface (s) */
     compute: number;
-    /** making frames (s) */
+    /** encoding frames (s) */
     encode: number;
 }
 
 export const passSecondsCheck = members<PassSeconds>({ queue: number, load: number, compute: number, encode: number });
 
-/** Particles by what ended them. */
+/** Numbers of particles, by what ended them. */
 export interface Terminations {
-    /** left the domain */
+    /** particles that left the domain */
     domain: number;
-    /** reached the end of the time asked for */
+    /** particles that reached the end of the requested time */
     time: number;
-    /** came to an obstacle */
+    /** particles that reached an obstacle */
     obstacle: number;
-    /** came to rest */
+    /** particles that came to rest */
     stagnation: number;
-    /** used up the steps allowed */
+    /** particles that used up the steps allowed */
     budget: number;
 }
 
@@ -39,17 +39,17 @@ export const terminationsCheck = members<Terminations>({
     budget: whole,
 });
 
-/** What building a surface took. */
+/** How long it took to build a surface. */
 export interface BuildSeconds {
     /** waiting for time-steps (s) */
     load: number;
     /** moving particles (s) */
     advect: number;
-    /** putting in vertices and taking them out (s) */
+    /** inserting and removing vertices (s) */
     refine: number;
-    /** all else (s) */
+    /** everything else (s) */
     other: number;
-    /** all of it (s) */
+    /** the whole build (s) */
     total: number;
 }
 
@@ -61,46 +61,46 @@ export const buildSecondsCheck = members<BuildSeconds>({
     total: number,
 });
 
-/** What the newest state of a surface is and took, in the shape of `wakesurf surface --stats`. */
+/** Statistics of the newest state of a surface, in the shape of `wakesurf surface --stats`. */
 export interface Statistics {
-    /** its id */
+    /** id of the surface */
     surface: string;
-    /** counts the surfaces that a record has had; only grows */
+    /** counts the surfaces that have been built for the record; it never decreases */
     epoch: number;
-    /** it is the final surface of this epoch */
+    /** true: this is the final surface of its epoch */
     complete: boolean;
     /**
-     * stream: of the field frozen at `from`; path: particles released at `from`; streak: particles released from
-     * `from` on; time: a patch of particles released at `from`
+     * stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak:
+     * particles released continuously from `from` on; time: a patch of particles released at `from`
      */
     kind: SurfaceKind;
-    /** of the mesh */
+    /** number of quads */
     quads: number;
-    /** of the mesh */
+    /** number of vertices */
     vertices: number;
-    /** of the surface, in time or along its curves */
+    /** number of steps of the surface, in time or along its curves */
     steps: number;
-    /** of the integrator, all particles together */
+    /** number of steps of the integrator, for all particles together */
     vertexSteps: number;
-    /** vertices that were interpolated, not traced from the rake */
+    /** number of vertices that were interpolated, not traced from the rake */
     approximated: number;
-    /** of streak and time surfaces of all particles there have been */
+    /** numbers of particles, by what ended them; for streak and time surfaces, of all particles that there have been */
     terminated: Terminations;
-    /** the longest edge there is (the dataset's unit of length) */
+    /** length of the longest edge (the dataset's unit of length) */
     maxEdge: number;
-    /** the longest edge asked for (the dataset's unit of length) */
+    /** longest edge allowed (the dataset's unit of length) */
     separation: number;
-    /** what building it took */
+    /** how long it took to build the surface */
     seconds: BuildSeconds;
-    /** what making this state took */
+    /** how long it took to make this state */
     pass?: PassSeconds;
-    /** the most memory that building it took (bytes) */
+    /** the most memory that the build used (bytes) */
     peakBytes: number;
     /** why the surface ends early */
     stopped?: string;
     /** checksum of what clients show, as in the frames (protocol/wire/FORMAT.md, State sum) */
     stateSum: number;
-    /** why there is none */
+    /** why the surface is not complete */
     error?: Problem;
 }
 
@@ -125,14 +125,14 @@ export const statisticsCheck = members<Statistics>({
     error: optional(problemCheck),
 });
 
-/** live: of a moving surface that plays */
+/** coarse, refined, final: the quality of the pass; live: a moving surface that plays */
 export const surfacePhases = ['coarse', 'refined', 'final', 'live'] as const;
 export type SurfacePhase = (typeof surfacePhases)[number];
 export const surfacePhaseCheck = oneOf(surfacePhases);
 
 /** Parameters of surface.stats. */
 export interface SurfaceStatsParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
     /** an id from surface.list */
     surface: string;
@@ -140,58 +140,58 @@ export interface SurfaceStatsParams {
 
 /** Parameters of surface.wait. */
 export interface SurfaceWaitParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
     /** an id from surface.list */
     surface: string;
-    /** this one or a later one; left out: the current */
+    /** epoch to wait for: this one or a later one; if left out, the current one */
     epoch?: number;
-    /** patience (ms) */
+    /** how long to wait, at most (ms) */
     timeoutMs: number;
-    /** on a WebSocket: $/progress with this token tells how far the work is */
+    /** on a WebSocket: $/progress reports the progress of the work with this token */
     workDoneToken?: string | number;
 }
 
 /** Parameters of surface.subscribe. */
 export interface SurfaceSubscribeParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
     /** an id from surface.list */
     surface: string;
-    /** the newest update folded before a lost connection: go on after it if possible */
+    /** the last update that was applied before a connection was lost; the server goes on after it if possible */
     from?: { epoch: number; seq: number };
 }
 
 /** What surface.subscribe answers. */
 export interface SurfaceSubscribeResult {
-    /** the number in the frames' headers */
+    /** number of the subscription, as in the frames' headers */
     subscription: number;
-    /** of the frames */
+    /** lattice of the frames */
     lattice: Lattice;
-    /** of the vertices, in the frames' order */
+    /** names of the vertices' attributes, in the frames' order */
     attributes: string[];
-    /** counts the surfaces that a record has had; only grows */
+    /** counts the surfaces that have been built for the record; it never decreases */
     epoch: number;
-    /** what follows `from` comes, and no keyframe */
+    /** true: the updates after `from` follow, and no keyframe */
     resumed: boolean;
 }
 
 /** Parameters of surface.unsubscribe. */
 export interface SurfaceUnsubscribeParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
-    /** the number, or name the surface */
+    /** number of the subscription; or give `surface` instead */
     subscription?: number;
-    /** instead of the number */
+    /** id of the surface, instead of the number */
     surface?: string;
 }
 
 /** Parameters of frame.ack. */
 export interface FrameAckParams {
-    /** the number */
+    /** number of the subscription */
     subscription: number;
-    /** left out: the surface's current one */
+    /** epoch of the update; if left out, the surface's current one */
     epoch?: number;
-    /** of the update in its epoch */
+    /** number of the update in its epoch */
     seq: number;
 }

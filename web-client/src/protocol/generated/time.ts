@@ -2,21 +2,21 @@
 import { flag, members, number, orNull } from '../checks.ts';
 
 /**
- * A session's clock. `time` is as the message is written; it runs on by `speed` while `playing`, up to `to`, and there
- * it stops or goes on at `from` (`loop`).
+ * The clock of a session. `time` is its time when the message was written. While it is `playing`, it advances by
+ * `speed` up to `to`, and there it stops or goes on at `from` (`loop`).
  */
 export interface ClockRecord {
-    /** simulation time; null: never set, surfaces are shown at their end (the dataset's unit of time) */
+    /** simulation time; null: it was never set, and surfaces are shown at their end (the dataset's unit of time) */
     time: number | null;
-    /** it runs */
+    /** true: the clock runs */
     playing: boolean;
-    /** how fast it runs (simulation time a second) */
+    /** how fast the clock runs (simulation time a second) */
     speed: number;
-    /** it begins again at the end */
+    /** true: the clock goes on at `from` when it reaches `to` */
     loop: boolean;
-    /** what is played begins here; null before it first was (the dataset's unit of time) */
+    /** time at which playing starts; null before the clock was first played (the dataset's unit of time) */
     from: number | null;
-    /** and ends here (the dataset's unit of time) */
+    /** time at which playing ends; null before the clock was first played (the dataset's unit of time) */
     to: number | null;
 }
 
@@ -31,7 +31,7 @@ export const clockRecordCheck = members<ClockRecord>({
 
 /** The clock after the call. */
 export interface ClockAnswer {
-    /** as it is now */
+    /** the clock as it is now */
     clock: ClockRecord;
 }
 
@@ -39,31 +39,34 @@ export const clockAnswerCheck = members<ClockAnswer>({ clock: clockRecordCheck }
 
 /** Parameters of time.set. */
 export interface TimeSetParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
-    /** simulation time; null: no time, surfaces are shown at their end (the dataset's unit of time) */
+    /** simulation time; null: no time, and surfaces are shown at their end (the dataset's unit of time) */
     time: number | null;
 }
 
 /** Parameters of time.play. */
 export interface TimePlayParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
-    /** how fast it runs; left out: as before, at first 1 (simulation time a second) */
+    /** how fast the clock runs; if left out, as before, at first 1 (simulation time a second) */
     speed?: number;
-    /** begin again at the end; left out: as before, at first not */
+    /** true: go on at `from` when the clock reaches `to`; if left out, as before, at first false */
     loop?: boolean;
-    /** left out: as before, at first where the first surface begins (the dataset's unit of time) */
+    /**
+     * time at which playing starts; if left out, as before, at first where the first surface begins (the dataset's
+     * unit of time)
+     */
     from?: number;
-    /** left out: as before, at first where the last surface ends (the dataset's unit of time) */
+    /**
+     * time at which playing ends; if left out, as before, at first where the last surface ends (the dataset's unit of
+     * time)
+     */
     to?: number;
 }
 
 /** Parameters of time.pause. */
 export interface TimePauseParams {
-    /** an id from session.list; may be left out on a WebSocket that has joined one, and with a share link */
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
     session?: string;
 }
-
-/** What of a record time.set asks for, beside its id. */
-export const timeAskedNames = [] as const;

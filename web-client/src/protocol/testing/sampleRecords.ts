@@ -1,4 +1,5 @@
 // Whole records for tests, of which each says only what it is about.
+import type { Statistics } from '../generated/subscription.ts';
 import { surfaceDefaults } from '../generated/surface.ts';
 import type { RakeRecord, SessionSnapshot, SurfaceRecord } from '../records.ts';
 
@@ -14,6 +15,14 @@ export function sampleRake(rest: Partial<RakeRecord> = {}): RakeRecord {
 export function sampleSurface(rest: Partial<SurfaceRecord> = {}): SurfaceRecord {
     const names = { surface: 's1', rake: 'r1', dataset: 'd', rev: 1, epoch: 1 };
     return { ...surfaceDefaults, ...names, kind: 'stream', from: 0, to: 4, separation: 0.2, ...rest };
+}
+
+export function sampleStatistics(rest: Partial<Statistics> = {}): Statistics {
+    const terminated = { domain: 0, time: 4, obstacle: 0, stagnation: 0, budget: 0 };
+    const seconds = { load: 0, advect: 0.2, refine: 0.1, other: 0, total: 0.3 };
+    const counts = { quads: 3, vertices: 8, steps: 3, vertexSteps: 24, approximated: 0, peakBytes: 1000, stateSum: 1 };
+    const about = { surface: 's1', epoch: 1, complete: true, kind: 'stream', maxEdge: 0.2, separation: 0.2 } as const;
+    return { ...about, ...counts, terminated, seconds, ...rest };
 }
 
 export function emptySnapshot(session: string, name = ''): SessionSnapshot {

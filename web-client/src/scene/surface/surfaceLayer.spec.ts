@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { revealedAt } from '../../testing/revealedAt.ts';
 import { maskSize } from './maskCode.ts';
 import type { TimedMeshChange } from '../../mesh/meshChange.ts';
 import { SurfaceLayer } from './surfaceLayer.ts';
@@ -30,7 +31,7 @@ describe('SurfaceLayer', () => {
         layer.set('s1', meshOf(3));
         layer.paint(print, true);
         const mask = layer.all[0]?.mask;
-        expect(mask?.isRevealed(0.5, 0.5)).toBe(true);
+        expect(revealedAt(mask!, 0.5, 0.5)).toBe(true);
         expect([mask?.tStart, mask?.tLength]).toEqual([0, 1]);
     });
 

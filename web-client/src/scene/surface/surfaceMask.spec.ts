@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { revealedAt } from '../../testing/revealedAt.ts';
 import { decodeMask, maskSize } from './maskCode.ts';
 import { SurfaceMask } from './surfaceMask.ts';
 import type { PickHit } from './pickHit.ts';
@@ -25,8 +26,8 @@ describe('SurfaceMask', () => {
         for (let s = 0.3; s < 0.7; s += texel) {
             for (let t = 0.2; t < 0.6; t += texel) {
                 const px = Math.hypot(s - 0.5, t - 0.4) / 0.009;
-                if (px < 8.8) expect(mask.isRevealed(s, t), `${px} px`).toBe(true);
-                if (px > 11.5) expect(mask.isRevealed(s, t), `${px} px`).toBe(false);
+                if (px < 8.8) expect(revealedAt(mask, s, t), `${px} px`).toBe(true);
+                if (px > 11.5) expect(revealedAt(mask, s, t), `${px} px`).toBe(false);
             }
         }
     });
@@ -35,19 +36,19 @@ describe('SurfaceMask', () => {
         const mask = new SurfaceMask([0, 1]);
         mask.fill(true);
         mask.stamp('a', printAt(0.5, 0.5, 5, 0.002), false);
-        expect(mask.isRevealed(0.5, 0.5)).toBe(false);
-        expect(mask.isRevealed(0.6, 0.5)).toBe(true);
+        expect(revealedAt(mask, 0.5, 0.5)).toBe(false);
+        expect(revealedAt(mask, 0.6, 0.5)).toBe(true);
         mask.fill(false);
-        expect(mask.isRevealed(0.6, 0.5)).toBe(false);
+        expect(revealedAt(mask, 0.6, 0.5)).toBe(false);
     });
 
     it('leaves alone what is of another surface, and what lies between two folds', () => {
         const mask = new SurfaceMask([0, 1]);
         mask.stamp('a', printAt(0.5, 0.5, 3, 0.002, 'b'), true);
-        expect(mask.isRevealed(0.5, 0.5)).toBe(false);
+        expect(revealedAt(mask, 0.5, 0.5)).toBe(false);
         const folds = { size: 3, radiusPx: 2, hits: [0.1, 0.9, 0.1, 0.9, 0.1, 0.9, 0.1, 0.9, 0.1].map((s) => hit(s, 0.5)) };
         mask.stamp('a', folds, true);
-        expect([0.1, 0.3, 0.5, 0.9].map((s) => mask.isRevealed(s, 0.5))).toEqual([true, false, false, true]);
+        expect([0.1, 0.3, 0.5, 0.9].map((s) => revealedAt(mask, s, 0.5))).toEqual([true, false, false, true]);
     });
 
     it('keeps what is revealed at its t while the surface goes on, in both directions', () => {
@@ -56,7 +57,7 @@ describe('SurfaceMask', () => {
         mask.cover([-7, 11]);
         expect(mask.tStart).toBeLessThanOrEqual(-7);
         expect(mask.tStart + mask.tLength).toBeGreaterThanOrEqual(11);
-        expect([2.5, 3, 3.5, -6.9, 10.9].map((t) => mask.isRevealed(0.5, t))).toEqual([false, true, false, false, false]);
+        expect([2.5, 3, 3.5, -6.9, 10.9].map((t) => revealedAt(mask, 0.5, t))).toEqual([false, true, false, false, false]);
     });
 
     it('goes on from its code as it was, and covers more like it', () => {
@@ -66,7 +67,7 @@ describe('SurfaceMask', () => {
         for (const each of [mask, again]) each.cover([2, 9]);
         expect([again.tStart, again.tLength]).toEqual([mask.tStart, mask.tLength]);
         for (const s of [0.3, 0.45, 0.5, 0.55, 0.7]) {
-            for (const t of [2.5, 2.95, 3, 3.05, 3.5]) expect(again.isRevealed(s, t)).toBe(mask.isRevealed(s, t));
+            for (const t of [2.5, 2.95, 3, 3.05, 3.5]) expect(revealedAt(again, s, t)).toBe(revealedAt(mask, s, t));
         }
         // Not the code of what it was before.
         const code = mask.code;

@@ -45,10 +45,6 @@ export class SurfaceMask {
         this.changed();
     }
 
-    isRevealed(s: number, t: number): boolean {
-        return this.texels[this.rowOf(t) * maskSize + this.columnOf(s)]! > 127;
-    }
-
     /** Reaches as far in t as the surface does now; what is there stays at its t. */
     cover([low, high]: Range): void {
         while (high > this.tStart + this.tLength * 1.0001) this.double(0);

@@ -1,10 +1,10 @@
 // What becomes of an edit that the server does not take: words for the user, and whether it must be taken back on this page.
+import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { AppState } from '../../state/appState.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import { tellUnlessCut } from '../base/lostConnection.ts';
 
-const notPermitted = -32003;
-const leased = -32011;
+const { leased, notPermitted } = errorCodes;
 
 /** @param about what was edited. True: it is not for this user to change that, now or ever. */
 export function tellFailure({ problems }: AppState, about: string, error: unknown): boolean {

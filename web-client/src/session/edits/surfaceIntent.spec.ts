@@ -83,6 +83,19 @@ describe('settingOf', () => {
     });
 });
 
+describe('fulfils', () => {
+    it('takes no record for what was asked for in which someone has changed anything that a setting has', () => {
+        const patch: SurfaceRecord = { ...record, kind: 'time', to: 12, sweep: [0, 1, 0] };
+        const setting = settingOf(intentOf(patch), patch, times, false)!;
+        const changes: Partial<SurfaceRecord>[] = [
+            ...[{ merge: 0.1 }, { angle: 5 }, { stagnationSpeed: 0 }, { maxQuads: 7 }, { rake: 'r9' }, { dataset: 'another' }],
+            ...[{ separation: 0.5 }, { fields: ['p'] }, { accuracy: 'exact' as const }, { sweep: undefined, rake2: 'r2' }],
+        ];
+        for (const change of changes) expect(fulfils({ ...patch, ...change }, setting), JSON.stringify(change)).toBe(false);
+        expect(fulfils({ ...patch, rev: 9, epoch: 9 }, setting)).toBe(true);
+    });
+});
+
 describe('settingAnew', () => {
     it('asks for all the record says, but for its identity, on the new rakes', () => {
         const patch: SurfaceRecord = { ...record, kind: 'time', rake2: 'r2', angle: 5 };

@@ -56,30 +56,19 @@ export function settingOf(
     const free = intent.kind === 'stream' || steady;
     const length = free ? intent.length : Math.min(intent.length, timeLeft(intent, times));
     if (!(length > 0)) return null;
-    const sign = intent.direction === 'backward' ? -1 : 1;
-    const to = intent.from + sign * length;
-    return {
-        ...askedOf(record, null),
-        surface: record.surface,
-        kind: intent.kind,
-        from: intent.from,
-        to,
-        separation: intent.separation,
-        direction: intent.direction,
-        accuracy: intent.accuracy,
-        fields: [...intent.fields],
-        ...releaseOf(intent, sign * length),
-        ...secondCurveOf(intent),
-    };
+    const duration = intent.direction === 'backward' ? -length : length;
+    const { kind, from, separation, direction, accuracy, fields } = intent;
+    const shown = { from, to: from + duration, releaseUntil: releaseEnd(intent, duration) };
+    const wanted = { kind, separation, direction, accuracy, fields: [...fields], ...shown, ...secondCurve(intent) };
+    return { ...askedOf({ ...record, ...wanted }), surface: record.surface };
 }
 
-/** What of a record its setter asks for; `kind`: also what only surfaces of this kind take. */
-function askedOf(record: SurfaceRecord, kind: SurfaceKind | null): SurfaceSetting {
+/** What of a record its setter asks for, and surfaces of its kind take. */
+function askedOf(record: SurfaceRecord): SurfaceSetting {
     const takenBy: Partial<Record<string, readonly SurfaceKind[]>> = surfaceSetOnlyFor;
-    const names = surfaceAskedNames.filter((name) => {
-        const kinds = takenBy[name];
-        return record[name] !== undefined && (kinds === undefined || (kind !== null && kinds.includes(kind)));
-    });
+    const names = surfaceAskedNames.filter(
+        (name) => record[name] !== undefined && takenBy[name]?.includes(record.kind) !== false,
+    );
     return Object.fromEntries(names.map((name) => [name, record[name]])) as unknown as SurfaceSetting;
 }
 
@@ -92,15 +81,13 @@ function timeLeft({ from, direction }: SurfaceIntent, times: readonly number[]):
 }
 
 /** @param duration negative where time runs backward */
-function releaseOf({ kind, from, released }: SurfaceIntent, duration: number): Partial<SurfaceSetting> {
-    if (kind !== 'streak' || released === null || released >= Math.abs(duration)) return {};
-    return { releaseUntil: from + Math.sign(duration) * released };
+function releaseEnd({ from, released }: SurfaceIntent, duration: number): number | undefined {
+    return released === null || released >= Math.abs(duration) ? undefined : from + Math.sign(duration) * released;
 }
 
-function secondCurveOf({ kind, sweep, rake2 }: SurfaceIntent): Partial<SurfaceSetting> {
-    if (kind !== 'time') return {};
-    if (sweep !== null) return { sweep };
-    return rake2 === null ? {} : { rake2 };
+/** One at most: where the rake is swept, no other ends the patch. */
+function secondCurve({ sweep, rake2 }: SurfaceIntent): Pick<SurfaceRecord, 'sweep' | 'rake2'> {
+    return { sweep: sweep ?? undefined, rake2: sweep === null ? (rake2 ?? undefined) : undefined };
 }
 
 /** What makes a lost surface anew, on the rakes that have taken the place of its own. */
@@ -108,7 +95,7 @@ export function settingAnew(record: SurfaceRecord, rakes: ReadonlyMap<string, st
     const rake = rakes.get(record.rake);
     if (rake === undefined) return null;
     // A link may have anything else in it, which is not the server's to hear.
-    const { rake2: second, ...asked } = askedOf(record, record.kind);
+    const { rake2: second, ...asked } = askedOf(record);
     if (second === undefined) return { ...asked, rake };
     const rake2 = rakes.get(second);
     return rake2 === undefined ? null : { ...asked, rake, rake2 };
@@ -116,16 +103,5 @@ export function settingAnew(record: SurfaceRecord, rakes: ReadonlyMap<string, st
 
 /** Whether a record is what a setting asked for, so that it brings no news of other people. */
 export function fulfils(record: SurfaceRecord, setting: SurfaceSetting): boolean {
-    return (
-        record.kind === setting.kind &&
-        record.from === setting.from &&
-        record.to === setting.to &&
-        record.releaseUntil === setting.releaseUntil &&
-        record.rake2 === setting.rake2 &&
-        String(record.sweep) === String(setting.sweep) &&
-        record.direction === (setting.direction ?? record.direction) &&
-        record.accuracy === (setting.accuracy ?? record.accuracy) &&
-        String(record.fields) === String(setting.fields ?? record.fields) &&
-        (setting.separation === undefined || record.separation === setting.separation)
-    );
+    return surfaceAskedNames.every((name) => String(record[name]) === String(setting[name]));
 }

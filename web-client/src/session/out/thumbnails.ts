@@ -1,6 +1,7 @@
 // The small picture of the session that lists show: sent now and then by who edited last, once everything has come to rest. Taken from
 // a picture that is drawn for it in one go and is the same as the one on the screen; encoding it holds nothing up.
 import { effect } from '@preact/signals-core';
+import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { AppState } from '../../state/appState.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
 import type { UndoHistory } from '../edits/undoHistory.ts';
@@ -17,7 +18,7 @@ export const thumbnailSize = { width: 320, height: 200 };
 export const mostBytes = 24 << 10;
 const qualities = [0.85, 0.7, 0.5, 0.3];
 /** So the server does not know the method, or does not want one from here. */
-const hopeless: ReadonlySet<number> = new Set([-32601, -32003]);
+const hopeless: ReadonlySet<number> = new Set([errorCodes.methodNotFound, errorCodes.notPermitted]);
 
 /** Of a canvas. */
 export type Encode = (picture: HTMLCanvasElement, quality: number) => Promise<Blob | null>;

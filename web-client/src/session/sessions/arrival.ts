@@ -1,12 +1,12 @@
 // Into a session: that of the address; else the one that this browser was in last, if it is still there; else the server's choice,
 // `main` or the share link's, where everyone meets. None is made by coming.
+import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { JoinedSession } from '../../protocol/messages.ts';
 import { recall } from '../../state/browserMemory.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
 import { latestSession } from './knownSessions.ts';
 
-const notPermitted = -32003;
-const notFound = -32004;
+const { notFound, notPermitted } = errorCodes;
 export const nameKept = 'name';
 
 export function isNotFound(error: unknown): boolean {

@@ -1,13 +1,12 @@
 // What a page puts into a session in which no one has edited anything: what it had there before the server lost it, or what its link
 // carries; else a first rake and surface, so that there is something to see.
+import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { SessionSnapshot } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
 import { defaultLength, defaultRake, defaultSeeds } from '../edits/defaults.ts';
 
-const invalidParameters = -32602;
-
-export function isEmpty({ rakes, surfaces, bookmarks = [], annotations = [] }: SessionSnapshot): boolean {
+export function isEmpty({ rakes, surfaces, bookmarks, annotations }: SessionSnapshot): boolean {
     return rakes.length + surfaces.length + bookmarks.length + annotations.length === 0;
 }
 
@@ -35,7 +34,7 @@ export async function addDefaultScene(
         await worker.call('surface.set', { rake, dataset, kind: 'stream', from, to, default: true });
         return true;
     } catch (error) {
-        if (error instanceof CallError && error.failure.code === invalidParameters) return false;
+        if (error instanceof CallError && error.failure.code === errorCodes.invalidParameters) return false;
         throw error;
     }
 }

@@ -1,6 +1,7 @@
 // All sessions of the server and those in its trash, as the list shows them, and what can be done with them there. What the server
 // refuses is said in the list, which lies over everything else.
 import { computed, signal } from '@preact/signals-core';
+import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { SessionEntry } from '../../protocol/messages.ts';
 import { Announcements } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -11,7 +12,6 @@ import { fitting } from './fitting.ts';
 import { latestSession } from './knownSessions.ts';
 import { fetchSessionFile, sendSessionFile } from './sessionFiles.ts';
 
-const overLimit = -32014;
 const noPlace = 'Export the sessions that are no longer needed, and delete them.';
 const fullTrash = 'Permanently delete some sessions in the trash.';
 /** Others make and delete sessions while the list is open. */
@@ -184,7 +184,7 @@ export class SessionShelf {
 /** A limit is said with what can be done here: the server's hint names methods, and the list has buttons. */
 function inWords(remedy: string): (error: unknown) => never {
     return (error) => {
-        if (!(error instanceof CallError) || error.failure.code !== overLimit) throw error;
+        if (!(error instanceof CallError) || error.failure.code !== errorCodes.overLimit) throw error;
         const { message } = error.failure;
         throw new Error(`${message.charAt(0).toUpperCase()}${message.slice(1)}. ${remedy}`);
     };

@@ -38,7 +38,7 @@ export class SurfaceFeed {
             throw error;
         });
         // What is on the screen is of an epoch that the server may number again.
-        if (resumed !== true) state.displayed.value = withoutEntry(state.displayed.value, surface);
+        if (!resumed) state.displayed.value = withoutEntry(state.displayed.value, surface);
     }
 
     /**

@@ -15,13 +15,13 @@ function bench(steps: StepState[]) {
 describe('StepStates', () => {
     it('are the answer, changed by what is told afterwards', async () => {
         const { state, states } = bench(['resident', 'cold', 'cold']);
-        states.patched('d', [{ step: 2, state: 'resident' }]); // older than the answer
+        states.patched('d', [[2, 'resident']]); // older than the answer
         await states.load('d');
         expect(state.stepStates.value).toEqual(['resident', 'cold', 'cold']);
-        states.patched('another', [{ step: 0, state: 'cold' }]);
+        states.patched('another', [[0, 'cold']]);
         states.patched('d', [
-            { step: 1, state: 'loading' },
-            { step: 4, state: 'resident' },
+            [1, 'loading'],
+            [4, 'resident'],
         ]);
         expect(state.stepStates.value).toEqual(['resident', 'loading', 'cold', 'cold', 'resident']);
     });

@@ -1,5 +1,5 @@
 // Which time-steps of the dataset are in the server's memory: asked for once a connection, then told change by change.
-import type { StepState } from '../../protocol/messages.ts';
+import type { StepChange } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 
@@ -23,11 +23,11 @@ export class StepStates {
     }
 
     /** Changes that come before the answer to the question are older than it. */
-    patched(dataset: string, changes: readonly { step: number; state: StepState }[]): void {
+    patched(dataset: string, changes: readonly StepChange[]): void {
         const { stepStates } = this.state;
         if (this.state.dataset.value?.dataset !== dataset || stepStates.value.length === 0) return;
         const steps = [...stepStates.value];
-        for (const { step, state } of changes) {
+        for (const [step, state] of changes) {
             while (steps.length < step) steps.push('cold'); // steps that an import has added
             steps[step] = state;
         }

@@ -1,5 +1,5 @@
 // A clock for tests: time passes only when told to.
-import type { Clock, Timer } from './clock.ts';
+import type { Clock, Timer } from '../connection/clock.ts';
 
 export class FakeClock implements Clock {
     private time = 0;

@@ -1,0 +1,165 @@
+// Made by protocol/api/generate from *.schema.json: do not edit.
+import { type Check, list, members, number, oneOf, optional, text, token, whole } from '../checks.ts';
+import { type DatasetEntry, type StepChange, datasetEntryCheck, stepChangeCheck } from './dataset.ts';
+import { type ParticipantChange, participantChangeCheck } from './presence.ts';
+import { type Patch, patchCheck } from './session.ts';
+import { type Problem, problemCheck } from './shared.ts';
+import {
+    type PassSeconds,
+    type Statistics,
+    type SurfacePhase,
+    passSecondsCheck,
+    statisticsCheck,
+    surfacePhaseCheck,
+} from './subscription.ts';
+
+/**
+ * Something has happened to this connection, its session or the server. Kinds: catchingUp, caughtUp (stale updates of
+ * a surface are left out until a keyframe comes), notDurable, durableAgain, recordsKeptAside, carefulStart (the server
+ * died several times in a row shortly after it had started, so surfaces from before are not computed by themselves),
+ * sessionDeleted, displaced, removed, linkEnded, loggedOut.
+ */
+export interface ServerNotice {
+    /** a word for programs */
+    kind: string;
+    /** info or warning */
+    level?: string;
+    /** a sentence for people */
+    text?: string;
+    /** for catchingUp and caughtUp: id of the surface */
+    surface?: string;
+    /** for catchingUp and caughtUp: number of the subscription */
+    subscription?: number;
+}
+
+/**
+ * Reports the progress of a call with a `workDoneToken`: begin, at most ten reports a second, and end just before the
+ * call returns.
+ */
+export interface Progress {
+    /** the token of the call */
+    token: string | number;
+    /** for a surface it also has phase, epoch, quads and vertices; for an import also remaining, in seconds */
+    value: { kind: 'begin' | 'report' | 'end'; message?: string; percentage?: number };
+}
+
+/** Time-steps have been read into memory or removed from it. */
+export interface CachePatched {
+    /** id of the dataset */
+    dataset: string;
+    /** the time-steps that changed, each as [index, state] */
+    changes: StepChange[];
+    /** memory that the time-steps take (bytes) */
+    bytes: number;
+    /** memory that the time-steps may take (bytes) */
+    budget: number;
+}
+
+/** Records have changed. Sent to the author of the change as well. */
+export interface SessionPatched {
+    /** id of the session */
+    session: string;
+    /** `seq` of the session after the change */
+    seq: number;
+    /** the changes, in the order in which they can be applied */
+    patches: Patch[];
+}
+
+/**
+ * Participants have changed. About the recipient it has only a role that a host has set. Sent at most every 50 ms;
+ * with many participants less often, and about some of them at a time.
+ */
+export interface PresencePatched {
+    /** id of the session */
+    session: string;
+    /** the id of each participant and what has changed */
+    participants: ParticipantChange[];
+    /** ids of participants who have left */
+    left: string[];
+}
+
+/** A state of a surface is on its way to the subscribers. Not sent while the surface plays. */
+export interface SurfaceProgress {
+    /** id of the surface */
+    surface: string;
+    /** counts the surfaces that have been built for the record; it never decreases */
+    epoch: number;
+    /** coarse, refined, final: the quality of the pass; live: a moving surface that plays */
+    phase: SurfacePhase;
+    /** how long it took to make the state */
+    seconds?: PassSeconds;
+}
+
+/** A surface is complete, or cannot be completed. */
+export interface SurfaceDone {
+    /** id of the surface */
+    surface: string;
+    /** counts the surfaces that have been built for the record; it never decreases */
+    epoch: number;
+    /** its statistics; present if there is no error */
+    stats?: Statistics;
+    /** why the surface is not complete */
+    error?: Problem;
+}
+
+/** Every notification of the server, by its method. */
+export interface Notifications {
+    /**
+     * Something has happened to this connection, its session or the server. Kinds: catchingUp, caughtUp (stale updates
+     * of a surface are left out until a keyframe comes), notDurable, durableAgain, recordsKeptAside, carefulStart (the
+     * server died several times in a row shortly after it had started, so surfaces from before are not computed by
+     * themselves), sessionDeleted, displaced, removed, linkEnded, loggedOut.
+     */
+    'server.notice': ServerNotice;
+    /**
+     * Reports the progress of a call with a `workDoneToken`: begin, at most ten reports a second, and end just before
+     * the call returns.
+     */
+    '$/progress': Progress;
+    /** A dataset is being imported, or its import has ended. Sent to all clients. */
+    'dataset.patched': DatasetEntry;
+    /** Time-steps have been read into memory or removed from it. */
+    'cache.patched': CachePatched;
+    /** Records have changed. Sent to the author of the change as well. */
+    'session.patched': SessionPatched;
+    /**
+     * Participants have changed. About the recipient it has only a role that a host has set. Sent at most every 50 ms;
+     * with many participants less often, and about some of them at a time.
+     */
+    'presence.patched': PresencePatched;
+    /** A state of a surface is on its way to the subscribers. Not sent while the surface plays. */
+    'surface.progress': SurfaceProgress;
+    /** A surface is complete, or cannot be completed. */
+    'surface.done': SurfaceDone;
+}
+
+/** What a notification must say. */
+export const notificationChecks: { [Name in keyof Notifications]: Check<Notifications[Name]> } = {
+    'server.notice': members<ServerNotice>({
+        kind: text,
+        level: optional(text),
+        text: optional(text),
+        surface: optional(text),
+        subscription: optional(whole),
+    }),
+    '$/progress': members<Progress>({
+        token,
+        value: members({ kind: oneOf(['begin', 'report', 'end']), message: optional(text), percentage: optional(number) }),
+    }),
+    'dataset.patched': datasetEntryCheck,
+    'cache.patched': members<CachePatched>({ dataset: text, changes: list(stepChangeCheck), bytes: whole, budget: whole }),
+    'session.patched': members<SessionPatched>({ session: text, seq: whole, patches: list(patchCheck) }),
+    'presence.patched': members<PresencePatched>({ session: text, participants: list(participantChangeCheck), left: list(text) }),
+    'surface.progress': members<SurfaceProgress>({
+        surface: text,
+        epoch: whole,
+        phase: surfacePhaseCheck,
+        seconds: optional(passSecondsCheck),
+    }),
+    'surface.done': members<SurfaceDone>({
+        surface: text,
+        epoch: whole,
+        stats: optional(statisticsCheck),
+        error: optional(problemCheck),
+    }),
+};
