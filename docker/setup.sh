@@ -23,8 +23,8 @@ end_setup() { exec 9>&-; }
 
 # announce TESTS: what this start takes besides Debian packages, which install_packages counts. Said before anything begins.
 announce() {
-    local parts=() cores minutes=12 # of one core, with g++ 12: the programs
-    [ "$1" != ON ] || minutes=40    # with all tests
+    local parts=() cores minutes=12 # of one slow core, with g++ 12: the programs
+    [ "$1" != ON ] || minutes=26    # with all tests
     cores=$(nproc)
     [ -d "$web/node_modules" ] || parts+=("up to 140 MB of npm packages to download")
     [ -n "$(ls "$release/bin" 2>/dev/null)" ] ||
