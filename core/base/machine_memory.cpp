@@ -1,6 +1,7 @@
 #include "core/base/machine_memory.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -138,6 +139,12 @@ std::uint64_t resident_memory() {
     std::from_chars(words.data() + second, words.data() + words.size(), pages);
     const auto page = ::sysconf(_SC_PAGESIZE);
     return page > 0 ? pages * static_cast<std::uint64_t>(page) : 0;
+}
+
+std::uint64_t peak_resident_memory() {
+    rusage usage{};
+    return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<std::uint64_t>(usage.ru_maxrss) * 1024
+                                               : 0;
 }
 
 } // namespace wakesurf::core

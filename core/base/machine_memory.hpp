@@ -18,4 +18,7 @@ std::uint64_t granted_memory(const std::filesystem::path& root = "/");
 /// What this process holds of the machine's memory, in bytes; 0 where the system does not say. Cost: some 3 microseconds.
 std::uint64_t resident_memory();
 
+/// The most that it ever held, likewise.
+std::uint64_t peak_resident_memory();
+
 } // namespace wakesurf::core

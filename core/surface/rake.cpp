@@ -147,6 +147,14 @@ Vec3 SeedingCurve::tangent(double s) const {
     return (points_[i + 1] - points_[i]) * (length() / (arc_[i + 1] - arc_[i]));
 }
 
+double seed_intervals(const Rake& rake, double length, double separation, double requested) {
+    double asked = rake.closed() ? rake.seeds : rake.seeds - 1.0;
+    if (separation > requested)
+        asked = std::min(asked, std::ceil(4.0 * length / separation));
+    const double fewest = rake.closed() ? 3.0 : 1.0;
+    return std::max({fewest, asked, std::ceil(length / separation - 1e-9)});
+}
+
 std::vector<double> seed_parameters(const std::vector<double>& corners, double intervals) {
     std::vector<double> ends{0.0};
     for (const double corner : corners)

@@ -53,6 +53,11 @@ class SeedingCurve {
     bool round_; ///< a circle: its pieces stand for a smooth curve
 };
 
+/// Into how many intervals seeds part a seeding curve of `length`: no longer than `separation`, and as many as the rake asks for.
+/// Where the quad budget has raised the separation above the one `requested`, the rake's seeds give way: they are no closer than a
+/// quarter of it.
+double seed_intervals(const Rake& rake, double length, double separation, double requested);
+
 /// Seed parameters from 0 to below 1: about `intervals` even steps, and every corner (ascending) a seed, so that the surface
 /// starts at the rake's own shape.
 std::vector<double> seed_parameters(const std::vector<double>& corners, double intervals);

@@ -1,6 +1,8 @@
 #include "core/surface/surface_builder.hpp"
 
+#include "core/surface/budget_search.hpp"
 #include "core/surface/columns/sheet_mesh.hpp"
+#include "core/surface/emptiness.hpp"
 #include "core/surface/moving/moving_builder.hpp"
 #include "core/surface/surface_request.hpp"
 #include "core/surface/vertex_attributes.hpp"
@@ -16,6 +18,8 @@ namespace wakesurf::core {
 
 namespace {
 
+/// Quads of strips for one of the mesh that they become: neighbours that are small are joined in it.
+constexpr std::uint64_t most_before_joining = 2;
 constexpr std::size_t mesh_bytes =
     300; ///< a quad, while its vertices and what they carry are put together
 
@@ -23,114 +27,82 @@ tl::unexpected<Error> no_memory() {
     return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
 }
 
-std::set<double> first_seeds(const Rake& rake, double separation) {
-    const SeedingCurve curve(rake);
-    const auto even = seed_parameters(
-        curve.corners(), std::max(rake.seeds - 1.0, std::ceil(curve.length() / separation - 1e-9)));
+std::set<double> first_seeds(const Rake& rake, double intervals) {
+    const auto even = seed_parameters(SeedingCurve(rake).corners(), intervals);
     std::set<double> seeds(even.begin(), even.end());
     if (!rake.closed())
         seeds.insert(1.0);
     return seeds;
 }
 
-/// One sheet per direction over the same seeds; a direction that cuts the rake makes the other follow.
-Result<std::vector<Sheet>> build_sheets(const Flow& flow,
-                                        const Rake& rake,
-                                        const std::vector<SheetOptions>& directions,
-                                        const Clock& clock,
-                                        const std::stop_token& stop,
-                                        const WorkPart& work) {
+std::uint64_t quads_of(const std::vector<Sheet>& sheets) {
+    std::uint64_t quads = 0;
+    for (const Sheet& sheet : sheets)
+        quads += sheet.quads();
+    return quads;
+}
+
+/// One sheet per direction over the same seeds; a direction that cuts the rake makes the other follow. Nothing: they have more
+/// than `most` quads together.
+Result<std::optional<std::vector<Sheet>>> build_sheets(const Flow& flow,
+                                                       const Rake& rake,
+                                                       const std::vector<SheetOptions>& directions,
+                                                       std::set<double> seeds,
+                                                       std::uint64_t most,
+                                                       const Clock& clock,
+                                                       const std::stop_token& stop,
+                                                       const WorkPart& work) {
     std::vector<Sheet> sheets;
     for (const SheetOptions& options : directions)
         sheets.emplace_back(flow, rake, options);
-    std::set<double> seeds = first_seeds(rake, directions.front().separation);
     for (std::size_t before = 0; before != seeds.size();) {
         before = seeds.size();
         for (std::size_t i = 0; i < sheets.size(); ++i) {
             Sheet& sheet = sheets[i];
             if (sheet.seeds() == seeds)
                 continue;
-            if (auto done = sheet.build(seeds, clock, stop, work.part(i, sheets.size())); !done)
-                return tl::unexpected(done.error());
+            const auto built = sheet.build(seeds, clock, stop, work.part(i, sheets.size()));
+            if (!built)
+                return tl::unexpected(built.error());
+            if (!*built || quads_of(sheets) > most)
+                return std::nullopt;
             seeds.insert(sheet.seeds().begin(), sheet.seeds().end());
         }
     }
     return sheets;
 }
 
-struct Sheets {
-    std::vector<Sheet> sheets;
-    double separation;
-    double load; ///< s until the first time-steps were in memory
+/// A surface without what its vertices carry.
+struct Bare {
+    SheetMesh mesh;
+    SurfaceStatistics statistics;
 };
 
-/// The separation at which a sheet swept by the rake as far as 17 of its curves reach has the wanted number of quads
-/// where nothing diverges: keeps a request for millions of columns from being traced at all.
-Result<double> coarsest_needed(const Flow& flow,
-                               const Rake& rake,
-                               const SheetOptions& options,
-                               const std::stop_token& stop) {
+/// Quads of a sheet swept by the rake as far as 17 of its curves reach, where nothing diverges: keeps a request for millions of
+/// columns from being traced at all.
+Result<double> undiverged_quads(const Flow& flow,
+                                const Rake& rake,
+                                const std::vector<SheetOptions>& directions,
+                                const std::stop_token& stop) {
     const SeedingCurve seeding(rake);
-    std::vector<Curve> curves(17);
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        curves[i].seed = seeding.at(static_cast<double>(i) / 16.0);
-        curves[i].release = options.release;
-        curves[i].duration = options.duration;
-    }
-    TraceOptions rough = options.trace;
-    rough.tolerance = 1e-3;
-    rough.stretch = false;
-    return flow.trace(curves, rough, stop).map([&](const TraceCost&) {
-        double arc = 0.0;
+    double arc = 0.0;
+    for (const SheetOptions& options : directions) {
+        std::vector<Curve> curves(17);
+        for (std::size_t i = 0; i < curves.size(); ++i) {
+            curves[i].seed = seeding.at(static_cast<double>(i) / 16.0);
+            curves[i].release = options.release;
+            curves[i].duration = options.duration;
+        }
+        TraceOptions rough = options.trace;
+        rough.tolerance = 1e-3;
+        rough.stretch = false;
+        if (const auto traced = flow.trace(curves, rough, stop); !traced)
+            return tl::unexpected(traced.error());
         for (const Curve& curve : curves)
             arc += curve.last.arc / static_cast<double>(curves.size());
-        return std::sqrt(seeding.length() * arc / static_cast<double>(options.max_quads));
-    });
-}
-
-/// The quad budget is hard: a surface too large for it is built coarser, and its statistics say so.
-Result<Sheets> build_within_budget(const Flow& flow,
-                                   const Rake& rake,
-                                   const SurfaceParameters& p,
-                                   const Clock& clock,
-                                   const std::stop_token& stop,
-                                   const WorkPart& work) {
-    const auto start = clock.now();
-    const auto speed = largest_speed(flow, rake, p.from, stop);
-    const double load = std::chrono::duration<double>(clock.now() - start).count();
-    if (!speed)
-        return tl::unexpected(speed.error());
-    double separation = p.separation > 0.0 ? p.separation : flow.finest_spacing();
-    for (bool first = true;; separation *= 1.25) {
-        auto directions = sheet_options(flow, rake, p, separation, *speed);
-        if (!directions)
-            return tl::unexpected(directions.error());
-        const std::uint64_t most = directions->front().max_quads;
-        if (rake.seeds > most)
-            return over_limit(p.max_quads,
-                              "the rake has more seeds than the surface may have quads",
-                              "use fewer seeds or a larger maxQuads");
-        if (first) {
-            first = false;
-            const auto needed = coarsest_needed(flow, rake, directions->front(), stop);
-            if (!needed)
-                return tl::unexpected(needed.error());
-            if (separation < *needed) {
-                separation = *needed;
-                continue;
-            }
-        }
-        for (SheetOptions& each : *directions)
-            each.trace.memory = work.memory();
-        const std::size_t before = work.memory() != nullptr ? work.memory()->bytes() : 0;
-        auto sheets = build_sheets(flow, rake, *directions, clock, stop, work);
-        if (!sheets && work.memory() != nullptr)
-            work.memory()->shrink(work.memory()->bytes() - before);
-        if (sheets)
-            return Sheets{std::move(*sheets), separation, load};
-        if (sheets.error().code != Error::Code::OverLimit)
-            return tl::unexpected(sheets.error());
     }
+    const double separation = directions.front().separation;
+    return std::max(seeding.length() / separation, 1.0) * arc / separation;
 }
 
 void count_columns(const Sheet& sheet, SurfaceStatistics& statistics) {
@@ -141,7 +113,6 @@ void count_columns(const Sheet& sheet, SurfaceStatistics& statistics) {
         const Curve& curve = column->curve;
         statistics.steps = std::max<std::uint64_t>(statistics.steps, curve.steps.size());
         statistics.vertex_steps += curve.attempts;
-        statistics.peak_bytes += curve.steps.capacity() * sizeof(CurveStep);
         auto& ended = statistics.terminated;
         ended.domain += curve.end == CurveEnd::Domain;
         ended.time += curve.end == CurveEnd::Time;
@@ -151,13 +122,88 @@ void count_columns(const Sheet& sheet, SurfaceStatistics& statistics) {
     }
 }
 
+/// Joins the sheets to one mesh. Error: Cancelled where there is no memory.
+Result<Bare> joined(const std::vector<Sheet>& sheets, const WorkPart& work) {
+    Bare out;
+    for (const Sheet& sheet : sheets) {
+        if (!work.takes(sheet.quads() * mesh_bytes))
+            return no_memory();
+        append_sheet(out.mesh, sheet);
+        count_columns(sheet, out.statistics);
+    }
+    return out;
+}
+
+/// The quad budget is hard: a surface too large for it is built coarser, and its statistics say so.
+Result<Bare> build_within_budget(const Flow& flow,
+                                 const Rake& rake,
+                                 const SurfaceParameters& p,
+                                 const Clock& clock,
+                                 const std::stop_token& stop,
+                                 const WorkPart& work) {
+    const auto start = clock.now();
+    const auto speed = largest_speed(flow, rake, p.from, stop);
+    const double load = std::chrono::duration<double>(clock.now() - start).count();
+    if (!speed)
+        return tl::unexpected(speed.error());
+    auto directions = sheet_options(flow, rake, p, p.separation, *speed);
+    if (!directions)
+        return tl::unexpected(directions.error());
+    const auto estimate = undiverged_quads(flow, rake, *directions, stop);
+    if (!estimate)
+        return tl::unexpected(estimate.error());
+    BudgetSearch search(p.separation, coarsest_separation(flow.domain()), *estimate, p.max_quads);
+    while (const auto trial = search.next()) {
+        const double intervals =
+            seed_intervals(rake, SeedingCurve(rake).length(), trial->separation, p.separation);
+        if (intervals > static_cast<double>(most_before_joining * trial->most)) {
+            search.exceeded();
+            continue;
+        }
+        directions = sheet_options(flow, rake, p, trial->separation, *speed);
+        if (!directions)
+            return tl::unexpected(directions.error());
+        for (SheetOptions& each : *directions) {
+            each.trace.memory = work.memory();
+            each.max_quads = most_before_joining * trial->most;
+        }
+        const std::size_t before = work.memory() != nullptr ? work.memory()->bytes() : 0;
+        auto sheets = build_sheets(flow, rake, *directions, first_seeds(rake, intervals),
+                                   most_before_joining * trial->most, clock, stop,
+                                   trial->most < p.max_quads ? work.quietly() : work);
+        if (!sheets)
+            return tl::unexpected(sheets.error());
+        std::optional<Bare> bare;
+        if (*sheets) {
+            auto made = joined(**sheets, work);
+            if (!made)
+                return tl::unexpected(made.error());
+            bare = std::move(*made);
+        }
+        if (!bare || bare->mesh.complex.cells.size() > trial->most) {
+            search.exceeded();
+        } else if (search.built(bare->mesh.complex.cells.size())) {
+            bare->statistics.separation = trial->separation;
+            bare->statistics.seconds.load += load;
+            return std::move(*bare);
+        }
+        bare.reset(); // before the memory that it held is given back
+        sheets->reset();
+        if (work.memory() != nullptr)
+            work.memory()->shrink(work.memory()->bytes() - before);
+    }
+    return cannot_be_coarser(p.max_quads, search.coarsest());
+}
+
 Result<Surface> build_whole(const Flow& flow,
                             const Rake& rake,
-                            const SurfaceParameters& parameters,
+                            SurfaceParameters parameters,
                             const std::stop_token& stop,
                             const Clock& clock,
                             const WorkPart& work) {
     const auto start = clock.now();
+    if (!(parameters.separation > 0.0))
+        parameters.separation = flow.finest_spacing();
     if (parameters.kind == SurfaceKind::Streak || parameters.kind == SurfaceKind::Time)
         return build_moving_surface(flow, rake, parameters, stop, clock, work);
     // What its vertices carry takes about as long as the sheets.
@@ -165,19 +211,7 @@ Result<Surface> build_whole(const Flow& flow,
     if (!built)
         return tl::unexpected(built.error());
 
-    SheetMesh mesh;
-    SurfaceStatistics statistics;
-    statistics.seconds.load = built->load;
-    for (const Sheet& sheet : built->sheets) {
-        std::size_t quads = 0;
-        for (const Strip& strip : sheet.strips())
-            quads += strip.quads();
-        if (!work.takes(quads * mesh_bytes))
-            return no_memory();
-        append_sheet(mesh, sheet);
-        count_columns(sheet, statistics);
-    }
-    built->sheets.clear(); // half of all memory
+    auto& [mesh, statistics] = *built;
     if (auto done = add_attributes(mesh, flow, rake, parameters, stop); !done)
         return tl::unexpected(done.error());
     label_components(mesh.complex);
@@ -186,11 +220,11 @@ Result<Surface> build_whole(const Flow& flow,
     statistics.quads = mesh.complex.cells.size();
     statistics.vertices = mesh.complex.vertices();
     statistics.max_edge = longest_edge(mesh.complex);
-    statistics.separation = built->separation;
+    statistics.requested_separation = parameters.separation;
     statistics.seconds.total = std::chrono::duration<double>(clock.now() - start).count();
     statistics.seconds.other = statistics.seconds.total - statistics.seconds.load -
                                statistics.seconds.advect - statistics.seconds.refine;
-    return Surface{std::move(mesh.complex), statistics};
+    return Surface{std::move(mesh.complex), std::move(statistics)};
 }
 
 // The part of a surface that comes before a time-step that cannot be read, if there is one.
@@ -235,6 +269,10 @@ Result<Surface> build_surface(const Flow& flow,
         stopped = surface.error().message;
         surface = build_whole(flow, rake, p, stop, clock, work);
     }
+    auto empty = why_empty(flow, rake, parameters, surface->mesh, surface->statistics, stop);
+    if (!empty)
+        return tl::unexpected(empty.error());
+    surface->statistics.empty = std::move(*empty);
     surface->statistics.stopped = std::move(stopped);
     surface->ended = ended;
     work.reached(1.0);

@@ -145,8 +145,7 @@ Result<std::vector<SheetOptions>> sheet_options(const Flow& flow,
     one.separation = separation;
     one.merge = p.merge;
     one.angle = p.angle;
-    one.max_quads =
-        p.direction == Direction::Both ? std::max<std::uint64_t>(p.max_quads / 2, 1) : p.max_quads;
+    one.max_quads = p.max_quads;
     std::vector<SheetOptions> sheets;
     for (const double sign : {+1.0, -1.0}) {
         if (p.direction == (sign > 0.0 ? Direction::Backward : Direction::Forward))

@@ -4,12 +4,35 @@
 #include "core/surface/surface_parameters.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace wakesurf::core {
 
+/// Why there is nothing to see of a surface, in words for people.
+struct Emptiness {
+    enum class Reason {
+        InBody,
+        OutsideCells,
+        AtRest,
+        NotFinite,
+        SameRakes,
+        NoArea,
+        NothingYet,
+        AllLeft,
+        TooCoarse
+    };
+    Reason reason;
+    std::string message;
+    std::string hint;
+
+    /// The flow took everything away, and nothing is wrong with what was asked for.
+    bool natural() const { return reason == Reason::AllLeft || reason == Reason::NothingYet; }
+};
+
 struct SurfaceStatistics {
-    struct Terminated { ///< columns by the reason they ended
+    /// Particles released from the rake's seeds, by what ended them; of a surface that moves, those of all its rows.
+    struct Terminated {
         std::uint64_t domain = 0, time = 0, obstacle = 0, stagnation = 0, budget = 0;
     };
 
@@ -25,9 +48,14 @@ struct SurfaceStatistics {
     std::uint64_t approximated = 0;
     Terminated terminated;
     double max_edge = 0;
-    double separation = 0;
+    double separation = 0;           ///< longest edge allowed in the end
+    double requested_separation = 0; ///< the one asked for
     Seconds seconds;
-    std::uint64_t peak_bytes = 0;
+
+    /// The quad budget did not allow the separation asked for.
+    bool coarsened() const { return separation > requested_separation; }
+
+    std::optional<Emptiness> empty{};
     std::string stopped{}; ///< why the surface ends before the time asked for; usually empty
 };
 

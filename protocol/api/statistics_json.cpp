@@ -6,7 +6,8 @@
 
 namespace wakesurf::protocol {
 
-nlohmann::json statistics_json(const core::SurfaceStatistics& statistics) {
+nlohmann::json statistics_json(const core::SurfaceStatistics& statistics,
+                               std::uint64_t peak_bytes) {
     const auto& ended = statistics.terminated;
     const auto& seconds = statistics.seconds;
     nlohmann::json out{{"kind", name(statistics.kind)},
@@ -23,13 +24,19 @@ nlohmann::json statistics_json(const core::SurfaceStatistics& statistics) {
                          {"budget", ended.budget}}},
                        {"maxEdge", statistics.max_edge},
                        {"separation", statistics.separation},
+                       {"requestedSeparation", statistics.requested_separation},
+                       {"coarsened", statistics.coarsened()},
                        {"seconds",
                         {{"load", seconds.load},
                          {"advect", seconds.advect},
                          {"refine", seconds.refine},
                          {"other", seconds.other},
                          {"total", seconds.total}}},
-                       {"peakBytes", statistics.peak_bytes}};
+                       {"peakBytes", peak_bytes}};
+    if (statistics.empty)
+        out["empty"] = {{"reason", name(statistics.empty->reason)},
+                        {"message", statistics.empty->message},
+                        {"hint", statistics.empty->hint}};
     if (!statistics.stopped.empty())
         out["stopped"] = statistics.stopped;
     return out;

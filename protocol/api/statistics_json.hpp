@@ -5,9 +5,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
+
 namespace wakesurf::protocol {
 
-/// Lengths in the dataset's unit, times in seconds of wall clock, sizes in bytes.
-nlohmann::json statistics_json(const core::SurfaceStatistics& statistics);
+/// Lengths in the dataset's unit, times in seconds of wall clock.
+/// @param peak_bytes  the most memory that the process has held
+nlohmann::json statistics_json(const core::SurfaceStatistics& statistics, std::uint64_t peak_bytes);
 
 } // namespace wakesurf::protocol

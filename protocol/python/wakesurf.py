@@ -459,6 +459,15 @@ class BuildSeconds(TypedDict, total=False):
     refine: float  # inserting and removing vertices (s)
     other: float  # everything else (s)
     total: float  # the whole build (s)
+    processor: float  # of all processors together, for the whole build; only in `wakesurf surface --stats` (s); may ...
+
+
+class Emptiness(TypedDict, total=False):
+    """Why there is nothing to see of a surface."""
+
+    reason: str  # why a surface shows nothing. inBody, outsideCells: the whole rake lies there; atRest: the fluid ...
+    message: str  # the reason, for people
+    hint: str  # what to do about it
 
 
 Statistics = TypedDict("Statistics", {  # Statistics of the newest state of a surface, in the shape of `wakesurf surface --stats`.
@@ -471,13 +480,16 @@ Statistics = TypedDict("Statistics", {  # Statistics of the newest state of a su
     "steps": "int",  # number of steps of the surface, in time or along its curves
     "vertexSteps": "int",  # number of steps of the integrator, for all particles together
     "approximated": "int",  # number of vertices that were interpolated, not traced from the rake
-    "terminated": "Terminations",  # numbers of particles, by what ended them; for streak and time surfaces, of all ...
+    "terminated": "Terminations",  # numbers of particles from the rake's seeds, by what ended them; of streak and ...
     "maxEdge": "float",  # length of the longest edge (the dataset's unit of length)
-    "separation": "float",  # longest edge allowed (the dataset's unit of length)
+    "separation": "float",  # longest edge allowed in the end (the dataset's unit of length)
+    "requestedSeparation": "float",  # longest edge that was asked for (the dataset's unit of length)
+    "coarsened": "bool",  # true: within `maxQuads` the separation asked for is not possible, so `separation` is larger
     "seconds": "BuildSeconds",  # how long it took to build the surface
     "pass": "PassSeconds",  # how long it took to make this state; may be missing
-    "peakBytes": "int",  # the most memory that the build used (bytes)
+    "peakBytes": "int",  # the most memory that the process has held, for everything that it does (bytes)
     "stopped": "str",  # why the surface ends early; may be missing
+    "empty": "Emptiness",  # why there is nothing to see; left out where there is something; may be missing
     "stateSum": "int",  # checksum of what clients show, as in the frames (protocol/wire/FORMAT.md, State sum)
     "error": "Problem",  # why the surface is not complete; may be missing
 }, total=False)

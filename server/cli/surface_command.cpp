@@ -1,5 +1,6 @@
 #include "server/cli/surface_command.hpp"
 
+#include "core/base/machine_memory.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "core/surface/surface_request.hpp"
 #include "core/surface/vertex_times.hpp"
@@ -24,6 +25,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <ctime>
 #include <filesystem>
 #include <thread>
 
@@ -88,7 +90,8 @@ core::Result<void> write(const SurfaceOptions& options,
                          const SurfaceRequest& request,
                          const core::DatasetInfo& info,
                          const core::Surface& surface,
-                         const protocol::MeshScalars& scalars) {
+                         const protocol::MeshScalars& scalars,
+                         double processor_seconds) {
     const protocol::MeshMetadata metadata{.kind = request.parameters.kind,
                                           .rake = request.rake.points,
                                           .from = request.parameters.from,
@@ -110,7 +113,8 @@ core::Result<void> write(const SurfaceOptions& options,
                        });
     if (!written || options.stats.empty())
         return written;
-    const auto statistics = protocol::statistics_json(surface.statistics);
+    auto statistics = protocol::statistics_json(surface.statistics, core::peak_resident_memory());
+    statistics["seconds"]["processor"] = processor_seconds;
     return write_whole_file(options.stats, protocol::json_text(statistics, 2) + "\n");
 }
 
@@ -139,6 +143,30 @@ core::Result<void> clip_rakes(SurfaceRequest& request, const core::Box& domain) 
     return {};
 }
 
+/// What differs from what was asked for, on standard error. Error: there is nothing to see, for a reason that can be cured.
+core::Result<void> tell(const core::SurfaceStatistics& statistics) {
+    if (statistics.empty && !statistics.empty->natural())
+        return core::fail(core::Error::Code::InvalidArgument, statistics.empty->message,
+                          statistics.empty->hint);
+    if (statistics.empty)
+        fmt::print(stderr, "wakesurf: the surface is empty: {}; {}\n", statistics.empty->message,
+                   statistics.empty->hint);
+    if (statistics.coarsened())
+        fmt::print(
+            stderr,
+            "wakesurf: coarsened: a separation of {:.4g} needs more quads than allowed, so it is "
+            "{:.4g}; raise --max-quads\n",
+            statistics.requested_separation, statistics.separation);
+    if (statistics.terminated.budget > 0)
+        fmt::print(stderr,
+                   "wakesurf: {} particles were not followed to the end: they take too many steps; "
+                   "raise --max-quads, or shorten the time\n",
+                   statistics.terminated.budget);
+    if (!statistics.stopped.empty())
+        fmt::print(stderr, "wakesurf: the surface ends early: {}\n", statistics.stopped);
+    return {};
+}
+
 core::Result<void>
 make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop) {
     const ProcessAccount process(options.memory);
@@ -156,11 +184,16 @@ make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop
     if (auto known = check_fields(*dataset, options.fields); !known)
         return known;
     core::WorkMemory memory(process.account(), stop);
+    const std::clock_t began = std::clock();
     const auto surface = build(*dataset, request, options.threads, memory, stop);
     if (!surface)
         return tl::unexpected(surface.error());
     if (stop.stop_requested())
         return core::fail(core::Error::Code::Cancelled, "stopped, nothing was written");
+    const double processor_seconds =
+        static_cast<double>(std::clock() - began) / static_cast<double>(CLOCKS_PER_SEC);
+    if (auto shown = tell(surface->statistics); !shown)
+        return shown;
     if (!memory.grow(surface->mesh.vertices() * file_bytes))
         return tl::unexpected(memory.refusal("the surface's file"));
     const auto scalars =
@@ -168,11 +201,11 @@ make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop
                         options.fields, stop);
     if (!scalars)
         return tl::unexpected(scalars.error());
-    if (auto written = write(options, request, dataset->info, *surface, *scalars); !written)
+    if (auto written =
+            write(options, request, dataset->info, *surface, *scalars, processor_seconds);
+        !written)
         return written;
     const auto& statistics = surface->statistics;
-    if (!statistics.stopped.empty())
-        fmt::print(stderr, "wakesurf: the surface ends early: {}\n", statistics.stopped);
     fmt::print("{}: {}{} quads, {} vertices, {:.2f} s\n", options.output,
                request.lines ? options.lines + " of a surface of " : "", statistics.quads,
                statistics.vertices, statistics.seconds.total);

@@ -1,5 +1,6 @@
 #include "server/rpc/outcome_json.hpp"
 
+#include "core/base/machine_memory.hpp"
 #include "protocol/api/json_rpc.hpp"
 #include "protocol/api/statistics_json.hpp"
 
@@ -27,7 +28,8 @@ nlohmann::json pass_json(const PassSeconds& took) {
 }
 
 nlohmann::json outcome_json(const SurfaceOutcome& outcome) {
-    nlohmann::json out = protocol::statistics_json(outcome.statistics);
+    nlohmann::json out =
+        protocol::statistics_json(outcome.statistics, core::peak_resident_memory());
     out["surface"] = outcome.surface;
     out["epoch"] = outcome.epoch;
     out["complete"] = outcome.complete;

@@ -27,6 +27,9 @@ constexpr int most_bend_rounds = 32;
 // quarter more than it had told.
 constexpr std::size_t strip_bytes = 200;
 
+/// As many quads as may become one where seeds are close.
+constexpr std::size_t most_joined = 16;
+
 /// Of a column from one vertex to the next. A quad's side may take two segments, and cells meet at the turn of a whole side.
 double most_turn(double angle) {
     return angle < 180.0 ? 0.5 * angle * std::numbers::pi / 180.0 : std::numbers::pi;
@@ -73,15 +76,6 @@ Sheet::trace(const std::set<double>& parameters, const Clock& clock, const std::
     return {};
 }
 
-Result<void> Sheet::check_budget(std::size_t quads) const {
-    if (quads > options_.max_quads)
-        return over_limit(options_.max_quads,
-                          "the surface would have more than " + std::to_string(options_.max_quads) +
-                              " quads",
-                          "raise maxQuads or the separation");
-    return {};
-}
-
 /// Counts the memory of so many quads of strips. @param counted  quads until now
 Result<void> Sheet::hold(std::size_t quads, std::size_t& counted, const WorkPart& work) const {
     const std::size_t more = quads - std::min(quads, counted);
@@ -117,10 +111,14 @@ std::size_t Sheet::zip(const std::vector<std::size_t>& dirty, const Clock& clock
                           [&](std::size_t i) { strips_[dirty[i]].zip(limits_); });
     });
     seconds_.refine += elapsed(clock, start);
-    std::size_t quads = 0;
+    return quads();
+}
+
+std::uint64_t Sheet::quads() const {
+    std::uint64_t sum = 0;
     for (const Strip& strip : strips_)
-        quads += strip.quads();
-    return quads;
+        sum += strip.quads();
+    return sum;
 }
 
 /// Replaces each strip that holds a new seed by two.
@@ -148,22 +146,22 @@ double Sheet::part_without(const std::vector<std::size_t>& dirty) const {
     return 1.0 - rest;
 }
 
-Result<void> Sheet::build(const std::set<double>& seeds,
+Result<bool> Sheet::build(const std::set<double>& seeds,
                           const Clock& clock,
                           std::stop_token stop,
                           WorkPart work) {
     seeds_ = seeds;
     if (auto traced = trace(seeds_, clock, stop); !traced)
-        return traced;
+        return tl::unexpected(traced.error());
     double arc = 0.0;
     for (const SeededCurve& curve : curves_)
         arc += curve.curve.last.arc;
     const auto expected = static_cast<std::size_t>(arc / limits_.spacing.longest);
-    if (auto fits = check_budget(expected); !fits)
-        return fits;
+    if (expected / most_joined > options_.max_quads)
+        return false;
     std::size_t counted = 0;
-    if (auto fits = hold(expected, counted, work); !fits)
-        return fits;
+    if (auto held = hold(expected, counted, work); !held)
+        return tl::unexpected(held.error());
 
     strips_.clear();
     for (auto left = seeds_.begin(); left != seeds_.end(); ++left)
@@ -186,10 +184,10 @@ Result<void> Sheet::build(const std::set<double>& seeds,
             round = 0;
         } else {
             const std::size_t quads = zip(dirty, clock);
-            if (auto fits = check_budget(quads); !fits)
-                return fits;
-            if (auto fits = hold(quads, counted, work); !fits)
-                return fits;
+            if (quads > options_.max_quads)
+                return false;
+            if (auto held = hold(quads, counted, work); !held)
+                return tl::unexpected(held.error());
             for (const std::size_t i : dirty)
                 if (round >= most_rounds)
                     strips_[i].tear_rest();
@@ -203,7 +201,7 @@ Result<void> Sheet::build(const std::set<double>& seeds,
         dirty = std::move(*again);
         work.reached(part_without(dirty));
     }
-    return {};
+    return true;
 }
 
 /// What the strips want where the sheet bends. Only strips that want something.

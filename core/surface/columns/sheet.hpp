@@ -33,13 +33,16 @@ class Sheet {
     Sheet(Sheet&&) = default;
 
     /// Builds the strips between `seeds` (parameters, increasing; a closed rake's last one is below 1).
-    /// Error: OverLimit when the quads would exceed max_quads, Cancelled (also where there is no memory), and what tracing reports.
+    /// Returns false, with strips that are of no use, as soon as the quads exceed max_quads.
+    /// Error: Cancelled (also where there is no memory), and what tracing reports.
     /// Cost: tracing, plus O(quads of the strips that changed) a round.
     /// @param work  told which part of the rake is done, and what memory the strips take
-    Result<void> build(const std::set<double>& seeds,
+    Result<bool> build(const std::set<double>& seeds,
                        const Clock& clock,
                        std::stop_token stop,
                        WorkPart work = {});
+
+    std::uint64_t quads() const;
 
     /// Seed parameters at which the sheet now leaves the rake: `seeds` and those it added.
     const std::set<double>& seeds() const { return seeds_; }
@@ -76,7 +79,6 @@ class Sheet {
     std::vector<StripDemand> bend_demands(const Clock& clock);
     Result<std::vector<std::size_t>>
     meet(const std::vector<StripDemand>& demands, const Clock& clock, const std::stop_token& stop);
-    Result<void> check_budget(std::size_t quads) const;
     Result<void> hold(std::size_t quads, std::size_t& counted, const WorkPart& work) const;
     double part_without(const std::vector<std::size_t>& dirty) const;
     void cut_at(const std::vector<double>& new_seeds);

@@ -52,11 +52,9 @@ double Columns::at(double column) const {
     return s[i] + (column - floor) * (next - s[i]);
 }
 
-Columns make_columns(const Origin& origin, double seeds, double spacing) {
+Columns make_columns(const Origin& origin, double intervals) {
     Columns columns;
     columns.closed = origin.closed();
-    const double intervals = std::max(columns.closed ? std::max(seeds, 3.0) : seeds - 1.0,
-                                      std::ceil(origin.length() / spacing - 1e-9));
     columns.s = seed_parameters(origin.corners(), intervals);
     columns.count = static_cast<double>(columns.s.size());
     if (!columns.closed)
@@ -145,12 +143,7 @@ Result<void> lay_patch(MovingMesh& mesh,
                        const Flow& flow,
                        const Columns& columns,
                        double rows,
-                       std::uint64_t max_quads,
                        std::stop_token stop) {
-    if (columns.count * rows > static_cast<double>(max_quads))
-        return over_limit(max_quads,
-                          "the patch would have more than " + std::to_string(max_quads) + " quads",
-                          "raise maxQuads or the separation");
     const std::size_t across = columns.s.size();
     {
         std::vector<double> s, t;

@@ -18,8 +18,8 @@ struct Columns {
     double at(double column) const;
 };
 
-/// Evenly spaced between the curve's corners, at most `spacing` apart, at least `seeds` of them.
-Columns make_columns(const Origin& origin, double seeds, double spacing);
+/// Evenly spaced between the curve's corners. @param intervals  see seed_intervals
+Columns make_columns(const Origin& origin, double intervals);
 
 /// Attached vertices at the mesh's time on every column, and on every half, quarter ... between an inside and an outside
 /// column down to `finest`, in order along the rake. Error: what sampling reports.
@@ -39,13 +39,12 @@ seed_places(const Origin& origin, const Flow& flow, const Columns& columns, doub
 /// older row have neighbours of the same place in the newer one.
 void join_rows(MovingMesh& mesh, std::span<const VertexId> newer, std::span<const VertexId> older);
 
-/// The whole patch of a time surface as free vertices and cells. Error: OverLimit beyond `max_quads`, what sampling reports.
+/// The whole patch of a time surface as free vertices and cells. Error: what sampling reports.
 Result<void> lay_patch(MovingMesh& mesh,
                        const Origin& origin,
                        const Flow& flow,
                        const Columns& columns,
                        double rows,
-                       std::uint64_t max_quads,
                        std::stop_token stop);
 
 } // namespace wakesurf::core

@@ -37,14 +37,15 @@ void add(SurfaceStatistics& sum, const SurfaceStatistics& part) {
     sum.steps = std::max(sum.steps, part.steps);
     sum.vertex_steps += part.vertex_steps;
     sum.terminated.domain += part.terminated.domain;
+    sum.terminated.time += part.terminated.time;
     sum.terminated.obstacle += part.terminated.obstacle;
     sum.terminated.stagnation += part.terminated.stagnation;
     sum.terminated.budget += part.terminated.budget;
     sum.separation = std::max(sum.separation, part.separation);
+    sum.requested_separation = part.requested_separation;
     sum.seconds.load += part.seconds.load;
     sum.seconds.advect += part.seconds.advect;
     sum.seconds.refine += part.seconds.refine;
-    sum.peak_bytes += part.peak_bytes;
 }
 
 void count(SurfaceStatistics& statistics, const QuadComplex& mesh) {
@@ -53,7 +54,6 @@ void count(SurfaceStatistics& statistics, const QuadComplex& mesh) {
     statistics.approximated = static_cast<std::uint64_t>(
         std::count(mesh.approximated.begin(), mesh.approximated.end(), 1));
     statistics.max_edge = longest_edge(mesh);
-    statistics.terminated.time = statistics.vertices;
 }
 
 } // namespace wakesurf::core

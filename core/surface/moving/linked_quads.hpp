@@ -66,6 +66,12 @@ class LinkedQuads {
     /// Moves cells and vertices to the slots they have in `cells` (in order) and `vertex_slot`. For keeping memory in mesh order.
     void renumber(std::span<const CellIndex> order, std::span<const VertexId> vertex_slot);
 
+    /// What the next one made is called.
+    std::uint32_t next_id() const { return next_id_; }
+
+    /// REQUIRES: none has been made.
+    void number_from(std::uint32_t first) { next_id_ = first; }
+
     std::size_t bytes() const {
         return slots_.capacity() * sizeof(LinkedCell) + free_.capacity() * sizeof(CellIndex);
     }

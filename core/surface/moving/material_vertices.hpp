@@ -65,6 +65,12 @@ class MaterialVertices {
     /// Moves each vertex to the slot it has in `order`, which names every used one once.
     void renumber(std::span<const VertexId> order);
 
+    /// What the next one made is called.
+    std::uint32_t next_id() const { return next_id_; }
+
+    /// REQUIRES: none has been made.
+    void number_from(std::uint32_t first) { next_id_ = first; }
+
     std::size_t bytes() const;
 
     std::vector<Vec3> position, along_s, along_t;

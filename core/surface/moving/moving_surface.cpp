@@ -1,7 +1,7 @@
 #include "core/surface/moving/moving_surface.hpp"
 
+#include "core/surface/budget_search.hpp"
 #include "core/surface/moving/cell_shape.hpp"
-#include "core/surface/moving/first_row.hpp"
 #include "core/surface/moving/release.hpp"
 #include "core/surface/moving/snapshot.hpp"
 #include "core/surface/surface_request.hpp"
@@ -18,40 +18,18 @@
 
 namespace wakesurf::core {
 
-struct MovingSurface::Plan {
-    Origin origin;
-    Columns columns;
-    std::vector<double> places; ///< of a row on the rake
-    RefinementRules rules;
-    AdvanceOptions carry; ///< its step is chosen anew in every step
-    double end = 0.0;
-    double release_until = 0.0;
-    bool fast = false;
-    double finest_spacing = 0.0;
-};
-
 namespace {
 
 constexpr double patch_bytes = 350.0; ///< a quad, while it is laid
 
-constexpr double row_spacing = 0.75; // of the separation, as the columns of stream surfaces
+/// Surfaces that were begun and exceeded their budget, after which the next one is made coarser as it moves.
+constexpr int most_given_up = 3;
+
 constexpr double growth_a_step =
     0.5; // of an edge's length: Hermite interpolation wants edges cut before they double
 constexpr double least_of_row =
     1.0 / 16.0; // of the time between rows: one violent cell must not stop the rest
 constexpr double sorting_share = 0.125; // of vertices inserted since memory was last in mesh order
-
-InsertionPolicy policy(Accuracy accuracy) {
-    return accuracy == Accuracy::Fast       ? InsertionPolicy::Linear
-           : accuracy == Accuracy::Balanced ? InsertionPolicy::Hermite
-                                            : InsertionPolicy::Exact;
-}
-
-Origin origin_of(const Rake& rake, const SurfaceParameters& p) {
-    if (p.kind == SurfaceKind::Streak)
-        return Origin(rake);
-    return p.rake2 ? Origin(rake, *p.rake2, p.from) : Origin(rake, *p.sweep, p.from);
-}
 
 /// The larger of `most` and the fastest relative growth of a cell's sides, of those longer than `shortest`. Roots are taken only
 /// of what may exceed `most`.
@@ -75,28 +53,18 @@ double fastest_growth(const MovingMesh& mesh, const Cell& cell, double shortest,
     return most;
 }
 
-/// The separation at which a surface that nothing stretches has about the wanted number of quads: keeps a request for millions
-/// of columns, or of steps, from being begun. The rest of the budget is kept while the surface moves.
-double
-coarsest_needed(const Origin& origin, const Box& domain, double travel, std::uint64_t max_quads) {
-    constexpr double most_rows = 20'000;
-    const double quads = static_cast<double>(max_quads);
-    const double way = std::min(travel, 4.0 * glm::length(domain.extent()));
-    const double steps = travel / (row_spacing * most_rows);
-    if (origin.patch())
-        return std::max(steps, 1.01 * std::sqrt(origin.length() * origin.longest_across() / quads));
-    return std::max(
-        {steps, origin.length() / quads, 0.5 * std::sqrt(origin.length() * way / quads)});
-}
-
 double elapsed(const Clock& clock, std::chrono::steady_clock::time_point since) {
     return std::chrono::duration<double>(clock.now() - since).count();
 }
 
 } // namespace
 
-MovingSurface::MovingSurface(const Flow& flow, std::shared_ptr<const Plan> plan, const Clock& clock)
-    : flow_(&flow), clock_(&clock), plan_(std::move(plan)), end_(plan_->end) {}
+MovingSurface::MovingSurface(const Flow& flow, MovingPlan plan, const Clock& clock)
+    : flow_(&flow), clock_(&clock) {
+    state_.plan = std::make_shared<const MovingPlan>(std::move(plan));
+    state_.separation = state_.plan->rules.separation;
+    state_.mesh.time = state_.plan->request.parameters.from;
+}
 
 Result<MovingSurface> MovingSurface::start(const Flow& flow,
                                            const Rake& rake,
@@ -105,87 +73,151 @@ Result<MovingSurface> MovingSurface::start(const Flow& flow,
                                            const Clock& clock,
                                            const WorkPart& work) {
     const auto began = clock.now();
-    if (rake.seeds > p.max_quads)
-        return over_limit(p.max_quads, "the rake has more seeds than the surface may have quads",
-                          "use fewer seeds or a larger maxQuads");
     const auto speed = largest_speed(flow, rake, p.from, stop);
     if (!speed)
         return tl::unexpected(speed.error());
-    Origin origin = origin_of(rake, p);
-    const double span = std::abs(p.to - p.from);
-    const double sign = p.direction == Direction::Backward ? -1.0 : 1.0;
-    const double separation =
-        std::max(p.separation, coarsest_needed(origin, flow.domain(), *speed * span, p.max_quads));
-    Columns columns = make_columns(origin, rake.seeds, separation);
-    RefinementRules rules;
-    rules.separation = separation;
-    rules.merge = p.merge;
-    rules.cosine = p.angle >= 180.0 ? -1.0 : std::cos(p.angle * std::numbers::pi / 180.0);
-    rules.least_t = origin.patch() ? 1e-6 : 1e-6 * span;
-    // Seeds this close that still part beside an obstacle go round it on either side.
-    const double seed_distance = separation / 32.0;
-    rules.least_s_at_wall = seed_distance / origin.length();
-    rules.least_t_at_wall = origin.patch() ? seed_distance / origin.longest_across() : 0.0;
-    rules.policy = policy(p.accuracy);
-    rules.tangents = p.accuracy == Accuracy::Balanced || p.deformation;
-    rules.retrace = p.accuracy == Accuracy::Exact || flow.resident();
-    rules.reconnect = p.reconnect;
-    rules.obstacle = flow.obstacle();
-    rules.max_quads = p.max_quads;
-    // Stored data are only as smooth as their interpolation, which error control of high order would search for kinks:
-    // there steps of a fixed part of a cell are as good, and several times faster.
-    const bool closed_form = !flow.time_range();
-    AdvanceOptions carry;
-    carry.method = p.accuracy == Accuracy::Exact && closed_form ? AdvanceOptions::Method::Dopri5
-                                                                : AdvanceOptions::Method::Rk4;
-    carry.tolerance = trace_tolerance(p.accuracy);
-    carry.longest_step = flow.finest_spacing();
-    carry.stagnation_speed = p.stagnation_speed * *speed;
-    carry.smooth = p.accuracy == Accuracy::Exact;
-    std::vector<double> places = seed_places(origin, flow, columns, rules.tear_size * separation);
-    const double until = p.release_until ? std::abs(*p.release_until - p.from) : span;
-    auto plan =
-        std::make_shared<const Plan>(Plan{std::move(origin), std::move(columns), std::move(places),
-                                          rules, carry, p.from + sign * span, p.from + sign * until,
-                                          p.accuracy == Accuracy::Fast, flow.finest_spacing()});
-    MovingSurface surface(flow, std::move(plan), clock);
-    surface.state_.mesh.time = p.from;
-    surface.state_.separation = separation;
-    if (auto begun = surface.begin(stop, work); !begun)
+    const double load = elapsed(clock, began);
+    const MovingRequest request{rake, p, *speed};
+    auto plan = plan_within_budget(flow, request, budget_search(flow, request), stop, clock, work);
+    if (!plan)
+        return tl::unexpected(plan.error());
+    MovingSurface surface(flow, std::move(*plan), clock);
+    if (auto begun = surface.begin_within_budget(stop, work); !begun)
         return tl::unexpected(begun.error());
-    surface.seconds_.load = elapsed(clock, began);
+    surface.seconds_.load = load;
+    surface.seconds_.refine = elapsed(clock, began) - load;
     return surface;
 }
 
-Result<void> MovingSurface::begin(const std::stop_token& stop, const WorkPart& work) {
+/// The most quads that a surface has until its end. Nothing: more than its rules allow.
+Result<std::optional<std::uint64_t>> MovingSurface::most_quads(const Flow& flow,
+                                                               MovingPlan plan,
+                                                               const Clock& clock,
+                                                               const std::stop_token& stop,
+                                                               const WorkPart& work) {
+    MovingSurface surface(flow, std::move(plan), clock);
+    auto within = surface.begin(stop, work);
+    std::uint64_t most = 0;
+    for (;;) {
+        if (!within && within.error().readable_until && most > 0)
+            return most; // of the time-steps that can be read
+        if (!within)
+            return tl::unexpected(within.error());
+        if (!*within)
+            return std::nullopt;
+        most = std::max<std::uint64_t>(most, surface.state_.mesh.quads.live());
+        if (surface.time() == surface.end_time())
+            return most;
+        if (stop.stop_requested())
+            return fail(Error::Code::Cancelled, "the surface was cancelled");
+        within = surface.move(surface.end_time(), stop, work);
+    }
+}
+
+/// The next plan whose surface should keep its quad budget to its end, as far as coarser surfaces can tell.
+Result<MovingPlan> MovingSurface::plan_within_budget(const Flow& flow,
+                                                     const MovingRequest& request,
+                                                     BudgetSearch search,
+                                                     const std::stop_token& stop,
+                                                     const Clock& clock,
+                                                     const WorkPart& work) {
+    while (const auto trial = search.next()) {
+        if (seeds_at(request, trial->separation) > static_cast<double>(trial->most)) {
+            search.exceeded();
+            continue;
+        }
+        MovingPlan plan = make_plan(flow, request, trial->separation);
+        const bool asked_for = trial->separation == least_separation(request);
+        if (!asked_for && !search.near()) {
+            plan.rules.max_quads = trial->most;
+            plan.rules.coarsens = false;
+            const auto quads = most_quads(flow, plan, clock, stop, work.quietly());
+            if (!quads)
+                return tl::unexpected(quads.error());
+            if (!*quads)
+                search.exceeded();
+            if (!*quads || !search.built(**quads))
+                continue;
+            plan.rules.max_quads = request.parameters.max_quads;
+        }
+        plan.rules.coarsens = search.given_up() >= most_given_up;
+        plan.search = search;
+        return plan;
+    }
+    return cannot_be_coarser(request.parameters.max_quads, search.coarsest());
+}
+
+/// The surface at its start. False: it has more quads than its rules allow.
+Result<bool> MovingSurface::begin(const std::stop_token& stop, const WorkPart& work) {
+    const MovingPlan& plan = *state_.plan;
     MovingMesh& mesh = state_.mesh;
-    mesh.lattice = {plan_->columns.count, plan_->columns.closed, 0.0};
-    if (plan_->origin.patch()) {
+    mesh.lattice = {plan.columns.count, plan.columns.closed, 0.0};
+    if (plan.origin.patch()) {
         const double rows =
-            std::max(1.0, std::ceil(plan_->origin.longest_across() / state_.separation - 1e-9));
+            std::max(1.0, std::ceil(plan.origin.longest_across() / state_.separation - 1e-9));
         mesh.lattice.last_row = rows;
-        const double bytes = patch_bytes * plan_->columns.count * rows;
-        if (!work.holds(static_cast<std::size_t>(std::min(bytes, 1e15))))
+        const double quads = plan.columns.count * rows;
+        if (quads > static_cast<double>(plan.rules.max_quads))
+            return false;
+        if (!work.holds(static_cast<std::size_t>(patch_bytes * quads)))
             return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
-        if (auto laid = lay_patch(mesh, plan_->origin, *flow_, plan_->columns, rows,
-                                  plan_->rules.max_quads, stop);
-            !laid)
-            return laid;
-        Refinement refinement(*flow_, plan_->origin, plan_->rules, plan_->carry,
-                              refinement_memory_);
-        if (auto refined = refinement.run(mesh, stop, work); !refined)
-            return refined;
-        state_.separation = refinement.rules().separation;
+        if (auto laid = lay_patch(mesh, plan.origin, *flow_, plan.columns, rows, stop); !laid)
+            return tl::unexpected(laid.error());
+        if (const auto within = refine(plan.carry, stop, work); !within || !*within)
+            return within;
     } else {
-        if (auto row =
-                attach_row(mesh, plan_->origin, *flow_, plan_->columns, plan_->places, 0.0, stop);
+        if (auto row = attach_row(mesh, plan.origin, *flow_, plan.columns, plan.places, 0.0, stop);
             !row)
             return tl::unexpected(row.error());
         for (VertexId v = 0; v < mesh.vertices.slots(); ++v)
             state_.terminated.obstacle += mesh.vertices.end[v] == CurveEnd::Obstacle;
         state_.releasing = true;
     }
-    return sample_velocity(stop);
+    if (auto sampled = sample_velocity(stop); !sampled)
+        return tl::unexpected(sampled.error());
+    return true;
+}
+
+Result<void> MovingSurface::begin_within_budget(const std::stop_token& stop, const WorkPart& work) {
+    const auto within = begin(stop, work);
+    if (!within)
+        return tl::unexpected(within.error());
+    return *within ? Result<void>{} : start_coarser(time(), stop, work);
+}
+
+/// Starts again at a separation that keeps the budget, and carries the surface to `until`. New ids: none stands for two vertices.
+Result<void>
+MovingSurface::start_coarser(double until, const std::stop_token& stop, const WorkPart& work) {
+    const MovingRequest request = state_.plan->request;
+    BudgetSearch search = *state_.plan->search;
+    if (state_.plan->rules.coarsens) // nothing more can be done
+        return cannot_be_coarser(request.parameters.max_quads, search.coarsest());
+    search.exceeded();
+    const std::uint32_t vertex_id = state_.mesh.vertices.next_id();
+    const std::uint32_t cell_id = state_.mesh.quads.next_id();
+    state_.mesh = {};
+    auto plan = plan_within_budget(*flow_, request, search, stop, *clock_, work);
+    if (!plan)
+        return tl::unexpected(plan.error());
+    MovingSurface coarser(*flow_, std::move(*plan), *clock_);
+    state_ = std::move(coarser.state_);
+    state_.mesh.vertices.number_from(vertex_id);
+    state_.mesh.quads.number_from(cell_id);
+    if (auto begun = begin_within_budget(stop, work); !begun)
+        return begun;
+    return advance_to(until, stop, work);
+}
+
+/// False: the mesh has more quads than its rules allow.
+Result<bool> MovingSurface::refine(const AdvanceOptions& carry,
+                                   const std::stop_token& stop,
+                                   const WorkPart& work) {
+    RefinementRules rules = state_.plan->rules;
+    rules.separation = state_.separation;
+    Refinement refinement(*flow_, state_.plan->origin, rules, carry, refinement_memory_);
+    const auto within = refinement.run(state_.mesh, stop, work);
+    state_.separation = refinement.rules().separation;
+    return within;
 }
 
 /// Velocity at every vertex now; the rake's particles leave along it.
@@ -194,7 +226,7 @@ Result<void> MovingSurface::sample_velocity(const std::stop_token& stop) {
     sample_times_.assign(v.slots(), state_.mesh.time);
     sampled_.resize(v.slots());
     if (auto sampled =
-            flow_->sample(v.position, sample_times_, sampled_, stop, plan_->carry.smooth);
+            flow_->sample(v.position, sample_times_, sampled_, stop, state_.plan->carry.smooth);
         !sampled)
         return sampled;
     for (VertexId i = 0; i < v.slots(); ++i) {
@@ -243,7 +275,7 @@ double MovingSurface::step_length(double to) const {
 double MovingSurface::next_time(double to) const {
     const double here = state_.mesh.time;
     const double sign = to < here ? -1.0 : 1.0;
-    const double until = plan_->release_until;
+    const double until = state_.plan->release_until;
     const double target =
         state_.releasing && sign * (until - here) > 0.0 && sign * (to - until) > 0.0 ? until : to;
     const double dt = step_length(target);
@@ -251,6 +283,15 @@ double MovingSurface::next_time(double to) const {
 }
 
 Result<void> MovingSurface::step(double to, std::stop_token stop, const WorkPart& work) {
+    const double reached = next_time(to);
+    const auto within = move(to, stop, work);
+    if (!within)
+        return tl::unexpected(within.error());
+    return *within ? Result<void>{} : start_coarser(reached, stop, work);
+}
+
+/// One step. False: the mesh then has more quads than its rules allow, and is of no use.
+Result<bool> MovingSurface::move(double to, const std::stop_token& stop, const WorkPart& work) {
     MovingMesh& mesh = state_.mesh;
     const auto began = clock_->now();
     const double now = next_time(to);
@@ -258,7 +299,7 @@ Result<void> MovingSurface::step(double to, std::stop_token stop, const WorkPart
 
     // Release the row on the rake when it would fall too far behind in this step, or for the last time.
     MaterialVertices& v = mesh.vertices;
-    const bool last_release = state_.releasing && mesh.time == plan_->release_until;
+    const bool last_release = state_.releasing && mesh.time == state_.plan->release_until;
     std::vector<VertexId> released;
     if (state_.releasing) {
         double fastest = 0.0;
@@ -280,12 +321,13 @@ Result<void> MovingSurface::step(double to, std::stop_token stop, const WorkPart
             speed = std::max(speed, double(glm::length(v.velocity[i])));
             ++running;
         }
-    AdvanceOptions carry = plan_->carry;
+    AdvanceOptions carry = state_.plan->carry;
     // Half a cell, or half a separation, whichever is less, in a step of RK4; fast takes it whole.
     const double reach =
-        (plan_->fast ? 1.0 : 0.5) * std::min(plan_->finest_spacing, state_.separation);
+        (state_.plan->fast ? 1.0 : 0.5) * std::min(state_.plan->finest_spacing, state_.separation);
     carry.step = speed > 0.0 ? reach / speed : dt;
-    const auto advanced = flow_->advance(v.particles(plan_->rules.tangents), now, carry, stop);
+    const auto advanced =
+        flow_->advance(v.particles(state_.plan->rules.tangents), now, carry, stop);
     if (!advanced)
         return tl::unexpected(advanced.error());
     mesh.time = now;
@@ -299,24 +341,23 @@ Result<void> MovingSurface::step(double to, std::stop_token stop, const WorkPart
     const auto refining = clock_->now();
     if (!released.empty() && !last_release) {
         state_.row += 1.0;
-        const auto row = attach_row(mesh, plan_->origin, *flow_, plan_->columns,
-                                    places_behind(mesh, released, plan_->places), state_.row, stop);
+        const auto row =
+            attach_row(mesh, state_.plan->origin, *flow_, state_.plan->columns,
+                       places_behind(mesh, released, state_.plan->places), state_.row, stop);
         if (!row)
             return tl::unexpected(row.error());
         join_rows(mesh, *row, released);
     }
     state_.releasing = state_.releasing && !last_release;
-    RefinementRules rules = plan_->rules;
-    rules.separation = state_.separation;
-    Refinement refinement(*flow_, plan_->origin, rules, carry, refinement_memory_);
-    if (auto refined = refinement.run(mesh, stop, work); !refined)
-        return refined;
-    state_.separation = refinement.rules().separation;
+    if (const auto within = refine(carry, stop, work); !within || !*within)
+        return within;
     ++state_.steps;
     sort_memory(mesh, sorting_share);
     seconds_.refine += elapsed(*clock_, refining);
     assert(validate().empty());
-    return sample_velocity(stop);
+    if (auto sampled = sample_velocity(stop); !sampled)
+        return tl::unexpected(sampled.error());
+    return true;
 }
 
 Result<void> MovingSurface::advance_to(double to, std::stop_token stop, const WorkPart& work) {
@@ -332,7 +373,7 @@ Result<void> MovingSurface::advance_to(double to, std::stop_token stop, const Wo
 }
 
 KeyedMesh MovingSurface::mesh() const {
-    return snapshot(state_.mesh, plan_->rules.tangents);
+    return snapshot(state_.mesh, state_.plan->rules.tangents);
 }
 
 std::string MovingSurface::validate() const {
@@ -345,13 +386,14 @@ void MovingSurface::restore(const MovingState& state) {
 
 SurfaceStatistics MovingSurface::statistics() const {
     SurfaceStatistics s;
-    s.kind = plan_->origin.patch() ? SurfaceKind::Time : SurfaceKind::Streak;
+    s.kind = state_.plan->origin.patch() ? SurfaceKind::Time : SurfaceKind::Streak;
     s.steps = state_.steps;
     s.vertex_steps = state_.vertex_steps;
     s.terminated = state_.terminated;
+    s.terminated.time = running_seeds(state_.mesh);
     s.separation = state_.separation;
+    s.requested_separation = state_.plan->request.parameters.separation;
     s.seconds = seconds_;
-    s.peak_bytes = state_.bytes();
     return s;
 }
 

@@ -6,19 +6,22 @@
 #include "core/base/clock.hpp"
 #include "core/base/work_done.hpp"
 #include "core/surface/keyed_mesh.hpp"
-#include "core/surface/moving/origin.hpp"
+#include "core/surface/moving/moving_plan.hpp"
 #include "core/surface/moving/refinement.hpp"
 #include "core/surface/surface_parameters.hpp"
 #include "core/surface/surface_statistics.hpp"
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 namespace wakesurf::core {
 
 /// All that a surface is at one time.
 struct MovingState {
+    std::shared_ptr<const MovingPlan>
+        plan; ///< another one where the quad budget had the surface begun again
     MovingMesh mesh;
     double separation = 0.0; ///< raised by the quad budget
     double row = 0.0;        ///< rows released so far
@@ -37,7 +40,8 @@ class MovingSurface {
     /// The surface at `parameters.from`: nothing of a streak surface yet, the whole patch of a time surface.
     /// @param parameters  checked (see check_request), separation > 0, one direction
     /// @param flow        must outlive the surface
-    /// Error: OverLimit, Cancelled, what sampling reports.
+    /// Where coarse trials show that it would exceed the quad budget, its separation is larger from the start.
+    /// Error: OverLimit where not even a tenth of the domain would do, Cancelled, what sampling reports.
     static Result<MovingSurface> start(const Flow& flow,
                                        const Rake& rake,
                                        const SurfaceParameters& parameters,
@@ -45,7 +49,8 @@ class MovingSurface {
                                        const Clock& clock,
                                        const WorkPart& work = {});
 
-    /// Carries the surface over one step, as long as it is safe; not beyond `to`. Error: Cancelled (within 50 ms, or because `work` has
+    /// Carries the surface over one step, as long as it is safe; not beyond `to`. A surface that would exceed its quad budget is
+    /// begun again, coarser, and carried to where the step leads. Error: OverLimit as for start(), Cancelled (within 50 ms, or because `work` has
     /// no memory) and what loading time-steps reports; the surface is then of no use but to restore().
     Result<void> step(double to, std::stop_token stop, const WorkPart& work = {});
 
@@ -58,7 +63,7 @@ class MovingSurface {
     double time() const { return state_.mesh.time; }
 
     /// Where `to` lies in the surface's direction.
-    double end_time() const { return end_; }
+    double end_time() const { return state_.plan->end; }
 
     const MovingState& state() const { return state_; }
 
@@ -74,17 +79,29 @@ class MovingSurface {
     std::string validate() const;
 
   private:
-    struct Plan; // what does not change while the surface moves
-
-    MovingSurface(const Flow& flow, std::shared_ptr<const Plan> plan, const Clock& clock);
+    MovingSurface(const Flow& flow, MovingPlan plan, const Clock& clock);
+    static Result<std::optional<std::uint64_t>> most_quads(const Flow& flow,
+                                                           MovingPlan plan,
+                                                           const Clock& clock,
+                                                           const std::stop_token& stop,
+                                                           const WorkPart& work);
+    static Result<MovingPlan> plan_within_budget(const Flow& flow,
+                                                 const MovingRequest& request,
+                                                 BudgetSearch search,
+                                                 const std::stop_token& stop,
+                                                 const Clock& clock,
+                                                 const WorkPart& work);
+    Result<bool> begin(const std::stop_token& stop, const WorkPart& work);
+    Result<void> begin_within_budget(const std::stop_token& stop, const WorkPart& work);
+    Result<void> start_coarser(double until, const std::stop_token& stop, const WorkPart& work);
+    Result<bool> move(double to, const std::stop_token& stop, const WorkPart& work);
+    Result<bool>
+    refine(const AdvanceOptions& carry, const std::stop_token& stop, const WorkPart& work);
     Result<void> sample_velocity(const std::stop_token& stop);
     double step_length(double to) const;
-    Result<void> begin(const std::stop_token& stop, const WorkPart& work);
 
     const Flow* flow_;
     const Clock* clock_;
-    std::shared_ptr<const Plan> plan_;
-    double end_;
     MovingState state_;
     RefinementMemory refinement_memory_;
     std::vector<double> sample_times_; ///< memory of sample_velocity

@@ -15,7 +15,7 @@ namespace wakesurf::core {
 namespace {
 
 constexpr int most_cut_passes = 40;
-constexpr double coarsening = 1.25;
+constexpr double coarsening = 1.1;
 
 template <class Visit>
 void for_each_index(std::size_t count, Visit visit) {
@@ -69,18 +69,6 @@ double width(const MovingMesh& mesh, CellIndex cell, Axis axis) {
     const SquaredLengths lengths = squared_lengths(mesh, mesh.quads[cell].cell);
     const auto side = static_cast<std::size_t>(axis);
     return std::sqrt(std::max(lengths.longest[side], lengths.longest[side + 2]));
-}
-
-/// The last resort of the budget: cells that cannot be joined any further go, those of the oldest rows first.
-void drop_oldest(const MovingMesh& mesh, std::size_t count, LocalOperations& operations) {
-    std::vector<std::pair<double, CellIndex>> by_row;
-    const auto slots = mesh.quads.slots();
-    for (CellIndex i = 0; i < slots.size(); ++i)
-        if (slots[i].live)
-            by_row.emplace_back(mesh.vertices.place[slots[i].cell.corner[3]].row, i);
-    std::sort(by_row.begin(), by_row.end());
-    for (std::size_t i = 0; i < count; ++i)
-        operations.tear(by_row[i].second);
 }
 
 } // namespace
@@ -232,33 +220,31 @@ bool Refinement::merge_pass(MovingMesh& mesh, LocalOperations& operations) {
     return merged;
 }
 
-/// Larger cells are joined until there are few enough, and as soon as joining does not help, the oldest go instead: the
-/// separation rises no further than the mesh can follow.
-void Refinement::keep_budget(MovingMesh& mesh, LocalOperations& operations) {
+/// Larger cells are joined until there are few enough. False: that is not allowed, or joining does not help.
+bool Refinement::keep_budget(MovingMesh& mesh, LocalOperations& operations) {
     if (mesh.quads.live() <= rules_.max_quads)
-        return;
+        return true;
+    if (!rules_.coarsens)
+        return false;
     RefinementRules kept = rules_;
     rules_.merge = std::max(rules_.merge, 0.35);
     rules_.cosine = -1.0; // a small budget is kept at the cost of the shape
-    for (int idle = 0; idle < 4 && mesh.quads.live() > rules_.max_quads; ++idle) {
+    while (mesh.quads.live() > rules_.max_quads &&
+           rules_.separation * coarsening <= rules_.coarsest) {
         rules_.separation *= coarsening;
         find_normals(mesh);
-        while (mesh.quads.live() > rules_.max_quads && merge_pass(mesh, operations)) {
-            idle = 0;
+        while (mesh.quads.live() > rules_.max_quads && merge_pass(mesh, operations))
             kept.separation = rules_.separation;
-        }
     }
     rules_ = kept;
-    if (mesh.quads.live() > rules_.max_quads) {
-        drop_oldest(mesh, mesh.quads.live() - rules_.max_quads, operations);
-        remove_unused_vertices(mesh);
-    }
+    return mesh.quads.live() <= rules_.max_quads;
 }
 
-Result<void> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work) {
+Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work) {
     LocalOperations operations(
         mesh, [&](const Cell& cell, std::size_t side) { return insert(mesh, cell, side); });
-    keep_budget(mesh, operations);
+    if (!keep_budget(mesh, operations))
+        return false;
     if (rules_.reconnect)
         reconnect_pass(mesh, operations);
     torn_ = false;
@@ -270,7 +256,8 @@ Result<void> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkP
         if (!more)
             return tl::unexpected(more.error());
         if (mesh.quads.live() > rules_.max_quads) {
-            keep_budget(mesh, operations);
+            if (!keep_budget(mesh, operations))
+                return false;
             dirty.clear();
             continue;
         }
@@ -280,7 +267,7 @@ Result<void> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkP
     merge_pass(mesh, operations);
     if (torn_)
         remove_unused_vertices(mesh);
-    return {};
+    return true;
 }
 
 void remove_unused_vertices(MovingMesh& mesh) {

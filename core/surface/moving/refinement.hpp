@@ -33,9 +33,10 @@ class Refinement {
         : flow_(flow), origin_(origin), rules_(rules), trace_(trace), normals_(memory.normals),
           decisions_(memory.decisions), to_retrace_(memory.to_retrace) {}
 
+    /// False: the mesh has more quads than the rules allow, and no separation that they allow changes that.
     /// Error: Cancelled (also where there is no memory), and what tracing a vertex again reports.
     /// @param work  told what memory the mesh takes
-    Result<void> run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work = {});
+    Result<bool> run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work = {});
 
     /// As now in force: the quad budget raises the separation.
     const RefinementRules& rules() const { return rules_; }
@@ -48,7 +49,7 @@ class Refinement {
                           const WorkPart& work);
     bool merge_pass(MovingMesh& mesh, LocalOperations& operations);
     void reconnect_pass(MovingMesh& mesh, LocalOperations& operations);
-    void keep_budget(MovingMesh& mesh, LocalOperations& operations);
+    bool keep_budget(MovingMesh& mesh, LocalOperations& operations);
     VertexId insert(MovingMesh& mesh, const Cell& cell, std::size_t side);
     void find_normals(const MovingMesh& mesh);
 

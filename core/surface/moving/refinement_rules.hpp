@@ -31,6 +31,8 @@ struct RefinementRules {
     bool obstacle = false; ///< edges may cross solid parts
     bool reconnect = true; ///< false only to measure what it gains
     std::uint64_t max_quads = 1'000'000;
+    bool coarsens = true;    ///< the separation may rise to keep the quad budget
+    double coarsest = 1e300; ///< no further than this
 
     /// Longest side of joined cells: below the separation, or they would be cut again.
     double joined() const { return std::min(2.0 * merge, 0.95) * separation; }

@@ -1,6 +1,7 @@
 #include "core/surface/moving/release.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace wakesurf::core {
@@ -49,6 +50,19 @@ void move_attached(MovingMesh& mesh) {
             v.t[i] = v.time[i] = mesh.time;
 }
 
+bool from_seed(const MaterialVertices& v, VertexId i) {
+    const LatticePlace at = v.place[i];
+    return at.column == std::floor(at.column) && at.row == std::floor(at.row);
+}
+
+std::uint64_t running_seeds(const MovingMesh& mesh) {
+    const MaterialVertices& v = mesh.vertices;
+    std::uint64_t count = 0;
+    for (VertexId i = 0; i < v.slots(); ++i)
+        count += v.role[i] == VertexRole::Free && v.end[i] == CurveEnd::Running && from_seed(v, i);
+    return count;
+}
+
 void carry_on_the_dead(MovingMesh& mesh, SurfaceStatistics::Terminated& terminated) {
     MaterialVertices& v = mesh.vertices;
     for (VertexId i = 0; i < v.slots(); ++i) {
@@ -57,6 +71,8 @@ void carry_on_the_dead(MovingMesh& mesh, SurfaceStatistics::Terminated& terminat
             continue;
         v.position[i] += Vec3(v.velocity[i]) * (mesh.time - v.time[i]);
         v.time[i] = mesh.time;
+        if (!from_seed(v, i))
+            continue;
         terminated.domain += v.end[i] == CurveEnd::Domain;
         terminated.obstacle += v.end[i] == CurveEnd::Obstacle;
         terminated.stagnation += v.end[i] == CurveEnd::Stagnation;

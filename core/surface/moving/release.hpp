@@ -21,6 +21,12 @@ std::vector<double> places_behind(const MovingMesh& mesh,
 /// Attached vertices stay on the rake: theirs is the mesh's time.
 void move_attached(MovingMesh& mesh);
 
+/// The particle left the rake at a seed of its first row; false: it was inserted between others on the way.
+bool from_seed(const MaterialVertices& vertices, VertexId v);
+
+/// How many of those are under way.
+std::uint64_t running_seeds(const MovingMesh& mesh);
+
 /// Vertices that died in this step are counted, and put where they would have gone on to at their last velocity, so that
 /// what is inserted beside them lies on the surface at the mesh's time.
 void carry_on_the_dead(MovingMesh& mesh, SurfaceStatistics::Terminated& terminated);

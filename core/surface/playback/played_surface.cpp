@@ -1,5 +1,6 @@
 #include "core/surface/playback/played_surface.hpp"
 
+#include "core/surface/emptiness.hpp"
 #include "core/surface/moving/joined_parts.hpp"
 #include "core/surface/moving/moving_parts.hpp"
 
@@ -37,7 +38,7 @@ Result<PlayedSurface> PlayedSurface::start(const Flow& flow,
     const auto parts = moving_parts(flow, parameters);
     if (!parts)
         return tl::unexpected(parts.error());
-    PlayedSurface played;
+    PlayedSurface played(flow, rake, parameters);
     for (const MovingPart& part : *parts) {
         auto moving = MovingSurface::start(flow, rake, part.parameters, stop, clock,
                                            work.above(played.bytes()));
@@ -115,6 +116,10 @@ PlayedSurface::at(double age, const std::stop_token& stop, const WorkPart& work)
     s.seconds.total = s.seconds.load + s.seconds.advect + s.seconds.refine;
     if (short_of)
         s.stopped = stopped_;
+    auto empty = why_empty(*flow_, rake_, parameters_, shown.mesh.mesh, s, stop);
+    if (!empty)
+        return tl::unexpected(empty.error());
+    s.empty = std::move(*empty);
     return shown;
 }
 

@@ -57,6 +57,12 @@ class PlayedSurface {
     Result<KeyedMesh>
     part_at(Part& part, double age, const std::stop_token& stop, const WorkPart& work);
 
+    PlayedSurface(const Flow& flow, const Rake& rake, const SurfaceParameters& parameters)
+        : flow_(&flow), rake_(rake), parameters_(parameters) {}
+
+    const Flow* flow_;
+    Rake rake_;
+    SurfaceParameters parameters_;
     std::vector<Part> parts_;
     std::string stopped_;
 };

@@ -99,4 +99,50 @@ std::optional<core::Accuracy> accuracy(std::string_view word) {
     return std::nullopt;
 }
 
+std::string_view name(core::Emptiness::Reason value) {
+    switch (value) {
+    case core::Emptiness::Reason::InBody:
+        return "inBody";
+    case core::Emptiness::Reason::OutsideCells:
+        return "outsideCells";
+    case core::Emptiness::Reason::AtRest:
+        return "atRest";
+    case core::Emptiness::Reason::NotFinite:
+        return "notFinite";
+    case core::Emptiness::Reason::SameRakes:
+        return "sameRakes";
+    case core::Emptiness::Reason::NoArea:
+        return "noArea";
+    case core::Emptiness::Reason::NothingYet:
+        return "nothingYet";
+    case core::Emptiness::Reason::AllLeft:
+        return "allLeft";
+    case core::Emptiness::Reason::TooCoarse:
+        return "tooCoarse";
+    }
+    return {};
+}
+
+std::optional<core::Emptiness::Reason> empty_reason(std::string_view word) {
+    if (word == "inBody")
+        return core::Emptiness::Reason::InBody;
+    if (word == "outsideCells")
+        return core::Emptiness::Reason::OutsideCells;
+    if (word == "atRest")
+        return core::Emptiness::Reason::AtRest;
+    if (word == "notFinite")
+        return core::Emptiness::Reason::NotFinite;
+    if (word == "sameRakes")
+        return core::Emptiness::Reason::SameRakes;
+    if (word == "noArea")
+        return core::Emptiness::Reason::NoArea;
+    if (word == "nothingYet")
+        return core::Emptiness::Reason::NothingYet;
+    if (word == "allLeft")
+        return core::Emptiness::Reason::AllLeft;
+    if (word == "tooCoarse")
+        return core::Emptiness::Reason::TooCoarse;
+    return std::nullopt;
+}
+
 } // namespace wakesurf::protocol

@@ -50,7 +50,8 @@ def enums(api):
 def names_header(api):
     lines = [MADE.format("*.schema.json"),
              "// The words users and scripts write for the engine's enumerations: `stream`, `forward`, `balanced` ...", "#pragma once", "",
-             '#include "core/surface/surface_parameters.hpp"', "", "#include <optional>", "#include <string_view>", "", *NAMESPACE]
+             '#include "core/surface/surface_parameters.hpp"', '#include "core/surface/surface_statistics.hpp"', "",
+             "#include <optional>", "#include <string_view>", "", *NAMESPACE]
     for shape in enums(api):
         lines.append(f"std::string_view name({shape['x-cpp-type']} value);")
     lines += ["", "// Nothing for any other word."]

@@ -368,6 +368,7 @@ SurfaceOutcome LiveSurface::outcome() const {
         out.complete = full_ && !error_ && (playing || !next_pass());
         out.state_sum = state->wire.state_sum;
         out.statistics = state->statistics;
+        out.statistics.requested_separation = finest(); // an early pass is asked for less
         out.took = state->took;
     }
     return out;

@@ -1,4 +1,5 @@
 #include "core/field/analytic_flow.hpp"
+#include "core/surface/budget_search.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "tests/support/mesh_measures.hpp"
 
@@ -251,11 +252,39 @@ TEST(SurfaceBuilder, DeformationIsTheAreaRatioOfTheFlowMap) {
 TEST(SurfaceBuilder, TheQuadBudgetCoarsensAndSaysSo) {
     const Case c = cases()[1];
     SurfaceParameters p = parameters(c);
-    p.max_quads = 1000;
+    for (const std::uint64_t most : {2000, 4000}) {
+        p.max_quads = most;
+        const Surface surface = built(c, p);
+        EXPECT_LE(surface.statistics.quads, most);
+        EXPECT_GE(surface.statistics.quads, most * 7 / 10);
+        EXPECT_TRUE(surface.statistics.coarsened());
+        EXPECT_EQ(surface.statistics.requested_separation, c.separation);
+    }
+}
+
+TEST(SurfaceBuilder, BothDirectionsShareOneBudgetAndSeedsGiveWayBeforeTheSeparationIsAbsurd) {
+    const Case c{"uniform", line({0, -1, 0}, {0, 1, 0}, 100), 20, 0.02};
+    SurfaceParameters p = parameters(c);
+    p.direction = Direction::Both;
+    p.max_quads = 200;
     const Surface surface = built(c, p);
-    EXPECT_LE(surface.statistics.quads, 1000u);
-    EXPECT_GT(surface.statistics.quads, 300u);
-    EXPECT_GT(surface.statistics.separation, c.separation);
+    EXPECT_LE(surface.statistics.quads, 200u);
+    EXPECT_GE(surface.statistics.quads, 100u);
+    EXPECT_LE(surface.statistics.separation,
+              coarsest_separation((*make_analytic_flow(c.flow))->domain()));
+}
+
+TEST(SurfaceBuilder, ASurfaceThatFitsAtNoSeparationIsRefusedWithWhatToDo) {
+    const auto flow = make_analytic_flow("uniform");
+    SurfaceParameters p;
+    p.to = 8.0;
+    p.separation = 0.1;
+    p.max_quads = 3;
+    const auto surface = build_surface(**flow, line({-9, -9, 0}, {-9, 9, 0}), p);
+    ASSERT_FALSE(surface);
+    EXPECT_EQ(surface.error().code, Error::Code::OverLimit);
+    EXPECT_EQ(surface.error().message,
+              "the surface needs more than 3 quads, even at a separation of 2");
 }
 
 TEST(SurfaceBuilder, AnAbsurdSeparationIsCoarsenedBeforeMillionsOfColumnsAreTraced) {
@@ -289,8 +318,6 @@ TEST(SurfaceBuilder, ImpossibleRequestsAreRefused) {
               Error::Code::InvalidArgument);
     p.to = 1.0;
     p.max_quads = 10;
-    EXPECT_EQ(build_surface(**flow, line({0, 0, 0}, {1, 0, 0}, 4'000'000'000), p).error().code,
-              Error::Code::OverLimit);
     p.to = std::nan("");
     EXPECT_EQ(build_surface(**flow, line({0, 0, 0}, {1, 0, 0}), p).error().code,
               Error::Code::InvalidArgument);

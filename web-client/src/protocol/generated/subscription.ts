@@ -51,6 +51,8 @@ export interface BuildSeconds {
     other: number;
     /** the whole build (s) */
     total: number;
+    /** of all processors together, for the whole build; only in `wakesurf surface --stats` (s) */
+    processor?: number;
 }
 
 export const buildSecondsCheck = members<BuildSeconds>({
@@ -59,7 +61,45 @@ export const buildSecondsCheck = members<BuildSeconds>({
     refine: number,
     other: number,
     total: number,
+    processor: optional(number),
 });
+
+/**
+ * why a surface shows nothing. inBody, outsideCells: the whole rake lies there; atRest: the fluid does not move at the
+ * rake; notFinite: the velocities there are no numbers; sameRakes: both rakes of a time surface are the same; noArea:
+ * the rake lies along the flow; nothingYet: before the first release; allLeft: all particles have left the domain or
+ * reached the body; tooCoarse: no quad is left at this separation
+ */
+export const emptyReasons = [
+    'inBody',
+    'outsideCells',
+    'atRest',
+    'notFinite',
+    'sameRakes',
+    'noArea',
+    'nothingYet',
+    'allLeft',
+    'tooCoarse',
+] as const;
+export type EmptyReason = (typeof emptyReasons)[number];
+export const emptyReasonCheck = oneOf(emptyReasons);
+
+/** Why there is nothing to see of a surface. */
+export interface Emptiness {
+    /**
+     * why a surface shows nothing. inBody, outsideCells: the whole rake lies there; atRest: the fluid does not move at
+     * the rake; notFinite: the velocities there are no numbers; sameRakes: both rakes of a time surface are the same;
+     * noArea: the rake lies along the flow; nothingYet: before the first release; allLeft: all particles have left the
+     * domain or reached the body; tooCoarse: no quad is left at this separation
+     */
+    reason: EmptyReason;
+    /** the reason, for people */
+    message: string;
+    /** what to do about it */
+    hint: string;
+}
+
+export const emptinessCheck = members<Emptiness>({ reason: emptyReasonCheck, message: text, hint: text });
 
 /** Statistics of the newest state of a surface, in the shape of `wakesurf surface --stats`. */
 export interface Statistics {
@@ -84,20 +124,29 @@ export interface Statistics {
     vertexSteps: number;
     /** number of vertices that were interpolated, not traced from the rake */
     approximated: number;
-    /** numbers of particles, by what ended them; for streak and time surfaces, of all particles that there have been */
+    /**
+     * numbers of particles from the rake's seeds, by what ended them; of streak and time surfaces those of all rows
+     * released until then. Particles inserted on the way between others are not counted
+     */
     terminated: Terminations;
     /** length of the longest edge (the dataset's unit of length) */
     maxEdge: number;
-    /** longest edge allowed (the dataset's unit of length) */
+    /** longest edge allowed in the end (the dataset's unit of length) */
     separation: number;
+    /** longest edge that was asked for (the dataset's unit of length) */
+    requestedSeparation: number;
+    /** true: within `maxQuads` the separation asked for is not possible, so `separation` is larger */
+    coarsened: boolean;
     /** how long it took to build the surface */
     seconds: BuildSeconds;
     /** how long it took to make this state */
     pass?: PassSeconds;
-    /** the most memory that the build used (bytes) */
+    /** the most memory that the process has held, for everything that it does (bytes) */
     peakBytes: number;
     /** why the surface ends early */
     stopped?: string;
+    /** why there is nothing to see; left out where there is something */
+    empty?: Emptiness;
     /** checksum of what clients show, as in the frames (protocol/wire/FORMAT.md, State sum) */
     stateSum: number;
     /** why the surface is not complete */
@@ -117,10 +166,13 @@ export const statisticsCheck = members<Statistics>({
     terminated: terminationsCheck,
     maxEdge: number,
     separation: number,
+    requestedSeparation: number,
+    coarsened: flag,
     seconds: buildSecondsCheck,
     pass: optional(passSecondsCheck),
     peakBytes: whole,
     stopped: optional(text),
+    empty: optional(emptinessCheck),
     stateSum: whole,
     error: optional(problemCheck),
 });

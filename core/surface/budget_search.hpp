@@ -1,0 +1,78 @@
+// How coarse a surface has to be for its quad budget: which separations are tried one after the other, from what was counted at those before.
+// Cheap trials at a small part of the budget come first, so that finding the separation costs less than the surface itself.
+#pragma once
+
+#include "core/base/box.hpp"
+#include "core/base/result.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace wakesurf::core {
+
+/// A value. The next trial depends on the counts alone, so the same surface always ends at the same separation.
+class BudgetSearch {
+  public:
+    /// To be built at `separation`, and given up beyond `most` quads.
+    struct Trial {
+        double separation;
+        std::uint64_t most;
+    };
+
+    /// @param requested  separation asked for: none smaller is tried
+    /// @param coarsest   none larger is tried, unless it is what was asked for
+    /// @param estimate   quads at `requested` if nothing stretched the surface
+    /// @param most       the quad budget, at least 1
+    BudgetSearch(double requested, double coarsest, double estimate, std::uint64_t most);
+
+    /// Nothing: not even the coarsest surface fits.
+    std::optional<Trial> next();
+
+    /// What became of the last trial: so many quads. True: this surface is the one to keep.
+    bool built(std::uint64_t quads);
+
+    /// It was given up, or would have been.
+    void exceeded();
+
+    /// A coarser surface has been counted that is large enough to know the separation that the next trial has.
+    bool near() const;
+
+    /// How many surfaces were, with the whole budget.
+    int given_up() const { return given_up_; }
+
+    double coarsest() const { return coarsest_; }
+
+  private:
+    struct Count {
+        double separation;
+        double quads;
+    };
+
+    /// Of the power law between separation and quads.
+    double exponent() const;
+
+    /// Where that law, from the finest surface counted, has so many quads.
+    double separation_of(double quads) const;
+
+    double requested_;
+    double coarsest_;
+    double estimate_;
+    std::uint64_t most_;
+    Trial last_{};
+    int trials_ = 0;
+    int given_up_ = 0;
+    bool settled_ = false; ///< nothing better is looked for
+    double too_fine_ =
+        0.0; ///< the largest separation that was given up with the whole budget; 0: none
+    double too_fine_trial_ = 0.0; ///< likewise, with less than the budget
+    std::optional<Count> finest_; ///< counted, and within the budget
+    std::optional<Count> before_; ///< the one counted before that
+};
+
+/// The largest separation that a quad budget may lead to: a tenth of the domain's longest side.
+double coarsest_separation(const Box& domain);
+
+/// What is said where even that needs more quads than allowed.
+tl::unexpected<Error> cannot_be_coarser(std::uint64_t max_quads, double separation);
+
+} // namespace wakesurf::core

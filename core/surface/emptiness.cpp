@@ -1,0 +1,137 @@
+#include "core/surface/emptiness.hpp"
+
+#include "core/surface/surface_request.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace wakesurf::core {
+
+namespace {
+
+/// Of the squared edges: below it a surface is a line.
+constexpr double least_area = 1e-6;
+
+bool has_area(const QuadComplex& mesh) {
+    double area = 0.0;
+    double edges = 0.0;
+    for (const Cell& cell : mesh.cells) {
+        const auto& [a, b, c, d] = cell.corner;
+        const Vec3 p = mesh.position[c] - mesh.position[a];
+        const Vec3 q = mesh.position[d] - mesh.position[b];
+        area += 0.5 * glm::length(glm::cross(p, q));
+        edges += std::max(glm::dot(p, p), glm::dot(q, q));
+    }
+    return area > least_area * edges;
+}
+
+/// Where the particles come from: along the rake, and all over the patch of a time surface.
+std::vector<Vec3> origins(const Rake& rake, const SurfaceParameters& p) {
+    constexpr int along = 33;
+    constexpr int across = 9;
+    const SeedingCurve curve(rake);
+    const std::optional<SeedingCurve> second =
+        p.rake2 ? std::optional<SeedingCurve>(*p.rake2) : std::nullopt;
+    std::vector<Vec3> points;
+    for (int i = 0; i < along; ++i) {
+        const double s = i / (along - 1.0);
+        const Vec3 from = curve.at(s);
+        const Vec3 way = second ? second->at(s) - from : p.sweep.value_or(Vec3(0.0));
+        const int rows = second || p.sweep ? across : 1;
+        for (int k = 0; k < rows; ++k)
+            points.push_back(from + way * (k / (across - 1.0)));
+    }
+    return points;
+}
+
+Emptiness because(Emptiness::Reason reason, const char* message, const char* hint) {
+    return {reason, message, hint};
+}
+
+/// What the places tell at which particles are released. Nothing: some are released, and move.
+Result<std::optional<Emptiness>> at_release(const Flow& flow,
+                                            const Rake& rake,
+                                            const SurfaceParameters& p,
+                                            const std::stop_token& stop) {
+    using Reason = Emptiness::Reason;
+    std::vector<Vec3> inside;
+    std::size_t in_body = 0;
+    std::size_t outside = 0;
+    for (const Vec3& point : origins(rake, p)) {
+        const PointStatus status = flow.status(point);
+        in_body += status == PointStatus::InObstacle;
+        outside += status == PointStatus::OutsideDomain;
+        if (status == PointStatus::Inside)
+            inside.push_back(point);
+    }
+    if (inside.empty() && outside == 0)
+        return because(Reason::InBody, "the whole rake lies inside the body",
+                       "move the rake into the fluid");
+    if (inside.empty() && in_body == 0)
+        return because(Reason::OutsideCells,
+                       "the whole rake lies where the data have no cells, though inside their box",
+                       "move the rake to where there are cells");
+    if (inside.empty())
+        return because(Reason::OutsideCells,
+                       "the whole rake lies inside the body or where the data have no cells",
+                       "move the rake into the fluid");
+    const std::vector<double> times(inside.size(), p.from);
+    std::vector<Vec3> velocities(inside.size());
+    if (auto sampled = flow.sample(inside, times, velocities, stop); !sampled)
+        return tl::unexpected(sampled.error());
+    if (!std::all_of(velocities.begin(), velocities.end(), finite))
+        return because(Reason::NotFinite, "the velocities at the rake are not finite numbers",
+                       "choose another time; the simulation may have failed at this one");
+    const auto fastest = largest_speed(flow, rake, p.from, stop);
+    if (!fastest)
+        return tl::unexpected(fastest.error());
+    const double rest = p.stagnation_speed * *fastest;
+    if (std::all_of(velocities.begin(), velocities.end(),
+                    [&](const Vec3& v) { return glm::length(v) <= rest; }))
+        return because(Reason::AtRest, "the fluid is at rest all along the rake",
+                       "move the rake to where the fluid moves, or choose another time");
+    return std::nullopt;
+}
+
+} // namespace
+
+Result<std::optional<Emptiness>> why_empty(const Flow& flow,
+                                           const Rake& rake,
+                                           const SurfaceParameters& p,
+                                           const QuadComplex& mesh,
+                                           const SurfaceStatistics& statistics,
+                                           std::stop_token stop) {
+    using Reason = Emptiness::Reason;
+    if (!mesh.cells.empty() && has_area(mesh))
+        return std::nullopt;
+    auto reason = at_release(flow, rake, p, stop);
+    if (!reason || *reason)
+        return reason;
+    if (p.kind == SurfaceKind::Time && !mesh.cells.empty() && p.rake2 &&
+        p.rake2->points == rake.points)
+        return because(Reason::SameRakes,
+                       "the two rakes are the same, so the patch between them has no area",
+                       "move one of them, or use a sweep");
+    if (!mesh.cells.empty())
+        return p.kind == SurfaceKind::Time
+                   ? because(Reason::NoArea, "the patch has no area",
+                             "sweep the rake across its own direction")
+                   : because(Reason::NoArea,
+                             "the rake lies along the flow, so the surface has no area",
+                             "turn the rake across the flow");
+    if (statistics.steps == 0)
+        return because(Reason::NothingYet, "nothing has been released yet",
+                       "choose a later time, or play");
+    const auto& ended = statistics.terminated;
+    if (ended.domain > 0)
+        return because(Reason::AllLeft, "all particles have left the domain",
+                       "choose a shorter time, or a rake further from where the flow leaves");
+    if (ended.obstacle > 0)
+        return because(Reason::AllLeft, "all particles have reached the body",
+                       "choose a shorter time, or move the rake");
+    return because(Reason::TooCoarse, "no quad is left at this separation",
+                   "choose a smaller separation");
+}
+
+} // namespace wakesurf::core

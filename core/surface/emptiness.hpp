@@ -1,0 +1,24 @@
+// Why a surface shows nothing: found out afterwards, from the rake, the field there and what became of the particles.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/field/flow.hpp"
+#include "core/surface/quad_complex.hpp"
+#include "core/surface/surface_parameters.hpp"
+#include "core/surface/surface_statistics.hpp"
+
+#include <optional>
+#include <stop_token>
+
+namespace wakesurf::core {
+
+/// Nothing: there is something to see, quads with an area. Cost: O(quads); where there is nothing to see, a few hundred samples.
+/// Error: what sampling reports.
+Result<std::optional<Emptiness>> why_empty(const Flow& flow,
+                                           const Rake& rake,
+                                           const SurfaceParameters& parameters,
+                                           const QuadComplex& mesh,
+                                           const SurfaceStatistics& statistics,
+                                           std::stop_token stop);
+
+} // namespace wakesurf::core

@@ -1,0 +1,102 @@
+#include "core/surface/moving/moving_plan.hpp"
+
+#include "core/surface/surface_request.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace wakesurf::core {
+
+namespace {
+
+constexpr double most_rows = 20'000; ///< that a surface takes to its end
+
+InsertionPolicy policy(Accuracy accuracy) {
+    return accuracy == Accuracy::Fast       ? InsertionPolicy::Linear
+           : accuracy == Accuracy::Balanced ? InsertionPolicy::Hermite
+                                            : InsertionPolicy::Exact;
+}
+
+Origin origin_of(const Rake& rake, const SurfaceParameters& p) {
+    if (p.kind == SurfaceKind::Streak)
+        return Origin(rake);
+    return p.rake2 ? Origin(rake, *p.rake2, p.from) : Origin(rake, *p.sweep, p.from);
+}
+
+} // namespace
+
+double MovingRequest::travel() const {
+    return largest_speed * std::abs(parameters.to - parameters.from);
+}
+
+MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double separation) {
+    const SurfaceParameters& p = request.parameters;
+    const Rake& rake = request.rake;
+    Origin origin = origin_of(rake, p);
+    const double span = std::abs(p.to - p.from);
+    const double sign = p.direction == Direction::Backward ? -1.0 : 1.0;
+    Columns columns = make_columns(origin, seeds_at(request, separation));
+    RefinementRules rules;
+    rules.separation = separation;
+    rules.coarsest = std::max(separation, coarsest_separation(flow.domain()));
+    rules.merge = p.merge;
+    rules.cosine = p.angle >= 180.0 ? -1.0 : std::cos(p.angle * std::numbers::pi / 180.0);
+    rules.least_t = origin.patch() ? 1e-6 : 1e-6 * span;
+    // Seeds this close that still part beside an obstacle go round it on either side.
+    const double seed_distance = separation / 32.0;
+    rules.least_s_at_wall = seed_distance / origin.length();
+    rules.least_t_at_wall = origin.patch() ? seed_distance / origin.longest_across() : 0.0;
+    rules.policy = policy(p.accuracy);
+    rules.tangents = p.accuracy == Accuracy::Balanced || p.deformation;
+    rules.retrace = p.accuracy == Accuracy::Exact || flow.resident();
+    rules.reconnect = p.reconnect;
+    rules.obstacle = flow.obstacle();
+    rules.max_quads = p.max_quads;
+    // Stored data are only as smooth as their interpolation, which error control of high order would search for kinks:
+    // there steps of a fixed part of a cell are as good, and several times faster.
+    const bool closed_form = !flow.time_range();
+    AdvanceOptions carry;
+    carry.method = p.accuracy == Accuracy::Exact && closed_form ? AdvanceOptions::Method::Dopri5
+                                                                : AdvanceOptions::Method::Rk4;
+    carry.tolerance = trace_tolerance(p.accuracy);
+    carry.longest_step = flow.finest_spacing();
+    carry.stagnation_speed = p.stagnation_speed * request.largest_speed;
+    carry.smooth = p.accuracy == Accuracy::Exact;
+    std::vector<double> places = seed_places(origin, flow, columns, rules.tear_size * separation);
+    const double until = p.release_until ? std::abs(*p.release_until - p.from) : span;
+    return {request,
+            std::move(origin),
+            std::move(columns),
+            std::move(places),
+            rules,
+            carry,
+            p.from + sign * span,
+            p.from + sign * until,
+            p.accuracy == Accuracy::Fast,
+            flow.finest_spacing(),
+            {}};
+}
+
+double least_separation(const MovingRequest& request) {
+    return std::max(request.parameters.separation, request.travel() / (row_spacing * most_rows));
+}
+
+double seeds_at(const MovingRequest& request, double separation) {
+    const Origin origin = origin_of(request.rake, request.parameters);
+    return seed_intervals(request.rake, origin.length(), separation, request.parameters.separation);
+}
+
+BudgetSearch budget_search(const Flow& flow, const MovingRequest& request) {
+    const Origin origin = origin_of(request.rake, request.parameters);
+    const double across = origin.patch()
+                              ? origin.longest_across()
+                              : std::min(request.travel(), glm::length(flow.domain().extent()));
+    const double separation = least_separation(request);
+    const double unstretched =
+        std::max(1.0, origin.length() / separation) * std::max(1.0, across / separation);
+    return {separation, coarsest_separation(flow.domain()), unstretched,
+            request.parameters.max_quads};
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,52 @@
+// What does not change while a surface moves: where its points come from, and the rules at one separation.
+#pragma once
+
+#include "core/surface/budget_search.hpp"
+#include "core/surface/moving/first_row.hpp"
+#include "core/surface/moving/refinement_rules.hpp"
+#include "core/surface/surface_parameters.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace wakesurf::core {
+
+/// A streak or time surface as asked for, from which it can be begun at any separation.
+struct MovingRequest {
+    Rake rake;
+    SurfaceParameters parameters; ///< checked, separation > 0, one direction
+    double largest_speed;         ///< in the domain, at the start
+
+    /// How far the fastest particle goes.
+    double travel() const;
+};
+
+struct MovingPlan {
+    MovingRequest request;
+    Origin origin;
+    Columns columns;
+    std::vector<double> places; ///< of a row on the rake
+    RefinementRules rules;
+    AdvanceOptions carry; ///< its step is chosen anew in every step
+    double end = 0.0;
+    double release_until = 0.0;
+    bool fast = false;
+    double finest_spacing = 0.0;
+    std::optional<BudgetSearch> search{}; ///< that led here, for where this plan exceeds the budget
+};
+
+constexpr double row_spacing = 0.75; ///< of the separation, as the columns of stream surfaces
+
+/// The request at `separation`, which may be larger than the one asked for.
+MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double separation);
+
+/// The request's own separation, or a larger one where the surface would take too many steps.
+double least_separation(const MovingRequest& request);
+
+/// Intervals between the seeds of a row at `separation`.
+double seeds_at(const MovingRequest& request, double separation);
+
+/// Which separations to try for the request.
+BudgetSearch budget_search(const Flow& flow, const MovingRequest& request);
+
+} // namespace wakesurf::core
