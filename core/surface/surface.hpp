@@ -11,8 +11,6 @@ namespace wakesurf::core {
 struct Surface {
     QuadComplex mesh;
     SurfaceStatistics statistics;
-    /// Streak and time surfaces: vertices from here on belong to the part that goes back in time.
-    VertexId first_backward = no_vertex;
     /// The time it is followed to, where that is before the one asked for.
     std::optional<double> ended{};
 };

@@ -5,6 +5,7 @@
 #include "core/surface/emptiness.hpp"
 #include "core/surface/moving/moving_builder.hpp"
 #include "core/surface/surface_request.hpp"
+#include "core/surface/time_direction.hpp"
 #include "core/surface/vertex_attributes.hpp"
 
 #include <algorithm>
@@ -221,6 +222,7 @@ Result<Surface> build_whole(const Flow& flow,
     statistics.vertices = mesh.complex.vertices();
     statistics.max_edge = longest_edge(mesh.complex);
     statistics.requested_separation = parameters.separation;
+    statistics.data_end = data_end(flow, parameters);
     statistics.seconds.total = std::chrono::duration<double>(clock.now() - start).count();
     statistics.seconds.other = statistics.seconds.total - statistics.seconds.load -
                                statistics.seconds.advect - statistics.seconds.refine;
@@ -235,9 +237,9 @@ std::optional<SurfaceParameters> readable_part(const SurfaceParameters& p, const
     if (p.kind == SurfaceKind::Stream || reach == 0.0 || reach >= std::abs(p.to - p.from))
         return std::nullopt;
     SurfaceParameters part = p;
-    part.to = p.from + std::copysign(reach, p.to - p.from);
-    if (part.release_until)
-        part.release_until = std::min(*part.release_until, std::max(part.from, part.to));
+    part.to = p.from + time_sign(p) * reach;
+    if (part.release_until && time_sign(p) * (*part.release_until - part.to) > 0.0)
+        part.release_until = part.to;
     return part;
 }
 
@@ -251,6 +253,8 @@ Result<Surface> build_surface(const Flow& flow,
                               WorkPart work) {
     if (auto sound = check_request(parameters); !sound)
         return tl::unexpected(sound.error());
+    if (auto in_time = check_times(flow, parameters); !in_time)
+        return tl::unexpected(in_time.error());
     const std::size_t before = work.memory() != nullptr ? work.memory()->bytes() : 0;
     auto surface = build_whole(flow, rake, parameters, stop, clock, work);
     std::string stopped;

@@ -15,9 +15,12 @@ enum class Accuracy { Fast, Balanced, Exact };
 struct SurfaceParameters {
     SurfaceKind kind = SurfaceKind::Stream;
     double from =
-        0.0; ///< stream: time at which the field is frozen; else: time of the (first) release
-    double to = 1.0; ///< shown until; `to - from` is the integration time
-    Direction direction = Direction::Forward;
+        0.0; ///< where it starts. Stream: time at which the field is frozen; else: the (first) release
+    /// where it ends: before `from` where time runs backward. Stream: `to - from` is the integration time, and `to` need not lie in the
+    /// data; else: shown until
+    double to = 1.0;
+    std::optional<Direction>
+        direction{}; ///< nothing: as `from` and `to` say (direction_of); what contradicts them is refused
     double separation =
         0.0; ///< longest edge allowed, in the dataset's length unit; 0: DatasetInfo::finest_spacing
     Accuracy accuracy = Accuracy::Balanced;

@@ -1,5 +1,7 @@
 #include "core/surface/surface_request.hpp"
 
+#include "core/surface/time_direction.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -20,14 +22,8 @@ Result<void> check_kind(const SurfaceParameters& p) {
     const auto refuse = [](const char* what, const char* hint) {
         return fail(Error::Code::InvalidArgument, what, hint);
     };
-    if (p.release_until) {
-        if (p.kind != SurfaceKind::Streak)
-            return refuse("'releaseUntil' is for streak surfaces", "leave it out");
-        const double released = std::abs(*p.release_until - p.from);
-        if (!(released > 0.0 && released <= std::abs(p.to - p.from)))
-            return refuse("'releaseUntil' must lie between 'from' and 'to'",
-                          "leave it out to release until 'to'");
-    }
+    if (p.release_until && p.kind != SurfaceKind::Streak)
+        return refuse("'releaseUntil' is for streak surfaces", "leave it out");
     if (p.kind == SurfaceKind::Time && p.rake2.has_value() == p.sweep.has_value())
         return refuse("a time surface needs either a second rake or a sweep",
                       "give rake2 or sweep");
@@ -53,28 +49,26 @@ double trace_tolerance(Accuracy accuracy) {
     return 1e-9;
 }
 
-Result<void> check_times(const Flow& flow, const SurfaceParameters& p, double duration) {
+Result<void> check_times(const Flow& flow, const SurfaceParameters& p) {
     const auto range = flow.time_range();
     if (!range)
         return {};
-    const double last = p.kind == SurfaceKind::Stream ? p.from : p.from + duration;
-    for (const double time : {p.from, last})
-        if (time < (*range)[0] || time > (*range)[1]) {
-            std::ostringstream text;
-            text << "time " << time << " is outside the data's " << (*range)[0] << " to "
-                 << (*range)[1];
-            return fail(Error::Code::OutOfTime, text.str(), "choose 'from' and 'to' inside it");
-        }
-    return {};
+    const auto inside = [&](const char* name, double time) -> Result<void> {
+        if (time >= (*range)[0] && time <= (*range)[1])
+            return {};
+        std::ostringstream text, hint;
+        text << name << " " << time << " is outside the times of the data, " << (*range)[0]
+             << " to " << (*range)[1];
+        hint << "choose a time from " << (*range)[0] << " to " << (*range)[1];
+        return fail(Error::Code::OutOfTime, text.str(), hint.str());
+    };
+    auto from = inside("'from'", p.from);
+    return !from || p.kind == SurfaceKind::Stream ? from : inside("'to'", p.to);
 }
 
 Result<void> check_request(const SurfaceParameters& p) {
-    if (!std::isfinite(p.from) || !std::isfinite(p.to) || p.from == p.to)
-        return fail(Error::Code::InvalidArgument, "'from' and 'to' must be finite and differ",
-                    "give the integration time as to - from");
-    if (p.to < p.from && p.direction != Direction::Backward)
-        return fail(Error::Code::InvalidArgument, "'to' must be later than 'from'",
-                    "swap them, or choose the direction backward");
+    if (auto sound = check_direction(p); !sound)
+        return sound;
     if (!std::isfinite(p.separation) || p.separation < 0.0)
         return fail(Error::Code::InvalidArgument, "'separation' must be positive",
                     "leave it out for the dataset's finest spacing");
@@ -146,13 +140,12 @@ Result<std::vector<SheetOptions>> sheet_options(const Flow& flow,
     one.merge = p.merge;
     one.angle = p.angle;
     one.max_quads = p.max_quads;
+    if (auto in_time = check_times(flow, p); !in_time)
+        return tl::unexpected(in_time.error());
+    const std::vector<double> durations = side_durations(flow, p);
     std::vector<SheetOptions> sheets;
-    for (const double sign : {+1.0, -1.0}) {
-        if (p.direction == (sign > 0.0 ? Direction::Backward : Direction::Forward))
-            continue;
-        one.duration = sign * std::abs(p.to - p.from);
-        if (auto in_time = check_times(flow, p, one.duration); !in_time)
-            return tl::unexpected(in_time.error());
+    for (const double duration : durations) {
+        one.duration = duration;
         sheets.push_back(one);
     }
     return sheets;

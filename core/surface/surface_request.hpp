@@ -19,13 +19,13 @@ Result<void> check_separation(const Flow& flow, double separation);
 /// Largest speed on 7^3 points of the domain and 17 of the rake: what "standing still" is measured by.
 Result<double> largest_speed(const Flow& flow, const Rake& rake, double time, std::stop_token stop);
 
-/// Error: OutOfTime when a surface followed for `duration` (signed) leaves the data's time range.
-Result<void> check_times(const Flow& flow, const SurfaceParameters& parameters, double duration);
+/// Error: OutOfTime where `from`, or the `to` of all but stream surfaces, lies outside the times of the data.
+Result<void> check_times(const Flow& flow, const SurfaceParameters& parameters);
 
 /// Error the integrator may make per unit length.
 double trace_tolerance(Accuracy accuracy);
 
-/// One entry a direction. Error: OutOfTime when a path leaves the data's time range.
+/// One entry a direction. Error: as check_times.
 Result<std::vector<SheetOptions>> sheet_options(const Flow& flow,
                                                 const Rake& rake,
                                                 const SurfaceParameters& parameters,

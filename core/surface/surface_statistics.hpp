@@ -51,6 +51,8 @@ struct SurfaceStatistics {
     double separation = 0;           ///< longest edge allowed in the end
     double requested_separation = 0; ///< the one asked for
     Seconds seconds;
+    /// Of a path surface of both directions: where the data begin, if that cuts its backward side short.
+    std::optional<double> data_end{};
 
     /// The quad budget did not allow the separation asked for.
     bool coarsened() const { return separation > requested_separation; }

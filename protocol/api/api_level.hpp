@@ -3,6 +3,6 @@
 
 namespace wakesurf::protocol {
 
-inline constexpr int api_level = 4;
+inline constexpr int api_level = 5;
 
 } // namespace wakesurf::protocol

@@ -408,16 +408,16 @@ SurfaceRecord = TypedDict("SurfaceRecord", {  # A surface as the session keeps i
     "rake2": "str",  # the patch lies between the rake and this second rake; may be missing
     "dataset": "str",  # an id from dataset.list
     "kind": "str",  # stream: streamlines of the field frozen at `from`; path: particles released together at ...
-    "direction": "str",  # direction in time in which particles are traced
     "accuracy": "str",  # how accurately particles are traced and vertices inserted
-    "to": "float",  # time until which the surface is shown; the integration time is to - from (the dataset's unit ...
+    "to": "float",  # where the surface ends: before `from`, time runs backward. A stream surface is followed for ...
     "releaseUntil": "float",  # time at which the release stops; if left out, `to` (the dataset's unit of time); may ...
     "sweep": "List[float]",  # the patch is the rake swept along this vector (the dataset's unit of length); may be ...
     "merge": "float",  # quads smaller than this are joined; 0: never (part of the separation)
     "angle": "float",  # neighbouring quads at a larger angle are refined, as far as the separation and `maxQuads` ...
     "stagnationSpeed": "float",  # a slower particle counts as at rest and ends; 0: only a particle that does not ...
     "maxQuads": "int",  # maximum number of quads
-    "from": "float",  # time of release; for streak surfaces, of the first release (the dataset's unit of time)
+    "from": "float",  # where the surface starts: the (first) release; for stream surfaces, the time at which the ...
+    "direction": "str",  # which way particles are followed in time
     "separation": "float",  # longest edge allowed (the dataset's unit of length)
     "fields": "List[str]",  # additional attributes of the vertices, in frames and exports: scalar fields of the ...
 }, total=False)
@@ -488,6 +488,7 @@ Statistics = TypedDict("Statistics", {  # Statistics of the newest state of a su
     "seconds": "BuildSeconds",  # how long it took to build the surface
     "pass": "PassSeconds",  # how long it took to make this state; may be missing
     "peakBytes": "int",  # the most memory that the process has held, for everything that it does (bytes)
+    "dataEnd": "float",  # first time of the data, where it cuts the backward side of a path surface of both ...
     "stopped": "str",  # why the surface ends early; may be missing
     "empty": "Emptiness",  # why there is nothing to see; left out where there is something; may be missing
     "stateSum": "int",  # checksum of what clients show, as in the frames (protocol/wire/FORMAT.md, State sum)
@@ -913,11 +914,15 @@ class Session:
         `kind`: stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak:
             particles released continuously from `from` on; time: a patch of particles released at `from`.
         `dataset`: an id from dataset.list.
-        `to`: time until which the surface is shown; the integration time is to - from (the dataset's unit of time).
-        `from_`: time of release; for streak surfaces, of the first release; if left out, the dataset's first time (the
-            dataset's unit of time).
+        `to`: where the surface ends: before `from`, time runs backward. A stream surface is followed for `to` - `from`,
+            and `to` need not lie in the data; for the others it must (the dataset's unit of time).
+        `from_`: where the surface starts: the (first) release; for stream surfaces, the time at which the field is
+            frozen; if left out, the first time of the data, or the last where `direction` is backward (the dataset's
+            unit of time).
         `rake2`: the patch lies between the rake and this second rake; only for time surfaces.
-        `direction`: direction in time in which particles are traced; default forward.
+        `direction`: if left out, forward or backward as `from` and `to` say; it must not contradict them. both: to the
+            later time `to`, and as long before `from`, a path surface as far as there are data; only for stream and
+            path surfaces.
         `accuracy`: how accurately particles are traced and vertices inserted; default balanced.
         `release_until`: time at which the release stops; if left out, `to` (the dataset's unit of time); only for
             streak surfaces.

@@ -164,6 +164,11 @@ core::Result<void> tell(const core::SurfaceStatistics& statistics) {
                    statistics.terminated.budget);
     if (!statistics.stopped.empty())
         fmt::print(stderr, "wakesurf: the surface ends early: {}\n", statistics.stopped);
+    if (statistics.data_end)
+        fmt::print(stderr,
+                   "wakesurf: the surface goes back to {} only, where the data begin: not as long "
+                   "as forward\n",
+                   *statistics.data_end);
     return {};
 }
 
@@ -187,7 +192,7 @@ make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop
     const std::clock_t began = std::clock();
     const auto surface = build(*dataset, request, options.threads, memory, stop);
     if (!surface)
-        return tl::unexpected(surface.error());
+        return tl::unexpected(as_option(surface.error()));
     if (stop.stop_requested())
         return core::fail(core::Error::Code::Cancelled, "stopped, nothing was written");
     const double processor_seconds =

@@ -1,5 +1,6 @@
 #include "server/cli/surface_request.hpp"
 
+#include "core/surface/time_direction.hpp"
 #include "protocol/api/generated/surface.hpp"
 #include "protocol/api/generated/surface_options.hpp"
 #include "protocol/api/point_json.hpp"
@@ -19,17 +20,6 @@ namespace wakesurf::server {
 namespace {
 
 using Code = core::Error::Code;
-
-/// What the parameters are called here, in a message about them.
-core::Error as_option(core::Error error) {
-    for (const protocol::SurfaceOption& each : protocol::surface_options) {
-        const std::string quoted = "`" + std::string(each.parameter) + "`";
-        for (std::string* text : {&error.message, &error.hint})
-            for (auto at = text->find(quoted); at != std::string::npos; at = text->find(quoted))
-                text->replace(at, quoted.size(), each.option);
-    }
-    return error;
-}
 
 /// A plus sign is no part of a number in JSON, but people write one.
 std::optional<double> number_of(std::string_view text) {
@@ -165,17 +155,28 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
     return request;
 }
 
+core::Error as_option(core::Error error) {
+    for (const protocol::SurfaceOption& each : protocol::surface_options)
+        for (const char quote : {'`', '\''}) { // the API's words, and the engine's
+            const std::string quoted = quote + std::string(each.parameter) + quote;
+            for (std::string* text : {&error.message, &error.hint})
+                for (auto at = text->find(quoted); at != std::string::npos; at = text->find(quoted))
+                    text->replace(at, quoted.size(), each.option);
+        }
+    return error;
+}
+
 core::Result<void> choose_times(SurfaceRequest& request, const std::vector<double>& times) {
     core::SurfaceParameters& parameters = request.parameters;
-    const double first = times.empty() ? 0.0 : times.front();
+    const bool backward = parameters.direction == core::Direction::Backward;
+    const double first = times.empty() ? 0.0 : backward ? times.back() : times.front();
+    const double last = times.empty() ? 0.0 : backward ? times.front() : times.back();
     parameters.from = request.from.value_or(first);
-    const double last =
-        !times.empty() && times.back() > parameters.from ? times.back() : parameters.from + 10;
-    parameters.to = request.to.value_or(last);
-    if (parameters.to <= parameters.from)
-        return core::fail(Code::InvalidArgument, "--to " + std::to_string(parameters.to) +
-                                                     " is not after --from " +
-                                                     std::to_string(parameters.from));
+    const bool there = backward ? last < parameters.from : last > parameters.from;
+    const double usual = there ? last : parameters.from + (backward ? -10 : 10);
+    parameters.to = request.to.value_or(usual);
+    if (auto sound = core::check_direction(parameters); !sound)
+        return tl::unexpected(as_option(sound.error()));
     protocol::SurfaceSetting whole;
     whole.parameters = parameters;
     if (parameters.rake2)

@@ -1,6 +1,7 @@
 #include "server/net/download_request.hpp"
 
 #include "core/surface/playback/surface_age.hpp"
+#include "core/surface/time_direction.hpp"
 #include "server/session/live/surface_build.hpp"
 
 #include <fmt/format.h>
@@ -89,7 +90,7 @@ core::Result<std::optional<double>> shown_at(const DownloadRequest& request,
                                              std::optional<double> clock) {
     if (!core::moves(p) || request.at_the_end)
         return std::nullopt;
-    const auto [first, last] = std::minmax({p.from, core::end_time(p)});
+    const auto [first, last] = std::minmax({p.from, p.to});
     if (request.time && !(*request.time >= first && *request.time <= last))
         return fail(Error::Code::OutOfTime,
                     fmt::format("time {} is outside of {} to {}, which the surface is shown over",

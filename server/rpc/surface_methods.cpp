@@ -13,14 +13,17 @@ constexpr RecordHandlers<protocol::SurfaceRecord> handlers{
     "surface", &Session::surface, protocol::surface_json, &Session::delete_surface};
 
 /// Where `from` is left out; what is wrong with the dataset is told later.
-double first_time(const Call& call, const std::string& dataset) {
-    const auto open = call.context.datasets.open(dataset);
-    return open && !open->info.times.empty() ? open->info.times.front() : 0.0;
+double usual_start(const Call& call, const protocol::SurfaceSetting& asked) {
+    const auto open = call.context.datasets.open(asked.dataset);
+    if (!open || open->info.times.empty())
+        return 0.0;
+    const auto& times = open->info.times;
+    return asked.parameters.direction == core::Direction::Backward ? times.back() : times.front();
 }
 
 void surface_set(const Call& call, const protocol::SurfaceSetting& asked, Reply reply) {
     protocol::SurfaceSetting setting = asked;
-    setting.parameters.from = asked.from ? *asked.from : first_time(call, asked.dataset);
+    setting.parameters.from = asked.from ? *asked.from : usual_start(call, asked);
     const auto session = choose_session(call, setting.session);
     if (!session)
         return reply.fault(session.error());

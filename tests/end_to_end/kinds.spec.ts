@@ -2,7 +2,7 @@
 import type { BrowserContext, Page } from 'playwright-core';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, newContext, openPage } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
@@ -60,5 +60,41 @@ describe('the kinds of surface', () => {
         const path = await edited(() => page.getByRole('radio', { name: 'Path' }).check());
         expect(path.sweep).toBeUndefined();
         await page.getByText(/end of data/).waitFor();
+    });
+
+    it('goes back in time as the direction says, released where the data have time for it, and stays so after a reload', async () => {
+        const direction = page.getByRole('combobox', { name: 'Direction' });
+        const stream = await edited(() => direction.selectOption('backward'));
+        expect(stream).toMatchObject({ kind: 'stream', direction: 'backward', from: 8.5 });
+        expect(stream.to).toBeLessThan(8.5);
+        const streak = await edited(() => page.getByRole('radio', { name: 'Streak' }).check());
+        expect(streak).toMatchObject({ kind: 'streak', direction: 'backward', from: 16, to: 8.5 });
+        await page.getByText('Released at 16: the data have nothing before 8.5.').waitFor();
+        await page.getByText('t = 8.5', { exact: true }).waitFor();
+        await screenshot(page, 'streak-backward');
+        await page.reload();
+        await finalSurface(page);
+        expect(await page.getByRole('radio', { name: 'Streak' }).isChecked()).toBe(true);
+        expect(await direction.inputValue()).toBe('backward');
+    });
+
+    it('offers both directions only where a surface need not be there at one time, and says what becomes of them', async () => {
+        const direction = page.getByRole('combobox', { name: 'Direction' });
+        expect(await direction.locator('option').count()).toBe(3);
+        await edited(() => direction.selectOption('both'));
+        const path = await edited(() => page.getByRole('radio', { name: 'Path' }).check());
+        expect(path).toMatchObject({ kind: 'path', direction: 'both', from: 8.5, to: 16 });
+        await page.getByText(/Forward only: the data begin at its release/).waitFor();
+        await page.getByRole('slider', { name: 'Release' }).focus();
+        const uneven = await edited(() => page.keyboard.press('PageUp'));
+        expect(uneven).toMatchObject({ direction: 'both', to: 16 });
+        expect(uneven.from).toBeGreaterThan(8.5);
+        await page.getByText(/Back to .* only, where the data begin/).waitFor();
+        const streak = await edited(() => page.getByRole('radio', { name: 'Streak' }).check());
+        expect(streak).toMatchObject({ kind: 'streak', direction: 'forward', from: uneven.from, to: 16 });
+        await page.getByText('A streak surface goes one way in time: this one goes forward.').waitFor();
+        expect(await direction.inputValue()).toBe('forward');
+        expect(await direction.locator('option').count()).toBe(2);
+        await screenshot(page, 'streak-after-both');
     });
 });

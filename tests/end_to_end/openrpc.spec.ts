@@ -81,7 +81,6 @@ describe('/openrpc.json', () => {
                 );
         expect(Object.fromEntries(defaults('surface.set') as [string, unknown][])).toEqual({
             default: false,
-            direction: 'forward',
             accuracy: 'balanced',
             merge: 0.35,
             angle: 20,

@@ -1,8 +1,8 @@
 #include "core/surface/moving/moving_builder.hpp"
 
-#include "core/surface/moving/joined_parts.hpp"
-#include "core/surface/moving/moving_parts.hpp"
 #include "core/surface/moving/moving_surface.hpp"
+#include "core/surface/moving/shown_surface.hpp"
+#include "core/surface/time_direction.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -22,26 +22,17 @@ Result<Surface> build_moving_surface(const Flow& flow,
                                      const Clock& clock,
                                      const WorkPart& work) {
     const auto began = clock.now();
-    const auto parts = moving_parts(flow, parameters);
-    if (!parts)
-        return tl::unexpected(parts.error());
-    Surface surface;
-    for (std::size_t i = 0; i < parts->size(); ++i) {
-        const MovingPart& part = (*parts)[i];
-        const WorkPart here = work.part(i, parts->size()).above(memory_of(surface.mesh));
-        auto moving = MovingSurface::start(flow, rake, part.parameters, stop, clock, here);
-        if (!moving)
-            return tl::unexpected(moving.error());
-        if (auto moved = moving->advance_to(moving->end_time(), stop, here); !moved)
-            return tl::unexpected(moved.error());
-        if (!here.holds(memory_while_moving(moving->state().mesh) +
-                        shown_bytes * moving->state().mesh.vertices.slots()))
-            return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
-        if (part.backward())
-            surface.first_backward = static_cast<VertexId>(surface.mesh.vertices());
-        append(surface.mesh, moving->mesh().mesh, part.backward());
-        add(surface.statistics, moving->statistics());
-    }
+    auto moving = MovingSurface::start(flow, rake, parameters, stop, clock, work);
+    if (!moving)
+        return tl::unexpected(moving.error());
+    if (auto moved = moving->advance_to(moving->end_time(), stop, work); !moved)
+        return tl::unexpected(moved.error());
+    if (!work.holds(memory_while_moving(moving->state().mesh) +
+                    shown_bytes * moving->state().mesh.vertices.slots()))
+        return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
+    Surface surface{moving->mesh().mesh, moving->statistics()};
+    if (time_sign(parameters) < 0.0)
+        mirror_cells(surface.mesh);
     if (!parameters.deformation)
         surface.mesh.deformation.clear();
     label_components(surface.mesh);

@@ -13,7 +13,7 @@
 
 namespace wakesurf::core {
 
-/// See build_surface. Both directions give two parts.
+/// See build_surface.
 Result<Surface> build_moving_surface(const Flow& flow,
                                      const Rake& rake,
                                      const SurfaceParameters& parameters,

@@ -1,6 +1,7 @@
 #include "core/surface/moving/moving_plan.hpp"
 
 #include "core/surface/surface_request.hpp"
+#include "core/surface/time_direction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,15 +28,14 @@ Origin origin_of(const Rake& rake, const SurfaceParameters& p) {
 } // namespace
 
 double MovingRequest::travel() const {
-    return largest_speed * std::abs(parameters.to - parameters.from);
+    return largest_speed * time_span(parameters);
 }
 
 MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double separation) {
     const SurfaceParameters& p = request.parameters;
     const Rake& rake = request.rake;
     Origin origin = origin_of(rake, p);
-    const double span = std::abs(p.to - p.from);
-    const double sign = p.direction == Direction::Backward ? -1.0 : 1.0;
+    const double span = time_span(p);
     Columns columns = make_columns(origin, seeds_at(request, separation));
     RefinementRules rules;
     rules.separation = separation;
@@ -64,15 +64,14 @@ MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double sepa
     carry.stagnation_speed = p.stagnation_speed * request.largest_speed;
     carry.smooth = p.accuracy == Accuracy::Exact;
     std::vector<double> places = seed_places(origin, flow, columns, rules.tear_size * separation);
-    const double until = p.release_until ? std::abs(*p.release_until - p.from) : span;
     return {request,
             std::move(origin),
             std::move(columns),
             std::move(places),
             rules,
             carry,
-            p.from + sign * span,
-            p.from + sign * until,
+            p.to,
+            p.release_until.value_or(p.to),
             p.accuracy == Accuracy::Fast,
             flow.finest_spacing(),
             {}};

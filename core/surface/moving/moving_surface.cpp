@@ -5,6 +5,7 @@
 #include "core/surface/moving/release.hpp"
 #include "core/surface/moving/snapshot.hpp"
 #include "core/surface/surface_request.hpp"
+#include "core/surface/time_direction.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -73,11 +74,15 @@ Result<MovingSurface> MovingSurface::start(const Flow& flow,
                                            const Clock& clock,
                                            const WorkPart& work) {
     const auto began = clock.now();
+    if (auto in_time = check_times(flow, p); !in_time)
+        return tl::unexpected(in_time.error());
     const auto speed = largest_speed(flow, rake, p.from, stop);
     if (!speed)
         return tl::unexpected(speed.error());
     const double load = elapsed(clock, began);
-    const MovingRequest request{rake, p, *speed};
+    MovingRequest request{rake, p, *speed};
+    if (!(p.separation > 0.0))
+        request.parameters.separation = flow.finest_spacing();
     auto plan = plan_within_budget(flow, request, budget_search(flow, request), stop, clock, work);
     if (!plan)
         return tl::unexpected(plan.error());

@@ -38,10 +38,10 @@ struct MovingState {
 class MovingSurface {
   public:
     /// The surface at `parameters.from`: nothing of a streak surface yet, the whole patch of a time surface.
-    /// @param parameters  checked (see check_request), separation > 0, one direction
+    /// @param parameters  checked (see check_request)
     /// @param flow        must outlive the surface
     /// Where coarse trials show that it would exceed the quad budget, its separation is larger from the start.
-    /// Error: OverLimit where not even a tenth of the domain would do, Cancelled, what sampling reports.
+    /// Error: OutOfTime, OverLimit where not even a tenth of the domain would do, Cancelled, what sampling reports.
     static Result<MovingSurface> start(const Flow& flow,
                                        const Rake& rake,
                                        const SurfaceParameters& parameters,

@@ -1,4 +1,4 @@
-// A streak or time surface at any time of a clock: its history, for one direction of time or for both.
+// A streak or time surface at any time of a clock: its history.
 #pragma once
 
 #include "core/surface/moving/surface_history.hpp"
@@ -7,7 +7,6 @@
 #include <limits>
 #include <stop_token>
 #include <string>
-#include <vector>
 
 namespace wakesurf::core {
 
@@ -28,11 +27,7 @@ class PlayedSurface {
     struct Shown {
         KeyedMesh mesh; ///< ids last as long as this surface
         SurfaceStatistics statistics;
-        VertexId first_backward = no_vertex; ///< from here on of the part that goes back
-        double time = 0.0;                   ///< at which the vertices are there
-        double time_backward = 0.0;          ///< likewise of that part
-
-        std::vector<double> times() const;
+        double time = 0.0; ///< at which all its vertices are there
     };
 
     /// @param age  since the (first) release, up to the integration time
@@ -48,22 +43,20 @@ class PlayedSurface {
     std::size_t bytes() const;
 
   private:
-    struct Part {
-        SurfaceHistory history;
-        double from, sign;
-        double most = std::numeric_limits<double>::infinity(); ///< readable age
-    };
+    PlayedSurface(const Flow& flow,
+                  const Rake& rake,
+                  const SurfaceParameters& parameters,
+                  SurfaceHistory history);
 
-    Result<KeyedMesh>
-    part_at(Part& part, double age, const std::stop_token& stop, const WorkPart& work);
-
-    PlayedSurface(const Flow& flow, const Rake& rake, const SurfaceParameters& parameters)
-        : flow_(&flow), rake_(rake), parameters_(parameters) {}
+    Result<KeyedMesh> mesh_at(double age, const std::stop_token& stop, const WorkPart& work);
 
     const Flow* flow_;
     Rake rake_;
     SurfaceParameters parameters_;
-    std::vector<Part> parts_;
+    SurfaceHistory history_;
+    double from_;
+    double sign_;                                           ///< which way time runs
+    double most_ = std::numeric_limits<double>::infinity(); ///< readable age
     std::string stopped_;
 };
 

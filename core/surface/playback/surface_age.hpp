@@ -10,15 +10,6 @@ namespace wakesurf::core {
 /// Whether it looks different at different times of a clock.
 bool moves(const SurfaceParameters& parameters);
 
-/// 1 or -1: which way time runs along it. Surfaces of both directions are shown at the times of the forward part.
-double time_sign(const SurfaceParameters& parameters);
-
-/// From `from` to `to`, never negative.
-double time_span(const SurfaceParameters& parameters);
-
-/// The time of the clock at which it is complete.
-double end_time(const SurfaceParameters& parameters);
-
 /// Its age at a time of the clock, clamped to what it is followed over; at its end without a time.
 double age_at(const SurfaceParameters& parameters, std::optional<double> time);
 

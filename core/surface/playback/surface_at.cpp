@@ -4,6 +4,7 @@
 #include "core/surface/playback/played_surface.hpp"
 #include "core/surface/playback/surface_age.hpp"
 #include "core/surface/surface_builder.hpp"
+#include "core/surface/time_direction.hpp"
 #include "core/surface/vertex_times.hpp"
 
 #include <utility>
@@ -26,7 +27,7 @@ Result<SurfaceAt> played(const Flow& flow,
     auto shown = surface->at(age, stop, work);
     if (!shown)
         return tl::unexpected(shown.error());
-    auto times = shown->times();
+    std::vector<double> times(shown->mesh.mesh.vertices(), shown->time);
     return SurfaceAt{std::move(shown->mesh.mesh), std::move(shown->statistics), std::move(times)};
 }
 

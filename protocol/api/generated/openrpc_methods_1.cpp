@@ -77,7 +77,7 @@ const std::string_view methods_1 = R"json({
    "result": {
     "name": "result",
     "value": {
-     "apiLevel": 4,
+     "apiLevel": 5,
      "capabilities": [
       "stream",
       "path",

@@ -29,12 +29,12 @@ const std::string_view methods_6 = R"json({
   {
    "name": "to",
    "required": true,
-   "description": "time until which the surface is shown; the integration time is to - from",
+   "description": "where the surface ends: before `from`, time runs backward. A stream surface is followed for `to` - `from`, and `to` need not lie in the data; for the others it must",
    "schema": {
     "type": "number",
     "minimum": -3.4028234663852886e+38,
     "maximum": 3.4028234663852886e+38,
-    "description": "time until which the surface is shown; the integration time is to - from",
+    "description": "where the surface ends: before `from`, time runs backward. A stream surface is followed for `to` - `from`, and `to` need not lie in the data; for the others it must",
     "x-unit": "the dataset's unit of time"}},
   {
    "name": "session",
@@ -57,18 +57,20 @@ const std::string_view methods_6 = R"json({
   {
    "name": "from",
    "required": false,
-   "description": "time of release; for streak surfaces, of the first release; if left out, the dataset's first time",
+   "description": "where the surface starts: the (first) release; for stream surfaces, the time at which the field is frozen; if left out, the first time of the data, or the last where `direction` is backward",
    "schema": {
     "type": "number",
     "minimum": -3.4028234663852886e+38,
     "maximum": 3.4028234663852886e+38,
-    "description": "time of release; for streak surfaces, of the first release; if left out, the dataset's first time",
+    "description": "where the surface starts: the (first) release; for stream surfaces, the time at which the field is frozen; if left out, the first time of the data, or the last where `direction` is backward",
     "x-unit": "the dataset's unit of time"}},
   {
    "name": "direction",
    "required": false,
-   "description": "direction in time in which particles are traced",
-   "schema": {"enum": ["forward", "backward", "both"], "default": "forward", "description": "direction in time in which particles are traced"}},
+   "description": "if left out, forward or backward as `from` and `to` say; it must not contradict them. both: to the later time `to`, and as long before `from`, a path surface as far as there are data; only for stream and path surfaces",
+   "schema": {
+    "enum": ["forward", "backward", "both"],
+    "description": "if left out, forward or backward as `from` and `to` say; it must not contradict them. both: to the later time `to`, and as long before `from`, a path surface as far as there are data; only for stream and path surfaces"}},
   {
    "name": "accuracy",
    "required": false,

@@ -266,13 +266,12 @@ const std::string_view schemas_2 = R"json("SessionFile": {
   "kind": {
    "enum": ["stream", "path", "streak", "time"],
    "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`"},
-  "direction": {"enum": ["forward", "backward", "both"], "default": "forward", "description": "direction in time in which particles are traced"},
   "accuracy": {"enum": ["fast", "balanced", "exact"], "default": "balanced", "description": "how accurately particles are traced and vertices inserted"},
   "to": {
    "type": "number",
    "minimum": -3.4028234663852886e+38,
    "maximum": 3.4028234663852886e+38,
-   "description": "time until which the surface is shown; the integration time is to - from",
+   "description": "where the surface ends: before `from`, time runs backward. A stream surface is followed for `to` - `from`, and `to` need not lie in the data; for the others it must",
    "x-unit": "the dataset's unit of time"},
   "releaseUntil": {
    "type": "number",

@@ -20,13 +20,12 @@ const std::string_view schemas_3 = R"json("Surface": {
   "kind": {
    "enum": ["stream", "path", "streak", "time"],
    "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`"},
-  "direction": {"enum": ["forward", "backward", "both"], "default": "forward", "description": "direction in time in which particles are traced"},
   "accuracy": {"enum": ["fast", "balanced", "exact"], "default": "balanced", "description": "how accurately particles are traced and vertices inserted"},
   "to": {
    "type": "number",
    "minimum": -3.4028234663852886e+38,
    "maximum": 3.4028234663852886e+38,
-   "description": "time until which the surface is shown; the integration time is to - from",
+   "description": "where the surface ends: before `from`, time runs backward. A stream surface is followed for `to` - `from`, and `to` need not lie in the data; for the others it must",
    "x-unit": "the dataset's unit of time"},
   "releaseUntil": {
    "type": "number",
@@ -69,8 +68,9 @@ const std::string_view schemas_3 = R"json("Surface": {
    "type": "number",
    "minimum": -3.4028234663852886e+38,
    "maximum": 3.4028234663852886e+38,
-   "description": "time of release; for streak surfaces, of the first release",
+   "description": "where the surface starts: the (first) release; for stream surfaces, the time at which the field is frozen",
    "x-unit": "the dataset's unit of time"},
+  "direction": {"enum": ["forward", "backward", "both"], "description": "which way particles are followed in time"},
   "separation": {"type": "number", "minimum": 0, "description": "longest edge allowed", "x-unit": "the dataset's unit of length"},
   "fields": {
    "type": "array",
@@ -84,7 +84,6 @@ const std::string_view schemas_3 = R"json("Surface": {
   "rake",
   "dataset",
   "kind",
-  "direction",
   "accuracy",
   "to",
   "merge",
@@ -92,6 +91,7 @@ const std::string_view schemas_3 = R"json("Surface": {
   "stagnationSpeed",
   "maxQuads",
   "from",
+  "direction",
   "separation",
   "fields"],
  "additionalProperties": false},
@@ -184,6 +184,10 @@ const std::string_view schemas_3 = R"json("Surface": {
    "minimum": 0,
    "description": "the most memory that the process has held, for everything that it does",
    "x-unit": "bytes"},
+  "dataEnd": {
+   "type": "number",
+   "description": "first time of the data, where it cuts the backward side of a path surface of both directions short",
+   "x-unit": "the dataset's unit of time"},
   "stopped": {"type": "string", "description": "why the surface ends early"},
   "empty": {"$ref": "#/components/schemas/Emptiness"},
   "stateSum": {

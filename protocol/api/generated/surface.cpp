@@ -25,10 +25,6 @@ void read(CheckedJson& in, SurfaceRecord& out) {
         out.parameters.kind = *found;
     else
         in.fault("kind", "must be stream, path, streak or time");
-    if (const auto found = direction(in.text_or("direction", "forward")))
-        out.parameters.direction = *found;
-    else
-        in.fault("direction", "must be forward, backward or both");
     if (const auto found = accuracy(in.text_or("accuracy", "balanced")))
         out.parameters.accuracy = *found;
     else
@@ -45,6 +41,12 @@ void read(CheckedJson& in, SurfaceRecord& out) {
     out.parameters.max_quads =
         in.count_or("maxQuads", 1, limits::quads_most, limits::quads_default);
     out.parameters.from = in.number("from", -3.4028234663852886e+38, 3.4028234663852886e+38);
+    if (in.has("direction")) {
+        if (const auto found = direction(in.text("direction")))
+            out.parameters.direction = *found;
+        else
+            in.fault("direction", "must be forward, backward or both");
+    }
     out.parameters.separation = in.number_or("separation", 0.0, any_number, 0.0);
     out.fields = in.texts_or_none("fields", 16);
 }
@@ -63,7 +65,6 @@ nlohmann::json kept_json(const SurfaceRecord& record) {
         out["rake2"] = *record.rake2;
     out["dataset"] = record.dataset;
     out["kind"] = name(record.parameters.kind);
-    out["direction"] = name(record.parameters.direction);
     out["accuracy"] = name(record.parameters.accuracy);
     out["to"] = record.parameters.to;
     if (record.parameters.release_until)
@@ -75,6 +76,8 @@ nlohmann::json kept_json(const SurfaceRecord& record) {
     out["stagnationSpeed"] = record.parameters.stagnation_speed;
     out["maxQuads"] = record.parameters.max_quads;
     out["from"] = record.parameters.from;
+    if (record.parameters.direction)
+        out["direction"] = name(*record.parameters.direction);
     out["separation"] = record.parameters.separation;
     out["fields"] = record.fields;
     return out;
@@ -95,10 +98,12 @@ void read(CheckedJson& in, SurfaceSetting& out) {
         in.fault("kind", "must be stream, path, streak or time");
     out.from = in.number_if("from", -3.4028234663852886e+38, 3.4028234663852886e+38);
     out.parameters.to = in.number("to", -3.4028234663852886e+38, 3.4028234663852886e+38);
-    if (const auto found = direction(in.text_or("direction", "forward")))
-        out.parameters.direction = *found;
-    else
-        in.fault("direction", "must be forward, backward or both");
+    if (in.has("direction")) {
+        if (const auto found = direction(in.text("direction")))
+            out.parameters.direction = *found;
+        else
+            in.fault("direction", "must be forward, backward or both");
+    }
     if (const auto found = accuracy(in.text_or("accuracy", "balanced")))
         out.parameters.accuracy = *found;
     else

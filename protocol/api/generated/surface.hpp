@@ -29,8 +29,8 @@ struct SurfaceRecord {
     std::optional<std::string> rake2;
     /// an id from dataset.list
     std::string dataset;
-    /// kind, direction, accuracy, to, releaseUntil, sweep, merge, angle, stagnationSpeed, maxQuads,
-    /// from, separation
+    /// kind, accuracy, to, releaseUntil, sweep, merge, angle, stagnationSpeed, maxQuads, from,
+    /// direction, separation
     core::SurfaceParameters parameters;
     /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
     /// its velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude),
@@ -66,8 +66,9 @@ struct SurfaceSetting {
     /// kind, to, direction, accuracy, releaseUntil, sweep, merge, angle, stagnationSpeed, maxQuads,
     /// separation
     core::SurfaceParameters parameters;
-    /// time of release; for streak surfaces, of the first release; if left out, the dataset's first
-    /// time (the dataset's unit of time)
+    /// where the surface starts: the (first) release; for stream surfaces, the time at which the
+    /// field is frozen; if left out, the first time of the data, or the last where `direction` is
+    /// backward (the dataset's unit of time)
     std::optional<double> from;
     /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
     /// its velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude),

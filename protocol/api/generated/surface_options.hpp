@@ -22,16 +22,20 @@ inline constexpr SurfaceOption surface_options[]{
      "released at --from",
      "", true},
     {"--from", "from", "number",
-     "Time of release; for streak surfaces, of the first release; if left out, the dataset's first "
-     "time (the dataset's unit of time)",
+     "Where the surface starts: the (first) release; for stream surfaces, the time at which the "
+     "field is frozen; if left out, the first time of the data, or the last where --direction is "
+     "backward (the dataset's unit of time)",
      "", false},
     {"--to", "to", "number",
-     "Time until which the surface is shown; the integration time is to - from (the dataset's unit "
+     "Where the surface ends: before --from, time runs backward. A stream surface is followed for "
+     "--to - --from, and --to need not lie in the data; for the others it must (the dataset's unit "
      "of time)",
      "", false},
     {"--direction", "direction", "text",
-     "forward, backward or both: direction in time in which particles are traced", "forward",
-     false},
+     "forward, backward or both: if left out, forward or backward as --from and --to say; it must "
+     "not contradict them. both: to the later time --to, and as long before --from, a path surface "
+     "as far as there are data; only for stream and path surfaces",
+     "", false},
     {"--accuracy", "accuracy", "text",
      "fast, balanced or exact: how accurately particles are traced and vertices inserted",
      "balanced", false},

@@ -153,7 +153,7 @@ def options_header(api):
             usual = plain(node["default"]) if "default" in node else ""
             words = option_words(api, each)
             lines.append(f"    {{{quoted(node['x-option'])}, {quoted(each.name)}, {quoted(kind)}, {quoted(words)}, {quoted(usual)}, "
-                         f"{'true' if node.kind == 'enum' and 'default' not in node else 'false'}}},")
+                         f"{'true' if node.kind == 'enum' and each.required else 'false'}}},")
     return "\n".join(lines + ["};", "", *END])
 
 

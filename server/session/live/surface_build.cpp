@@ -1,6 +1,7 @@
 #include "server/session/live/surface_build.hpp"
 
 #include "core/surface/playback/surface_age.hpp"
+#include "core/surface/time_direction.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "core/surface/vertex_times.hpp"
 #include "server/base/log_text.hpp"

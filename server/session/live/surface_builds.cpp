@@ -140,7 +140,7 @@ std::optional<std::array<double, 2>> SurfaceBuilds::moving_range() const {
         const core::SurfaceParameters& p = record.parameters;
         if (!core::moves(p))
             continue;
-        const auto [first, last] = std::minmax({p.from, core::end_time(p)});
+        const auto [first, last] = std::minmax({p.from, p.to});
         range = range ? std::array{std::min((*range)[0], first), std::max((*range)[1], last)}
                       : std::array{first, last};
     }

@@ -1,5 +1,7 @@
 #include "server/session/records/record_entries.hpp"
 
+#include "core/surface/time_direction.hpp"
+#include "server/session/records/older_surface.hpp"
 #include "server/session/records/thumbnail.hpp"
 
 #include <algorithm>
@@ -16,7 +18,12 @@ core::Result<Record> parse(RecordType type, const std::string& text) {
     const auto wide = [](auto record) { return Record(std::move(record)); };
     switch (type) {
     case RecordType::Surface:
-        return protocol::parse_surface(text).map(wide);
+        return protocol::parse_surface(text)
+            .map([](protocol::SurfaceRecord record) {
+                record.parameters = from_older(record.parameters);
+                return record;
+            })
+            .map(wide);
     case RecordType::Bookmark:
         return protocol::parse_bookmark(text).map(wide);
     case RecordType::Annotation:
@@ -32,7 +39,9 @@ core::Result<void> check_rules_of(const protocol::SurfaceRecord& record) {
     setting.rake = record.rake;
     setting.rake2 = record.rake2;
     setting.parameters = record.parameters;
-    return protocol::check_rules(setting);
+    if (auto sound = protocol::check_rules(setting); !sound)
+        return sound;
+    return core::check_direction(record.parameters);
 }
 
 /// As it is read back: a lease is not kept.

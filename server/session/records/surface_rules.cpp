@@ -1,6 +1,7 @@
 #include "server/session/records/surface_rules.hpp"
 
 #include "core/surface/surface_request.hpp"
+#include "core/surface/time_direction.hpp"
 #include "server/session/data/surface_fields.hpp"
 
 #include <algorithm>
@@ -11,6 +12,9 @@ core::Result<void> complete_surface(protocol::SurfaceSetting& setting, const Ope
     core::SurfaceParameters& p = setting.parameters;
     if (auto sound = protocol::check_rules(setting); !sound)
         return sound;
+    if (auto sound = core::check_direction(p); !sound)
+        return sound;
+    p.direction = core::direction_of(p);
     std::vector<std::string> fields;
     for (const std::string& name : setting.fields) {
         if (auto known = find_field(dataset, name); !known)

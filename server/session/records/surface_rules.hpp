@@ -6,7 +6,7 @@
 
 namespace wakesurf::server {
 
-/// Fills in what was left to the dataset (the separation), and leaves out fields named twice. Error: InvalidArgument (an unknown field; what the kind of
+/// Fills in what was left to the dataset (the separation) or to `from` and `to` (the direction), and leaves out fields named twice. Error: InvalidArgument (an unknown field; what the kind of
 /// surface does not have, or lacks), naming the parameter.
 core::Result<void> complete_surface(protocol::SurfaceSetting& setting, const OpenDataset& dataset);
 

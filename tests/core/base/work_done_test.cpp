@@ -72,6 +72,9 @@ TEST(WorkDone, IsToldOnTheWayToASurfaceOfAnyKindAndToItsEnd) {
             p.to = 4.0;
             p.separation = 0.1;
             p.direction = direction;
+            const bool moving = kind == SurfaceKind::Streak || kind == SurfaceKind::Time;
+            if (moving && direction == Direction::Both)
+                continue;
             if (kind == SurfaceKind::Time)
                 p.sweep = Vec3(1, 0, 0);
             WorkDone work;

@@ -75,8 +75,7 @@ TEST(ReadablePart, SurfacesThatDoNotNeedTheDamagedTimeStepAreWhole) {
 
 TEST(ReadablePart, BackwardSurfacesEndThereToo) {
     const Series series(2);
-    auto p = asked(SurfaceKind::Path, 6, 0);
-    p.direction = Direction::Backward;
+    const auto p = asked(SurfaceKind::Path, 6, 0);
     const auto surface = build_surface(*series.flow, rake_at(7), p);
     ASSERT_TRUE(surface.has_value()) << surface.error().message;
     double nearest = 9.0;
@@ -85,6 +84,20 @@ TEST(ReadablePart, BackwardSurfacesEndThereToo) {
     EXPECT_NEAR(nearest, 7.0 - 3.0, 1e-9);
     for (const double time : vertex_times(*surface, p))
         EXPECT_TRUE(time <= 6.0 && time >= 3.0) << time;
+}
+
+TEST(ReadablePart, TheReleaseOfABackwardSheetEndsThereAtTheLatest) {
+    const Series series(2);
+    auto p = asked(SurfaceKind::Streak, 6, 0);
+    p.release_until = 1.0;
+    const auto surface = build_surface(*series.flow, rake_at(7), p);
+    ASSERT_TRUE(surface.has_value()) << surface.error().message;
+    EXPECT_EQ(surface->ended, 3.0);
+    p.to = 3.0;
+    p.release_until.reset();
+    const auto whole = build_surface(*series.flow, rake_at(7), p);
+    ASSERT_TRUE(whole.has_value()) << whole.error().message;
+    EXPECT_EQ(surface->mesh.position, whole->mesh.position);
 }
 
 TEST(ReadablePart, NothingIsBuiltWhereTheReleaseItselfCannotBeRead) {

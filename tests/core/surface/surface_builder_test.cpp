@@ -233,7 +233,8 @@ TEST(SurfaceBuilder, BothDirectionsShareTheRakeAndFaceTheSameWay) {
     const Surface surface = built(c, p);
     EXPECT_EQ(surface.mesh.validate(), "");
     EXPECT_EQ(euler_characteristic(surface.mesh), 1);
-    p.direction = Direction::Backward;
+    p.direction.reset();
+    p.to = p.from - (p.to - p.from);
     const Surface back = built(c, p);
     EXPECT_LT(*std::min_element(back.mesh.t.begin(), back.mesh.t.end()), -2.9);
     EXPECT_LE(*std::max_element(back.mesh.t.begin(), back.mesh.t.end()), 0.0);
@@ -311,6 +312,7 @@ TEST(SurfaceBuilder, ImpossibleRequestsAreRefused) {
     SurfaceParameters p;
     p.kind = SurfaceKind::Stream;
     p.to = p.from - 1.0;
+    p.direction = Direction::Forward;
     EXPECT_EQ(build_surface(**flow, line({0, 0, 0}, {1, 0, 0}), p).error().code,
               Error::Code::InvalidArgument);
     p.to = p.from;

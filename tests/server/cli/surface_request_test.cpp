@@ -35,11 +35,27 @@ TEST(SurfaceRequest, IntegratesForTenTimeUnitsWhereTheDataHasOneTime) {
     EXPECT_EQ(chosen(times(16.0, {}), {8.5, 16}).to, 26);
 }
 
-TEST(SurfaceRequest, RefusesTimesThatRunBackwards) {
+TEST(SurfaceRequest, GoesBackInTimeWhereToIsEarlierThanFrom) {
+    EXPECT_EQ(chosen(times(15.0, 10.0), {8.5, 9, 16}).to, 10);
+    auto open = times({}, {});
+    open.parameters.direction = core::Direction::Backward;
+    EXPECT_EQ(chosen(open, {8.5, 9, 16}).from, 16);
+    EXPECT_EQ(chosen(open, {8.5, 9, 16}).to, 8.5);
+    EXPECT_EQ(chosen(open, {3}).to, -7);
+    open.from = 12.0;
+    EXPECT_EQ(chosen(open, {8.5, 9, 16}).to, 8.5);
+}
+
+TEST(SurfaceRequest, RefusesADirectionThatContradictsTheTimesAndNamesTheRightSpelling) {
     auto none = times(3.0, 3.0);
     EXPECT_FALSE(choose_times(none, {}));
-    auto backwards = times({}, -1.0);
-    EXPECT_FALSE(choose_times(backwards, {0, 1}));
+    auto request = times(15.0, 20.0);
+    request.parameters.direction = core::Direction::Backward;
+    const auto refused = choose_times(request, {8.5, 9, 16});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message, "--direction is backward, but --to 20 is after --from 15");
+    EXPECT_NE(refused.error().hint.find("--from 15 and --to 10"), std::string::npos)
+        << refused.error().hint;
 }
 
 TEST(SurfaceRequest, HasTheReleaseEndBetweenFromAndTo) {

@@ -8,12 +8,11 @@ namespace {
 
 using Code = core::Error::Code;
 
-core::SurfaceParameters path(core::Direction direction = core::Direction::Forward) {
+core::SurfaceParameters path(double to = 14.0) {
     core::SurfaceParameters p;
     p.kind = core::SurfaceKind::Path;
     p.from = 10.0;
-    p.to = 14.0;
-    p.direction = direction;
+    p.to = to;
     return p;
 }
 
@@ -51,8 +50,8 @@ TEST(DownloadRequest, FollowsTheClockWithinWhatTheSurfaceIsShownOver) {
     EXPECT_EQ(shown({}, path(), 11.5), 11.5);
     EXPECT_EQ(shown({}, path(), 3.0), 10.0);
     EXPECT_EQ(shown({}, path(), 99.0), 14.0);
-    EXPECT_EQ(shown({}, path(core::Direction::Backward), 8.0), 8.0);
-    EXPECT_EQ(shown({}, path(core::Direction::Backward), 12.0), 10.0);
+    EXPECT_EQ(shown({}, path(6.0), 8.0), 8.0);
+    EXPECT_EQ(shown({}, path(6.0), 12.0), 10.0);
 }
 
 TEST(DownloadRequest, PutsATimeThatIsNamedBeforeTheClock) {

@@ -386,19 +386,6 @@ TEST(MovingSurface, DeformationIsTheAreaRatioOfTheFlowMap) {
         EXPECT_NEAR(deformation, 0.5 * c.to / M_LN2, 1e-4);
 }
 
-TEST(MovingSurface, BothDirectionsGiveTwoParts) {
-    const auto flow = make_analytic_flow("abc");
-    const Case c{"abc", line({0, 0, 0}, {2, 0, 0}), 2, 0.15, {}};
-    SurfaceParameters p = parameters(c);
-    p.direction = Direction::Both;
-    const auto both = build_surface(**flow, c.rake, p);
-    ASSERT_TRUE(both);
-    EXPECT_EQ(*std::max_element(both->mesh.component.begin(), both->mesh.component.end()), 1u);
-    const auto [low, high] = std::minmax_element(both->mesh.t.begin(), both->mesh.t.end());
-    EXPECT_DOUBLE_EQ(*low, -2.0);
-    EXPECT_DOUBLE_EQ(*high, 2.0);
-}
-
 TEST(MovingSurface, ARakeInsideAnObstacleGivesAnEmptySurface) {
     const auto flow = make_analytic_flow("sphere");
     SurfaceParameters p;

@@ -36,7 +36,6 @@ SurfaceParameters patch() {
     p.kind = SurfaceKind::Time;
     p.from = 3.0;
     p.to = 0.0;
-    p.direction = Direction::Backward;
     p.separation = 0.12;
     p.sweep = Vec3(0.0, 0.0, 0.4);
     return p;

@@ -66,7 +66,8 @@ TEST(SurfaceAt, OfAStreakSurfaceIsWhatIsPlayedThen) {
         const SurfaceAt then = made(job, time);
         EXPECT_EQ(then.mesh.position, expected->mesh.mesh.position);
         EXPECT_EQ(then.mesh.cells, expected->mesh.mesh.cells);
-        EXPECT_EQ(then.times, expected->times());
+        for (const double each : then.times)
+            EXPECT_EQ(each, time);
     }
 }
 

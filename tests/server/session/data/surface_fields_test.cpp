@@ -167,16 +167,15 @@ TEST(SurfaceFields, AScalarIsWhatTheFormulaSaysWhereAndWhenEachVertexIs) {
     }
 }
 
-TEST(SurfaceFields, TheTwoPartsOfAStreakSurfaceAreSampledAtTheTimeOfEach) {
+TEST(SurfaceFields, BothSidesOfAPathSurfaceAreSampledAtTheTimeAtWhichEachVertexIsThere) {
     const core::SteadyClock clock;
     const ShearStore store;
-    SurfaceJob job = store.job(SurfaceKind::Streak, {"p"});
+    SurfaceJob job = store.job(SurfaceKind::Path, {"p"});
     job.parameters.direction = Direction::Both;
     SurfaceBuild build(job, clock);
     for (const SurfacePass& pass :
          {SurfacePass{Phase::Final, 0, {}, 0.0}, SurfacePass{Phase::Final, 0, 2.8, 0.0}}) {
         const WireMesh& state = *update_of(build, pass).wire.state;
-        const double age = pass.time.value_or(3.5) - 2.0;
         std::array<int, 2> seen{};
         for (std::size_t v = 0; v < state.vertices(); ++v) {
             const Vec3 x = tests::dequantise(job.lattice, state.position[v]);
@@ -184,7 +183,7 @@ TEST(SurfaceFields, TheTwoPartsOfAStreakSurfaceAreSampledAtTheTimeOfEach) {
                 continue; // on the rake both meet
             const bool forward = x.x > 2.0;
             ++seen[forward ? 0 : 1];
-            ASSERT_NEAR(value(state, 3, v), pressure(x, 2.0 + (forward ? age : -age)),
+            ASSERT_NEAR(value(state, 3, v), pressure(x, 2.0 + value(state, 2, v)),
                         rounding(state, 3, true));
         }
         EXPECT_GT(seen[0], 20);

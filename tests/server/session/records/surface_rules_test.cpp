@@ -55,6 +55,23 @@ std::string complaint(protocol::SurfaceSetting setting) {
 
 } // namespace
 
+TEST(SurfaceRules, FillInTheDirectionThatTheTimesSayAndRefuseAnother) {
+    auto setting = of_kind(SurfaceKind::Path);
+    ASSERT_TRUE(complete_surface(setting, abc()));
+    EXPECT_EQ(setting.parameters.direction, core::Direction::Forward);
+    setting = of_kind(SurfaceKind::Path);
+    setting.parameters.to = -2.0;
+    ASSERT_TRUE(complete_surface(setting, abc()));
+    EXPECT_EQ(setting.parameters.direction, core::Direction::Backward);
+    setting.parameters.direction = core::Direction::Forward;
+    EXPECT_NE(complaint(setting), "");
+    setting = of_kind(SurfaceKind::Streak);
+    setting.parameters.direction = core::Direction::Both;
+    EXPECT_NE(complaint(setting).find("stream and path"), std::string::npos);
+    setting.parameters.kind = SurfaceKind::Path;
+    EXPECT_EQ(complaint(setting), "");
+}
+
 TEST(SurfaceRules, LetEveryKindBeAskedForWithWhatBelongsToIt) {
     EXPECT_EQ(complaint(of_kind(SurfaceKind::Stream)), "");
     EXPECT_EQ(complaint(of_kind(SurfaceKind::Path)), "");

@@ -143,6 +143,11 @@ export interface Statistics {
     pass?: PassSeconds;
     /** the most memory that the process has held, for everything that it does (bytes) */
     peakBytes: number;
+    /**
+     * first time of the data, where it cuts the backward side of a path surface of both directions short (the
+     * dataset's unit of time)
+     */
+    dataEnd?: number;
     /** why the surface ends early */
     stopped?: string;
     /** why there is nothing to see; left out where there is something */
@@ -171,6 +176,7 @@ export const statisticsCheck = members<Statistics>({
     seconds: buildSecondsCheck,
     pass: optional(passSecondsCheck),
     peakBytes: whole,
+    dataEnd: optional(number),
     stopped: optional(text),
     empty: optional(emptinessCheck),
     stateSum: whole,

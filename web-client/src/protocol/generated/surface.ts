@@ -10,7 +10,7 @@ export const surfaceKinds = ['stream', 'path', 'streak', 'time'] as const;
 export type SurfaceKind = (typeof surfaceKinds)[number];
 export const surfaceKindCheck = oneOf(surfaceKinds);
 
-/** direction in time in which particles are traced */
+/** which way particles are followed in time */
 export const directions = ['forward', 'backward', 'both'] as const;
 export type Direction = (typeof directions)[number];
 export const directionCheck = oneOf(directions);
@@ -39,11 +39,12 @@ export interface SurfaceRecord {
      * particles released continuously from `from` on; time: a patch of particles released at `from`
      */
     kind: SurfaceKind;
-    /** direction in time in which particles are traced */
-    direction: Direction;
     /** how accurately particles are traced and vertices inserted */
     accuracy: Accuracy;
-    /** time until which the surface is shown; the integration time is to - from (the dataset's unit of time) */
+    /**
+     * where the surface ends: before `from`, time runs backward. A stream surface is followed for `to` - `from`, and
+     * `to` need not lie in the data; for the others it must (the dataset's unit of time)
+     */
     to: number;
     /** time at which the release stops; if left out, `to` (the dataset's unit of time) */
     releaseUntil?: number;
@@ -63,8 +64,13 @@ export interface SurfaceRecord {
     stagnationSpeed: number;
     /** maximum number of quads */
     maxQuads: number;
-    /** time of release; for streak surfaces, of the first release (the dataset's unit of time) */
+    /**
+     * where the surface starts: the (first) release; for stream surfaces, the time at which the field is frozen (the
+     * dataset's unit of time)
+     */
     from: number;
+    /** which way particles are followed in time */
+    direction: Direction;
     /** longest edge allowed (the dataset's unit of length) */
     separation: number;
     /**
@@ -82,7 +88,6 @@ export const surfaceRecordCheck = members<SurfaceRecord>({
     rake2: optional(text),
     dataset: text,
     kind: surfaceKindCheck,
-    direction: directionCheck,
     accuracy: accuracyCheck,
     to: number,
     releaseUntil: optional(number),
@@ -92,6 +97,7 @@ export const surfaceRecordCheck = members<SurfaceRecord>({
     stagnationSpeed: number,
     maxQuads: whole,
     from: number,
+    direction: directionCheck,
     separation: number,
     fields: list(text),
 });
@@ -128,13 +134,19 @@ export interface SurfaceSetParams {
      */
     kind: SurfaceKind;
     /**
-     * time of release; for streak surfaces, of the first release; if left out, the dataset's first time (the dataset's
-     * unit of time)
+     * where the surface starts: the (first) release; for stream surfaces, the time at which the field is frozen; if
+     * left out, the first time of the data, or the last where `direction` is backward (the dataset's unit of time)
      */
     from?: number;
-    /** time until which the surface is shown; the integration time is to - from (the dataset's unit of time) */
+    /**
+     * where the surface ends: before `from`, time runs backward. A stream surface is followed for `to` - `from`, and
+     * `to` need not lie in the data; for the others it must (the dataset's unit of time)
+     */
     to: number;
-    /** direction in time in which particles are traced */
+    /**
+     * if left out, forward or backward as `from` and `to` say; it must not contradict them. both: to the later time
+     * `to`, and as long before `from`, a path surface as far as there are data; only for stream and path surfaces
+     */
     direction?: Direction;
     /** how accurately particles are traced and vertices inserted */
     accuracy?: Accuracy;
@@ -196,7 +208,6 @@ export const surfaceAskedNames = [
 
 /** What holds of a surface where surface.set is not told. */
 export const surfaceDefaults = {
-    direction: 'forward' as Direction,
     accuracy: 'balanced' as Accuracy,
     merge: 0.35,
     angle: 20,

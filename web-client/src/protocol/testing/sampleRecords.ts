@@ -14,7 +14,7 @@ export function sampleRake(rest: Partial<RakeRecord> = {}): RakeRecord {
 
 export function sampleSurface(rest: Partial<SurfaceRecord> = {}): SurfaceRecord {
     const names = { surface: 's1', rake: 'r1', dataset: 'd', rev: 1, epoch: 1 };
-    return { ...surfaceDefaults, ...names, kind: 'stream', from: 0, to: 4, separation: 0.2, ...rest };
+    return { ...surfaceDefaults, ...names, kind: 'stream', from: 0, to: 4, direction: 'forward', separation: 0.2, ...rest };
 }
 
 export function sampleStatistics(rest: Partial<Statistics> = {}): Statistics {

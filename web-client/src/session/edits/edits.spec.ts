@@ -212,10 +212,13 @@ describe('an edit of a surface', () => {
         bench.edits.changeSurface({ separation: 0.5 });
         bench.edits.flush();
         await bench.answer(2, { surface: 's1', epoch: 2 });
-        const after = [...before.values()].map((each) => (each.surface === 's1' ? { ...each, separation: 0.5 } : each));
+        const after = [...before.values()].map((each) => (each.surface === 's1' ? { ...each, separation: 0.5, rev: 2 } : each));
         const rakes = [rakeOf('r1'), rakeOf('r2')];
-        const shown = [after, [...before.values()], after].map((surfaces) => {
-            bench.records(rakes, surfaces);
+        const shown = [after, [...before.values()], after].map((surfaces, turn) => {
+            bench.records(
+                rakes,
+                surfaces.map((each) => ({ ...each, rev: 2 + turn })),
+            );
             return bench.edits.intent.value?.separation;
         });
         expect(shown).toEqual([0.5, 0.2, 0.5]);
@@ -296,28 +299,113 @@ describe('an edit that waits to be sent', () => {
     });
 });
 
-describe('that no time is left for a surface', () => {
-    async function without(): Promise<Bench> {
-        const bench = new Bench();
-        bench.state.dataset.value = datasetOf({ times: [0, 4] });
-        bench.edits.changeSurface({ separation: 0.5 });
-        bench.edits.flush();
-        bench.edits.changeSurface({ kind: 'path', from: 4 });
-        await bench.answer(2, { surface: 's1', epoch: 2 });
-        expect(bench.told).toEqual(['surface s1 time']);
-        return bench;
+describe('a change of a surface that cannot be as it is', () => {
+    const refusal = new CallError({ kind: 'rpc', code: -32014, message: 'there is no room', hint: '' });
+
+    function bench(times = [0, 1, 2, 3, 4]): Bench {
+        const made = new Bench();
+        made.state.dataset.value = datasetOf({ times });
+        return made;
     }
 
-    it('stays said when an earlier edit is answered, until there is some', async () => {
-        const bench = await without();
-        bench.edits.changeSurface({ from: 3 });
-        expect(bench.told).toEqual([]);
+    /** The record as the server has it after the newest edit. */
+    function taken(made: Bench, rev: number): void {
+        const [, params] = made.calls.at(-1)!;
+        const rest = [...made.state.surfaces.value.values()].filter(({ surface }) => surface !== 's1');
+        made.records([...made.state.rakes.value.values()], [surfaceOf('s1', { rake: 'r1', ...params, rev }), ...rest]);
+    }
+
+    it('is released where the data have time for it, says so, and is what the record becomes', async () => {
+        for (const [kind, direction, from, to] of [
+            ['streak', 'backward', 4, 0],
+            ['path', 'backward', 4, 0],
+            ['path', 'both', 0, 4],
+        ] as const) {
+            const made = bench();
+            made.edits.changeSurface({ direction });
+            made.edits.changeSurface({ kind });
+            made.edits.flush();
+            expect(made.calls.at(-1)![1]).toMatchObject({ kind, direction, from, to });
+            await made.answer(2, { surface: 's1', epoch: 2 });
+            taken(made, 2);
+            expect(made.edits.intent.value).toMatchObject({ kind, direction, from });
+            if (direction === 'backward') expect(made.edits.remark.value).toBe('Released at 4: the data have nothing before 0.');
+            else expect(made.edits.remark.value).toBeNull();
+        }
     });
 
-    it('is of no interest once another surface is shown', async () => {
-        const bench = await without();
-        bench.edits.chooseRake('r2');
-        expect(bench.told).toEqual([]);
+    it('goes one way where its kind cannot go both, and says so until the next change', async () => {
+        const made = bench();
+        made.edits.changeSurface({ direction: 'both' });
+        made.edits.flush();
+        await made.answer(2, { surface: 's1', epoch: 2 });
+        taken(made, 2);
+        made.edits.changeSurface({ kind: 'streak' });
+        made.edits.flush();
+        expect(made.calls.at(-1)![1]).toMatchObject({ kind: 'streak', direction: 'forward', from: 0, to: 4 });
+        expect(made.edits.intent.value).toMatchObject({ kind: 'streak', direction: 'forward' });
+        expect(made.edits.remark.value).toContain('goes one way in time');
+        made.edits.changeSurface({ length: 2 });
+        expect(made.edits.remark.value).toBeNull();
+    });
+
+    it('is released no later than the last time-step with data after it, however far the release is dragged', () => {
+        const made = bench();
+        made.edits.changeSurface({ kind: 'path' });
+        made.edits.changeSurface({ from: 4 });
+        made.edits.flush();
+        expect(made.calls.at(-1)![1]).toMatchObject({ from: 3, to: 4 });
+        expect(made.edits.intent.value?.from).toBe(3);
+        expect(made.edits.remark.value).toBe('Released at 3: the data have nothing after 4.');
+        made.edits.chooseRake('r2');
+        expect(made.edits.remark.value).toBeNull();
+    });
+
+    it('is not applied where the data have one time-step only: the controls stay at the record', () => {
+        const made = bench([0]);
+        made.edits.changeSurface({ kind: 'path' });
+        made.edits.flush();
+        expect(made.calls).toEqual([]);
+        expect(made.edits.intent.value?.kind).toBe('stream');
+        expect(made.edits.remark.value).toContain('Not applied');
+    });
+
+    it('goes back to the record when the server refuses it, with the reason beside it', async () => {
+        const made = bench();
+        made.edits.changeSurface({ separation: 0.5 });
+        made.edits.flush();
+        await made.refuse(refusal);
+        expect(made.edits.intent.value?.separation).toBe(0.2);
+        expect(made.edits.remark.value).toBe('Not applied: there is no room');
+        expect(made.told).toEqual(['surface s1']);
+    });
+
+    it('stays where a newer one is on its way, and is forgotten where that is taken', async () => {
+        const made = bench();
+        for (const separation of [0.5, 0.4]) {
+            made.edits.changeSurface({ separation });
+            made.edits.flush();
+        }
+        await made.refuse(refusal);
+        expect(made.edits.intent.value?.separation).toBe(0.4);
+        await made.answer(2, { surface: 's1', epoch: 2 });
+        taken(made, 2);
+        expect(made.edits.intent.value?.separation).toBe(0.4);
+        expect(made.edits.remark.value).toBeNull();
+    });
+});
+
+describe('a change of a surface that someone else has made', () => {
+    it('is shown also where it came while an edit of this page was unanswered', async () => {
+        const made = new Bench();
+        made.edits.changeSurface({ separation: 0.5 });
+        made.edits.flush();
+        const rest = [...made.state.surfaces.value.values()].filter(({ surface }) => surface !== 's1');
+        const theirs = surfaceOf('s1', { rake: 'r1', separation: 0.7, rev: 3 });
+        made.records([...made.state.rakes.value.values()], [theirs, ...rest]);
+        expect(made.edits.intent.value?.separation).toBe(0.5);
+        await made.answer(2, { surface: 's1', epoch: 2 });
+        expect(made.edits.intent.value?.separation).toBe(0.7);
     });
 });
 

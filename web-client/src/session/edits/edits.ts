@@ -66,6 +66,11 @@ export class Edits {
         return this.surfaces.intent;
     }
 
+    /** What became of the last change of the active surface where it is not just what was asked for. */
+    get remark(): SurfaceEdits['remark'] {
+        return this.surfaces.remark;
+    }
+
     get seeds(): RakeEdits['seeds'] {
         return this.rakes.seeds;
     }

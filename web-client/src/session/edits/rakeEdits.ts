@@ -8,7 +8,7 @@ import { fitted, type RakeShape } from '../../scene/rake/rakeShape.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { tellFailure } from './editFailures.ts';
+import { refusalWords, tellFailure } from './editFailures.ts';
 import type { Gestures } from './gestures.ts';
 import type { UndoHistory } from './undoHistory.ts';
 
@@ -165,7 +165,7 @@ export class RakeEdits {
         this.options.onChange();
         const one = this.edited.get(rake);
         if (one === undefined || one.window.busy || this.options.dragging()) return;
-        // What may not be changed goes back to where everyone else sees it. Other mistakes stay, to be corrected.
+        // What is refused goes back to where everyone else sees it.
         if (one.answeredRev > 0 || one.refused) this.recordsChanged();
         one.refused = false;
     }
@@ -189,9 +189,9 @@ export class RakeEdits {
         } catch (error) {
             // It was deleted meanwhile, which everyone sees.
             if (one === undefined || !this.edited.has(edit.rake)) return;
-            const refused = tellFailure(state, `rake ${edit.rake}`, error);
+            tellFailure(state, `rake ${edit.rake}`, error);
             one.answeredRev = 0;
-            one.refused ||= refused;
+            one.refused ||= refusalWords(error) !== null;
         }
     }
 

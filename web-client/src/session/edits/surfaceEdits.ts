@@ -1,13 +1,14 @@
 // The user's edits of surfaces on their way to the server; what the controls show stays ahead of the record meanwhile.
-import { signal } from '@preact/signals-core';
+import { batch, signal } from '@preact/signals-core';
 import { EditWindow } from '../../connection/editWindow.ts';
 import type { SurfaceEpoch, SurfaceRecord, SurfaceSetting } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { tellFailure } from './editFailures.ts';
+import { refusalWords, tellFailure } from './editFailures.ts';
 import type { Gestures } from './gestures.ts';
 import { fulfils, intentOf, settingOf, type SurfaceIntent, withSecondCurve } from './surfaceIntent.ts';
+import { adapted } from './surfaceTimes.ts';
 import type { UndoHistory } from './undoHistory.ts';
 
 interface SurfaceEdit {
@@ -19,7 +20,8 @@ interface SurfaceEdit {
 interface OneSurface {
     window: EditWindow<SurfaceEdit>;
     last: SurfaceSetting | null;
-    refused: boolean;
+    /** Of the record that the newest answer spoke of; 0 after a refusal. */
+    answeredRev: number;
 }
 
 export interface SurfaceEditsOptions {
@@ -38,9 +40,11 @@ export class SurfaceEdits {
     readonly intent = signal<SurfaceIntent | null>(null);
     private readonly options: SurfaceEditsOptions;
     private readonly edited = new Map<string, OneSurface>();
+    /** What became of the last change where it is not just what was asked for: told at the controls. */
+    readonly remark = signal<string | null>(null);
     private intentOf = '';
-    /** Of what the intent asks for no time is left. */
-    private timeless: string | null = null;
+    /** The record that the intent shows; null where the intent is ahead. */
+    private taken: SurfaceRecord | null = null;
 
     constructor(options: SurfaceEditsOptions) {
         this.options = options;
@@ -61,16 +65,20 @@ export class SurfaceEdits {
         const before = this.intent.value;
         if (record === undefined || before === null) return;
         const dataset = state.dataset.value;
-        let intent = { ...before, ...change };
-        if (dataset !== null) intent = withSecondCurve(intent, dataset.bounds, state.rakePoints.value);
-        this.intent.value = intent;
-        const setting = settingOf(intent, record, state.times.value, dataset?.steady ?? false);
+        const steady = dataset?.steady ?? false;
+        const times = state.times.value;
+        const { intent: possible, told } = adapted({ ...before, ...change }, change.from !== undefined, times, steady);
+        const intent = dataset === null ? possible : withSecondCurve(possible, dataset.bounds, state.rakePoints.value);
+        const setting = settingOf(intent, record, times, steady);
         if (setting === null) {
-            this.timeless = record.surface;
-            state.problems.say(timeOf(record.surface), noTimeLeft(intent));
+            this.remark.value = `Not applied: the data have no time to follow a ${intent.kind} surface in.`;
             return;
         }
-        this.timeFound();
+        this.taken = null;
+        batch(() => {
+            this.intent.value = intent;
+            this.remark.value = told;
+        });
         const one = this.edited.get(record.surface) ?? this.track(record.surface);
         one.last = setting;
         const editedAt = performance.now();
@@ -84,20 +92,28 @@ export class SurfaceEdits {
         this.forgetAllBut(surfaces.value);
         const record = surface.value;
         const one = this.edited.get(record?.surface ?? '');
+        const asked = one?.last ?? null;
         const another = this.intentOf !== (record?.surface ?? '');
         this.intentOf = record?.surface ?? '';
         if (record === undefined) this.takeOver(null);
-        else if (another || one === undefined) this.takeOver(record);
+        else if (another) this.takeOver(record);
+        else if (record === this.taken || one?.window.busy === true) return;
+        // The record that the answer spoke of is still on its way.
+        else if (one !== undefined && one.answeredRev > record.rev) return;
         // A record that is what was asked for brings no news of other people, and less than the intent says.
-        else if (!one.window.busy && !(one.last !== null && fulfils(record, one.last))) {
+        else if (asked === null || !fulfils(record, asked)) {
             // Overtaken: should it come back, by a redo, it is news again.
-            one.last = null;
+            if (one !== undefined) one.last = null;
             this.takeOver(record);
         }
     }
 
+    /** A new connection, perhaps to a server that counts from the start. */
     reconnected(): void {
-        for (const one of this.edited.values()) one.last = null;
+        for (const one of this.edited.values()) {
+            one.last = null;
+            one.answeredRev = 0;
+        }
     }
 
     /** What was still to be said of a surface that someone has deleted is not sent any more. */
@@ -111,13 +127,11 @@ export class SurfaceEdits {
     }
 
     private takeOver(record: SurfaceRecord | null): void {
-        this.intent.value = record === null ? null : intentOf(record);
-        this.timeFound();
-    }
-
-    private timeFound(): void {
-        if (this.timeless !== null) this.options.state.problems.solved(timeOf(this.timeless));
-        this.timeless = null;
+        this.taken = record;
+        batch(() => {
+            this.intent.value = record === null ? null : intentOf(record);
+            this.remark.value = null;
+        });
     }
 
     private track(surface: string): OneSurface {
@@ -126,25 +140,24 @@ export class SurfaceEdits {
             onChange: () => this.settled(surface),
             send: (edit) => this.send(surface, edit),
         });
-        const one: OneSurface = { window, last: null, refused: false };
+        const one: OneSurface = { window, last: null, answeredRev: 0 };
         this.edited.set(surface, one);
         return one;
     }
 
     private settled(surface: string): void {
         this.options.onChange();
-        const one = this.edited.get(surface);
-        if (one === undefined || one.window.busy || !one.refused) return;
-        one.refused = false;
-        one.last = null;
-        this.recordsChanged();
+        // What others have done meanwhile was left aside.
+        if (this.edited.get(surface)?.window.busy === false) this.recordsChanged();
     }
 
     private async send(id: string, { setting, editedAt, gesture }: SurfaceEdit): Promise<void> {
         const { state, worker, latency, history, requested } = this.options;
         try {
-            const { surface, epoch } = await worker.call('surface.set', { ...setting, gesture });
+            const { surface, epoch, rev } = await worker.call('surface.set', { ...setting, gesture });
             state.problems.solved(`surface ${id}`);
+            const one = this.edited.get(id);
+            if (one !== undefined) one.answeredRev = rev;
             history.noted(gesture);
             latency.answered(surface, epoch, editedAt);
             requested({ surface, epoch });
@@ -152,19 +165,18 @@ export class SurfaceEdits {
             const one = this.edited.get(id);
             // It was deleted meanwhile, which everyone sees.
             if (one === undefined) return;
-            const refused = tellFailure(state, `surface ${id}`, error);
-            one.refused ||= refused;
+            tellFailure(state, `surface ${id}`, error);
+            // The newest goes back to what everyone sees; what came after this one may yet be taken.
+            if (one.last === setting) this.goBack(id, one, refusalWords(error));
         }
     }
-}
 
-/** What of a surface it is that words about its time are about: an answer to an earlier edit does not take them away. */
-function timeOf(surface: string): string {
-    return `surface ${surface} time`;
-}
-
-function noTimeLeft({ kind, direction }: SurfaceIntent): string {
-    const side = direction === 'backward' ? 'before' : direction === 'both' ? 'on both sides of' : 'after';
-    const choose = direction === 'backward' ? 'a later' : direction === 'both' ? 'another' : 'an earlier';
-    return `No time is left in the data ${side} this moment to follow a ${kind} surface. Choose ${choose} time.`;
+    private goBack(id: string, one: OneSurface, why: string | null): void {
+        one.last = null;
+        one.answeredRev = 0;
+        const record = this.options.state.surface.value;
+        if (record?.surface !== id) return;
+        this.takeOver(record);
+        if (why !== null) this.remark.value = `Not applied: ${why}`;
+    }
 }

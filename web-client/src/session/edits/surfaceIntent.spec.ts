@@ -44,12 +44,12 @@ describe('settingOf', () => {
         expect(settingOf(path, record, times, false)).not.toHaveProperty('sweep');
     });
 
-    it('follows particles back to the beginning of the data, or both ways as far as there are data on both sides', () => {
+    it('follows particles back to the beginning of the data, or both ways as far as there are data after the release', () => {
         const path = { ...intentOf(record), kind: 'path' as const, from: 12 };
         const back = settingOf({ ...path, direction: 'backward' }, record, times, false);
         expect(back).toMatchObject({ direction: 'backward', from: 12, to: 8.5 });
         const both = settingOf({ ...path, direction: 'both' }, record, times, false);
-        expect(both).toMatchObject({ direction: 'both', from: 12, to: 15.5 });
+        expect(both).toMatchObject({ direction: 'both', from: 12, to: 16 });
         const sheet = settingOf({ ...path, kind: 'streak', direction: 'backward', released: 2 }, record, times, false);
         expect(sheet).toMatchObject({ to: 8.5, releaseUntil: 10 });
         expect(intentOf({ ...record, ...sheet! })).toMatchObject({ length: 3.5, released: 2 });

@@ -10,12 +10,13 @@ import type {
 } from '../../protocol/messages.ts';
 import { surfaceAskedNames, surfaceSetOnlyFor } from '../../protocol/generated/surface.ts';
 import { defaultSweep } from './defaults.ts';
+import { endOf, followed } from './surfaceTimes.ts';
 
 export interface SurfaceIntent {
     kind: SurfaceKind;
     /** Time at which a stream surface's field is frozen, or the (first) release of the others. */
     from: number;
-    /** Integration time; all but stream surfaces get less where the data end. */
+    /** Integration time; all but stream surfaces get less where the data end. Both ways, of each. */
     length: number;
     separation: number;
     direction: Direction;
@@ -53,12 +54,10 @@ export function settingOf(
     times: readonly number[],
     steady: boolean,
 ): SurfaceSetting | null {
-    const free = intent.kind === 'stream' || steady;
-    const length = free ? intent.length : Math.min(intent.length, timeLeft(intent, times));
-    if (!(length > 0)) return null;
-    const duration = intent.direction === 'backward' ? -length : length;
     const { kind, from, separation, direction, accuracy, fields } = intent;
-    const shown = { from, to: from + duration, releaseUntil: releaseEnd(intent, duration) };
+    if (!(followed(intent, times, steady) > 0)) return null;
+    const to = endOf(intent, times, steady);
+    const shown = { from, to, releaseUntil: releaseEnd(intent, to - from) };
     const wanted = { kind, separation, direction, accuracy, fields: [...fields], ...shown, ...secondCurve(intent) };
     return { ...askedOf({ ...record, ...wanted }), surface: record.surface };
 }
@@ -70,14 +69,6 @@ function askedOf(record: SurfaceRecord): SurfaceSetting {
         (name) => record[name] !== undefined && takenBy[name]?.includes(record.kind) !== false,
     );
     return Object.fromEntries(names.map((name) => [name, record[name]])) as unknown as SurfaceSetting;
-}
-
-/** How long particles can be followed before the data end, in every direction in which they are. */
-function timeLeft({ from, direction }: SurfaceIntent, times: readonly number[]): number {
-    const after = (times[times.length - 1] ?? from) - from;
-    const before = from - (times[0] ?? from);
-    if (direction === 'both') return Math.min(after, before);
-    return direction === 'backward' ? before : after;
 }
 
 /** @param duration negative where time runs backward */

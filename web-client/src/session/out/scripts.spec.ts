@@ -25,7 +25,7 @@ const made: ScriptStep[] = [
     },
     {
         method: 'surface.set',
-        params: { rake: new KeptId('rake'), dataset: "d'1", kind: 'streak', from: 8.5, to: 12, direction: 'both' },
+        params: { rake: new KeptId('rake'), dataset: "d'1", kind: 'path', from: 8.5, to: 12, direction: 'both' },
         keep: 'surface',
     },
     { mesh: { format: 'vtp' }, surface: new KeptId('surface') },
@@ -84,7 +84,7 @@ describe('a script for Python', () => {
                     name: nasty,
                 },
             ],
-            ['surface', ['kept', 'streak'], { dataset: "d'1", from_: 8.5, to: 12, direction: 'both' }],
+            ['surface', ['kept', 'path'], { dataset: "d'1", from_: 8.5, to: 12, direction: 'both' }],
             ['wait', [], {}],
             ['export', ['surface.vtp'], {}],
         ]);
@@ -131,7 +131,7 @@ describe('a script for curl', () => {
                 name: nasty,
             },
         });
-        expect(sent(calls[1]!)).toMatchObject({ rake: 'r7', dataset: "d'1", kind: 'streak' });
+        expect(sent(calls[1]!)).toMatchObject({ rake: 'r7', dataset: "d'1", kind: 'path' });
         expect(calls[2]).toContain(`${place.server}/api/v1/sessions/main/surfaces/s8/mesh.vtp`);
     });
 

@@ -38,6 +38,21 @@ describe('ClockControl', () => {
         ]);
     });
 
+    it('goes back to what everyone sees when it is refused, unless that has moved on', async () => {
+        const { state, clock } = bench(new Error('your role may not do this'));
+        for (const time of [1, 2]) {
+            clock.set(time);
+            clock.flush();
+        }
+        await settled();
+        expect(state.clock.value?.time).toBeNull();
+        clock.set(3);
+        clock.flush();
+        state.clock.value = { ...state.clock.value!, time: 5 };
+        await settled();
+        expect(state.clock.value.time).toBe(5);
+    });
+
     it('says why it was refused', async () => {
         const { state, clock } = bench(new Error('your role may not do this'));
         clock.set(1);

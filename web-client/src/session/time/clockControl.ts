@@ -1,9 +1,9 @@
 // The session's clock, which all participants share: play, pause, and the newest place of the slider.
 import { EditWindow } from '../../connection/editWindow.ts';
-import type { ParamsOf } from '../../protocol/messages.ts';
+import type { ClockRecord, ParamsOf } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { tellUnlessCut } from '../base/lostConnection.ts';
+import { isDisconnected, tellUnlessCut } from '../base/lostConnection.ts';
 
 export interface ClockControlOptions {
     state: AppState;
@@ -14,11 +14,16 @@ export interface ClockControlOptions {
 export class ClockControl {
     private readonly options: ClockControlOptions;
     private readonly window: EditWindow<number | null>;
+    /** What this page has set, ahead of the server, and what the server had told before. */
+    private ahead: ClockRecord | null = null;
+    private told: ClockRecord | null = null;
 
     constructor(options: ClockControlOptions) {
         this.options = options;
         this.window = new EditWindow({
-            send: (time) => this.send(() => options.worker.call('time.set', { time })),
+            send: async (time) => {
+                if (!(await this.send(() => options.worker.call('time.set', { time })))) this.goBack();
+            },
             requestFlush: options.requestFrame,
             onChange: () => undefined,
         });
@@ -32,7 +37,11 @@ export class ClockControl {
     /** Of the times of one frame only the newest is sent. The control follows at once. */
     set(time: number | null): void {
         const { clock } = this.options.state;
-        if (clock.value !== null) clock.value = { ...clock.value, time };
+        if (clock.value !== null) {
+            if (clock.value !== this.ahead) this.told = clock.value;
+            this.ahead = { ...clock.value, time };
+            clock.value = this.ahead;
+        }
         this.window.submit(time);
     }
 
@@ -44,13 +53,22 @@ export class ClockControl {
         await this.send(() => this.options.worker.call('time.pause', {}));
     }
 
-    private async send(call: () => Promise<unknown>): Promise<void> {
+    /** What is refused is not what others see. */
+    private goBack(): void {
+        const { clock } = this.options.state;
+        if (clock.value === this.ahead && this.told !== null) clock.value = this.told;
+    }
+
+    /** False where it was not taken. */
+    private async send(call: () => Promise<unknown>): Promise<boolean> {
         const { problems } = this.options.state;
         try {
             await call();
             problems.solved('clock');
+            return true;
         } catch (error) {
             tellUnlessCut(problems, 'clock', error);
+            return isDisconnected(error);
         }
     }
 }

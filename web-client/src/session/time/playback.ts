@@ -7,6 +7,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ClockControl } from './clockControl.ts';
 import type { Edits } from '../edits/edits.ts';
 import type { UndoHistory } from '../edits/undoHistory.ts';
+import { endOf } from '../edits/surfaceTimes.ts';
 import { clampTo, nearestStep, type Span, stepFrom } from './timeSteps.ts';
 
 /** The whole in this time at normal speed. */
@@ -75,12 +76,8 @@ export class Playback {
             record.from === intent.from &&
             record.direction === intent.direction;
         if (same) return [record.from, record.to];
-        // Until the server has it: what it will be asked for (settingOf).
-        const asked = intent.from + (intent.direction === 'backward' ? -1 : 1) * intent.length;
-        const times = state.times.value;
-        const steady = state.dataset.value?.steady ?? false;
-        const free = steady || times.length === 0;
-        return [intent.from, free ? asked : clampTo([times[0]!, times.at(-1)!], asked)];
+        // Until the server has it: what it will be asked for.
+        return [intent.from, endOf(intent, state.times.value, state.dataset.value?.steady ?? false)];
     });
 
     /** Of the picture. */

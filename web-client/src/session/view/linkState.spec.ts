@@ -39,6 +39,15 @@ describe('a state in a link', () => {
         expect(back.surfaces).toMatchObject([{ ...surface, rev: 0, epoch: 0 }]);
     });
 
+    it('that an older version made goes back in time as it did then', () => {
+        const older = { ...surface, direction: 'backward', from: 5, to: 8, releaseUntil: 6 } as SurfaceRecord;
+        const back = (record: SurfaceRecord): unknown =>
+            decodeLinkState(encodeLinkState({ view: {}, rakes: [], surfaces: [record] })).surfaces[0];
+        expect(back(older)).toMatchObject({ direction: 'backward', from: 5, to: 2, releaseUntil: 4 });
+        const today = { ...older, to: 2, releaseUntil: 4 } as SurfaceRecord;
+        expect(back(today)).toMatchObject({ direction: 'backward', from: 5, to: 2, releaseUntil: 4 });
+    });
+
     it('leaves the records out where it would grow too long, and keeps the view', () => {
         const points = Array.from({ length: 500 }, (_, i): Vec3 => [i / 7, i / 11, i / 13]);
         const text = encodeLinkState({ view: { camera }, rakes: [{ ...rake, points }], surfaces: [] });

@@ -30,7 +30,8 @@ export function decodeLinkState(text: string): LinkState {
             .filter(isRakeRecord),
         surfaces: list('s')
             .map((each) => completed(each, surfaceRest))
-            .filter(isSurfaceRecord),
+            .filter(isSurfaceRecord)
+            .map(asToday),
     };
 }
 
@@ -44,7 +45,15 @@ function keptOfSurface({ rev: _rev, epoch: _epoch, ...setting }: SurfaceRecord):
 
 /** What a link does not have: counters are the server's, and a link that was made before may lack what came since. */
 const rakeRest = { name: '', colour: '#0072b2', author: '', clipped: false, dragging: false };
-const surfaceRest = { ...surfaceDefaults, separation: 0 };
+const surfaceRest = { ...surfaceDefaults, direction: 'forward', separation: 0 };
+
+/** Before API level 5 `backward` went back from `from` also where `to` was later. Today it cannot be, so it means nothing else. */
+function asToday(record: SurfaceRecord): SurfaceRecord {
+    const { from, to, direction, releaseUntil } = record;
+    if (direction !== 'backward' || !(to > from)) return record;
+    const turned = { ...record, to: 2 * from - to };
+    return releaseUntil !== undefined && releaseUntil > from ? { ...turned, releaseUntil: 2 * from - releaseUntil } : turned;
+}
 
 function completed(record: unknown, rest: object): unknown {
     return typeof record === 'object' && record !== null ? { ...rest, ...record, rev: 0, epoch: 0 } : null;

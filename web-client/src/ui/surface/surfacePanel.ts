@@ -1,10 +1,12 @@
 // The settings of the surface: its kind, how long it is followed, how fine it is.
 import { css, html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import type { Accuracy, DatasetDescription, Direction, SurfaceKind, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
 import { niceStep, shortNumber } from '../../scene/base/ticks.ts';
 import { defaultLength } from '../../session/edits/defaults.ts';
 import { surfacesOf } from '../../session/edits/selection.ts';
 import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
+import { cutBackAt, directionsOf, followed } from '../../session/edits/surfaceTimes.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -39,7 +41,7 @@ const axes = ['x', 'y', 'z'] as const;
 export interface SurfaceModel {
     state: AppState;
     view: Pick<ViewState, 'units'>;
-    edits: Pick<Edits, 'actions' | 'changeSurface' | 'chooseSurface' | 'intent'>;
+    edits: Pick<Edits, 'actions' | 'changeSurface' | 'chooseSurface' | 'intent' | 'remark'>;
 }
 
 export class SurfacePanel extends SignalElement {
@@ -153,9 +155,8 @@ export class SurfacePanel extends SignalElement {
         const usual = defaultLength(dataset.bounds, state.speedRange.value[1]);
         const step = niceStep(usual / 40);
         const longest = Math.max(2 * usual, intent.length);
-        const { to = 0, from = 0 } = state.surface.value ?? {};
-        const followed = Math.abs(to - from);
-        const cut = intent.kind !== 'stream' && followed < intent.length * 0.999;
+        const shown = followed(intent, state.times.value, dataset.steady);
+        const cut = shown < intent.length * 0.999;
         return html`
             <fieldset class="edits" ?disabled=${state.locked.value}>
                 <fieldset class="kinds">
@@ -175,13 +176,13 @@ export class SurfacePanel extends SignalElement {
                     min=${step}
                     max=${longest}
                     step=${step}
-                    .value=${String(intent.length)}
+                    .value=${live(String(intent.length))}
                     @input=${this.lengthChanged}
                 />
                 <p class="quiet" ?hidden=${!cut}>
-                    Integration time ${this.time(followed)} (end of data).
+                    Integration time ${this.time(shown)} (end of data).
                 </p>
-                ${intent.kind === 'streak' ? this.release(intent, cut ? followed : intent.length) : ''}
+                ${intent.kind === 'streak' ? this.release(intent, shown) : ''}
                 ${intent.kind === 'time' ? this.secondCurve(intent) : ''}
                 <label class="row" for="separation">
                     <span>Separation</span>
@@ -189,7 +190,11 @@ export class SurfacePanel extends SignalElement {
                         ${this.separationChoices(dataset, intent.separation)}
                     </select>
                 </label>
-                ${this.choice('direction', 'Direction', directions, intent.direction, (direction) => ({ direction }))}
+                ${this.choice('direction', 'Direction', directionChoices(intent), intent.direction, (direction) => ({ direction }))}
+                ${this.cutBack(intent, dataset)}
+                <p class="quiet" id="surface-remark" role="status" ?hidden=${edits.remark.value === null}>
+                    ${edits.remark.value}
+                </p>
                 ${this.choice('accuracy', 'Accuracy', accuracies, intent.accuracy, (accuracy) => ({ accuracy }))}
             </fieldset>
             ${this.several()}
@@ -209,9 +214,20 @@ export class SurfacePanel extends SignalElement {
         return html`<label class="row" for=${id}>
             <span>${label}</span>
             <select id=${id} @change=${change}>
-                ${choices.map(([value, words]) => html`<option value=${value} .selected=${value === current}>${words}</option>`)}
+                ${choices.map(([value, words]) => html`<option value=${value} .selected=${live(value === current)}>${words}</option>`)}
             </select>
         </label>`;
+    }
+
+    /** Both ways, but not as long back as forward. */
+    private cutBack(intent: SurfaceIntent, { steady }: DatasetDescription): TemplateResult | typeof nothing {
+        const end = cutBackAt(intent, this.model.state.times.value, steady);
+        if (end === null) return nothing;
+        const words =
+            end < intent.from
+                ? `Back to ${this.time(end)} only, where the data begin.`
+                : `Forward only: the data begin at its release, ${this.time(end)}. Release it later to see both.`;
+        return html`<p class="quiet" id="cut-back">${words}</p>`;
     }
 
     /** A rake may have several surfaces, or none. */
@@ -272,7 +288,7 @@ export class SurfacePanel extends SignalElement {
                 name="kind"
                 value=${kind}
                 ?disabled=${disabled}
-                .checked=${edits.intent.value?.kind === kind}
+                .checked=${live(edits.intent.value?.kind === kind)}
                 @change=${() => edits.changeSurface({ kind })}
             />${label}
         </label>`;
@@ -290,7 +306,7 @@ export class SurfacePanel extends SignalElement {
                 <input
                     type="checkbox"
                     id="release"
-                    .checked=${current > shown * 0.999}
+                    .checked=${live(current > shown * 0.999)}
                     @change=${allTheTime}
                 />
                 Keep releasing while shown
@@ -305,7 +321,7 @@ export class SurfacePanel extends SignalElement {
                 min=${shown / 50}
                 max=${shown}
                 step=${shown / 50}
-                .value=${String(current)}
+                .value=${live(String(current))}
                 @input=${(event: Event) => this.releaseChanged(event, shown)}
             />`;
     }
@@ -327,7 +343,7 @@ export class SurfacePanel extends SignalElement {
                         step="any"
                         aria-label=${`Sweep along ${axis}`}
                         title=${`Sweep along ${axis}`}
-                        .value=${sweepText(sweep[k] ?? 0)}
+                        .value=${live(sweepText(sweep[k] ?? 0))}
                         @change=${(event: Event) => this.sweepChanged(event, sweep, k)}
                     />`,
             )}
@@ -344,7 +360,7 @@ export class SurfacePanel extends SignalElement {
         if (!choices.some(({ value }) => close(value))) {
             choices.push({ value: current, words: this.length(current) });
         }
-        return choices.map(({ value, words }) => html`<option value=${value} .selected=${close(value)}>${words}</option>`);
+        return choices.map(({ value, words }) => html`<option value=${value} .selected=${live(close(value))}>${words}</option>`);
     }
 
     private lengthChanged(event: Event): void {
@@ -371,6 +387,10 @@ export class SurfacePanel extends SignalElement {
         const separation = Number((event.target as HTMLSelectElement).value);
         if (separation > 0) this.model.edits.changeSurface({ separation });
     }
+}
+
+function directionChoices({ kind }: SurfaceIntent): [Direction, string][] {
+    return directions.filter(([direction]) => directionsOf(kind).includes(direction));
 }
 
 function sweepText(value: number): string {

@@ -1,0 +1,34 @@
+// One meaning for `from`, `to` and `direction`, in the command line, the API and here: a surface starts at `from` and ends at `to`; where
+// `to` is the earlier one, time runs backward. Stream and path surfaces may also go both ways: to `to`, which is the later end, and as
+// long before `from`.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/field/flow.hpp"
+#include "core/surface/surface_parameters.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace wakesurf::core {
+
+/// 1, or -1 where time runs backward. A surface of both directions is shown at the times of its forward side.
+double time_sign(const SurfaceParameters& parameters);
+
+/// From `from` to `to`, never negative.
+double time_span(const SurfaceParameters& parameters);
+
+/// The direction asked for, or what `from` and `to` say.
+Direction direction_of(const SurfaceParameters& parameters);
+
+/// Whether `from`, `to`, `direction` and `releaseUntil` go together. Error: InvalidArgument, whose hint has the right spelling.
+Result<void> check_direction(const SurfaceParameters& parameters);
+
+/// How long particles are followed, negative backward, on each side that there is. The backward side of a path surface of both
+/// directions ends where the data begin, and is left out where they begin at `from`.
+std::vector<double> side_durations(const Flow& flow, const SurfaceParameters& parameters);
+
+/// Of a path surface of both directions: where the data begin, if that cuts its backward side short.
+std::optional<double> data_end(const Flow& flow, const SurfaceParameters& parameters);
+
+} // namespace wakesurf::core

@@ -1,0 +1,81 @@
+// Which times and directions go together: a surface starts at `from` and ends `length` later, or earlier where it goes backward. All but
+// stream surfaces stay in the data, and what has to give way for that is told.
+import type { Direction, SurfaceKind } from '../../protocol/messages.ts';
+import { shortNumber } from '../../scene/base/ticks.ts';
+import type { SurfaceIntent } from './surfaceIntent.ts';
+
+type Times = Pick<SurfaceIntent, 'kind' | 'from' | 'length' | 'direction'>;
+
+/** All of a streak or time surface is there at one time: it cannot go both ways. */
+export function directionsOf(kind: SurfaceKind): readonly Direction[] {
+    return kind === 'streak' || kind === 'time' ? ['forward', 'backward'] : ['forward', 'backward', 'both'];
+}
+
+/** How long it can be followed, and is as far as that is asked for; both ways, after its release. 0: no time is left. */
+export function followed(wanted: Times, times: readonly number[], steady: boolean): number {
+    return isFree(wanted, steady) ? wanted.length : Math.min(wanted.length, timeLeft(wanted, times));
+}
+
+/** Where it ends: `to` of its record. */
+export function endOf(wanted: Times, times: readonly number[], steady: boolean): number {
+    const length = followed(wanted, times, steady);
+    return wanted.from + (wanted.direction === 'backward' ? -length : length);
+}
+
+/** Where the data begin, if a path surface that goes both ways ends there before it has gone back as long as forward. */
+export function cutBackAt(wanted: Times, times: readonly number[], steady: boolean): number | null {
+    if (isFree(wanted, steady) || wanted.direction !== 'both') return null;
+    const first = times[0] ?? wanted.from;
+    return wanted.from - followed(wanted, times, steady) < first ? first : null;
+}
+
+export interface Adapted<Intent> {
+    intent: Intent;
+    /** What was changed beside what the user has changed, and why; null: nothing. */
+    told: string | null;
+}
+
+/**
+ * What comes nearest to a change that cannot be as it is: a direction that the kind has, and a release with time left in the data.
+ * @param dragged  the release is what the user changes: it stops where no time would be left. Otherwise it goes where most is.
+ */
+export function adapted<Intent extends Times>(
+    wanted: Intent,
+    dragged: boolean,
+    times: readonly number[],
+    steady: boolean,
+): Adapted<Intent> {
+    const told: string[] = [];
+    const intent = { ...wanted };
+    if (!directionsOf(intent.kind).includes(intent.direction)) {
+        intent.direction = 'forward';
+        told.push(`A ${intent.kind} surface goes one way in time: this one goes forward.`);
+    }
+    if (times.length > 1 && !(followed(intent, times, steady) > 0)) {
+        const from = dragged ? nearestRelease(intent.direction, times) : bestRelease(intent.direction, times);
+        const side = intent.direction === 'backward' ? 'before' : 'after';
+        told.push(`Released at ${shortNumber(from)}: the data have nothing ${side} ${shortNumber(intent.from)}.`);
+        intent.from = from;
+    }
+    return { intent, told: told.length === 0 ? null : told.join(' ') };
+}
+
+/** The field of a stream surface stands still, and so does steady flow. */
+function isFree({ kind }: Times, steady: boolean): boolean {
+    return kind === 'stream' || steady;
+}
+
+function timeLeft({ from, direction }: Times, times: readonly number[]): number {
+    const after = (times.at(-1) ?? from) - from;
+    const before = from - (times[0] ?? from);
+    return direction === 'backward' ? before : after;
+}
+
+function nearestRelease(direction: Direction, times: readonly number[]): number {
+    return times.at(direction === 'backward' ? 1 : -2)!;
+}
+
+function bestRelease(direction: Direction, times: readonly number[]): number {
+    if (direction === 'both') return times[Math.floor((times.length - 1) / 2)]!;
+    return times.at(direction === 'backward' ? -1 : 0)!;
+}
