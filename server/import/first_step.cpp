@@ -2,6 +2,7 @@
 
 #include "server/import/assembly/same_mesh.hpp"
 #include "server/import/assembly/wall_assembly.hpp"
+#include "server/import/notes.hpp"
 
 namespace wakesurf::server {
 
@@ -33,11 +34,6 @@ core::Result<void> find_faces_at_rest(const ImportPlan& plan, FirstStepReading& 
     }
     add_still_walls(reading.first.assembly, *first, *last);
     return {};
-}
-
-void add_note(std::string& note, const std::string& words) {
-    if (!words.empty())
-        note += (note.empty() ? "" : "; ") + words;
 }
 
 } // namespace

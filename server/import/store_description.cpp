@@ -1,5 +1,6 @@
 #include "server/import/store_description.hpp"
 
+#include "server/import/notes.hpp"
 #include "store/store_grid.hpp"
 
 #include <algorithm>
@@ -8,11 +9,6 @@
 namespace wakesurf::server {
 
 namespace {
-
-void add_note(std::string& note, const std::string& words) {
-    if (!words.empty())
-        note += (note.empty() ? "" : "; ") + words;
-}
 
 // A velocity made of several arrays is a field of its own, which the source does not list.
 void add_velocity(const ImportPlan& plan, std::vector<core::FieldInfo>& fields) {

@@ -231,14 +231,60 @@ TEST_F(OpenfoamSource, TakesTheProcessorFoldersWhereTheyHaveMoreTimes) {
     EXPECT_NE(whole->description().note.find("reconstructed"), std::string::npos);
 }
 
-TEST_F(OpenfoamSource, RefusesProcessorsWithDifferentTimes) {
+TEST_F(OpenfoamSource, LeavesOutTimesThatNotAllProcessorsHave) {
+    const auto mesh = foam_block_mesh({});
+    const auto put_parts = [&] {
+        for (const auto& part : decompose(mesh))
+            put(part, false, "processor" + std::to_string(part.part));
+    };
+    using Times = std::vector<double>;
+
+    const struct {
+        const char* gone;
+        Times times;
+        const char* note;
+    } cases[]{{"processor1/1e1/U",
+               {0.0, 0.5},
+               "time 1e1 is left out: processor1 has no U at 1e1, other processors have"},
+              {"processor0/1e1",
+               {0.0, 0.5},
+               "time 1e1 is left out: processor0 has no U at 1e1, other processors have"},
+              {"processor1/0.5",
+               {0.0, 10.0},
+               "time 0.5 is left out: processor1 has no U at 0.5, other processors have"},
+              {"processor1/1e1/p",
+               {0.0, 0.5},
+               "time 1e1 is left out: processor1 has no p there, other processors have"},
+              {"processor0/1e1/p",
+               {0.0, 0.5},
+               "time 1e1 is left out: processor0 has no p there, other processors have"},
+              {"processor1/0.5/p", {0.0, 0.5, 10.0}, "not at every time-step: p"}};
+
+    for (const auto& one : cases) {
+        SCOPED_TRACE(one.gone);
+        put_parts();
+        fs::remove_all(at(one.gone));
+        const auto source = open();
+        EXPECT_EQ(source->description().times, one.times);
+        EXPECT_EQ(source->description().note, one.note);
+        const std::size_t last = one.times.size() - 1;
+        const auto step = source->read(last, source->description().fields);
+        ASSERT_TRUE(step.has_value()) << step.error().message;
+        if (source->description().fields.size() == 2)
+            expect_values(*step, one.times.back() == 10.0 ? 2 : 1, mesh.cells.size());
+    }
+}
+
+TEST_F(OpenfoamSource, RefusesProcessorsWithoutATimeInCommon) {
     for (const auto& part : decompose(foam_block_mesh({})))
         put(part, false, "processor" + std::to_string(part.part));
-    fs::remove(at("processor1/0.5/U"));
+    fs::remove_all(at("processor1/0"));
+    fs::remove_all(at("processor1/0.5"));
+    fs::remove_all(at("processor0/1e1"));
     const auto refused = open_openfoam(at(""));
     ASSERT_FALSE(refused.has_value());
-    EXPECT_EQ(refused.error().code, Error::Code::Unsupported);
-    EXPECT_EQ(refused.error().message, "processor1 of cavity has no 0.5/U, processor0 has");
+    EXPECT_EQ(refused.error().code, Error::Code::NotFound);
+    EXPECT_EQ(refused.error().message, "the processors of cavity have no time with U in common");
     fs::remove_all(at("processor0/constant"));
     EXPECT_FALSE(open_openfoam(at("")).has_value());
     fs::rename(at("processor0"), at("processor2"));

@@ -127,18 +127,17 @@ void find_fields(FoamCase& found) {
     std::map<std::string, std::string> first;
     std::size_t places = 0;
     for (const auto& region : found.regions)
-        for (const auto& time : found.times) {
-            if (!region.fluid)
-                continue;
-            ++places;
-            for (const auto& name :
-                 foam_fields(found.folder /
-                             found.relative(found.parts.front(), time.name, region.name, ""))) {
-                ++counts[name];
-                first.try_emplace(
-                    name, found.relative(found.parts.front(), time.name, region.name, name));
+        for (const auto& time : found.times)
+            for (const auto& part : found.parts) {
+                if (!region.fluid)
+                    continue;
+                ++places;
+                for (const auto& name :
+                     foam_fields(found.folder / found.relative(part, time.name, region.name, ""))) {
+                    ++counts[name];
+                    first.try_emplace(name, found.relative(part, time.name, region.name, name));
+                }
             }
-        }
     std::string left_out;
     for (const auto& [name, count] : counts) {
         const auto header = read_foam_header(found.file_at(first.at(name)).path);

@@ -31,7 +31,7 @@ struct FoamCase {
     std::vector<FoamRegion> regions;
     std::vector<FoamTime> times; ///< where every fluid region of every part has a velocity
     std::vector<core::FieldInfo>
-        fields; ///< which every fluid region has at all of them; without ranges
+        fields; ///< which every fluid region of every part has at all of them; without ranges
     std::string note;
 
     /// The file of a field or mesh, relative to `folder` and without .gz; `instance` is a time or "constant".
@@ -44,8 +44,7 @@ struct FoamCase {
 };
 
 /// `path`: a case's folder, its .foam or .OpenFOAM file or its system/controlDict.
-/// Error: NotFound (no mesh, no times), Unsupported (a mesh that moves, collated files, times that differ between the
-/// processors), Corrupt, Io.
+/// Error: NotFound (no mesh, no times), Unsupported (a mesh that moves, collated files), Corrupt, Io.
 core::Result<FoamCase> scan_openfoam_case(const std::filesystem::path& path);
 
 /// The case's folder, where `path` is one of what scan_openfoam_case takes.

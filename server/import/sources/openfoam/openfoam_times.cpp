@@ -1,5 +1,6 @@
 #include "server/import/sources/openfoam/openfoam_times.hpp"
 
+#include "server/import/notes.hpp"
 #include "server/import/progress_marks.hpp"
 #include "server/import/sources/openfoam/openfoam_file.hpp"
 
@@ -7,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 
 namespace wakesurf::server {
@@ -81,34 +83,79 @@ std::map<double, std::string> times_with(const NamesAtTimes& times, const std::s
     return out;
 }
 
-// A processor that has other times than the first one: the case is not complete.
-core::Result<void> check_processors(const FoamCase& found,
-                                    const FoamRegion& region,
-                                    const std::map<double, std::string>& wanted,
-                                    const std::string& velocity) {
+// A run that was ended, or is, while it writes leaves times on some processors only.
+struct LeftOut {
+    std::map<double, std::string> times; ///< and the name of each time's folder
+    std::string part;                    ///< one that does not have the last of them
+
+    void add(double value, const std::string& time, const std::string& without) {
+        if (times.empty() || value >= times.rbegin()->first)
+            part = without;
+        times.emplace(value, time);
+    }
+
+    std::string note(const std::string& velocity) const {
+        if (times.empty())
+            return {};
+        const auto& last = times.rbegin()->second;
+        const std::string which = times.size() == 1 ? "time " + last + " is left out"
+                                                    : std::to_string(times.size()) +
+                                                          " times up to " + last + " are left out";
+        return which + ": " + part + " has no " + velocity + " at " + last +
+               ", other processors have";
+    }
+};
+
+// Of `wanted` the times at which all processors have the velocity stay, under one name.
+core::Result<void> keep_common_times(const FoamCase& found,
+                                     const FoamRegion& region,
+                                     const std::string& velocity,
+                                     std::map<double, std::string>& wanted,
+                                     LeftOut& left_out) {
+    const auto of_first = wanted;
     for (const auto& part : found.parts) {
         const auto all = fields_at_times(found, part, region.name);
         if (!all)
             return tl::unexpected(all.error());
         const auto here = times_with(*all, velocity);
-        const auto refuse = [&](const std::string& time, const std::string& without,
-                                const std::string& with) {
-            return core::fail(Error::Code::Unsupported,
-                              without + " of " + found.file + " has no " +
-                                  found.relative("", time, region.name, velocity) + ", " + with +
-                                  " has",
-                              "all processors must have the same times: copy the whole case, "
-                              "or remove the time "
-                              "from all of them");
-        };
-        for (const auto& [value, name] : wanted)
-            if (!here.contains(value) || here.at(value) != name)
-                return refuse(name, part, found.parts.front());
+        std::erase_if(wanted, [&](const auto& time) {
+            const auto same = here.find(time.first);
+            const bool gone = same == here.end() || same->second != time.second;
+            if (gone)
+                left_out.add(time.first, time.second, part);
+            return gone;
+        });
         for (const auto& [value, name] : here)
-            if (!wanted.contains(value))
-                return refuse(name, found.parts.front(), part);
+            if (!of_first.contains(value))
+                left_out.add(value, name, found.parts.front());
     }
     return {};
+}
+
+// Processors write a time's fields one after the other: at the last time some may have files that others do not have yet.
+void leave_out_last_time_half_written(FoamCase& found) {
+    const std::string last = found.times.back().name;
+    for (const auto& region : found.regions) {
+        const auto names = [&](const std::string& part) {
+            return foam_fields(found.folder / found.relative(part, last, region.name, ""));
+        };
+        const auto of_first = names(found.parts.front());
+        for (const auto& part : found.parts) {
+            const auto here = names(part);
+            std::set<std::string> one_of_them;
+            std::set_symmetric_difference(of_first.begin(), of_first.end(), here.begin(),
+                                          here.end(),
+                                          std::inserter(one_of_them, one_of_them.end()));
+            if (!region.fluid || one_of_them.empty() || found.times.size() == 1)
+                continue;
+            const std::string& name = *one_of_them.begin();
+            const auto& without = here.contains(name) ? found.parts.front() : part;
+            add_note(found.note, "time " + last + " is left out: " + without + " has no " + name +
+                                     " there, other processors have");
+            found.times.pop_back();
+            return;
+        }
+    }
 }
 
 } // namespace
@@ -173,6 +220,7 @@ core::Result<void> find_foam_times(FoamCase& found) {
         most = std::max(most, with.back().size());
     }
     std::map<double, std::string> times;
+    LeftOut left_out;
     bool any = false;
     for (std::size_t r = 0; r < found.regions.size(); ++r) {
         // Splitting a mesh into regions leaves the whole one behind, often with the fields it started from.
@@ -184,8 +232,9 @@ core::Result<void> find_foam_times(FoamCase& found) {
         found.regions[r].fluid = !with[r].empty() && !remnant;
         if (!found.regions[r].fluid)
             continue;
-        if (auto same = check_processors(found, found.regions[r], with[r], velocity); !same)
-            return same;
+        if (auto kept = keep_common_times(found, found.regions[r], velocity, with[r], left_out);
+            !kept)
+            return kept;
         if (!any)
             times = with[r];
         any = true;
@@ -198,11 +247,14 @@ core::Result<void> find_foam_times(FoamCase& found) {
     for (const auto& [value, name] : times)
         found.times.push_back({value, name});
     if (found.times.empty())
-        return core::fail(Error::Code::NotFound, "the regions of " + found.file +
-                                                     " have no time with " + velocity +
-                                                     " in common");
-    if (found.times.size() < most)
+        return core::fail(Error::Code::NotFound,
+                          std::string(left_out.times.empty() ? "the regions" : "the processors") +
+                              " of " + found.file + " have no time with " + velocity +
+                              " in common");
+    if (found.times.size() + left_out.times.size() < most)
         found.note = "only times at which all fluid regions have " + velocity;
+    add_note(found.note, left_out.note(velocity));
+    leave_out_last_time_half_written(found);
     return {};
 }
 

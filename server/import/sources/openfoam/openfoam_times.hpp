@@ -15,7 +15,8 @@ core::Result<std::vector<FoamTime>> list_foam_times(const std::filesystem::path&
 std::set<std::string> foam_fields(const std::filesystem::path& folder);
 
 /// Sets `times` and which regions are fluid: those with a velocity, which is U, or else the vector field of most
-/// times. Error: NotFound (no velocity anywhere), Unsupported (processors with other times than the first), Corrupt.
+/// times. Times that not all processors have are left out, with a note; so is the last one where their files differ.
+/// Error: NotFound (no velocity anywhere, or at no time on all processors), Corrupt.
 core::Result<void> find_foam_times(FoamCase& found);
 
 } // namespace wakesurf::server
