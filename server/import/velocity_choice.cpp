@@ -230,6 +230,21 @@ std::string listed(const Fields& fields) {
     return out.empty() ? "no array that all its parts have" : out;
 }
 
+std::set<std::string> possible_velocity(const Fields& fields) {
+    std::set<std::string> out;
+    const auto add = [&](const Fields& some) {
+        for (const auto& field : some)
+            out.insert(field.name);
+    };
+    if (const auto velocity = choose_velocity(fields, {})) {
+        add(velocity->parts.arrays);
+        add(velocity->parts.divisor);
+    } else {
+        add(pick(fields, [](const FieldInfo& f) { return f.components == 3; }));
+    }
+    return out;
+}
+
 core::Result<VelocityChoice> choose_velocity(const Fields& fields,
                                              const std::vector<std::string>& wanted) {
     const Fields asked = pick(fields, [&](const FieldInfo& f) {

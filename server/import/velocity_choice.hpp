@@ -5,6 +5,7 @@
 #include "core/dataset/dataset_info.hpp"
 #include "server/import/assembly/node_values.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct VelocityChoice {
 /// Error: as choose_fields.
 core::Result<VelocityChoice> choose_velocity(const std::vector<core::FieldInfo>& fields,
                                              const std::vector<std::string>& wanted);
+
+/// Names of the arrays that choose_velocity takes of `fields` without --fields; of all vectors, where it finds none or several.
+std::set<std::string> possible_velocity(const std::vector<core::FieldInfo>& fields);
 
 /// "p (1 component, point), U (3 components, cell)", or "no array that all its parts have".
 std::string listed(const std::vector<core::FieldInfo>& fields);

@@ -28,6 +28,7 @@ struct Contents {
     int first_step = 0; ///< which known flow the first time-step is
     CGNS_ENUMT(LengthUnits_t) length = CGNS_ENUMV(LengthUnitsNull);         ///< of the base
     CGNS_ENUMT(LengthUnits_t) of_coordinates = CGNS_ENUMV(LengthUnitsNull); ///< of their node
+    bool solid = false; ///< the second zone has a temperature only, and the first a pressure
     std::optional<float> version{}; ///< of the CGNS library that wrote it, by its own word
 };
 
@@ -44,7 +45,11 @@ write_solution(int file, int zone, vtkDataSet& data, const Contents& contents, i
     ok(cg_sol_write(file, 1, zone, ("Flow" + n).c_str(),
                     contents.at_cells ? CGNS_ENUMV(CellCenter) : CGNS_ENUMV(Vertex), &solution));
     const vtkIdType count = contents.at_cells ? data.GetNumberOfCells() : data.GetNumberOfPoints();
-    for (std::size_t c = 0; c < 3; ++c) {
+    const std::vector<double> level(static_cast<std::size_t>(count), 300.0);
+    if (contents.solid)
+        ok(cg_field_write(file, 1, zone, solution, CGNS_ENUMV(RealDouble),
+                          zone == 2 ? "Temperature" : "Pressure", level.data(), &field));
+    for (std::size_t c = 0; c < 3 && !(contents.solid && zone == 2); ++c) {
         std::vector<double> values;
         for (vtkIdType i = 0; i < count; ++i)
             values.push_back(

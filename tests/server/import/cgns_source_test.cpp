@@ -139,6 +139,30 @@ TEST_F(CgnsSource, ReadsOneFileAStep) {
     EXPECT_EQ((*timed)->files(1)->front().name, "t_1.cgns");
 }
 
+TEST_F(CgnsSource, TakesZonesWithoutAVelocityForSolids) {
+    for (const bool structured : {true, false})
+        for (const bool at_cells : {false, true}) {
+            Contents contents;
+            contents.structured = structured;
+            contents.at_cells = at_cells;
+            contents.solid = true;
+            const auto source = open(contents);
+            ASSERT_TRUE(source.has_value()) << source.error().message;
+            const auto& fields = (*source)->description().fields;
+            EXPECT_NE(field_named(**source, "Velocity"), nullptr);
+            EXPECT_NE(field_named(**source, "Pressure"), nullptr);
+            EXPECT_EQ(field_named(**source, "Temperature"), nullptr);
+            for (const std::size_t step : {2u, 0u}) {
+                const auto read = (*source)->read(step, fields);
+                ASSERT_TRUE(read.has_value()) << read.error().message;
+                ASSERT_EQ(read->blocks.size(), 1u);
+                ASSERT_EQ(read->solids.size(), 1u);
+                EXPECT_NEAR(read->solids[0]->GetBounds()[0] - read->blocks[0]->GetBounds()[0], 20.0,
+                            1e-12);
+            }
+        }
+}
+
 TEST_F(CgnsSource, RefusesSeveralSolutionsWithoutTimes) {
     Contents contents;
     contents.pointers = Pointers::Missing;

@@ -282,6 +282,66 @@ TEST_F(ExodusSource, TakesSideSetsCalledWallForWalls) {
     }
 }
 
+// Two cubes, a block each; of the elements' variables the second block has only the heat, the first also the velocity.
+void write_fluid_and_solid(const fs::path& file) {
+    int word = 8;
+    const int out = ex_create(file.c_str(), EX_CLOBBER, &word, &word);
+    ASSERT_GE(out, 0);
+    ASSERT_EQ(ex_put_init(out, "two blocks", 3, 12, 2, 2, 0, 0), 0);
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> z;
+    for (int n = 0; n < 12; ++n) {
+        x.push_back(n % 3);
+        y.push_back(n / 3 % 2);
+        z.push_back(n / 6);
+    }
+    ASSERT_EQ(ex_put_coord(out, x.data(), y.data(), z.data()), 0);
+    const int nodes[2][8]{{1, 2, 5, 4, 7, 8, 11, 10}, {2, 3, 6, 5, 8, 9, 12, 11}};
+    for (const int block : {1, 2}) {
+        ASSERT_EQ(ex_put_block(out, EX_ELEM_BLOCK, block, "HEX8", 1, 8, 0, 0, 0), 0);
+        ASSERT_EQ(ex_put_conn(out, EX_ELEM_BLOCK, block, nodes[block - 1], nullptr, nullptr), 0);
+    }
+    const char* const names[]{"velocity_x", "velocity_y", "velocity_z", "heat"};
+    ASSERT_EQ(ex_put_variable_param(out, EX_ELEM_BLOCK, 4), 0);
+    for (int c = 0; c < 4; ++c)
+        ASSERT_EQ(ex_put_variable_name(out, EX_ELEM_BLOCK, c + 1, names[c]), 0);
+    int table[]{1, 1, 1, 1, 0, 0, 0, 1};
+    ASSERT_EQ(ex_put_truth_table(out, EX_ELEM_BLOCK, 2, 4, table), 0);
+    for (int step = 1; step <= 2; ++step) {
+        const double time = step;
+        ASSERT_EQ(ex_put_time(out, step, &time), 0);
+        for (int variable = 1; variable <= 4; ++variable)
+            for (const int block : {1, 2}) {
+                const double value = 10.0 * variable + step;
+                if (block == 1 || variable == 4) {
+                    ASSERT_EQ(ex_put_var(out, step, EX_ELEM_BLOCK, variable, block, 1, &value), 0);
+                }
+            }
+    }
+    ASSERT_EQ(ex_close(out), 0);
+}
+
+TEST_F(ExodusSource, TakesBlocksWithoutAVelocityForSolids) {
+    write_fluid_and_solid(file());
+    const auto opened = open_exodus(file());
+    ASSERT_TRUE(opened.has_value()) << opened.error().message;
+    const auto& fields = (*opened)->description().fields;
+    EXPECT_EQ(fields.size(), 2u);
+    for (const std::size_t step : {1u, 0u}) {
+        const auto read = (*opened)->read(step, fields);
+        ASSERT_TRUE(read.has_value()) << read.error().message;
+        ASSERT_EQ(read->blocks.size(), 1u);
+        EXPECT_EQ(read->blocks[0]->GetBounds()[1], 1.0);
+        vtkDataArray* const velocity = read->blocks[0]->GetCellData()->GetArray("velocity_");
+        ASSERT_NE(velocity, nullptr);
+        EXPECT_EQ(velocity->GetComponent(0, 1), 21.0 + static_cast<double>(step));
+        ASSERT_EQ(read->solids.size(), 1u);
+        EXPECT_EQ(read->solids[0]->GetNumberOfPolys(), 6);
+        EXPECT_EQ(read->solids[0]->GetBounds()[0], 1.0);
+    }
+}
+
 TEST_F(ExodusSource, RefusesFilesOfEveryNetcdfFormatThatAreCutOff) {
     for (const int format : {0, EX_64BIT_OFFSET, EX_64BIT_DATA, EX_NETCDF4}) {
         write_side_sets(file(), false, format);

@@ -1,7 +1,6 @@
 // OpenFOAM cases made here, cell by cell: what the source returns of them, and what it refuses.
 #include "server/import/sources/openfoam/openfoam_source.hpp"
-#include "tests/support/foam_files.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/server/import/cavity_case.hpp"
 
 #include <gtest/gtest.h>
 #include <vtkCell.h>
@@ -17,80 +16,11 @@ namespace wakesurf::server::openfoam_source_test {
 namespace {
 
 using namespace tests;
+using namespace tests::cavity;
 using core::Error;
 namespace fs = std::filesystem;
 
-// Numbers that are exact as 32-bit floats and as short text; different in every cell, component and time-step.
-double value_at(int cell, int component, int step) {
-    return 0.125 * cell + 32.0 * component - 4.0 * step + 0.5;
-}
-
-FoamField velocity(const FoamMesh& mesh, int step) {
-    FoamField field;
-    for (const int cell : mesh.cells)
-        field.values.push_back(
-            {value_at(cell, 0, step), value_at(cell, 1, step), value_at(cell, 2, step)});
-    field.patches["floor"] = "type noSlip;";
-    field.patches["lid"] = "type fixedValue; value uniform (1 0 0);";
-    return field;
-}
-
-FoamField pressure(const FoamMesh& mesh, int step) {
-    FoamField field{"p", "[0 2 -2 0 0 0 0]", {}, {}};
-    for (const int cell : mesh.cells)
-        field.values.push_back({value_at(cell, 7, step)});
-    return field;
-}
-
-const std::vector<std::string> time_names{"0", "0.5", "1e1"};
-
-class OpenfoamSource : public testing::Test {
-  protected:
-    fs::path put(const FoamMesh& mesh, bool binary = false, const std::string& inside = "") const {
-        const fs::path place = folder_ / "cavity" / inside;
-        write_foam_mesh(place / "constant", mesh, binary);
-        for (int step = 0; step < 3; ++step)
-            for (const auto& field : {velocity(mesh, step), pressure(mesh, step)})
-                write_foam_field(place / time_names[static_cast<std::size_t>(step)], mesh, field,
-                                 binary);
-        write_file(folder_ / "cavity" / "cavity.foam", "");
-        return folder_ / "cavity" / "cavity.foam";
-    }
-
-    std::unique_ptr<Source> open() const {
-        auto source = open_openfoam(folder_ / "cavity" / "cavity.foam");
-        if (!source)
-            throw std::runtime_error(source.error().message);
-        return std::move(*source);
-    }
-
-    fs::path at(const std::string& name) const { return folder_ / "cavity" / name; }
-
-    TemporaryFolder folder_;
-};
-
-// Every cell's number follows from its first component; all others must fit it.
-void expect_values(const SourceStep& step, int index, std::size_t cells) {
-    std::set<int> seen;
-    for (const auto& block : step.blocks) {
-        vtkDataArray* u = block->GetCellData()->GetArray("U");
-        vtkDataArray* p = block->GetCellData()->GetArray("p");
-        ASSERT_NE(u, nullptr);
-        ASSERT_NE(p, nullptr);
-        ASSERT_EQ(u->GetNumberOfTuples(), block->GetNumberOfCells());
-        for (vtkIdType i = 0; i < u->GetNumberOfTuples(); ++i) {
-            const int cell =
-                static_cast<int>((u->GetComponent(i, 0) - value_at(0, 0, index)) / 0.125);
-            seen.insert(cell);
-            for (int c = 0; c < 3; ++c)
-                ASSERT_EQ(u->GetComponent(i, c), value_at(cell, c, index)) << "cell " << i;
-            ASSERT_EQ(p->GetTuple1(i), value_at(cell, 7, index));
-        }
-    }
-    EXPECT_EQ(seen.size(), cells);
-    EXPECT_EQ(*seen.begin(), 0);
-    EXPECT_EQ(*seen.rbegin() + 1, static_cast<int>(cells));
-}
+using OpenfoamSource = CavityCase;
 
 class WholeCase : public OpenfoamSource, public testing::WithParamInterface<bool> {};
 
@@ -209,88 +139,6 @@ TEST_F(OpenfoamSource, GivesADecomposedCaseAsTheWholeOne) {
             faces += wall.faces->GetNumberOfCells();
         EXPECT_EQ(faces, mesh.patches[2].size + mesh.patches[3].size);
     }
-}
-
-TEST_F(OpenfoamSource, TakesTheProcessorFoldersWhereTheyHaveMoreTimes) {
-    const auto mesh = foam_block_mesh({});
-    put(mesh);
-    fs::remove_all(at("0.5"));
-    for (const auto& part : decompose(mesh))
-        put(part, false, "processor" + std::to_string(part.part));
-    const auto decomposed = open();
-    EXPECT_EQ(decomposed->description().times.size(), 3u);
-    EXPECT_NE(decomposed->description().note.find("processor folders, which have 3 times"),
-              std::string::npos)
-        << decomposed->description().note;
-    fs::remove_all(at("processor0/10"));
-    for (const char* const gone :
-         {"processor0/0.5", "processor1/0.5", "processor0/1e1", "processor1/1e1"})
-        fs::remove_all(at(gone));
-    const auto whole = open();
-    EXPECT_EQ(whole->description().times, (std::vector<double>{0.0, 10.0}));
-    EXPECT_NE(whole->description().note.find("reconstructed"), std::string::npos);
-}
-
-TEST_F(OpenfoamSource, LeavesOutTimesThatNotAllProcessorsHave) {
-    const auto mesh = foam_block_mesh({});
-    const auto put_parts = [&] {
-        for (const auto& part : decompose(mesh))
-            put(part, false, "processor" + std::to_string(part.part));
-    };
-    using Times = std::vector<double>;
-
-    const struct {
-        const char* gone;
-        Times times;
-        const char* note;
-    } cases[]{{"processor1/1e1/U",
-               {0.0, 0.5},
-               "time 1e1 is left out: processor1 has no U at 1e1, other processors have"},
-              {"processor0/1e1",
-               {0.0, 0.5},
-               "time 1e1 is left out: processor0 has no U at 1e1, other processors have"},
-              {"processor1/0.5",
-               {0.0, 10.0},
-               "time 0.5 is left out: processor1 has no U at 0.5, other processors have"},
-              {"processor1/1e1/p",
-               {0.0, 0.5},
-               "time 1e1 is left out: processor1 has no p there, other processors have"},
-              {"processor0/1e1/p",
-               {0.0, 0.5},
-               "time 1e1 is left out: processor0 has no p there, other processors have"},
-              {"processor1/0.5/p", {0.0, 0.5, 10.0}, "not at every time-step: p"}};
-
-    for (const auto& one : cases) {
-        SCOPED_TRACE(one.gone);
-        put_parts();
-        fs::remove_all(at(one.gone));
-        const auto source = open();
-        EXPECT_EQ(source->description().times, one.times);
-        EXPECT_EQ(source->description().note, one.note);
-        const std::size_t last = one.times.size() - 1;
-        const auto step = source->read(last, source->description().fields);
-        ASSERT_TRUE(step.has_value()) << step.error().message;
-        if (source->description().fields.size() == 2)
-            expect_values(*step, one.times.back() == 10.0 ? 2 : 1, mesh.cells.size());
-    }
-}
-
-TEST_F(OpenfoamSource, RefusesProcessorsWithoutATimeInCommon) {
-    for (const auto& part : decompose(foam_block_mesh({})))
-        put(part, false, "processor" + std::to_string(part.part));
-    fs::remove_all(at("processor1/0"));
-    fs::remove_all(at("processor1/0.5"));
-    fs::remove_all(at("processor0/1e1"));
-    const auto refused = open_openfoam(at(""));
-    ASSERT_FALSE(refused.has_value());
-    EXPECT_EQ(refused.error().code, Error::Code::NotFound);
-    EXPECT_EQ(refused.error().message, "the processors of cavity have no time with U in common");
-    fs::remove_all(at("processor0/constant"));
-    EXPECT_FALSE(open_openfoam(at("")).has_value());
-    fs::rename(at("processor0"), at("processor2"));
-    EXPECT_EQ(open_openfoam(at("")).error().message, "cavity has processor1, but no processor0");
-    fs::create_directories(at("processors2"));
-    EXPECT_EQ(open_openfoam(at("")).error().code, Error::Code::Unsupported);
 }
 
 TEST_F(OpenfoamSource, GivesRegionsWithAVelocityAsFluidAndOthersAsSolids) {

@@ -1,6 +1,9 @@
 #include "server/import/sources/cgns/cgns_source.hpp"
 
+#include "server/import/notes.hpp"
+#include "server/import/sources/blocks/block_roles.hpp"
 #include "server/import/sources/blocks/fluid_blocks.hpp"
+#include "server/import/sources/blocks/wall_patches.hpp"
 #include "server/import/sources/blocks/wanted_arrays.hpp"
 #include "server/import/sources/cgns/cgns_survey.hpp"
 #include "server/import/sources/files/file_names.hpp"
@@ -15,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <set>
 
 namespace wakesurf::server {
 
@@ -97,10 +101,9 @@ class CgnsSource final : public Source {
             return tl::unexpected(settled.error());
         description_.times = std::move(settled->times);
         description_.note = std::move(settled->note);
-        if (!units.note.empty())
-            description_.note += (description_.note.empty() ? "" : "; ") + units.note;
-        return load(0, {true, {}}, units).map([&](const Blocks& blocks) {
-            description_.fields = common_fields(blocks);
+        add_note(description_.note, units.note);
+        return load(0, {true, {}}, units).and_then([&](const std::vector<Zone>& zones) {
+            return describe(zones);
         });
     }
 
@@ -125,16 +128,23 @@ class CgnsSource final : public Source {
                  : !survey->times.empty())
             return core::fail(Error::Code::Corrupt,
                               step_name(step) + " is not in the file any more");
-        auto blocks = load(step, {false, fields}, survey->units);
-        if (!blocks)
-            return tl::unexpected(blocks.error());
+        const auto zones = load(step, {false, fields}, survey->units);
+        if (!zones)
+            return tl::unexpected(zones.error());
         SourceStep out;
-        for (const auto& block : *blocks) {
+        for (const auto& [place, block] : *zones) {
+            if (solids_.contains(place)) {
+                out.solids.push_back(boundary_of(*block));
+                continue;
+            }
             if (auto whole = require_fields(*block, fields, step_name(step)); !whole)
                 return tl::unexpected(whole.error());
             keep_only(*block, fields);
             out.blocks.push_back(block);
         }
+        if (out.blocks.empty())
+            return core::fail(Error::Code::Corrupt,
+                              step_name(step) + " has no zone of those with a velocity any more");
         return out;
     }
 
@@ -143,6 +153,27 @@ class CgnsSource final : public Source {
         std::size_t file = 0;
         std::optional<double> time;
     };
+
+    struct Zone {
+        std::string place; ///< names of its base and of the zone
+        vtkSmartPointer<vtkDataSet> block;
+    };
+
+    core::Result<void> describe(const std::vector<Zone>& zones) {
+        Blocks blocks;
+        for (const auto& zone : zones)
+            blocks.push_back(zone.block);
+        BlockRoles roles = block_roles(blocks);
+        Blocks fluid;
+        for (std::size_t i = 0; i < zones.size(); ++i)
+            if (roles.fluid[i])
+                fluid.push_back(zones[i].block);
+            else
+                solids_.insert(zones[i].place);
+        description_.fields = std::move(roles.fields);
+        add_note(description_.note, roles.note);
+        return check_thickness(fluid, step_name(0));
+    }
 
     const ListedFile& listed(std::size_t entry) const {
         return series_.entries[entry].parts.front();
@@ -153,7 +184,7 @@ class CgnsSource final : public Source {
         return listed(file).name + (time ? " at time " + time_text(*time) : "");
     }
 
-    core::Result<Blocks>
+    core::Result<std::vector<Zone>>
     load(std::size_t step, const WantedArrays& wanted, const CgnsUnits& units) const {
         const std::string name = step_name(step);
         const VtkMessages messages;
@@ -176,7 +207,7 @@ class CgnsSource final : public Source {
         }
         if (auto clean = messages.verdict(name); !clean)
             return tl::unexpected(clean.error());
-        Blocks blocks;
+        std::vector<Zone> zones;
         for (const auto& leaf : leaves_of(output)) {
             if (!has_solid_cells(*leaf.data))
                 continue;
@@ -184,19 +215,21 @@ class CgnsSource final : public Source {
             if (!block)
                 return tl::unexpected(block.error());
             scale_points(**block, units.coordinates);
-            blocks.push_back(std::move(*block));
+            std::string place;
+            for (const auto& part : leaf.path)
+                place += "/" + part;
+            zones.push_back({std::move(place), std::move(*block)});
         }
-        if (blocks.empty())
+        if (zones.empty())
             return core::fail(Error::Code::Unsupported, name + " holds no three-dimensional cells",
                               "extrude it by two cells or more first");
-        if (auto thick = check_thickness(blocks, name); !thick)
-            return tl::unexpected(thick.error());
-        return blocks;
+        return zones;
     }
 
     FileSeries series_;
     std::vector<Step> steps_;
     SourceDescription description_;
+    std::set<std::string> solids_; ///< places of the zones without the velocity
 };
 
 } // namespace

@@ -9,7 +9,7 @@ namespace wakesurf::server {
 bool is_cgns(const std::filesystem::path& path);
 
 /// Fields as vtkCGNSReader names them: VelocityX, Y, Z are Velocity, MomentumX, Y, Z are Momentum. Boundary patches are
-/// left out. Reads the first time-step. Error: as open_source.
+/// left out. Zones without the velocity are solids. Reads the first time-step. Error: as open_source.
 core::Result<std::unique_ptr<Source>> open_cgns(const std::filesystem::path& path);
 
 } // namespace wakesurf::server

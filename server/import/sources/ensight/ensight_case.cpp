@@ -1,6 +1,7 @@
 #include "server/import/sources/ensight/ensight_case.hpp"
 
 #include "server/import/sources/files/named_path.hpp"
+#include "server/import/velocity_choice.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -190,17 +191,17 @@ core::Result<void> find_variables(EnsightCase& found, const std::vector<Line>& l
 
 // The times are the velocity's; what has no value at one of them is left out.
 core::Result<void> find_times(EnsightCase& found) {
-    const auto is_velocity = [](const EnsightVariable& one) {
-        std::string name = one.field.name;
-        std::transform(name.begin(), name.end(), name.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        return one.field.components == 3 && (name == "u" || name == "velocity" || name == "vel");
-    };
     const auto& all = found.variables;
-    auto velocity = std::find_if(all.begin(), all.end(), is_velocity);
+    std::vector<FieldInfo> fields;
+    for (const auto& one : all)
+        fields.push_back(one.field);
+    const auto chosen = choose_velocity(fields, {});
+    auto velocity = std::find_if(all.begin(), all.end(), [&](const EnsightVariable& one) {
+        return chosen ? one.field.name == chosen->parts.arrays.front().name
+                      : one.field.components == 3;
+    });
     if (velocity == all.end())
-        velocity = std::find_if(all.begin(), all.end(),
-                                [](const auto& one) { return one.field.components == 3; });
+        velocity = all.begin(); // three scalars of any names are one where --fields says so
     if (velocity == all.end())
         return core::fail(Error::Code::NotFound, found.name + " has no vector variable",
                           "write the velocity as `vector per node` or `vector per element`");

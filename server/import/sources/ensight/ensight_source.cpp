@@ -1,15 +1,20 @@
 #include "server/import/sources/ensight/ensight_source.hpp"
 
+#include "server/import/notes.hpp"
+#include "server/import/sources/blocks/block_roles.hpp"
 #include "server/import/sources/blocks/vtk_fields.hpp"
 #include "server/import/sources/blocks/wall_faces.hpp"
+#include "server/import/sources/blocks/wall_patches.hpp"
 #include "server/import/sources/ensight/ensight_case.hpp"
 #include "server/import/sources/ensight/ensight_variable.hpp"
+#include "server/import/velocity_choice.hpp"
 
 #include <vtkCellData.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 namespace wakesurf::server {
@@ -51,14 +56,9 @@ class EnsightSource final : public Source {
         geometry_ = std::move(*geometry);
         geometry_file_ = file->name;
         find_faces_on_blocks();
-        std::vector<FieldInfo> fields;
-        for (const auto& one : found_.variables)
-            fields.push_back(one.field);
-        const auto first = read(0, fields);
-        if (!first)
-            return tl::unexpected(first.error());
-        for (const auto& block : first->blocks)
-            add_fields(*block, description_.fields);
+        leave_out_variables_without_files();
+        if (auto described = describe(); !described)
+            return described;
         choose_walls();
         return {};
     }
@@ -96,7 +96,7 @@ class EnsightSource final : public Source {
         std::map<std::size_t, vtkSmartPointer<vtkDataSet>> blocks;
         std::map<std::size_t, vtkSmartPointer<vtkPolyData>> faces;
         for (const auto& [number, part] : geometry_.parts) {
-            if (part.volume != nullptr)
+            if (part.volume != nullptr && !solids_.contains(number))
                 blocks[number] = copy_of(*part.volume);
             if (part.faces != nullptr && on_blocks_.contains(number))
                 faces[number] = copy_of(*part.faces);
@@ -128,13 +128,102 @@ class EnsightSource final : public Source {
         for (auto& [number, face] : faces)
             if (walls_.contains(number))
                 out.walls.push_back({face, stands_still(*face, fields)});
-        if (out.blocks.empty())
-            return core::fail(Error::Code::Unsupported,
-                              geometry_file_ + " has no three-dimensional part");
+        for (const auto& [number, surface] : solids_)
+            out.solids.push_back(surface);
         return out;
     }
 
   private:
+    // One that is not there at a time: only what is there at all of them can be shown.
+    void leave_out_variables_without_files() {
+        const auto velocity = velocity_among(found_.variables);
+        std::string left_out;
+        std::erase_if(found_.variables, [&](const EnsightVariable& one) {
+            const bool gone =
+                !velocity.contains(one.field.name) &&
+                std::any_of(found_.times.begin(), found_.times.end(), [&](double time) {
+                    std::error_code error;
+                    const auto file = found_.file_at(one.file, time);
+                    return file && !fs::exists(file->path, error) && !error;
+                });
+            if (gone)
+                left_out += (left_out.empty() ? "" : ", ") + one.field.name;
+            return gone;
+        });
+        if (!left_out.empty())
+            add_note(description_.note, "left out, as files are missing: " + left_out);
+    }
+
+    static std::set<std::string> velocity_among(const std::vector<EnsightVariable>& variables) {
+        std::vector<FieldInfo> fields;
+        for (const auto& one : variables)
+            fields.push_back(one.field);
+        return possible_velocity(fields);
+    }
+
+    // Which parts are fluid, and the variables that all of them have; the others are left out.
+    core::Result<void> describe() {
+        std::map<std::size_t, vtkSmartPointer<vtkDataSet>> volumes;
+        for (const auto& [number, part] : geometry_.parts)
+            if (part.volume != nullptr)
+                volumes[number] = copy_of(*part.volume);
+        if (volumes.empty())
+            return core::fail(Error::Code::Unsupported,
+                              geometry_file_ + " has no three-dimensional part");
+        const auto needed = velocity_among(found_.variables);
+        std::set<std::string> partial;
+        for (const auto& one : found_.variables) {
+            const auto values =
+                found_.file_at(one.file, found_.times.front()).and_then([&](const NamedFile& file) {
+                    return read_ensight_variable(file, geometry_, one.field);
+                });
+            if (!values && values.error().code == Error::Code::Unsupported &&
+                !needed.contains(one.field.name)) {
+                add_note(description_.note, "left out: " + values.error().message);
+                partial.insert(one.field.name);
+                continue;
+            }
+            if (!values)
+                return tl::unexpected(values.error());
+            for (const auto& [number, of_part] : *values)
+                if (const auto volume = volumes.find(number);
+                    volume != volumes.end() && of_part.volume->GetNumberOfTuples() > 0)
+                    attach(*volume->second, *of_part.volume, one.field);
+        }
+        Blocks blocks;
+        for (const auto& [number, volume] : volumes)
+            blocks.push_back(volume);
+        BlockRoles roles = block_roles(blocks);
+        auto is_fluid = roles.fluid.begin();
+        for (const auto& [number, volume] : volumes)
+            if (!*is_fluid++)
+                solids_[number] = boundary_of(*volume);
+        description_.fields = std::move(roles.fields);
+        add_note(description_.note, roles.note);
+        keep_described_variables(blocks, partial);
+        return {};
+    }
+
+    void keep_described_variables(const Blocks& volumes, const std::set<std::string>& told) {
+        std::vector<FieldInfo> inside;
+        for (const auto& volume : volumes)
+            add_fields(*volume, inside);
+        const auto among = [](const std::vector<FieldInfo>& fields, const FieldInfo& field) {
+            return std::any_of(fields.begin(), fields.end(), [&](const FieldInfo& other) {
+                return other.name == field.name && other.source == field.source;
+            });
+        };
+        std::vector<std::string> on_faces;
+        std::erase_if(found_.variables, [&](const EnsightVariable& one) {
+            if (among(description_.fields, one.field))
+                return false;
+            if (!among(inside, one.field) && !told.contains(one.field.name))
+                on_faces.push_back(one.field.name);
+            return true;
+        });
+        add_note(description_.note, only_on_some_parts(on_faces));
+    }
+
     core::Result<void> check_mesh(double time) {
         const auto file = found_.file_at(found_.geometry, time);
         if (file && file->name == geometry_file_)
@@ -220,6 +309,8 @@ class EnsightSource final : public Source {
     std::string geometry_file_;
     std::set<std::size_t> on_blocks_; ///< parts with faces
     std::set<std::size_t> walls_;
+    std::map<std::size_t, vtkSmartPointer<vtkPolyData>>
+        solids_; ///< the outside of the parts without the velocity
     SourceDescription description_;
 };
 

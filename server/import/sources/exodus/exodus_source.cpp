@@ -1,7 +1,10 @@
 #include "server/import/sources/exodus/exodus_source.hpp"
 
+#include "server/import/notes.hpp"
+#include "server/import/sources/blocks/block_roles.hpp"
 #include "server/import/sources/blocks/vtk_fields.hpp"
 #include "server/import/sources/blocks/wall_faces.hpp"
+#include "server/import/sources/blocks/wall_patches.hpp"
 #include "server/import/sources/files/netcdf_size.hpp"
 #include "server/import/sources/files/source_files.hpp"
 #include "server/import/vtk_messages.hpp"
@@ -42,6 +45,13 @@ bool is_solid_shape(vtkDataSet& data) {
     return true;
 }
 
+bool is_flat(vtkDataSet& data) {
+    for (vtkIdType i = 0; i < data.GetNumberOfCells(); ++i)
+        if (data.GetCell(i)->GetCellDimension() != 2)
+            return false;
+    return true;
+}
+
 class ExodusSource final : public Source {
   public:
     explicit ExodusSource(const fs::path& path) : file_{path, path.filename().string()} {
@@ -68,18 +78,15 @@ class ExodusSource final : public Source {
         for (int i = 0; i < reader_->GetNumberOfPointResultArrays(); ++i)
             if (std::string name = reader_->GetPointResultArrayName(i);
                 name.starts_with("DISPL") || name.starts_with("displ") || name.starts_with("Displ"))
-                description_.note += (description_.note.empty() ? "" : "; ") +
-                                     ("the displacements " + name + " are not applied");
+                add_note(description_.note, "the displacements " + name + " are not applied");
         const auto first = load(0, nullptr);
         if (!first)
             return tl::unexpected(first.error());
-        for (const auto& block : first->blocks)
-            add_fields(*block, description_.fields);
-        std::erase_if(description_.fields, [&](const FieldInfo& field) {
-            return std::any_of(first->blocks.begin(), first->blocks.end(), [&](const auto& block) {
-                return !require_fields(*block, {field}, file_.name);
-            });
-        });
+        BlockRoles roles = block_roles(first->blocks);
+        solid_ = std::move(roles.fluid);
+        solid_.flip();
+        description_.fields = std::move(roles.fields);
+        add_note(description_.note, roles.note);
         return {};
     }
 
@@ -172,16 +179,23 @@ class ExodusSource final : public Source {
 
     core::Result<SourceStep> take(const std::string& what, const std::vector<FieldInfo>* fields) {
         SourceStep out;
+        std::size_t block = 0;
         for (const auto& leaf : leaves_of(reader_->GetOutput())) {
             auto data = vtkSmartPointer<vtkDataSet>::Take(leaf.data->NewInstance());
             data->ShallowCopy(leaf.data);
-            if (leaf.path.front() == "Side Sets") {
+            const bool of_elements = leaf.path.front() == "Element Blocks";
+            if (leaf.path.front() == "Side Sets" ||
+                (of_elements && is_called_wall(leaf.name()) && is_flat(*data))) {
                 const auto faces = faces_of(*data);
                 out.walls.push_back({faces, fields != nullptr && stands_still(*faces, *fields)});
                 continue;
             }
-            if (leaf.path.front() != "Element Blocks" || !is_solid_shape(*data))
+            if (!of_elements || !is_solid_shape(*data))
                 continue;
+            if (fields != nullptr && block < solid_.size() && solid_[block++]) {
+                out.solids.push_back(boundary_of(*data));
+                continue;
+            }
             if (fields != nullptr) {
                 if (auto whole = require_fields(*data, *fields, what); !whole)
                     return tl::unexpected(whole.error());
@@ -198,6 +212,7 @@ class ExodusSource final : public Source {
     NamedFile file_;
     vtkSmartPointer<vtkExodusIIReader> reader_;
     SourceDescription description_;
+    std::vector<bool> solid_; ///< of each block of three-dimensional elements: without the velocity
 };
 
 } // namespace

@@ -45,6 +45,14 @@ core::Result<std::optional<double>> vtk_file_time(const ListedFile& file) {
     return read_vtk_file(file, {}).map([](const VtkFile& read) { return time_in(*read.data); });
 }
 
+core::Result<std::set<std::pair<core::FieldInfo::Source, std::string>>>
+vtk_file_fields(const ListedFile& file) {
+    if (is_xml(file.path))
+        return xml_file_fields(file);
+    return core::fail(core::Error::Code::Unsupported,
+                      file.name + " has no header that lists its arrays");
+}
+
 std::optional<double> time_in(vtkDataObject& data) {
     for (const char* name : {"TimeValue", "TIME"})
         if (vtkDataArray* time = data.GetFieldData()->GetArray(name);

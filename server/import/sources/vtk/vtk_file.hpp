@@ -7,6 +7,11 @@
 #include <vtkDataSet.h>
 #include <vtkSmartPointer.h>
 
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
 namespace wakesurf::server {
 
 struct VtkFile {
@@ -23,6 +28,11 @@ core::Result<VtkFile> read_vtk_file(const ListedFile& file, const WantedArrays& 
 
 /// The time that the file states, if any.
 core::Result<std::optional<double>> vtk_file_time(const ListedFile& file);
+
+/// Names of the point and cell arrays that the file's header lists. Error: Unsupported, where only reading all of the file
+/// would tell (legacy .vtk, VTKHDF); else as read_vtk_file.
+core::Result<std::set<std::pair<core::FieldInfo::Source, std::string>>>
+vtk_file_fields(const ListedFile& file);
 
 /// The TimeValue (ParaView) or TIME (VisIt) of the field data.
 std::optional<double> time_in(vtkDataObject& data);

@@ -2,6 +2,8 @@
 
 #include "core/base/disk.hpp"
 #include "server/import/assembly/same_mesh.hpp"
+#include "server/import/notes.hpp"
+#include "server/import/sources/blocks/block_roles.hpp"
 #include "server/import/sources/blocks/fluid_blocks.hpp"
 #include "server/import/sources/blocks/vtk_fields.hpp"
 #include "server/import/sources/blocks/wall_patches.hpp"
@@ -9,6 +11,7 @@
 #include "server/import/sources/series/series_times.hpp"
 #include "server/import/sources/vtk/composite_file.hpp"
 #include "server/import/sources/vtk/vtk_file.hpp"
+#include "server/import/velocity_choice.hpp"
 
 #include <vtkCellData.h>
 #include <vtkPointData.h>
@@ -203,9 +206,8 @@ class VtkFilesSource final : public Source {
         const auto before = fingerprint(all->files);
         if (before)
             described_from_ = *before;
-        Blocks moving;
-        Blocks others;
-        std::set<std::string> places;
+        Blocks blocks;
+        std::vector<std::string> places; // of each
         for (std::size_t i = 0; i < all->leaves.size(); ++i) {
             const auto& leaf = all->leaves[i];
             auto file = read_vtk_file(leaf, {true, {}});
@@ -219,26 +221,66 @@ class VtkFilesSource final : public Source {
             auto block = sound_part(*file->data, place_of(*all, i), leaf.name);
             if (!block)
                 return tl::unexpected(block.error());
-            const auto fields = common_fields({*block});
-            const bool vector = std::any_of(fields.begin(), fields.end(),
-                                            [](const FieldInfo& f) { return f.components == 3; });
-            if (!vector)
-                places.insert(place_of(*all, i));
-            (vector ? moving : others).push_back(std::move(*block));
+            places.push_back(place_of(*all, i));
+            blocks.push_back(std::move(*block));
             if (description_.reader.empty())
                 description_.reader = file->reader + " (" + series_.kind + ")";
         }
-        if (!moving.empty())
-            solids_ = std::move(places);
-        const Blocks& fluid = moving.empty() ? others : moving;
+        BlockRoles roles = block_roles(blocks);
+        Blocks fluid;
+        for (std::size_t i = 0; i < blocks.size(); ++i)
+            if (roles.fluid[i])
+                fluid.push_back(blocks[i]);
+            else
+                solids_.insert(places[i]);
         if (fluid.empty())
             return core::fail(Error::Code::Unsupported,
                               entry_name(0) + " holds no three-dimensional cells",
                               "extrude it by two cells or more first");
         if (auto thick = check_thickness(fluid, entry_name(0)); !thick)
             return thick;
-        description_.fields = common_fields(fluid);
+        description_.fields = std::move(roles.fields);
+        add_note(description_.note, roles.note);
+        leave_out_what_a_step_lacks();
         return {};
+    }
+
+    // A velocity that a time-step lacks is told when it is its turn; so is a file that cannot be read.
+    void leave_out_what_a_step_lacks() {
+        const auto velocity = possible_velocity(description_.fields);
+        std::string left_out;
+        for (std::size_t step = 1; step < series_.entries.size(); ++step) {
+            const auto missing = fields_missing_at(step);
+            std::erase_if(description_.fields, [&](const FieldInfo& field) {
+                const bool gone =
+                    missing.contains({field.source, field.name}) && !velocity.contains(field.name);
+                if (gone)
+                    left_out += (left_out.empty() ? "" : ", ") + field.name;
+                return gone;
+            });
+        }
+        if (!left_out.empty())
+            add_note(description_.note, "not at every time-step: " + left_out);
+    }
+
+    // Of the described fields those that no file of the time-step has. Most often the first has them all.
+    std::set<std::pair<FieldInfo::Source, std::string>> fields_missing_at(std::size_t step) const {
+        std::set<std::pair<FieldInfo::Source, std::string>> missing;
+        for (const auto& field : description_.fields)
+            missing.insert({field.source, field.name});
+        const auto all = expand_step(step);
+        if (!all)
+            return {};
+        for (const auto& leaf : all->leaves) {
+            const auto names = vtk_file_fields(leaf);
+            if (!names)
+                return {};
+            for (const auto& name : *names)
+                missing.erase(name);
+            if (missing.empty())
+                break;
+        }
+        return missing;
     }
 
     // A flat one among several; alone it is a source that cannot be read, and says so.
@@ -301,7 +343,7 @@ class VtkFilesSource final : public Source {
 
     FileSeries series_;
     SourceDescription description_;
-    std::set<std::string> solids_; ///< places of the blocks without a velocity
+    std::set<std::string> solids_; ///< places of the blocks without the velocity
     std::map<std::string, bool> still_;
     std::map<std::size_t, VtkFile> described_; ///< by leaf, of the first time-step
     std::vector<store::SourceFile> described_from_;

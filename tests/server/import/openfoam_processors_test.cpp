@@ -1,0 +1,97 @@
+// Decomposed OpenFOAM cases whose processors, or the whole case beside them, have different times.
+#include "tests/server/import/cavity_case.hpp"
+
+namespace wakesurf::server::openfoam_processors_test {
+namespace {
+
+using namespace tests;
+using namespace tests::cavity;
+using core::Error;
+namespace fs = std::filesystem;
+
+using Processors = CavityCase;
+
+TEST_F(Processors, AreTakenWhereTheyHaveMoreTimesThanTheWholeCase) {
+    const auto mesh = foam_block_mesh({});
+    put(mesh);
+    fs::remove_all(at("0.5"));
+    for (const auto& part : decompose(mesh))
+        put(part, false, "processor" + std::to_string(part.part));
+    const auto decomposed = open();
+    EXPECT_EQ(decomposed->description().times.size(), 3u);
+    EXPECT_NE(decomposed->description().note.find("processor folders, which have 3 times"),
+              std::string::npos)
+        << decomposed->description().note;
+    fs::remove_all(at("processor0/10"));
+    for (const char* const gone :
+         {"processor0/0.5", "processor1/0.5", "processor0/1e1", "processor1/1e1"})
+        fs::remove_all(at(gone));
+    const auto whole = open();
+    EXPECT_EQ(whole->description().times, (std::vector<double>{0.0, 10.0}));
+    EXPECT_NE(whole->description().note.find("reconstructed"), std::string::npos);
+}
+
+TEST_F(Processors, LeaveOutTimesThatNotAllOfThemHave) {
+    const auto mesh = foam_block_mesh({});
+    const auto put_parts = [&] {
+        for (const auto& part : decompose(mesh))
+            put(part, false, "processor" + std::to_string(part.part));
+    };
+    using Times = std::vector<double>;
+
+    const struct {
+        const char* gone;
+        Times times;
+        const char* note;
+    } cases[]{{"processor1/1e1/U",
+               {0.0, 0.5},
+               "time 1e1 is left out: processor1 has no U at 1e1, other processors have"},
+              {"processor0/1e1",
+               {0.0, 0.5},
+               "time 1e1 is left out: processor0 has no U at 1e1, other processors have"},
+              {"processor1/0.5",
+               {0.0, 10.0},
+               "time 0.5 is left out: processor1 has no U at 0.5, other processors have"},
+              {"processor1/1e1/p",
+               {0.0, 0.5},
+               "time 1e1 is left out: processor1 has no p there, other processors have"},
+              {"processor0/1e1/p",
+               {0.0, 0.5},
+               "time 1e1 is left out: processor0 has no p there, other processors have"},
+              {"processor1/0.5/p", {0.0, 0.5, 10.0}, "not at every time-step: p"}};
+
+    for (const auto& one : cases) {
+        SCOPED_TRACE(one.gone);
+        put_parts();
+        fs::remove_all(at(one.gone));
+        const auto source = open();
+        EXPECT_EQ(source->description().times, one.times);
+        EXPECT_EQ(source->description().note, one.note);
+        const std::size_t last = one.times.size() - 1;
+        const auto step = source->read(last, source->description().fields);
+        ASSERT_TRUE(step.has_value()) << step.error().message;
+        if (source->description().fields.size() == 2)
+            expect_values(*step, one.times.back() == 10.0 ? 2 : 1, mesh.cells.size());
+    }
+}
+
+TEST_F(Processors, AreRefusedWithoutATimeInCommon) {
+    for (const auto& part : decompose(foam_block_mesh({})))
+        put(part, false, "processor" + std::to_string(part.part));
+    fs::remove_all(at("processor1/0"));
+    fs::remove_all(at("processor1/0.5"));
+    fs::remove_all(at("processor0/1e1"));
+    const auto refused = open_openfoam(at(""));
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().code, Error::Code::NotFound);
+    EXPECT_EQ(refused.error().message, "the processors of cavity have no time with U in common");
+    fs::remove_all(at("processor0/constant"));
+    EXPECT_FALSE(open_openfoam(at("")).has_value());
+    fs::rename(at("processor0"), at("processor2"));
+    EXPECT_EQ(open_openfoam(at("")).error().message, "cavity has processor1, but no processor0");
+    fs::create_directories(at("processors2"));
+    EXPECT_EQ(open_openfoam(at("")).error().code, Error::Code::Unsupported);
+}
+
+} // namespace
+} // namespace wakesurf::server::openfoam_processors_test
