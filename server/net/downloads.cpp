@@ -291,6 +291,7 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
         respond({304, {{"ETag", tag}, {"Cache-Control", "private, no-cache"}}});
         return {};
     }
+    const auto stay = (*session)->attendance().stay();
     files_.get(
         tag + place.session, turns_of(place.session, identity),
         [file =
@@ -299,8 +300,8 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
             return file.make(stop, share);
         },
         request.gone,
-        [respond, surface = place.surface, format = wanted->format,
-         tag](const core::Result<File>& file) {
+        [respond, surface = place.surface, format = wanted->format, tag,
+         stay](const core::Result<File>& file) {
             respond(file ? file_response(surface, format, tag, *file) : http_error(file.error()));
         });
     return {};

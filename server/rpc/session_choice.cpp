@@ -2,8 +2,10 @@
 
 namespace wakesurf::server {
 
-core::Result<std::shared_ptr<Session>> choose_session(const Call& call,
-                                                      const std::optional<std::string>& named) {
+namespace {
+
+core::Result<std::shared_ptr<Session>> chosen(const Call& call,
+                                              const std::optional<std::string>& named) {
     if (named && !named->empty())
         return call.context.sessions.find(*named);
     if (call.client != nullptr && call.client->session())
@@ -12,6 +14,16 @@ core::Result<std::shared_ptr<Session>> choose_session(const Call& call,
         return call.context.sessions.find(call.identity.session);
     return core::fail(core::Error::Code::InvalidArgument, "`session` is missing",
                       "name one from session.list, or join one on a WebSocket first");
+}
+
+} // namespace
+
+core::Result<std::shared_ptr<Session>> choose_session(const Call& call,
+                                                      const std::optional<std::string>& named) {
+    auto session = chosen(call, named);
+    if (session)
+        (*session)->attendance().seen();
+    return session;
 }
 
 } // namespace wakesurf::server

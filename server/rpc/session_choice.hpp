@@ -10,7 +10,7 @@
 namespace wakesurf::server {
 
 /// The session with the id `named`; without one, the session that the WebSocket has joined, or that the share link is for.
-/// Error: InvalidArgument, NotFound.
+/// It has been seen then: see Attendance. Error: InvalidArgument, NotFound.
 core::Result<std::shared_ptr<Session>> choose_session(const Call& call,
                                                       const std::optional<std::string>& named);
 

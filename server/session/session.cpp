@@ -54,7 +54,10 @@ Session::Session(std::string id,
                   announce({clock_.record()});
               },
               [this](bool jumped) { time_moved(jumped); }}),
-      profile_(services.unix_time) {
+      profile_(services.unix_time),
+      attendance_(services.loop,
+                  services.wall(),
+                  {[this] { return somebody(); }, [this] { rest(); }, [this] { resume(); }}) {
     if (services.memory != nullptr)
         memory_ = services.memory->open(core::MemoryUse::Records);
 }

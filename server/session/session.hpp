@@ -5,6 +5,7 @@
 
 #include "core/base/result.hpp"
 #include "server/base/session_services.hpp"
+#include "server/session/attendance.hpp"
 #include "server/session/data/datasets.hpp"
 #include "server/session/live/surface_builds.hpp"
 #include "server/session/people/participants.hpp"
@@ -101,6 +102,9 @@ class Session {
     /// Everybody in it is told.
     void rename(std::string name);
     void set_thumbnail(std::string base64);
+
+    /// Somebody calls, or stays for as long as they wait for an answer: see Attendance.
+    Attendance& attendance() { return attendance_; }
 
     /// Somebody wants it to be there: it is never given up, however little is in it.
     void made_on_purpose();
@@ -212,6 +216,9 @@ class Session {
     void announce(const std::vector<Patch>& patches);
     void keep_profile();
     void somebody_went();
+    bool somebody() const;
+    void rest();
+    void resume();
     core::Result<void> may_be_default(RecordType type, bool is_new) const;
     SurfaceBuilds::Events build_events();
 
@@ -231,7 +238,7 @@ class Session {
     SessionClock clock_;
     ProfileKeeper profile_;
     std::string thumbnail_;
-    std::shared_ptr<void> alone_;                       ///< runs since the last of its people went
+    Attendance attendance_;
     std::chrono::steady_clock::time_point time_kept_{}; ///< of the clock, in the journal
     std::vector<KeptAside> aside_;
     std::size_t newly_aside_ = 0;

@@ -104,6 +104,8 @@ Session::Epochs Session::commit(const std::vector<RecordChange>& changes) {
 }
 
 Session::Epochs Session::build(const std::vector<RecordChange>& changes, bool rest) {
+    if (!rest)
+        attendance_.seen();
     std::set<std::string> set;
     std::set<std::string> hanging;
     for (const RecordChange& each : changes) {
@@ -179,6 +181,7 @@ SurfaceBuilds::Events Session::build_events() {
         record.epoch = epoch;
         records_.put(record);
         announce({record});
+        attendance_.seen(); // what it computes ends with a look whether anybody is there
     };
     return events;
 }

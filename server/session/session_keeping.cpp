@@ -70,7 +70,7 @@ void Session::end() {
     for (const auto& [id, surface] : records_.all<protocol::SurfaceRecord>())
         builds_.retire(id);
     clock_.pause();
-    alone_.reset();
+    attendance_.end();
 }
 
 void Session::keep_time() {

@@ -1,5 +1,4 @@
 // A session as its list shows it: who comes and goes, what it is called, what it looks like.
-#include "server/limits.hpp"
 #include "server/session/session.hpp"
 
 #include <utility>
@@ -11,6 +10,7 @@ core::Result<Joined> Session::join(const Arrival& arrival, Observer& observer) {
     if (joined) {
         profile_.arrived({joined->you.id, joined->you.name, joined->you.colour});
         keep_profile();
+        attendance_.seen();
     }
     return joined;
 }
@@ -25,15 +25,28 @@ void Session::lose(const Observer& observer) {
     somebody_went();
 }
 
-/// A clock that no one looks at would have surfaces computed for ever; someone who only reloads the page finds it running.
+/// Someone who only reloads the page finds it as it was.
 void Session::somebody_went() {
     profile_.used();
     keep_profile();
-    if (participants_.present().empty())
-        alone_ = services_.loop.after(limits::absence, [this] {
-            if (participants_.present().empty() && clock_.playing())
-                clock_.pause();
-        });
+    attendance_.seen();
+}
+
+bool Session::somebody() const {
+    bool found = !participants_.present().empty();
+    builds_.for_each([&](const LiveSurface& each) { found = found || each.looked_at(); });
+    return found;
+}
+
+/// A clock that no one looks at would have surfaces computed for ever, and what they keep is others'.
+void Session::rest() {
+    clock_.pause();
+    builds_.for_each([](LiveSurface& each) { each.put_to_rest(); });
+}
+
+/// What was being computed goes on, from its beginning; the rest is built when somebody looks.
+void Session::resume() {
+    builds_.for_each([](LiveSurface& each) { each.resume(); });
 }
 
 void Session::rename(std::string name) {

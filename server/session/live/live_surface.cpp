@@ -87,6 +87,7 @@ void LiveSurface::begin_build() {
     full_.reset();
     coarse_done_ = refined_done_ = false;
     overtake_.reset();
+    interrupted_ = false;
     began_ = pass_wanted_ = asked_for_ = services_.clock.now();
 }
 
@@ -127,6 +128,19 @@ void LiveSurface::fall_back() {
     stop_jobs();
     held_ = true;
     begin_build();
+}
+
+void LiveSurface::put_to_rest() {
+    if (looked_at())
+        return;
+    const bool interrupted = !held_ && building_ && !error_ && busy();
+    fall_back();
+    interrupted_ = interrupted;
+}
+
+void LiveSurface::resume() {
+    if (held_ && interrupted_)
+        begin_now();
 }
 
 std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error, bool rest) {

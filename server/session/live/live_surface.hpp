@@ -65,6 +65,12 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     /// again, it is the same, bit by bit.
     void fall_back();
 
+    /// No one is there: falls back, and stops what is being computed; unless somebody looks at it after all.
+    void put_to_rest();
+
+    /// Somebody is there again: what put_to_rest() stopped is computed again.
+    void resume();
+
     /// Nothing of it is built or being built.
     bool resting() const { return held_; }
 
@@ -170,6 +176,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     bool building_ =
         false;          ///< there is a wanted surface, and it has neither failed nor been stopped
     bool held_ = false; ///< it rests
+    bool interrupted_ = false;             ///< put to rest while it was being computed
     std::optional<SurfaceOutcome> fallen_; ///< what it was before it fell back
     std::optional<double> fallen_at_;      ///< at that time of the clock
     std::uint32_t next_seq_ = 0;           ///< of the epoch: above all updates that were given out

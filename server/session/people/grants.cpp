@@ -192,6 +192,13 @@ std::optional<Identity> Grants::identity(const std::string& id) const {
     return Identity{link->newcomers(), link->session, id};
 }
 
+std::optional<SecretDigest> Grants::digest(const std::string& id) const {
+    const auto found = entries_.find(id);
+    return found == entries_.end() || !in_force(found->second)
+               ? std::nullopt
+               : std::optional(found->second.digest);
+}
+
 const Grant* Grants::grant(const std::string& id) const {
     const auto found = entries_.find(id);
     return found == entries_.end() || !in_force(found->second) ? nullptr : &found->second.grant;

@@ -111,6 +111,9 @@ class Grants {
     /// What a link is good for now, for a client without a place; nothing once it has ended.
     std::optional<Identity> identity(const std::string& id) const;
 
+    /// Of its key; nothing once it has ended.
+    std::optional<SecretDigest> digest(const std::string& id) const;
+
     /// Nothing once it has ended.
     const Grant* grant(const std::string& id) const;
 
