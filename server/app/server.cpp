@@ -7,6 +7,7 @@
 #include "server/metrics/process_account.hpp"
 #include "server/net/http_connection.hpp"
 #include "server/net/io_loop.hpp"
+#include "server/net/kept_logins.hpp"
 #include "server/net/listener.hpp"
 #include "server/rpc/cache_news.hpp"
 #include "server/rpc/careful_notice.hpp"
@@ -64,9 +65,10 @@ struct Server::Parts {
         if (journal)
             metrics.durable(true);
         desk = start_desk(options);
-        gate.emplace(
-            GateOptions{options.token, options.host, port, options.origins, tls != nullptr},
-            entropy, clock, grants, &metrics);
+        gate.emplace(GateOptions{options.token, options.host, port, options.origins, tls != nullptr,
+                                 logins ? &*logins : nullptr, unix_seconds,
+                                 !options.frame_origins.empty()},
+                     entropy, clock, grants, &metrics);
         std::string notice;
         if (kept) {
             starts.emplace(kept->folder.path());
@@ -219,6 +221,7 @@ struct Server::Parts {
     Admission admission{places, metrics};
     Budgets budgets{clock, &metrics, budget_for(places.connections)};
     TrustedProxies proxies;
+    SecurityHeaders headers;
     std::unique_ptr<TlsContext> tls;
     Connections connections;
     WriteTurns turns{[this](std::function<void()> task) { loop.post(std::move(task)); }, clock};
@@ -233,6 +236,7 @@ struct Server::Parts {
     std::unique_ptr<StateDesk> desk;                          ///< its thread asks the journal
     std::unique_ptr<DatasetCatalogue> catalogue;
     Grants grants{{loop, clock, entropy, unix_seconds, journal.get()}};
+    std::optional<KeptLogins> logins; ///< with `--state`
     std::optional<Gate> gate;
     std::optional<CatalogueDatasets> datasets;
     std::optional<SessionDirectory> sessions;
@@ -260,6 +264,13 @@ core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options)
     auto parts = std::make_unique<Parts>(options, std::move(kept));
     Parts* const all = parts.get();
     all->proxies = options.proxies;
+    all->headers = SecurityHeaders(options.frame_origins);
+    if (all->kept) {
+        auto logins = KeptLogins::open(all->kept->folder.path(), all->entropy);
+        if (!logins)
+            return tl::unexpected(logins.error());
+        all->logins.emplace(std::move(*logins));
+    }
     if (!options.certificate.empty()) {
         auto tls = TlsContext::load(options.certificate, options.key);
         if (!tls)
@@ -270,7 +281,8 @@ core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options)
         all->context, options.host, options.port, [all](asio::ip::tcp::socket socket) {
             serve_http(std::move(socket),
                        {*all->routes, all->connections, all->grants, all->admission, all->budgets,
-                        all->proxies, all->metrics, all->outboxes, all->turns, all->tls.get()});
+                        all->proxies, all->metrics, all->outboxes, all->turns, all->headers,
+                        all->tls.get()});
         });
     if (!listener)
         return tl::unexpected(listener.error());

@@ -24,6 +24,7 @@ struct ServerOptions {
     unsigned threads = 0; ///< that compute; 0: one a core
     std::string token;    ///< empty: no authentication
     std::vector<std::string> origins;
+    std::vector<std::string> frame_origins; ///< pages of these may show ours in a frame
     TrustedProxies proxies;
     std::filesystem::path certificate; ///< empty: plain HTTP
     std::filesystem::path key;         ///< the certificate's

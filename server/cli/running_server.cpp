@@ -145,7 +145,7 @@ RunningServer::ask(const std::string& method, const std::string& path, const std
     });
     if (error)
         return no_answer(error);
-    Request request(http::string_to_verb(method), path, 11);
+    Request request(http::string_to_verb(method), address_.prefix + path, 11);
     request.set(http::field::host, address_.authority());
     request.set(http::field::connection, "close");
     if (!address_.token.empty())

@@ -2,6 +2,7 @@
 
 #include "server/app/server.hpp"
 #include "server/base/memory_size.hpp"
+#include "server/base/private_file.hpp"
 #include "server/catalogue/dataset_argument.hpp"
 #include "server/catalogue/shipped_files.hpp"
 #include "server/cli/environment.hpp"
@@ -9,6 +10,7 @@
 #include "server/cli/writable_folder.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/token_file.hpp"
+#include "server/state/state_folder.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -55,19 +57,30 @@ core::Result<std::string> choose_token(const ServeOptions& options, const Addres
         return fail(Error::Code::InvalidArgument,
                     "--no-auth would let anyone in at " + address.host,
                     "listen on 127.0.0.1, or leave --no-auth out");
+    if (options.new_token && (options.no_auth || options.token_file.empty()))
+        return fail(Error::Code::InvalidArgument, "--new-token needs a token file",
+                    "give --token-file; without one, each start has a new token anyway");
     if (options.no_auth)
         return std::string{};
     SystemEntropy entropy;
-    return options.token_file.empty() ? core::Result<std::string>(fresh_token(entropy))
-                                      : token_from(options.token_file, entropy);
+    if (options.token_file.empty())
+        return fresh_token(entropy);
+    if (options.new_token && !options.state.empty()) // the server that runs there keeps its token
+        if (const auto here = StateFolder::hold_existing(options.state);
+            !here && here.error().code == Error::Code::OverLimit)
+            return tl::unexpected(here.error());
+    if (options.new_token)
+        return new_token_in(options.token_file, entropy);
+    return secret_from(options.token_file, entropy, "the token in the token file");
 }
 
-core::Result<void> check_origins(const std::vector<std::string>& origins) {
+core::Result<void> check_origins(const std::vector<std::string>& origins,
+                                 const std::string& option) {
     for (const std::string& origin : origins) {
         const auto scheme = origin.find("://");
         const bool known = origin.starts_with("http://") || origin.starts_with("https://");
         if (!known || !host_name(origin.substr(scheme + 3)))
-            return fail(Error::Code::InvalidArgument, "--origin is `" + origin + "`",
+            return fail(Error::Code::InvalidArgument, option + " is `" + origin + "`",
                         "write it as browsers do: https://viewer.example or http://host:port");
     }
     return {};
@@ -107,6 +120,14 @@ core::Result<void> check_folders(const ServeOptions& options, const ServerOption
                                "--token-file");
             !made)
             return made;
+    if (!options.url_file.empty()) {
+        const auto folder = std::filesystem::absolute(options.url_file, ignored).parent_path();
+        if (!std::filesystem::is_directory(folder, ignored))
+            return fail(Error::Code::Io, "--url-file: there is no folder for it",
+                        "make the folder first");
+        if (auto made = check_writable(folder, "--url-file"); !made)
+            return made;
+    }
     if (!options.state.empty())
         if (auto kept = check_writable(options.state, "--state"); !kept)
             return kept;
@@ -124,7 +145,9 @@ core::Result<ServerOptions> server_options(const ServeOptions& options) {
     const auto address = parse_address(options.listen);
     if (!address)
         return tl::unexpected(address.error());
-    if (auto origins = check_origins(options.origins); !origins)
+    if (auto origins = check_origins(options.origins, "--origin"); !origins)
+        return tl::unexpected(origins.error());
+    if (auto origins = check_origins(options.frame_origins, "--frame-origin"); !origins)
         return tl::unexpected(origins.error());
     ServerOptions server;
     server.store_root =
@@ -145,6 +168,7 @@ core::Result<ServerOptions> server_options(const ServeOptions& options) {
     server.threads = options.threads;
     server.token = *token;
     server.origins = options.origins;
+    server.frame_origins = options.frame_origins;
     server.proxies = std::move(*proxies);
     server.certificate = options.certificate;
     server.key = options.key;
@@ -152,14 +176,32 @@ core::Result<ServerOptions> server_options(const ServeOptions& options) {
     return server;
 }
 
-core::Result<void> serve(const ServerOptions& options) {
+/// Where the link goes: to the file, if there is one, and to standard output without the token then.
+core::Result<void>
+tell_link(const std::string& address, const std::string& token, const std::filesystem::path& file) {
+    const std::string link = address + (token.empty() ? "" : "#token=" + token);
+    if (!file.empty())
+        if (auto written = write_private_file(file, link + "\n"); !written)
+            return fail(Error::Code::Io, "--url-file: " + written.error().message,
+                        written.error().hint);
+    fmt::print("wakesurf: {}\n", file.empty() ? link : address);
+    std::fflush(stdout);
+    return {};
+}
+
+core::Result<void> serve(const ServerOptions& options, const std::filesystem::path& url_file) {
+    std::error_code ignored;
+    if (!url_file.empty()) // one that waits for the link must not read that of an earlier server
+        std::filesystem::remove(url_file, ignored);
     auto running = Server::open(options);
     if (!running)
         return tl::unexpected(running.error());
     const bool tls = !options.certificate.empty();
-    fmt::print("wakesurf: {}://{}:{}/{}{}\n", tls ? "https" : "http", shown_host(options.host),
-               (*running)->port(), options.token.empty() ? "" : "#token=", options.token);
-    std::fflush(stdout);
+    if (auto told = tell_link(fmt::format("{}://{}:{}/", tls ? "https" : "http",
+                                          shown_host(options.host), (*running)->port()),
+                              options.token, url_file);
+        !told)
+        return told;
     if (!tls && in_container()) // which cannot know where its port is published
         spdlog::info("event=no_tls message=\"this port speaks plain HTTP\" hint=\"publish it on "
                      "127.0.0.1 only, or put TLS in front of it\"");
@@ -205,12 +247,20 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
         command.add_option("--token-file", options.token_file,
                            "take the token from this file, which is created if missing "
                            "(default: $WAKESURF_TOKEN_FILE, or a new token)");
+    command.add_flag("--new-token", options.new_token,
+                     "put a new token into the token file: links and logins with the old one end");
     command
         .add_flag("--no-auth", options.no_auth,
                   "ask for no token; allowed only on a loopback address")
         ->excludes(file);
+    command.add_option("--url-file", options.url_file,
+                       "write the link with the token to this file, which only its owner can read, "
+                       "instead of to standard output: for batch jobs, whose logs others can read");
     command.add_option("--origin", options.origins,
                        "another page origin that may connect, written exactly as in the browser");
+    command.add_option("--frame-origin", options.frame_origins,
+                       "an origin whose pages may show this one in a frame, as "
+                       "https://wiki.example (default: no page may)");
     command.add_option(
         "--trusted-proxy", options.trusted_proxies,
         "ADDR or ADDR/BITS: trust this proxy's client addresses (X-Forwarded-For, PROXY protocol)");
@@ -236,7 +286,7 @@ int run_serve(const ServeOptions& options) {
         const int status = report_failure(server.error());
         return server.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
     }
-    const auto served = serve(*server);
+    const auto served = serve(*server, options.url_file);
     return served ? 0 : report_failure(served.error());
 }
 

@@ -19,8 +19,11 @@ struct ServeOptions {
     std::uint64_t memory = 0; ///< 0: by the machine and the control group
     unsigned threads = 0;
     std::string token_file;
+    bool new_token = false;
+    std::string url_file;
     bool no_auth = false;
     std::vector<std::string> origins;
+    std::vector<std::string> frame_origins;
     std::vector<std::string> trusted_proxies;
     std::string certificate;
     std::string key;

@@ -40,8 +40,14 @@ core::Result<ServerAddress> parse_server_address(const std::string& url) {
     const auto hash = std::min(rest.find('#'), rest.size());
     out.token = token_of(rest.substr(std::min(hash + 1, rest.size())));
     rest = rest.substr(0, hash);
-    if (rest.ends_with('/'))
+    while (rest.ends_with('/'))
         rest.remove_suffix(1);
+    const auto slash = std::min(rest.find('/'), rest.size());
+    out.prefix = rest.substr(slash);
+    rest = rest.substr(0, slash);
+    const auto printable = [](char c) { return c > ' ' && c < 0x7f && c != '?'; };
+    if (!std::all_of(out.prefix.begin(), out.prefix.end(), printable))
+        return wrong;
     const auto bracket = rest.starts_with('[') ? rest.find(']') : 0;
     if (bracket == std::string_view::npos)
         return wrong;
@@ -50,8 +56,8 @@ core::Result<ServerAddress> parse_server_address(const std::string& url) {
     out.port = colon == std::string_view::npos ? (out.tls ? "443" : "80")
                                                : std::string(rest.substr(colon + 1));
     const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-    if (out.host.empty() || out.host.find('/') != std::string::npos || out.port.empty() ||
-        out.port.size() > 5 || !std::all_of(out.port.begin(), out.port.end(), digit))
+    if (out.host.empty() || out.port.empty() || out.port.size() > 5 ||
+        !std::all_of(out.port.begin(), out.port.end(), digit))
         return wrong;
     return out;
 }

@@ -11,13 +11,14 @@ struct ServerAddress {
     bool tls = false;
     std::string host; ///< without the brackets of an IPv6 address
     std::string port;
+    std::string prefix; ///< of a proxy, as /flow; may be empty
     std::string token; ///< may be empty
 
     /// As a Host header has it.
     std::string authority() const;
 };
 
-/// From http://HOST[:PORT][/][#token=...]. Error: InvalidArgument.
+/// From http://HOST[:PORT][/PREFIX][/][#token=...]. Error: InvalidArgument.
 core::Result<ServerAddress> parse_server_address(const std::string& url);
 
 } // namespace wakesurf::server

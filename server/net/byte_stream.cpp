@@ -37,7 +37,7 @@ std::string wants_tls() {
     const std::string body = "this port speaks TLS: use https:// or wss://\n";
     std::string text = "HTTP/1.1 400 Bad Request\r\nContent-Type: text/plain\r\n"
                        "Cache-Control: no-store\r\nConnection: close\r\n";
-    for (const auto& [name, value] : security_headers())
+    for (const auto& [name, value] : SecurityHeaders().all())
         text.append(name).append(": ").append(value).append("\r\n");
     return text + "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 
 namespace wakesurf::server {
 
@@ -21,17 +20,16 @@ bool contains(const std::vector<std::string>& list, std::string_view value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
 
+constexpr std::string_view login_word = "login ";
+
 std::string person_of(const Login& login) {
-    return "login " + std::to_string(login.number);
+    return std::string(login_word) + login.id;
 }
 
-std::optional<std::uint64_t> login_of(std::string_view person) {
-    constexpr std::string_view word = "login ";
-    if (!person.starts_with(word))
+std::optional<std::string> login_of(std::string_view person) {
+    if (!person.starts_with(login_word))
         return std::nullopt;
-    std::uint64_t number = 0;
-    std::from_chars(person.data() + word.size(), person.data() + person.size(), number);
-    return number;
+    return std::string(person.substr(login_word.size()));
 }
 
 std::optional<std::string_view> bearer(std::string_view header) {
@@ -100,12 +98,28 @@ bool is_loopback(std::string_view host) {
             name.find_first_not_of("0123456789.") == std::string::npos);
 }
 
+bool is_cookie_path(std::string_view path) {
+    constexpr std::size_t longest = 512;
+    constexpr std::string_view marks =
+        "/-._~%!$&'()*+,=:@"; // of a URL's path (RFC 3986), without the semicolon
+    const auto fits = [&](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || marks.find(c) != marks.npos;
+    };
+    return path.size() <= longest && path.starts_with('/') && path.ends_with('/') &&
+           std::all_of(path.begin(), path.end(), fits);
+}
+
 Gate::Gate(GateOptions options,
            Entropy& entropy,
            const core::Clock& clock,
            const Grants& grants,
            Metrics* metrics)
-    : options_(std::move(options)), token_(secret_digest(options_.token)), cookies_(entropy, clock),
+    : options_(std::move(options)), token_(secret_digest(options_.token)),
+      cookies_({entropy, clock, options_.unix_time,
+                [this](const std::string& grant) {
+                    return grant.empty() ? std::optional(token_) : grants_.digest(grant);
+                },
+                options_.kept}),
       grants_(grants),
       wrong_tokens_(limits::wrong_tokens_per_second, limits::wrong_tokens_at_once, clock),
       strangers_(limits::strangers_per_second, limits::strangers_at_once, clock),
@@ -130,6 +144,14 @@ Gate::Gate(GateOptions options,
 std::optional<Refusal> Gate::check_open(const HttpRequest& request) const {
     if (auto refusal = check_host(request))
         return refusal;
+    return check_origin(request);
+}
+
+std::optional<Refusal> Gate::check_file(const HttpRequest& request) const {
+    return check_host(request);
+}
+
+std::optional<Refusal> Gate::check_health(const HttpRequest& request) const {
     return check_origin(request);
 }
 
@@ -175,10 +197,11 @@ bool Gate::still(const Visitor& visitor) const {
 std::optional<Refusal> Gate::check_host(const HttpRequest& request) const {
     const auto values = request.all("host");
     const auto name = values.size() == 1 ? host_name(values.front()) : std::nullopt;
-    if (name && contains(hosts_, *name))
+    if (name && (contains(hosts_, *name) || is_loopback(*name)))
         return std::nullopt;
     return Refusal{403, "the request is for a host name that this server does not use",
-                   "use the address wakesurf printed, or start it with --origin"};
+                   "use the address wakesurf printed, or start it with --origin and the address "
+                   "that the browser shows, up to the path"};
 }
 
 std::optional<Refusal> Gate::check_origin(const HttpRequest& request) const {
@@ -187,7 +210,8 @@ std::optional<Refusal> Gate::check_origin(const HttpRequest& request) const {
     if (values.empty() || (one && (contains(origins_, values.front()) || tunnelled(request))))
         return std::nullopt;
     return Refusal{403, "the request comes from a page of another origin",
-                   "open the page at the address wakesurf printed, or start it with --origin"};
+                   "open the page at the address wakesurf printed, or start it with --origin and "
+                   "the address that the browser shows, up to the path"};
 }
 
 /// Through `ssh -L` browsers know the server by another port. The page's origin is then the very address that the request went to;
@@ -226,7 +250,7 @@ std::optional<Visitor> Gate::visitor_of(const HttpRequest& request) {
     }
     for (const std::string_view cookie :
          cookies_named(cookie_name(request, options_.port), request))
-        if (const auto login = cookies_.find(cookie))
+        if (const auto login = cookies_.find(cookie, request.from))
             if (auto identity = holder_of_grant(login->grant))
                 return Visitor(std::move(*identity), person_of(*login));
     return std::nullopt;
@@ -281,39 +305,50 @@ Refusal Gate::wrong_token(const std::string& from) {
             "use the token wakesurf printed when it was last started, or ask for a new link"};
 }
 
-tl::expected<std::string, Refusal> Gate::login(const HttpRequest& request, std::string_view token) {
+tl::expected<std::string, Refusal>
+Gate::login(const HttpRequest& request, std::string_view token, std::string_view path) {
     const auto identity = options_.token.empty() ? Identity{} : holder_of(token);
     if (!identity)
         return tl::unexpected(wrong_token(request.from));
     const std::string name = cookie_name(request, options_.port);
     for (const std::string_view cookie : cookies_named(name, request))
-        if (const auto login = cookies_.find(cookie); login && login->grant == identity->grant)
-            return set_cookie(name, std::string(cookie));
+        if (const auto login = cookies_.find(cookie, request.from);
+            login && login->grant == identity->grant)
+            return set_cookie(request, std::string(cookie), path);
     for (const std::string_view cookie : cookies_named(name, request))
         cookies_.end(cookie); // the browser is about to forget it
     const auto made = cookies_.make(identity->grant, request.from);
     if (made)
-        return set_cookie(name, *made);
+        return set_cookie(request, *made, path);
     over_budget(Budgeted::Logins);
     constexpr std::chrono::seconds later{60};
     return tl::unexpected(
         Refusal{429, made.error().message, made.error().hint, made.error().limit, later});
 }
 
-tl::expected<Gate::LoggedOut, Refusal> Gate::logout(const HttpRequest& request) {
+tl::expected<Gate::LoggedOut, Refusal> Gate::logout(const HttpRequest& request,
+                                                    std::string_view path) {
     if (auto refusal = check_sender(request))
         return tl::unexpected(std::move(*refusal));
     const std::string name = cookie_name(request, options_.port);
-    LoggedOut out{set_cookie(name, {}) + "; Max-Age=0", {}};
+    LoggedOut out{set_cookie(request, {}, path) + "; Max-Age=0", {}};
     for (const std::string_view cookie : cookies_named(name, request))
         if (const auto login = cookies_.end(cookie))
             out.people.push_back(person_of(*login));
     return out;
 }
 
-std::string Gate::set_cookie(const std::string& name, const std::string& value) const {
-    return name + "=" + value + "; HttpOnly; SameSite=Strict; Path=/" +
-           (options_.tls ? "; Secure" : "");
+/// Pages of other sites that show this one in a frame get no cookie that is Strict or Lax. Where they may, over TLS, it is good below the
+/// page that holds the frame alone (Partitioned); what it opens is guarded by the Origin all the same.
+std::string Gate::set_cookie(const HttpRequest& request,
+                             const std::string& value,
+                             std::string_view path) const {
+    const bool secure = options_.tls || request.header("origin").starts_with("https://");
+    const std::string_view site =
+        options_.framed && secure ? "SameSite=None; Partitioned" : "SameSite=Strict";
+    std::string out = cookie_name(request, options_.port) + "=" + value + "; HttpOnly; ";
+    out.append(site).append("; Path=").append(path);
+    return out + (secure ? "; Secure" : "");
 }
 
 } // namespace wakesurf::server

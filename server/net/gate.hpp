@@ -29,6 +29,9 @@ struct GateOptions {
     std::uint16_t port = 0;
     std::vector<std::string> origins; ///< further ones, exact: https://viewer.example
     bool tls = false;                 ///< the server's own origins are https, its cookie Secure
+    KeptLogins* kept = nullptr;       ///< nothing: logins end with the server
+    UnixTime unix_time = unix_seconds;
+    bool framed = false; ///< pages of other sites may show this one in a frame
 };
 
 /// Why a request was refused.
@@ -53,6 +56,13 @@ class Gate {
     /// Of requests that need no token: the same Host and Origin as all others. Nothing: come in.
     std::optional<Refusal> check_open(const HttpRequest& request) const;
 
+    /// Of the page's own files, which hold nothing secret: the same Host as all others. Browsers name an Origin for scripts and styles,
+    /// and a page without them could not say why it is refused.
+    std::optional<Refusal> check_file(const HttpRequest& request) const;
+
+    /// Of /healthz: the same Origin as all others. A proxy asks under any name.
+    std::optional<Refusal> check_health(const HttpRequest& request) const;
+
     /// Counts a request that needs no token, with an answer of so many bytes. Error: 429 where its address sends more of them than it
     /// may; who shows a token all the same is not refused.
     std::optional<Refusal> count_open(const HttpRequest& request, std::size_t bytes = 0);
@@ -68,7 +78,9 @@ class Gate {
 
     /// A client that shows the token or the key of a share link gets the value of Set-Cookie: the cookie that came with the request
     /// if it is good for the same, else a new one, and the one that came ends.
-    tl::expected<std::string, Refusal> login(const HttpRequest& request, std::string_view token);
+    /// @param path  of the page, as the browser has it: behind a proxy with a prefix, the cookie is for that alone
+    tl::expected<std::string, Refusal>
+    login(const HttpRequest& request, std::string_view token, std::string_view path = "/");
 
     struct LoggedOut {
         std::string cookie;              ///< value of Set-Cookie: the browser forgets it
@@ -76,7 +88,8 @@ class Gate {
     };
 
     /// Ends the logins whose cookies came with the request.
-    tl::expected<LoggedOut, Refusal> logout(const HttpRequest& request);
+    tl::expected<LoggedOut, Refusal> logout(const HttpRequest& request,
+                                            std::string_view path = "/");
 
   private:
     std::optional<Refusal> check_host(const HttpRequest& request) const;
@@ -89,7 +102,8 @@ class Gate {
     bool tunnelled(const HttpRequest& request) const;
     std::string scheme() const;
     std::optional<Refusal> check_sender(const HttpRequest& request) const;
-    std::string set_cookie(const std::string& name, const std::string& value) const;
+    std::string
+    set_cookie(const HttpRequest& request, const std::string& value, std::string_view path) const;
     Refusal wrong_token(const std::string& from);
     void over_budget(Budgeted kind) const;
 
@@ -107,6 +121,9 @@ class Gate {
 /// The name in a Host header or an authority, in lower case, without the port and with the brackets of an IPv6 address;
 /// nothing for what is not one.
 std::optional<std::string> host_name(std::string_view authority);
+
+/// Whether it can be the Path of a cookie: it begins and ends with a slash and holds nothing that a cookie's attribute may not.
+bool is_cookie_path(std::string_view path);
 
 /// Whether only this machine can reach the address.
 bool is_loopback(std::string_view host);

@@ -4,7 +4,6 @@
 #include "server/net/byte_stream.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/http_error.hpp"
-#include "server/net/security_headers.hpp"
 #include "server/net/websocket_connection.hpp"
 
 #include <boost/asio/ssl/error.hpp>
@@ -322,7 +321,7 @@ void HttpConnection::respond(const HttpResponse& response, bool keep_alive, bool
     const auto view = [](std::string_view text) {
         return beast::string_view(text.data(), text.size());
     };
-    for (const auto& [name, value] : security_headers())
+    for (const auto& [name, value] : services_.headers.all())
         response_->set(view(name), view(value));
     if (named_)
         response_->set(http::field::strict_transport_security, view(transport_security));

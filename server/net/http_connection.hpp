@@ -8,6 +8,7 @@
 #include "server/net/connections.hpp"
 #include "server/net/outbox_memory.hpp"
 #include "server/net/routes.hpp"
+#include "server/net/security_headers.hpp"
 #include "server/net/tls_context.hpp"
 #include "server/net/trusted_proxies.hpp"
 #include "server/net/write_turns.hpp"
@@ -27,7 +28,8 @@ struct NetServices {
     Metrics& metrics;
     OutboxMemory& outboxes;
     WriteTurns& turns;
-    TlsContext* tls; ///< nothing: plain TCP
+    const SecurityHeaders& headers; ///< of every answer
+    TlsContext* tls;                ///< nothing: plain TCP
 };
 
 /// Serves the socket until it closes; keeps itself alive meanwhile. Closes it at once where there is no room.

@@ -18,20 +18,30 @@ std::size_t total(const Counts& counts) {
 
 } // namespace
 
+LoginCookies::LoginCookies(Services services)
+    : services_(std::move(services)),
+      key_(services_.kept != nullptr ? services_.kept->key() : random_hex(services_.entropy, 32)),
+      started_(services_.unix_time()) {}
+
 core::Result<std::string> LoginCookies::make(const std::string& grant, const std::string& from) {
     forget_expired();
-    if (!make_room(grant, from))
+    const auto secret = services_.secret(grant);
+    if (!secret || !make_room(grant, from))
         return core::over_limit(limits::logins_from_one,
                                 "this link has reached its limit of logins",
                                 "log out where you no longer need it, or try again later");
-    const auto now = clock_.now();
-    std::string cookie = random_hex(entropy_, 32);
-    entries_.push_back({{grant, next_++}, secret_digest(cookie), from, now, now, false});
+    const SignedLogin login{random_hex(services_.entropy, 16), services_.unix_time(), grant};
+    add(login, from, services_.clock.now());
+    return cookie_of(login, key_, *secret);
+}
+
+LoginCookies::Entries::iterator
+LoginCookies::add(const SignedLogin& login, const std::string& from, Time made) {
+    entries_.push_back({login, from, made, services_.clock.now(), false});
     const auto entry = std::prev(entries_.end());
-    by_digest_[entry->digest] = entry;
-    by_number_[entry->login.number] = entry;
-    ++count_[grant][from];
-    return cookie;
+    by_id_[login.id] = entry;
+    ++count_[login.grant][from];
+    return entry;
 }
 
 bool LoginCookies::make_room(const std::string& grant, const std::string& from) {
@@ -54,7 +64,7 @@ bool LoginCookies::make_room(const std::string& grant, const std::string& from) 
 
 /// The oldest login that has had its time to come back and has not.
 bool LoginCookies::forget_unproven(const std::string& grant, const std::string* from) {
-    const auto now = clock_.now();
+    const auto now = services_.clock.now();
     const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& each) {
         return !each.proven && each.login.grant == grant &&
                now - each.made >= limits::login_proof && (from == nullptr || each.from == *from);
@@ -65,33 +75,67 @@ bool LoginCookies::forget_unproven(const std::string& grant, const std::string* 
     return true;
 }
 
-std::optional<Login> LoginCookies::find(std::string_view cookie) {
-    const auto found = by_digest_.find(secret_digest(cookie));
-    if (found == by_digest_.end() || over(*found->second))
+/// Signed by us for a secret that is still good, whether or not it has ended.
+std::optional<SignedLogin> LoginCookies::sound(std::string_view cookie) const {
+    auto login = read_cookie(cookie);
+    if (!login)
         return std::nullopt;
-    Entry& entry = *found->second;
-    entry.used = clock_.now();
-    entry.proven = true;
-    entries_.splice(entries_.end(), entries_, found->second);
-    return entry.login;
-}
-
-std::optional<Login> LoginCookies::end(std::string_view cookie) {
-    const auto found = by_digest_.find(secret_digest(cookie));
-    if (found == by_digest_.end())
+    const auto secret = services_.secret(login->grant);
+    if (!secret ||
+        !same_digest(secret_digest(cookie_of(*login, key_, *secret)), secret_digest(cookie)))
         return std::nullopt;
-    Login login = found->second->login;
-    forget(found->second);
     return login;
 }
 
-bool LoginCookies::lasts(std::uint64_t number) const {
-    const auto found = by_number_.find(number);
-    return found != by_number_.end() && !over(*found->second);
+std::optional<Login> LoginCookies::find(std::string_view cookie, const std::string& from) {
+    const auto login = sound(cookie);
+    if (!login)
+        return std::nullopt;
+    if (!by_id_.contains(login->id) && !adopt(*login, from))
+        return std::nullopt;
+    const auto found = by_id_.at(login->id);
+    if (over(*found))
+        return std::nullopt;
+    found->used = services_.clock.now();
+    found->proven = true;
+    entries_.splice(entries_.end(), entries_, found);
+    return Login{login->grant, login->id};
+}
+
+/// One that an earlier life of the server made. Of those that this life made, all that are good are known.
+bool LoginCookies::adopt(const SignedLogin& login, const std::string& from) {
+    const std::chrono::seconds age{services_.unix_time() - login.made};
+    if (services_.kept == nullptr || login.made > started_ || age >= limits::login_most ||
+        services_.kept->ended(login.grant, login.id, login.made))
+        return false;
+    forget_expired();
+    if (!make_room(login.grant, from))
+        return false;
+    add(login, from, services_.clock.now() - std::max(age, std::chrono::seconds{0}));
+    return true;
+}
+
+std::optional<Login> LoginCookies::end(std::string_view cookie) {
+    const auto login = sound(cookie);
+    if (!login)
+        return std::nullopt;
+    const auto found = by_id_.find(login->id);
+    const bool was = found != by_id_.end();
+    if (was)
+        forget(found->second);
+    if (services_.kept == nullptr || services_.kept->ended(login->grant, login->id, login->made))
+        return was ? std::optional(Login{login->grant, login->id}) : std::nullopt;
+    services_.kept->end(login->grant, login->id, login->made);
+    return Login{login->grant, login->id};
+}
+
+bool LoginCookies::lasts(const std::string& id) const {
+    const auto found = by_id_.find(id);
+    return found != by_id_.end() && !over(*found->second);
 }
 
 bool LoginCookies::over(const Entry& entry) const {
-    const auto now = clock_.now();
+    const auto now = services_.clock.now();
     return now - entry.used >= limits::login_idle || now - entry.made >= limits::login_most;
 }
 
@@ -106,8 +150,7 @@ void LoginCookies::forget(Entries::iterator entry) {
         counts.erase(entry->from);
     if (counts.empty())
         count_.erase(entry->login.grant);
-    by_digest_.erase(entry->digest);
-    by_number_.erase(entry->login.number);
+    by_id_.erase(entry->login.id);
     entries_.erase(entry);
 }
 

@@ -36,6 +36,11 @@ HttpResponse wrong_method(const char* allowed) {
     return response;
 }
 
+HttpResponse wrong_path() {
+    return http_error(400, "`path` is not the path of a page",
+                      "send the part of the page's address from the host to the last slash");
+}
+
 HttpResponse healthy() {
     HttpResponse response;
     response.headers = {{"Content-Type", "text/plain; charset=utf-8"},
@@ -180,7 +185,10 @@ std::optional<HttpResponse> Routes::answer_open(const HttpRequest& request) {
     const bool out = request.path == logout_path;
     if (!file && !in && !out && request.path != health_path)
         return std::nullopt;
-    if (const auto refusal = gate_.check_open(request))
+    const auto refusal = file          ? gate_.check_file(request)
+                         : (in || out) ? gate_.check_open(request)
+                                       : gate_.check_health(request);
+    if (refusal)
         return http_error(*refusal);
     if (in || out)
         return request.method != "POST" ? wrong_method("POST")
@@ -260,22 +268,40 @@ void Routes::call(const HttpRequest& request, const Visitor& visitor, Respond re
 }
 
 HttpResponse Routes::login(const HttpRequest& request) {
+    constexpr const char* example = R"(send {"token":"..."})";
     const auto body =
         protocol::parse_json(request.body, {limits::message_bytes, limits::message_depth});
     if (!body)
-        return http_error(400, "the body is not JSON", R"(send {"token":"..."})");
+        return http_error(400, "the body is not JSON", example);
     protocol::CheckedJson in(*body);
     const std::string token = in.text("token", 512);
+    const std::string path = in.has("path") ? in.text("path", 512) : "/";
     if (const auto verdict = in.verdict(); !verdict)
-        return http_error(400, verdict.error().message, R"(send {"token":"..."})");
-    const auto cookie = gate_.login(request, token);
+        return http_error(400, verdict.error().message, example);
+    if (!is_cookie_path(path))
+        return wrong_path();
+    const auto cookie = gate_.login(request, token, path);
     if (!cookie)
         return http_error(cookie.error());
     return {204, {{"Set-Cookie", *cookie}, {"Cache-Control", "no-store"}}};
 }
 
+/// The body may be empty.
 HttpResponse Routes::logout(const HttpRequest& request) {
-    const auto done = gate_.logout(request);
+    std::string path = "/";
+    if (!request.body.empty()) {
+        const auto body =
+            protocol::parse_json(request.body, {limits::message_bytes, limits::message_depth});
+        if (!body)
+            return http_error(400, "the body is not JSON", "send nothing, or the path of the page");
+        protocol::CheckedJson in(*body);
+        path = in.text("path", 512);
+        if (const auto verdict = in.verdict(); !verdict)
+            return http_error(400, verdict.error().message, R"(send {"path":"/"})");
+    }
+    if (!is_cookie_path(path))
+        return wrong_path();
+    const auto done = gate_.logout(request, path);
     if (!done)
         return http_error(done.error());
     for (const std::string& person : done->people)

@@ -1,29 +1,28 @@
 #include "server/net/security_headers.hpp"
 
-#include <array>
-
 namespace wakesurf::server {
 
-namespace {
-
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> headers{{
-    {"X-Content-Type-Options", "nosniff"},
-    {"X-Frame-Options", "DENY"},
-    {"Referrer-Policy", "no-referrer"},
-    {"Cross-Origin-Resource-Policy", "same-origin"},
-    {"Cross-Origin-Opener-Policy", "same-origin"},
-    {"Permissions-Policy",
-     "camera=(), geolocation=(), microphone=(), payment=(), serial=(), usb=()"},
-    {"Content-Security-Policy",
-     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; "
-     "connect-src 'self'; style-src 'self'; img-src 'self' data: blob:; object-src 'none'; "
-     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
-}};
-
-} // namespace
-
-std::span<const std::pair<std::string_view, std::string_view>> security_headers() {
-    return headers;
+SecurityHeaders::SecurityHeaders(const std::vector<std::string>& frame_origins)
+    : headers_{
+          {"X-Content-Type-Options", "nosniff"},
+          {"Referrer-Policy", "no-referrer"},
+          {"Cross-Origin-Resource-Policy", "same-origin"},
+          {"Cross-Origin-Opener-Policy", "same-origin"},
+          {"Permissions-Policy",
+           "camera=(), geolocation=(), microphone=(), payment=(), serial=(), usb=()"},
+      } {
+    std::string framing;
+    for (const std::string& origin : frame_origins)
+        framing += " " + origin;
+    // X-Frame-Options knows no origins but our own: where there are others, it is left out, and frame-ancestors alone says who may.
+    if (framing.empty())
+        headers_.emplace_back("X-Frame-Options", "DENY");
+    headers_.emplace_back(
+        "Content-Security-Policy",
+        "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; "
+        "connect-src 'self'; style-src 'self'; img-src 'self' data: blob:; object-src 'none'; "
+        "base-uri 'none'; form-action 'none'; frame-ancestors" +
+            (framing.empty() ? " 'none'" : framing));
 }
 
 } // namespace wakesurf::server

@@ -2,12 +2,23 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace wakesurf::server {
 
-std::span<const std::pair<std::string_view, std::string_view>> security_headers();
+class SecurityHeaders {
+  public:
+    /// @param frame_origins  origins whose pages may show ours in a frame; none: no page may
+    explicit SecurityHeaders(const std::vector<std::string>& frame_origins = {});
+
+    std::span<const std::pair<std::string_view, std::string>> all() const { return headers_; }
+
+  private:
+    std::vector<std::pair<std::string_view, std::string>> headers_;
+};
 
 /// Strict-Transport-Security, for those who came over TLS under a name that is not this machine's own: browsers apply
 /// it to every port of a host, and other servers of localhost speak plain HTTP.

@@ -3,7 +3,6 @@
 #include "server/limits.hpp"
 #include "server/net/message_batch.hpp"
 #include "server/net/outbox.hpp"
-#include "server/net/security_headers.hpp"
 #include "server/rpc/client.hpp"
 
 #include <boost/asio/steady_timer.hpp>
@@ -129,10 +128,10 @@ void WebSocketConnection::accept(const HttpRequest& request) {
     stream_.set_option(
         websocket::permessage_deflate{}); // off: Draco's bytes do not shrink any further
     const bool named = upgrade.count(http::field::sec_websocket_protocol) > 0;
-    stream_.set_option(
-        websocket::stream_base::decorator([named](websocket::response_type& response) {
+    stream_.set_option(websocket::stream_base::decorator(
+        [named, &headers = services_.headers](websocket::response_type& response) {
             response.set(http::field::server, "wakesurf");
-            for (const auto& [name, value] : security_headers())
+            for (const auto& [name, value] : headers.all())
                 response.set(beast::string_view(name.data(), name.size()),
                              beast::string_view(value.data(), value.size()));
             if (named)

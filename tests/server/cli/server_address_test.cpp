@@ -23,12 +23,18 @@ TEST(ServerAddress, IsTakenApart) {
     EXPECT_EQ(v6->host, "::1");
     EXPECT_EQ(v6->authority(), "[::1]:9");
     EXPECT_EQ(v6->token, "");
+    EXPECT_EQ(v6->prefix, "");
+    const auto below = parse_server_address("https://lab.example/user/ada/flow/#token=k");
+    ASSERT_TRUE(below);
+    EXPECT_EQ(below->authority(), "lab.example:443");
+    EXPECT_EQ(below->prefix, "/user/ada/flow");
+    EXPECT_EQ(parse_server_address("http://h:80/p")->prefix, "/p");
 }
 
 TEST(ServerAddress, OthersAreRefused) {
     for (const char* wrong :
          {"", "nonsense", "ftp://h:1", "http://", "http://:80", "http://h:", "http://h:x",
-          "http://h:123456", "http://h/path", "http://[::1", "http://h:80/p"})
+          "http://h:123456", "http://h/a path", "http://[::1", "http://h/p?q"})
         EXPECT_FALSE(parse_server_address(wrong)) << wrong;
 }
 

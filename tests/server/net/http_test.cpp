@@ -181,10 +181,58 @@ TEST(HttpWrongTokens, CountOnceOnEachPath) {
     }
 }
 
-TEST_F(Http, TellsItsHealthUnderItsOwnNamesOnly) {
+TEST_F(Http, TellsItsHealthUnderAnyNameButNotToOtherPages) {
     EXPECT_EQ(get("/healthz", {{"Host", "localhost"}}).body, "ok");
-    EXPECT_EQ(get("/healthz", {{"Host", "rebound.example"}}).status, 403);
+    EXPECT_EQ(get("/healthz", {{"Host", "10.0.0.7:8080"}}).body, "ok");
     EXPECT_EQ(get("/healthz", {{"Origin", "http://evil.example"}}).status, 403);
+}
+
+TEST_F(Http, ServesAPageThatCameThroughATunnelFromItsFilesToItsWebSocket) {
+    const Headers page{{"Host", "localhost:9000"}, {"Origin", "http://localhost:9000"}};
+    EXPECT_EQ(get("/assets/decoder-0123abcd.wasm", page).body, "wasm");
+    const HttpReply reply = http(server_->port(), "POST", "/api/v1/login", page,
+                                 json{{"token", server_->token()}, {"path", "/"}}.dump());
+    ASSERT_EQ(reply.status, 204);
+    const std::string cookie = reply.header("set-cookie");
+    EXPECT_EQ(cookie.rfind("wakesurf_session_9000=", 0), 0u) << cookie;
+    Headers in = page;
+    in.emplace_back("Cookie", cookie.substr(0, cookie.find(';')));
+    RawSocket socket(server_->port());
+    EXPECT_EQ(handshake(socket, server_->port(), in).status, 101);
+    in.back().second += "0";
+    RawSocket forged(server_->port());
+    EXPECT_EQ(handshake(forged, server_->port(), in).status, 401);
+}
+
+TEST_F(Http, ServesItsFilesWhateverTheirOriginAndOnlyThose) {
+    const Headers elsewhere{{"Origin", "http://lab:9000"}};
+    EXPECT_EQ(get("/", elsewhere).status, 200);
+    EXPECT_EQ(get("/assets/decoder-0123abcd.wasm", elsewhere).status, 200);
+    EXPECT_EQ(get("/openrpc.json", elsewhere).status, 403);
+    EXPECT_EQ(get("/assets/decoder-0123abcd.wasm", {{"Host", "rebound.example"}}).status, 403);
+}
+
+TEST_F(Http, RefusesALoginOfAPathThatIsNone) {
+    const auto login = [&](const char* path) {
+        return http(server_->port(), "POST", "/api/v1/login", {{"Origin", server_->origin()}},
+                    json{{"token", server_->token()}, {"path", path}}.dump())
+            .status;
+    };
+    EXPECT_EQ(login("/flow/"), 204);
+    EXPECT_EQ(login("/flow; Domain=example/"), 400);
+    EXPECT_EQ(login("flow"), 400);
+}
+
+TEST(HttpFrames, AreForNamedOriginsOnly) {
+    const ServerProcess server({"flow:abc", "--frame-origin", "https://wiki.example",
+                                "--frame-origin", "http://localhost:8888"});
+    const HttpReply reply = http(server.port(), "GET", "/healthz");
+    EXPECT_NE(reply.header("content-security-policy")
+                  .find("frame-ancestors https://wiki.example http://localhost:8888"),
+              std::string::npos);
+    EXPECT_EQ(reply.header("x-frame-options"), "");
+    const ServerProcess none({"flow:abc"});
+    EXPECT_EQ(http(none.port(), "GET", "/healthz").header("x-frame-options"), "DENY");
 }
 
 TEST(HttpFlood, OfOneAddressWithoutATokenIsRefusedButNotItsHealthNorWhoHasTheToken) {
@@ -278,6 +326,55 @@ TEST(ServerProcessTest, TakesItsTokenFromAFileOnlyTheUserCanRead) {
               std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
     const ServerProcess again({"flow:abc", "--token-file", file.string()});
     EXPECT_EQ(again.token(), token);
+}
+
+TEST(ServerProcessTest, PutsTheLinkIntoAFileThatOnlyTheUserCanReadAndNowhereElse) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "link";
+    write(file, "of an earlier server, readable for all");
+    ServerProcess server({"flow:abc", "--url-file", file.string(), "--log-level", "debug"});
+    EXPECT_EQ(server.first_line(), "wakesurf: " + server.origin() + "/");
+    EXPECT_EQ(std::filesystem::status(file).permissions(),
+              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    std::string link;
+    std::getline(std::ifstream(file), link);
+    const std::string start = server.origin() + "/#token=";
+    ASSERT_EQ(link.rfind(start, 0), 0u) << link;
+    const std::string token = link.substr(start.size());
+    const Headers bearer{{"Authorization", "Bearer " + token}};
+    EXPECT_EQ(http(server.port(), "GET", "/openrpc.json", bearer).status, 200);
+    const auto end = server.stop();
+    EXPECT_EQ(end.log.find(token), std::string::npos);
+    EXPECT_EQ(end.log.find(file.string()), std::string::npos);
+}
+
+TEST(ServerProcessTest, ChangesTheTokenInTheFileWhereItIsAskedToAndLoginsEnd) {
+    const TemporaryFolder folder;
+    const auto file = (folder.path() / "token").string();
+    const auto state = (folder.path() / "state").string();
+    std::string old, cookie;
+    const auto status = [&](const ServerProcess& server) {
+        return http(server.port(), "GET", "/openrpc.json",
+                    {{"Host", "localhost:9000"}, {"Cookie", cookie}})
+            .status;
+    };
+    {
+        const ServerProcess server({"flow:abc", "--token-file", file, "--state", state});
+        old = server.token();
+        const HttpReply reply = http(server.port(), "POST", "/api/v1/login",
+                                     {{"Host", "localhost:9000"}}, json{{"token", old}}.dump());
+        cookie = reply.header("set-cookie");
+        cookie = cookie.substr(0, cookie.find(';'));
+        EXPECT_EQ(status(server), 200);
+    }
+    {
+        const ServerProcess same({"flow:abc", "--token-file", file, "--state", state});
+        EXPECT_EQ(same.token(), old);
+        EXPECT_EQ(status(same), 200) << "the login outlives the server";
+    }
+    const ServerProcess other({"flow:abc", "--token-file", file, "--state", state, "--new-token"});
+    EXPECT_NE(other.token(), old);
+    EXPECT_EQ(status(other), 401);
 }
 
 TEST(ServerProcessTest, WithoutAuthenticationStillMindsTheOrigin) {
