@@ -29,13 +29,14 @@ import { connectRakes } from './session/picture/rakesByHand.ts';
 import { showRakes } from './session/picture/rakeScene.ts';
 import { ServerNews } from './session/serverNews.ts';
 import { SessionController } from './session/sessionController.ts';
+import { readNewLink } from './session/sessions/newLink.ts';
 import { SessionShelf } from './session/sessions/sessionShelf.ts';
 import { SurfaceProgress } from './session/surface/surfaceProgress.ts';
 import { SurfaceFeed } from './session/surface/surfaceFeed.ts';
 import { showTheme } from './session/picture/themeInPicture.ts';
 import { showUnits } from './session/picture/unitsInPicture.ts';
 import { handOut } from './session/workerEvents.ts';
-import { baseUrl, followHistory, readFragment, showFragment, writeFragment } from './session/view/urlState.ts';
+import { baseUrl, followHistory, openFragment, readFragment, showFragment, writeFragment } from './session/view/urlState.ts';
 import { Views } from './session/view/views.ts';
 import { AppState } from './state/appState.ts';
 import { LatencyLog } from './state/latency.ts';
@@ -125,6 +126,13 @@ function start(app: App): void {
     listenForUndoKeys(edits);
     followHistory(() => state.session.value);
     const retryNow = (): void => worker.retryNow();
+    const takeLink = (text: string): boolean => {
+        const link = readNewLink(text, { base: baseUrl(), session: state.session.value ?? url.session });
+        if (link?.to === 'here') worker.logIn(link.token);
+        else if (link?.to === 'session') openFragment(link.fragment);
+        else if (link?.to === 'elsewhere') location.assign(link.address);
+        return link !== null;
+    };
     const leave = async (): Promise<void> => {
         await logOut(baseUrl());
         worker.stop();
@@ -141,6 +149,7 @@ function start(app: App): void {
             view,
             imports,
             retryNow,
+            takeLink,
             restoreSession: () => controller.restore(),
             makeSessionAgain: () => controller.makeAgain(),
         },

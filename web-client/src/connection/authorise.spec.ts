@@ -25,6 +25,27 @@ describe('letting a page in', () => {
         await expect(authorise(base, null)).rejects.toBeInstanceOf(HopelessError);
     });
 
+    it('is told apart from an address that the server does not go by', async () => {
+        vi.stubGlobal('location', { origin: 'http://lab:9000' });
+        answerWith(403, { error: { code: -32003, message: 'another origin', data: { hint: 'start it with --origin' } } });
+        const refused = authorise(base, 'good');
+        await expect(refused).rejects.toBeInstanceOf(HopelessError);
+        await expect(refused).rejects.toThrow(
+            /this page’s address, http:\/\/lab:9000; this has nothing to do with the token.*another origin: start it with --origin/,
+        );
+    });
+
+    it('asks for a cookie of this page’s path alone', async () => {
+        const bodies: unknown[] = [];
+        vi.stubGlobal('fetch', async (_url: URL, { body }: { body: string }) => {
+            bodies.push(JSON.parse(body));
+            return new Response(null, { status: 204 });
+        });
+        await authorise(base, 'good');
+        await logOut(base);
+        expect(bodies).toEqual([{ token: 'good', path: '/flow/' }, { path: '/flow/' }]);
+    });
+
     it('is tried again where a limit is met, with the server’s words and hint', async () => {
         const error = { code: -32014, message: 'too many people are here', data: { hint: 'come back in a minute' } };
         answerWith(503, { error });

@@ -10,9 +10,9 @@ const requestTimeoutMs = 8000;
 export async function authorise(baseUrl: string, token: string | null): Promise<void> {
     const response = await request(baseUrl, token);
     if (response.ok) return;
-    if (response.status === 401 || response.status === 403) {
-        throw new HopelessError(token === null ? missingToken : wrongToken);
-    }
+    if (response.status === 401) throw new HopelessError(token === null ? missingToken : wrongToken);
+    // The token was not even looked at: it is the address that the server does not go by.
+    if (response.status === 403) throw new HopelessError(wrongAddress((await faultOf(response)).message));
     throw await faultOf(response);
 }
 
@@ -22,6 +22,8 @@ const missingToken =
 const wrongToken =
     'The server does not accept the access token of this link: open the link that wakesurf printed when it was last started. ' +
     'If someone gave you the link, it has expired or its session was deleted: ask for another.';
+const wrongAddress = (why: string): string =>
+    `The server does not accept this page’s address, ${location.origin}; this has nothing to do with the token. It says: ${why}.`;
 
 async function request(baseUrl: string, token: string | null): Promise<Response> {
     const signal = AbortSignal.timeout(requestTimeoutMs);
@@ -30,7 +32,8 @@ async function request(baseUrl: string, token: string | null): Promise<Response>
         return await fetch(new URL('api/v1/login', baseUrl), {
             method: 'POST',
             headers: { 'Content-Type': 'application/json' },
-            body: JSON.stringify({ token }),
+            // The cookie is for this path alone: behind a proxy, other programs have others.
+            body: JSON.stringify({ token, path: new URL(baseUrl).pathname }),
             signal,
         });
     } catch {

@@ -65,6 +65,19 @@ describe('LiveSocket', () => {
         expect(bench.messages).toHaveLength(30);
     });
 
+    it('connects once more after it was refused, when it is started again', async () => {
+        const bench = new Bench();
+        bench.failure = new HopelessError('no');
+        await bench.start();
+        await bench.clock.pass(60_000);
+        expect(bench.state).toBe('refused');
+        bench.failure = null;
+        await bench.start();
+        expect(bench.state).toBe('open');
+        await bench.start();
+        expect(bench.sockets).toHaveLength(1);
+    });
+
     it('counts 10 s of silence as down, although nothing was closed', async () => {
         const bench = new Bench();
         await bench.start();

@@ -35,7 +35,9 @@ export type ConnectionState =
     | { state: 'open' }
     | { state: 'waiting'; attempt: number; retryInMs: number; reason: string }
     | { state: 'ended'; reason: string }
-    | { state: 'refused'; reason: string };
+    | { state: 'refused'; reason: string }
+    /** This page cannot work, whatever the server says. */
+    | { state: 'broken'; reason: string };
 
 export interface LiveSocketOptions {
     /** Resolves with an open socket; a HopelessError ends all attempts. */
@@ -62,8 +64,9 @@ export class LiveSocket {
         this.backOff = new BackOff(() => options.clock.random());
     }
 
+    /** Also once more, after connecting was refused. */
     start(): void {
-        void this.connect();
+        if (this.socket === null && this.timer === null) void this.connect();
     }
 
     /** Ends a wait for the next attempt early, for example when the browser is online again. */

@@ -5,7 +5,11 @@ import { faultOf } from './httpFault.ts';
 export async function logOut(baseUrl: string): Promise<void> {
     let reply: Response;
     try {
-        reply = await fetch(new URL('api/v1/logout', baseUrl), { method: 'POST' });
+        reply = await fetch(new URL('api/v1/logout', baseUrl), {
+            method: 'POST',
+            headers: { 'Content-Type': 'application/json' },
+            body: JSON.stringify({ path: new URL(baseUrl).pathname }),
+        });
     } catch {
         throw new Error('The server cannot be reached, so you are still logged in. Try again when there is a connection.');
     }

@@ -61,8 +61,9 @@ export class SessionController {
             state.stage.value = 'starting';
             state.catchingUp.value = new Set();
         }
-        if (connection.state === 'ended') state.stage.value = 'ended';
-        if (connection.state === 'refused') state.fatal.value = connection.reason;
+        // The picture stays; what may help is in the banner.
+        if (connection.state === 'ended' || connection.state === 'refused') state.stage.value = 'ended';
+        if (connection.state === 'broken') state.fatal.value = connection.reason;
         if (connection.state === 'open') void this.begin();
     }
 

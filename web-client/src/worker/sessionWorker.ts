@@ -21,6 +21,7 @@ interface WorkerPort {
 class SessionWorker {
     private readonly port: WorkerPort;
     private readonly baseUrl: string;
+    private token: string | null;
     private readonly draco: DracoPoints;
     private readonly rpc = new RpcClient((text) => this.socket.send(text));
     private readonly folder: SurfaceFolder;
@@ -32,6 +33,7 @@ class SessionWorker {
         this.port = port;
         this.draco = draco;
         this.baseUrl = baseUrl;
+        this.token = token;
         this.folder = new SurfaceFolder({
             draco,
             onState: (state) => this.sendState(state),
@@ -43,8 +45,8 @@ class SessionWorker {
         this.socket = new LiveSocket({
             clock: systemClock,
             connect: async () => {
-                // Each time: a restarted server knows the token but not its predecessor's cookies.
-                await authorise(baseUrl, token);
+                // Each time: a server without a state folder does not know its predecessor's cookies.
+                await authorise(baseUrl, this.token);
                 return openWebSocket(baseUrl);
             },
             onState: (state) => this.connectionChanged(state),
@@ -68,6 +70,10 @@ class SessionWorker {
         else if (message.type === 'show') this.folder.show(message.surface, message.attributes, message.parts);
         else if (message.type === 'forget') this.folder.forget(message.surface);
         else if (message.type === 'retryNow') this.socket.retryNow();
+        else if (message.type === 'logIn') {
+            this.token = message.token;
+            this.socket.start();
+        }
     }
 
     private async ping(): Promise<void> {
@@ -181,7 +187,7 @@ port.onmessage = ({ data }) => {
         worker = loadDraco().then((draco) => new SessionWorker(port, draco, baseUrl, token));
         worker.catch((error: unknown) => {
             const reason = error instanceof Error ? error.message : String(error);
-            port.postMessage({ type: 'connection', state: 'refused', reason });
+            port.postMessage({ type: 'connection', state: 'broken', reason });
         });
         return;
     }

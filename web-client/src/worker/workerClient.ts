@@ -107,6 +107,12 @@ export class WorkerClient {
         this.post({ type: 'forget', surface });
     }
 
+    /** Another token, after the first was refused. */
+    logIn(token: string): void {
+        if (this.origin !== null) this.origin = { ...this.origin, token };
+        this.post({ type: 'logIn', token });
+    }
+
     retryNow(): void {
         this.post({ type: 'retryNow' });
     }

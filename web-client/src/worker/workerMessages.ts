@@ -20,6 +20,8 @@ export interface ToWorker {
     show: { surface: string; attributes: readonly string[]; parts: PartsWish | null };
     /** The surface is no more. */
     forget: { surface: string };
+    /** Connects with another token, after that of `start` was refused. */
+    logIn: { token: string };
     /** The browser believes that it is online again. */
     retryNow: object;
     /** Answered at once, unless the worker hangs. */

@@ -9,12 +9,15 @@ import type { ViewState } from '../../state/viewState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 import { goneWords } from './goneWords.ts';
+import './linkField.ts';
 
 export interface BannerModel {
     state: AppState;
     view: Pick<ViewState, 'sessionsShown'>;
     imports: Pick<ImportWait, 'again' | 'left' | 'stop'>;
     retryNow: () => void;
+    /** Takes a link from somebody whom the server does not let in; false: it is none. */
+    takeLink: (text: string) => boolean;
     /** What can be done where the session of this page is gone. */
     restoreSession: () => Promise<void>;
     makeSessionAgain: () => Promise<void>;
@@ -66,7 +69,8 @@ export class Banner extends SignalElement {
         const { state, retryNow } = this.model;
         const connection = state.connection.value;
         this.keepCounting(connection.state === 'waiting');
-        if (connection.state === 'open' || connection.state === 'refused') return nothing;
+        if (connection.state === 'open' || connection.state === 'broken') return nothing;
+        if (connection.state === 'refused') return this.refused(connection.reason);
         if (connection.state === 'ended') return this.ended(connection.reason);
         if (connection.state === 'connecting' && connection.attempt === 1) return nothing;
         const seconds = Math.ceil(Math.max(0, state.retryAt.value - performance.now()) / 1000);
@@ -76,6 +80,17 @@ export class Banner extends SignalElement {
         return html`<div class="banner down" id="connection">
             <span class="words"><strong>${lead}</strong> ${reason} ${next}</span>
             <button type="button" @click=${retryNow}>Try now</button>
+        </div>`;
+    }
+
+    private refused(reason: string): TemplateResult {
+        const { state, takeLink } = this.model;
+        const picture = state.everConnected.value ? ' The picture stays as it was.' : '';
+        return html`<div class="banner down" id="refused">
+            <div class="words">
+                <strong>Not connected.</strong> ${reason}${picture}
+                <wakesurf-link-field .take=${takeLink}></wakesurf-link-field>
+            </div>
         </div>`;
     }
 
