@@ -13,6 +13,8 @@ import type { LatencyLog, LatencySample } from './state/latency.ts';
 
 export interface TestHook {
     readonly framesDrawn: number;
+    /** Pixels of the last picture for one of CSS, along one side. */
+    readonly pixelRatio: number;
     readonly connection: string;
     readonly stage: string;
     readonly session: string | null;
@@ -76,6 +78,9 @@ export function installTestHook({ state, scene, latency, canvas, figure }: TestH
     window.wakesurf = Object.freeze<TestHook>({
         get framesDrawn() {
             return scene.framesDrawn;
+        },
+        get pixelRatio() {
+            return scene.pixelRatio;
         },
         get connection() {
             return state.connection.value.state;

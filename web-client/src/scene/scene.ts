@@ -11,6 +11,8 @@ import { FrameLoop } from './frameLoop.ts';
 import { whenDrawn } from './gpuFence.ts';
 import type { Graphics } from './graphics.ts';
 import { Lights } from './lights.ts';
+import { Movement, restMs } from './movement.ts';
+import { MovingResolution } from './movingResolution.ts';
 import { PointerTools } from './base/pointerTools.ts';
 import { RakeInteraction } from './rake/rakeInteraction.ts';
 import { RakeLayer } from './rake/rakeLayer.ts';
@@ -23,7 +25,9 @@ import { pictureColours } from './theme.ts';
 import type { Part } from './tiles.ts';
 import { type Layer, type ScreenPoint, type ScreenSize, View } from './base/view.ts';
 
-const movingPixelRatio = 0.5;
+/** Of software rendering, while nothing is known of its speed. */
+const firstSoftwareRatio = 0.5;
+const exactAfterMs = 300;
 
 export interface FlowSceneOptions {
     canvas: HTMLCanvasElement;
@@ -34,7 +38,11 @@ export interface FlowSceneOptions {
 
 export class FlowScene {
     readonly loop = new FrameLoop((finished) => this.drawFrame(finished));
-    readonly controls = new CameraControls(this.loop.request, (held) => this.hold(held));
+    readonly controls = new CameraControls({
+        requestFrame: this.loop.request,
+        onHold: (held) => this.hold(held),
+        onTurn: () => this.movement.stir(performance.now()),
+    });
     readonly surfaces = new SurfaceLayer();
     readonly rakes: RakeLayer;
     readonly interaction: RakeInteraction;
@@ -51,9 +59,15 @@ export class FlowScene {
     private readonly picker: SurfacePick;
     private readonly software: boolean;
     private readonly scene = new Scene();
-    private readonly stillness = new Stillness(() => this.drawExactly());
+    private readonly movement = new Movement();
+    private readonly movingResolution: MovingResolution;
+    /** Pixels for one of CSS, of a picture that stands still. */
+    private readonly fullRatio: number;
+    private readonly rest = new Stillness(() => this.drawSharply(), restMs);
+    private readonly stillness = new Stillness(() => this.drawExactly(), exactAfterMs);
     private exactWhenStill = false;
     private exactNext = false;
+    private sharpNext = false;
     private readonly layers: Layer[] = [];
     private readonly drawn: ((view: View) => void)[] = [];
     private readonly afterNextFrame: ((time: number) => void)[] = [];
@@ -69,7 +83,10 @@ export class FlowScene {
         this.canvas = options.canvas;
         this.labels = options.labels;
         this.software = options.graphics.software;
+        this.fullRatio = this.software ? 1 : Math.min(2, devicePixelRatio);
+        this.movingResolution = new MovingResolution(this.fullRatio, this.software ? firstSoftwareRatio : this.fullRatio);
         this.renderer = createRenderer(options);
+        this.renderer.setPixelRatio(this.fullRatio);
         this.renderer.localClippingEnabled = true;
         this.picker = new SurfacePick(this.renderer, this.surfaces);
         this.rakes = new RakeLayer(options.labels);
@@ -94,6 +111,11 @@ export class FlowScene {
 
     get size(): ScreenSize {
         return this.figureSize ?? { width: this.canvas.clientWidth, height: this.canvas.clientHeight };
+    }
+
+    /** Pixels of the last picture for one of CSS, along one side: fewer while things move. */
+    get pixelRatio(): number {
+        return this.renderer.getPixelRatio();
     }
 
     /** Camera and canvas as they are now. */
@@ -181,6 +203,7 @@ export class FlowScene {
     /** Shows what is new in a surface. */
     setSurface(id: string, change: TimedMeshChange): void {
         this.surfaces.set(id, change);
+        this.movement.surfaceChanged(performance.now());
         this.loop.request();
     }
 
@@ -209,8 +232,9 @@ export class FlowScene {
         return this.picker.grid(this.view(), this.obstacle?.geometry ?? null, at, radiusPx, options);
     }
 
-    /** Draws at once and returns the picture's pixels, RGBA from the bottom left. */
+    /** Draws at once, at full resolution, and returns the picture's pixels, RGBA from the bottom left. */
     readPixels(exact = false): { width: number; height: number; pixels: Uint8Array } {
+        this.setPixelRatio(this.fullRatio);
         this.draw(exact);
         const gl = this.renderer.getContext() as WebGL2RenderingContext;
         const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
@@ -230,6 +254,7 @@ export class FlowScene {
         const { domElement: shown } = this.renderer;
         if (context === null || shown.width === 0 || shown.height === 0 || (exact && this.software)) return null;
         [copy.width, copy.height] = [width, height];
+        this.setPixelRatio(this.fullRatio);
         this.draw(exact);
         const scale = Math.min(shown.width / width, shown.height / height);
         const [wide, high] = [width * scale, height * scale];
@@ -301,14 +326,31 @@ export class FlowScene {
     }
 
     private drawFrame(finished: () => void): void {
+        const begun = performance.now();
+        const moving = !this.exactNext && !this.sharpNext && this.movement.at(begun);
+        this.setPixelRatio(moving ? this.movingResolution.ratio : this.fullRatio);
+        this.rest.drawn(false);
         this.draw(this.exactNext);
-        this.exactNext = false;
+        [this.exactNext, this.sharpNext] = [false, false];
         const listeners = this.afterNextFrame.splice(0);
         whenDrawn(this.renderer.getContext() as WebGL2RenderingContext, (time) => {
+            if (time !== null) this.pictureShown(time, moving ? time - begun : null);
             finished();
             if (this.outline !== null) this.firstPictureMs ??= time;
             if (time !== null) for (const listener of listeners) listener(time);
         });
+    }
+
+    /** @param movingMs how long a picture of a movement took */
+    private pictureShown(time: number, movingMs: number | null): void {
+        this.movement.drawn(time);
+        if (movingMs !== null) this.movingResolution.drawn(movingMs);
+        this.rest.drawn(this.pixelRatio < this.fullRatio);
+    }
+
+    private drawSharply(): void {
+        this.sharpNext = true;
+        this.loop.request();
     }
 
     private drawExactly(): void {
@@ -316,13 +358,16 @@ export class FlowScene {
         this.loop.request();
     }
 
-    /** While something is moved, no picture may be late: none is exact, and software rendering draws fewer pixels. */
+    /** While something is moved, no picture may be late: none is exact. */
     private hold(held: boolean): void {
+        this.movement.hold(held);
         this.stillness.hold(held);
         if (held) this.exactNext = false;
-        if (!this.software) return;
-        this.renderer.setPixelRatio(held ? movingPixelRatio : 1);
-        this.loop.request();
+    }
+
+    private setPixelRatio(ratio: number): void {
+        // Even the same one would clear the canvas.
+        if (ratio !== this.pixelRatio) this.renderer.setPixelRatio(ratio);
     }
 
     private resize(): void {
@@ -336,11 +381,9 @@ export class FlowScene {
 }
 
 function createRenderer({ canvas, graphics }: FlowSceneOptions): WebGLRenderer {
-    const renderer = new WebGLRenderer({
+    return new WebGLRenderer({
         canvas,
         antialias: !graphics.software,
         powerPreference: 'high-performance',
     });
-    renderer.setPixelRatio(graphics.software ? 1 : Math.min(2, devicePixelRatio));
-    return renderer;
 }

@@ -33,7 +33,7 @@ describe('stillness', () => {
     beforeEach(() => {
         clock = new Clock();
         reached = 0;
-        stillness = new Stillness(() => ++reached, clock);
+        stillness = new Stillness(() => ++reached, 300, clock);
     });
 
     it('is reached once, 300 ms after the last picture', () => {

@@ -1,7 +1,5 @@
 // Tells, once, when nothing has been drawn for a while and nothing is held: time for a picture that takes longer.
 
-const restMs = 300;
-
 /** As setTimeout and clearTimeout. */
 export interface Timers {
     set(act: () => void, ms: number): unknown;
@@ -15,14 +13,17 @@ const browserTimers: Timers = {
 
 export class Stillness {
     private readonly reached: () => void;
+    private readonly restMs: number;
     private readonly timers: Timers;
     private pending: unknown = null;
     /** The last picture could be better. */
     private worth = false;
     private held = false;
 
-    constructor(reached: () => void, timers: Timers = browserTimers) {
+    /** @param restMs how long a while is */
+    constructor(reached: () => void, restMs: number, timers: Timers = browserTimers) {
         this.reached = reached;
+        this.restMs = restMs;
         this.timers = timers;
     }
 
@@ -41,7 +42,7 @@ export class Stillness {
 
     private wait(): void {
         if (this.pending !== null) this.timers.clear(this.pending);
-        this.pending = this.worth && !this.held ? this.timers.set(this.end, restMs) : null;
+        this.pending = this.worth && !this.held ? this.timers.set(this.end, this.restMs) : null;
     }
 
     private readonly end = (): void => {

@@ -29,6 +29,14 @@ export interface CameraPose {
 
 const upwards: Vec3 = [0, 0, 1];
 
+export interface CameraControlsOptions {
+    requestFrame: () => void;
+    /** The view has been taken or let go. */
+    onHold: (held: boolean) => void;
+    /** Someone turns, moves or zooms it bit by bit, other than by `place`. */
+    onTurn: () => void;
+}
+
 export class CameraControls {
     private readonly perspective = new PerspectiveCamera(30, 1, 0.01, 1000);
     private readonly parallel = new OrthographicCamera(-1, 1, 1, -1, 0.01, 1000);
@@ -38,14 +46,15 @@ export class CameraControls {
     private orthographic = false;
     /** The camera follows someone else's just now. */
     private led = false;
+    private placing = false;
 
-    /** @param onHold the view has been taken or let go */
-    constructor(requestFrame: () => void, onHold: (held: boolean) => void) {
+    constructor({ requestFrame, onHold, onTurn }: CameraControlsOptions) {
         for (const camera of [this.perspective, this.parallel]) camera.up.set(...upwards);
         this.orbit = new OrbitControls(this.perspective);
         this.orbit.zoomToCursor = true;
         this.orbit.addEventListener('change', () => {
             if (!this.led) for (const listener of this.moved) listener();
+            if (!this.placing) onTurn();
             requestFrame();
         });
         this.orbit.addEventListener('start', () => onHold(true));
@@ -127,7 +136,9 @@ export class CameraControls {
         if (orthographic) this.scaleParallel(camera.position.distanceTo(this.orbit.target), size);
         camera.updateProjectionMatrix();
         // Tells of itself where the orbit sees a change; a change of projection it does not see.
+        this.placing = !this.led;
         if (!this.orbit.update() && !this.led) for (const listener of this.moved) listener();
+        this.placing = false;
         camera.updateMatrixWorld();
     }
 
