@@ -1,7 +1,7 @@
 import { PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { type Bounds, centreOf, keptIn, labelledEdges } from './domainAxes.ts';
+import { type Bounds, boxEdges, centreOf, keptIn, labelledEdges } from './domainAxes.ts';
 import { projectToScreen } from '../base/view.ts';
 
 const bounds: Bounds = [-3, 13, -4, 4, 0, 6];
@@ -35,6 +35,19 @@ describe('labelledEdges', () => {
     it('follows the camera to the other side', () => {
         const [x] = edgesSeenFrom([20, 40, 25]);
         expect(x?.from).toEqual([-3, 4, 0]);
+    });
+});
+
+describe('boxEdges', () => {
+    it.each([1e-9, 4e-5, 1, 3e6])('are the twelve edges of a box of %d, each of its own length', (scale) => {
+        const sides = [scale, 2 * scale, 3 * scale];
+        const ends = boxEdges([0, sides[0]!, 0, sides[1]!, -sides[2]!, 0]);
+        expect(ends).toHaveLength(12 * 2 * 3);
+        const lengths = Array.from({ length: 12 }, (_, i) =>
+            Math.hypot(...[0, 1, 2].map((k) => ends[6 * i + 3 + k]! - ends[6 * i + k]!)),
+        );
+        const near = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-6 * b;
+        expect(sides.map((side) => lengths.filter((length) => near(length, side)).length)).toEqual([4, 4, 4]);
     });
 });
 

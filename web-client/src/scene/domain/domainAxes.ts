@@ -50,6 +50,21 @@ export function centreOf(bounds: Bounds): Vec3 {
     return [(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2];
 }
 
+/** The ends of the twelve edges of the box, about its centre, so that float32 holds them wherever the box is. */
+export function boxEdges(bounds: Bounds): Float32Array {
+    const ends: number[] = [];
+    const halves = [0, 1, 2].map((axis) => (bounds[2 * axis + 1]! - bounds[2 * axis]!) / 2);
+    for (let corner = 0; corner < 8; ++corner) {
+        for (let axis = 0; axis < 3; ++axis) {
+            if ((corner >> axis) % 2 === 1) continue;
+            for (const end of [corner, corner | (1 << axis)]) {
+                ends.push(...halves.map((half, each) => ((end >> each) % 2 === 1 ? half : -half)));
+            }
+        }
+    }
+    return new Float32Array(ends);
+}
+
 /** Words of a place in the picture do not stand outside it: an axis near the border would lose its name. */
 export function keptIn(words: ScreenPoint, { x, y }: ScreenPoint, { width, height }: ScreenSize): ScreenPoint {
     if (x < 0 || x > width || y < 0 || y > height) return words;

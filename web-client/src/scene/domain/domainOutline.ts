@@ -1,8 +1,8 @@
 // The box of the domain with numbers and names along three of its edges. The numbers are DOM text
 // over the canvas: sharp at any size and readable by assistive tools.
-import { BoxGeometry, type Color, EdgesGeometry, LineBasicMaterial, LineSegments } from 'three';
+import { BufferAttribute, BufferGeometry, type Color, LineBasicMaterial, LineSegments } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { type AxisEdge, type Bounds, centreOf, keptIn, labelledEdges } from './domainAxes.ts';
+import { type AxisEdge, type Bounds, boxEdges, centreOf, keptIn, labelledEdges } from './domainAxes.ts';
 import { Labels } from '../base/labels.ts';
 import type { Layer, ScreenPoint, ScreenSize, View } from '../base/view.ts';
 import { niceTicks } from '../base/ticks.ts';
@@ -11,23 +11,30 @@ const axisNames = ['x', 'y', 'z'];
 const pxPerTick = 52;
 const tickGapPx = 14;
 const nameGapPx = 40;
-/** Two numbers nearer than this would run into each other, as where two axes meet. */
-const clearancePx = { x: 26, y: 13 };
+/** Numbers with less room between them would run into each other, as where two axes meet. */
+const clearancePx = { x: 8, y: 13 };
+/** About half of what a sign of a number takes. */
+const halfSignPx = 3.5;
+
+interface PlacedWords extends ScreenPoint {
+    signs: number;
+}
 
 export class DomainOutline implements Layer {
-    readonly object: LineSegments<EdgesGeometry, LineBasicMaterial>;
+    readonly object: LineSegments<BufferGeometry, LineBasicMaterial>;
     private readonly bounds: Bounds;
     private readonly labels: Labels;
     private unit = '';
-    private placed: ScreenPoint[] = [];
+    private placed: PlacedWords[] = [];
     private size: ScreenSize = { width: 0, height: 0 };
     private placedFor = '';
 
     constructor(bounds: Bounds, layer: HTMLElement, colour: Color) {
         this.bounds = bounds;
         this.labels = new Labels(layer);
-        const box = new BoxGeometry(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
-        this.object = new LineSegments(new EdgesGeometry(box), new LineBasicMaterial({ color: colour }));
+        // Not by three's EdgesGeometry, which takes points nearer to each other than 1e-4 for one.
+        const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(boxEdges(bounds), 3));
+        this.object = new LineSegments(geometry, new LineBasicMaterial({ color: colour }));
         this.object.position.set(...centreOf(bounds));
     }
 
@@ -72,26 +79,29 @@ export class DomainOutline implements Layer {
         // An axis seen end-on has no room for numbers.
         if (lengthPx < 30) return;
         const [low, high] = [edge.from[edge.axis], edge.to[edge.axis]];
-        for (const tick of niceTicks(low, high, Math.min(8, lengthPx / pxPerTick))) {
+        const { ticks, shared } = niceTicks(low, high, Math.min(8, lengthPx / pxPerTick));
+        for (const tick of ticks) {
             const at: Vec3 = [...edge.from];
             at[edge.axis] = tick.value;
             this.place(project(at), edge.outward, tickGapPx, tick.label, 'tick');
         }
         const middle = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
         const name = axisNames[edge.axis] ?? '';
-        const words = this.unit === '' ? name : `${name} (${this.unit})`;
+        const words = [name, this.unit === '' ? '' : `(${this.unit})`, shared].filter((each) => each !== '').join(' ');
         this.place(middle, edge.outward, nameGapPx, words, `axis-name axis-${name}`);
     }
 
     private place(at: ScreenPoint | null, outward: ScreenPoint, gapPx: number, text: string, className: string): void {
         if (at === null) return;
-        const to = keptIn({ x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx }, at, this.size);
-        if (this.placed.some((other) => collide(other, to))) return;
-        this.placed.push(to);
-        this.labels.place(to, text, className);
+        const place = keptIn({ x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx }, at, this.size);
+        const words = { ...place, signs: text.length };
+        if (this.placed.some((other) => collide(other, words))) return;
+        this.placed.push(words);
+        this.labels.place(place, text, className);
     }
 }
 
-function collide(a: ScreenPoint, b: ScreenPoint): boolean {
-    return Math.abs(a.x - b.x) < clearancePx.x && Math.abs(a.y - b.y) < clearancePx.y;
+function collide(a: PlacedWords, b: PlacedWords): boolean {
+    const across = clearancePx.x + halfSignPx * (a.signs + b.signs);
+    return Math.abs(a.x - b.x) < across && Math.abs(a.y - b.y) < clearancePx.y;
 }

@@ -1,6 +1,7 @@
 // What dragging a handle does to a rake: from where the pointer was and is to the new shape, held to an axis or a grid if asked.
 import { Vector3 } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
+import { shortNumber } from '../base/numbers.ts';
 import type { ScreenPoint, View } from '../base/view.ts';
 import { type Handle, positionOf } from './rakeHandles.ts';
 import { circleOf, middleOf, normalOf, type RakeShape, resized, tilted, translated, turnedBy, withPoint } from './rakeShape.ts';
@@ -58,7 +59,7 @@ function moved(drag: Drag, pointer: ScreenPoint, target: ScreenPoint, view: View
     let to = axis === null ? view.pointAtDepth(target, anchor) : alongAxis(anchor, axis, target, view);
     if (snap.step !== null) to = gridded(to, anchor, axis, snap.step);
     const shape = handle === 'middle' ? translated(start, minus(to, anchor)) : withPoint(start, handle as number, to);
-    const words = [axis === null ? '' : `along ${axisNames[axis]}`, snap.step === null ? '' : `grid ${snap.step}`];
+    const words = [axis === null ? '' : `along ${axisNames[axis]}`, snap.step === null ? '' : `grid ${shortNumber(snap.step)}`];
     return {
         shape,
         at: to,
@@ -103,7 +104,7 @@ function sized({ start, anchor }: Drag, target: ScreenPoint, view: View, snap: S
         const radius = Math.max(snap.step, toStep(distance(rim, circle.centre), snap.step));
         rim = plus(circle.centre, times(unit(minus(rim, circle.centre)), radius));
     }
-    const words = `radius ${Number(distance(rim, circle.centre).toPrecision(3))}`;
+    const words = `radius ${shortNumber(distance(rim, circle.centre))}`;
     return { shape: resized(start, rim), at: rim, axis: null, words };
 }
 

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { colourTicks } from './colourTicks.ts';
 
 const values = (low: number, high: number, log: boolean): number[] =>
-    colourTicks(low, high, log, 5).map(({ value }) => Number(value.toPrecision(6)) + 0);
+    colourTicks(low, high, log, 5).ticks.map(({ value }) => Number(value.toPrecision(6)) + 0);
 
 describe('colourTicks', () => {
     it('are even where the range is', () => {

@@ -2,7 +2,7 @@
 // takes as long as it takes; no frame is left out. Afterwards the time is what it was.
 import { effect, signal } from '@preact/signals-core';
 import type { ClockRecord } from '../../protocol/messages.ts';
-import { shortNumber } from '../../scene/base/ticks.ts';
+import { timeText } from '../picture/writtenNumbers.ts';
 import type { ScreenSize } from '../../scene/base/view.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
@@ -89,7 +89,7 @@ export class FilmMaker {
             for (const [i, time] of times.entries()) {
                 await this.show(time);
                 const background = figure.background.value === 'clear' ? 'white' : figure.background.value;
-                const caption = setting.time ? `t = ${withUnit(shortNumber(playback.time.value), setting.unit)}` : null;
+                const caption = setting.time ? `t = ${withUnit(timeText(state, playback.time.value), setting.unit)}` : null;
                 await encoding.add(figure.draw(size, caption, background));
                 this.progress.value = { ...this.progress.value, done: i + 1 };
             }

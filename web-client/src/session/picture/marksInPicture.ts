@@ -1,7 +1,8 @@
 // Shows in the picture what was probed, measured and noted.
 import { effect } from '@preact/signals-core';
 import type { FlowScene } from '../../scene/scene.ts';
-import { shortNumber } from '../../scene/base/ticks.ts';
+import type { DatasetDescription, FieldDescription } from '../../protocol/messages.ts';
+import { shortNumber, valueNumber } from '../../scene/base/numbers.ts';
 import { type MarkedLine, type Marker, MarkerLayer } from '../../scene/tools/markers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ProbeReading, ViewState } from '../../state/viewState.ts';
@@ -20,7 +21,7 @@ export function showMarks(state: AppState, view: ViewState, scene: FlowScene): v
         const markers: Marker[] = [];
         const probe = view.tool.value === 'probe' ? view.probe.value : null;
         if (probe !== null) {
-            markers.push({ at: probe.point, colour: probeColour, words: probeWords(probe, state.dataset.value?.velocity) });
+            markers.push({ at: probe.point, colour: probeColour, words: probeWords(probe, state.dataset.value) });
         }
         const [a, b] = view.measured.value;
         for (const at of view.measured.value) markers.push({ at, colour: measureColour, words: '' });
@@ -41,15 +42,19 @@ export function showMarks(state: AppState, view: ViewState, scene: FlowScene): v
     });
 }
 
-function probeWords({ inside, values }: ProbeReading, velocity: string | undefined): string {
+function probeWords({ inside, values }: ProbeReading, dataset: DatasetDescription | null): string {
     if (!inside) return 'no flow here';
-    return values.map(({ name, value }) => `${name === velocity ? 'speed' : name} ${valueWords(value)}`).join(', ');
+    const words = values.map(({ name, value }) => {
+        const range = dataset?.fields.find((field) => field.name === name)?.range;
+        return `${name === dataset?.velocity ? 'speed' : name} ${valueWords(value, range)}`;
+    });
+    return words.join(', ');
 }
 
 /** Of a vector its length. */
-function valueWords(value: ProbeReading['values'][number]['value']): string {
+function valueWords(value: ProbeReading['values'][number]['value'], range?: FieldDescription['range']): string {
     if (value === null) return '–';
-    return shortNumber(typeof value === 'number' ? value : Math.hypot(...value));
+    return valueNumber(typeof value === 'number' ? value : Math.hypot(...value), range);
 }
 
 function shortened(text: string): string {

@@ -48,6 +48,20 @@ describe('a state in a link', () => {
         expect(back(today)).toMatchObject({ direction: 'backward', from: 5, to: 2, releaseUntil: 4 });
     });
 
+    it('keeps where things are far from the origin, and how small they are', () => {
+        const points: Vec3[] = [
+            [512345.125, 5423456.0625, 0.0000212],
+            [512745, 5423956.5, 0.00004],
+        ];
+        const text = encodeLinkState({
+            view: { camera },
+            rakes: [{ ...rake, points }],
+            surfaces: [{ ...surface, to: 1700000300.5 }],
+        });
+        expect(decodeLinkState(text).rakes[0]?.points).toEqual(points);
+        expect(decodeLinkState(text).surfaces[0]?.to).toBe(1700000300.5);
+    });
+
     it('leaves the records out where it would grow too long, and keeps the view', () => {
         const points = Array.from({ length: 500 }, (_, i): Vec3 => [i / 7, i / 11, i / 13]);
         const text = encodeLinkState({ view: { camera }, rakes: [{ ...rake, points }], surfaces: [] });

@@ -12,6 +12,7 @@ export interface LinkState {
 
 /** Longer addresses are cut by mail programs and chats; the records are left out then. */
 const longestJson = 4500;
+/** Of a number below one; of others, after the point. */
 const digits = 6;
 
 export function encodeLinkState({ view, rakes, surfaces }: LinkState): string {
@@ -61,8 +62,14 @@ function completed(record: unknown, rest: object): unknown {
 
 function jsonOf(value: object): string {
     return JSON.stringify(value, (_, each: unknown) =>
-        typeof each === 'number' && !Number.isInteger(each) ? Number(each.toPrecision(digits)) : each,
+        typeof each === 'number' && !Number.isInteger(each) ? Number(each.toPrecision(digitsOf(each))) : each,
     );
+}
+
+/** A place far from the origin keeps its decimals, and one near it its digits. */
+function digitsOf(value: number): number {
+    const whole = Math.floor(Math.log10(Math.abs(value))) + 1;
+    return Math.min(15, digits + Math.max(0, whole));
 }
 
 function base64Of(json: string): string {

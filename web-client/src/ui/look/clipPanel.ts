@@ -1,6 +1,6 @@
 // Planes that cut all surfaces open, and the body if wanted.
 import { css, html, type TemplateResult } from 'lit';
-import { shortNumber } from '../../scene/base/ticks.ts';
+import { coordinateText } from '../../session/picture/writtenNumbers.ts';
 import type { ClipPlane, ClipPlanes } from '../../state/clipPlanes.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -25,7 +25,7 @@ export class ClipPanel extends SignalElement {
         css`
             .plane {
                 display: grid;
-                grid-template-columns: 72px 1fr 44px auto;
+                grid-template-columns: 72px 1fr minmax(44px, auto) auto;
                 gap: 8px;
                 align-items: center;
             }
@@ -52,9 +52,7 @@ export class ClipPanel extends SignalElement {
     private plane(axis: string, index: number, plane: ClipPlane): TemplateResult {
         const bounds = this.model.state.dataset.value?.bounds ?? [0, 1, 0, 1, 0, 1];
         const [low, high] = [bounds[2 * index] ?? 0, bounds[2 * index + 1] ?? 1];
-        // As fine as the slider is.
-        const decimals = Math.max(0, Math.ceil(2 - Math.log10(high - low)));
-        const place = shortNumber(Number((low + plane.at * (high - low)).toFixed(decimals)));
+        const place = coordinateText(this.model.state, index, low + plane.at * (high - low));
         return html`<div class="plane" role="group" aria-label=${`Plane across ${axis}`}>
             ${checkRow(`clip-${axis}`, `Cut ${axis}`, plane.on, (on) => this.changePlane(index, { on }))}
             <input

@@ -1,5 +1,6 @@
 // How the controls of a look are laid out, and the rows that recur in them.
 import { css, html, type TemplateResult } from 'lit';
+import { fieldNumber, resolutionOf } from '../../scene/base/numbers.ts';
 
 export const lookStyles = css`
     .row {
@@ -143,7 +144,7 @@ export function pairRow(
     disabled: boolean,
     change: (pair: [number, number]) => void,
 ): TemplateResult {
-    const shown = (value: number): string => String(Number(value.toPrecision(4)));
+    const shown = (value: number): string => fieldNumber(value, resolutionOf(low, high));
     const field = (part: 'from' | 'to', value: number): TemplateResult => html`<input
         id=${`${id}-${part}`}
         type="number"

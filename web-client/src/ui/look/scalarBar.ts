@@ -1,9 +1,9 @@
 // What the colours of the selected surface mean: the colour table with numbers, as text that can be read aloud.
-import { css, html, type TemplateResult } from 'lit';
+import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, fractionOf, tableSize } from '../../scene/surface/colourMap.ts';
 import { colourTicks } from '../../scene/surface/colourTicks.ts';
 import type { SurfaceSpan } from '../../scene/surface/surfaceLayer.ts';
-import { shortNumber } from '../../scene/base/ticks.ts';
+import { placeNumbers, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -86,14 +86,19 @@ export class ScalarBar extends SignalElement {
         const [low, high] = colours;
         const name = colourTitle(style, state.dataset.value, state.surface.value?.kind);
         const scale = style.logarithmic ? ', logarithmic' : '';
-        return html`<figure aria-label=${`Colours: ${name} from ${shortNumber(low)} to ${shortNumber(high)}${scale}`}>
+        const [from, to] = style.logarithmic
+            ? [shortNumber(low), shortNumber(high)]
+            : placeNumbers(colours, resolutionOf(low, high));
+        const { ticks, shared } = colourTicks(low, high, style.logarithmic, 5);
+        return html`<figure aria-label=${`Colours: ${name} from ${from} to ${to}${scale}`}>
             <figcaption>
                 <span>${name}</span>
-                <span class="range">${shortNumber(low)} to ${shortNumber(high)}${style.logarithmic ? ', log' : ''}</span>
+                <span class="range">${from} to ${to}${style.logarithmic ? ', log' : ''}</span>
+                ${shared === '' ? nothing : html`<span class="range" id="shared">numbers below ${shared}</span>`}
             </figcaption>
             <canvas width=${tableSize} height="1" aria-hidden="true"></canvas>
             <div class="ticks" aria-hidden="true">
-                ${colourTicks(low, high, style.logarithmic, 5).map(
+                ${ticks.map(
                     ({ value, label }) => html`<span data-at=${fractionOf(value, colours, style.logarithmic)}>${label}</span>`,
                 )}
             </div>

@@ -1,6 +1,6 @@
 // Which part of the selected surface is shown: from some seeds only, or of some age only.
 import { html, nothing, type TemplateResult } from 'lit';
-import { shortNumber } from '../../scene/base/ticks.ts';
+import { placeNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -54,7 +54,7 @@ export class WindowsPanel extends SignalElement {
                     id: `${id}-${end}`,
                     words: `${words}, ${end}`,
                     value,
-                    shown: shortNumber(Math.abs(value) < step / 2 ? 0 : value),
+                    shown: placeNumber(Math.abs(value) < step / 2 ? 0 : value, resolutionOf(...whole)),
                 },
                 ...{ low: whole[0], high: whole[1], step },
                 change: (at) => this.change(name, end === 'from' ? [at, Math.max(at, high)] : [Math.min(at, low), at], whole),

@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { sizeFault } from '../../scene/capture.ts';
-import { shortNumber } from '../../scene/base/ticks.ts';
+import { timeText } from '../../session/picture/writtenNumbers.ts';
 import { framesAtMost, frameTimes, type FilmMaker } from '../../session/out/film.ts';
 import { canEncode } from '../../session/out/videoEncoding.ts';
 import type { Figure } from '../../session/out/figure.ts';
@@ -27,7 +27,7 @@ const seconds = signal(10);
 const time = signal(true);
 
 export interface FilmExportModel {
-    state: Pick<AppState, 'dataset' | 'participants' | 'role'>;
+    state: Pick<AppState, 'dataset' | 'participants' | 'role' | 'surfaces'>;
     view: Pick<ViewState, 'units'>;
     playback: Pick<Playback, 'mode' | 'span'>;
     figure: Pick<Figure, 'shownSize'>;
@@ -85,7 +85,7 @@ export class FilmExport extends SignalElement {
             </div>
             ${words === '' ? nothing : html`<p role="alert">${words}</p>`}
             <p>
-                From t = ${shortNumber(from)} to ${shortNumber(to)} in ${frames} frames, each drawn when its
+                From t = ${timeText(state, from)} to ${timeText(state, to)} in ${frames} frames, each drawn when its
                 surface is there. Background, bar, axes and rake as above.
                 ${others ? 'The others in this session see the time change while you record.' : ''}
             </p>

@@ -8,9 +8,11 @@ import { movedHandle } from '../../scene/rake/rakeInteraction.ts';
 import { gripOf, type Handle } from '../../scene/rake/rakeHandles.ts';
 import { asKind, circleOf, circleShape, withoutPoint, withPointAfter } from '../../scene/rake/rakeShape.ts';
 import { gridStep, unitAxis } from '../../scene/rake/snapping.ts';
-import { niceStep, shortNumber } from '../../scene/base/ticks.ts';
+import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
+import { niceStep } from '../../scene/base/ticks.ts';
 import { numberProblems } from '../../session/edits/rakeEdits.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import { coordinateField, coordinateText } from '../../session/picture/writtenNumbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -106,7 +108,7 @@ export class RakePanel extends SignalElement {
     }
 
     private inUnits(words: string | number): string {
-        return withUnit(String(words), this.model.view.units.value.length);
+        return withUnit(typeof words === 'number' ? shortNumber(words) : words, this.model.view.units.value.length);
     }
 
     private shapeAndSeeds(kind: RakeKind): TemplateResult {
@@ -139,7 +141,7 @@ export class RakePanel extends SignalElement {
                         type="number"
                         step="any"
                         aria-label=${`${name} ${axis}`}
-                        .value=${numberText(at[k] ?? 0)}
+                        .value=${coordinateField(this.model.state, k, at[k] ?? 0)}
                         @change=${(event: Event) => this.numberChanged(event, handle, k as Axis)}
                     />`,
             )}
@@ -202,12 +204,16 @@ export class RakePanel extends SignalElement {
             const field = event.target as HTMLInputElement;
             const radius = field.valueAsNumber;
             if (radius > 0) edits.setShape(circleShape({ ...circle, radius }));
-            field.value = numberText(circleOf(state.rakeShape.value).radius);
+            field.value = this.radiusText(circleOf(state.rakeShape.value).radius);
         };
         return html`<label class="pair-row">${this.inUnits('Radius')}
             <input type="number" id="radius" min="0" step="any"
-                .value=${numberText(circle.radius)} @change=${change} />
+                .value=${this.radiusText(circle.radius)} @change=${change} />
         </label>`;
+    }
+
+    private radiusText(radius: number): string {
+        return fieldNumber(radius, resolutionOf(0, diagonal(this.model.state.dataset.value!.bounds)));
     }
 
     /** For whoever neither drags nor types. */
@@ -327,13 +333,13 @@ export class RakePanel extends SignalElement {
         const [low, high] = [bounds[2 * axis]!, bounds[2 * axis + 1]!];
         const { problems } = this.model.state;
         if (typed < low || typed > high) {
-            const [from, to] = [shortNumber(low), shortNumber(high)];
+            const [from, to] = [low, high].map((end) => coordinateText(this.model.state, axis, end));
             problems.say(
                 numberProblems.shape,
                 `The domain extends from ${axes[axis]} = ${from} to ${to}: the rake stops at its edge.`,
             );
         } else problems.solved(numberProblems.shape);
-        field.value = numberText(this.placeOf(handle)[axis]);
+        field.value = coordinateField(this.model.state, axis, this.placeOf(handle)[axis]);
     }
 
     private moveTo(value: number, handle: Handle, axis: Axis): void {
@@ -362,10 +368,6 @@ export class RakePanel extends SignalElement {
         }
         field.value = String(edits.seeds.value);
     }
-}
-
-function numberText(value: number): string {
-    return String(Number(value.toPrecision(4)));
 }
 
 /** Most flows go along the longest side of their domain. */

@@ -1,6 +1,6 @@
 // How far the server has come with the surface, in words and numbers.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { shortNumber } from '../../scene/base/ticks.ts';
+import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { SurfaceProgress } from '../../session/surface/surfaceProgress.ts';
 import type { AppState } from '../../state/appState.ts';

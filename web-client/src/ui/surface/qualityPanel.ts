@@ -2,7 +2,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import type { SurfaceStats, Terminations } from '../../protocol/messages.ts';
-import { shortNumber } from '../../scene/base/ticks.ts';
+import { shortNumber } from '../../scene/base/numbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';

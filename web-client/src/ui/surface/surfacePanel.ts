@@ -2,12 +2,15 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { Accuracy, DatasetDescription, Direction, SurfaceKind, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
-import { niceStep, shortNumber } from '../../scene/base/ticks.ts';
+import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
+import { diagonal } from '../../scene/camera/fitting.ts';
+import { niceStep } from '../../scene/base/ticks.ts';
 import { defaultLength } from '../../session/edits/defaults.ts';
 import { surfacesOf } from '../../session/edits/selection.ts';
 import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
 import { cutBackAt, directionsOf, followed } from '../../session/edits/surfaceTimes.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import { timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -313,7 +316,7 @@ export class SurfacePanel extends SignalElement {
             </label>
             <label class="row" for="release-until">
                 <span>Release until</span>
-                <span class="value">t = ${this.time(from + sign * current)}</span>
+                <span class="value">t = ${timeWords(this.model.state, this.model.view, from + sign * current)}</span>
             </label>
             <input
                 id="release-until"
@@ -343,7 +346,7 @@ export class SurfacePanel extends SignalElement {
                         step="any"
                         aria-label=${`Sweep along ${axis}`}
                         title=${`Sweep along ${axis}`}
-                        .value=${live(sweepText(sweep[k] ?? 0))}
+                        .value=${live(this.sweepText(sweep[k] ?? 0))}
                         @change=${(event: Event) => this.sweepChanged(event, sweep, k)}
                     />`,
             )}
@@ -380,7 +383,11 @@ export class SurfacePanel extends SignalElement {
         sweep[axis] = field.valueAsNumber;
         if (sweep.every(Number.isFinite) && sweep.some((each) => each !== 0)) {
             this.model.edits.changeSurface({ sweep });
-        } else field.value = sweepText(before[axis] ?? 0);
+        } else field.value = this.sweepText(before[axis] ?? 0);
+    }
+
+    private sweepText(value: number): string {
+        return fieldNumber(value, resolutionOf(0, diagonal(this.model.state.dataset.value!.bounds)));
     }
 
     private separationChanged(event: Event): void {
@@ -391,10 +398,6 @@ export class SurfacePanel extends SignalElement {
 
 function directionChoices({ kind }: SurfaceIntent): [Direction, string][] {
     return directions.filter(([direction]) => directionsOf(kind).includes(direction));
-}
-
-function sweepText(value: number): string {
-    return String(Number(value.toPrecision(4)));
 }
 
 function surfaceWords({ kind, direction }: SurfaceRecord, index: number): string {

@@ -2,10 +2,11 @@
 import { html, noChange, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { SurfaceKind } from '../../protocol/messages.ts';
-import { shortNumber } from '../../scene/base/ticks.ts';
+import { shortNumber } from '../../scene/base/numbers.ts';
 import { timeSteps } from '../../session/out/panelSteps.ts';
 import { residentWords } from '../../session/time/timeSteps.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import { timeField, timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { Playback } from '../../session/time/playback.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -67,7 +68,7 @@ export class TimeBar extends SignalElement {
                         step="any"
                         aria-label=${playback.mode.value === 'clock' ? 'Shown at time' : 'Frozen at time'}
                         ?disabled=${locked || none}
-                        .value=${this.typing ? noChange : live(numberText(playback.time.value))}
+                        .value=${this.typing ? noChange : live(timeField(this.model.state, playback.time.value))}
                         @focus=${() => (this.typing = true)}
                         @blur=${this.left}
                         @change=${this.typed}
@@ -91,7 +92,7 @@ export class TimeBar extends SignalElement {
     }
 
     private words(time: number): string {
-        return withUnit(shortNumber(time), this.model.view.units.value.time);
+        return timeWords(this.model.state, this.model.view, time);
     }
 
     private buttons(disabled: boolean): TemplateResult {
@@ -131,7 +132,7 @@ export class TimeBar extends SignalElement {
                 ${choices.map(
                     (each) =>
                         html`<option value=${each} .selected=${close(each)}>
-                            ${shortNumber(each)}×${normal > 0 ? ` (${this.words(each * normal)}/s)` : ''}
+                            ${shortNumber(each)}×${normal > 0 ? ` (${withUnit(shortNumber(each * normal), this.model.view.units.value.time)}/s)` : ''}
                         </option>`,
                 )}
             </select>
@@ -199,10 +200,6 @@ export class TimeBar extends SignalElement {
     private speedChosen(event: Event): void {
         void this.model.playback.setSpeed(Number((event.target as HTMLSelectElement).value));
     }
-}
-
-function numberText(time: number): string {
-    return Number.isFinite(time) ? String(Number(time.toPrecision(5))) : '';
 }
 
 customElements.define('wakesurf-time-bar', TimeBar);

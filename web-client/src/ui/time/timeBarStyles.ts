@@ -38,6 +38,9 @@ export const timeBarStyles = css`
     }
     input[type='number'] {
         width: 74px;
+        field-sizing: content;
+        min-width: 74px;
+        max-width: 150px;
         appearance: textfield;
         text-align: right;
         font-variant-numeric: tabular-nums;

@@ -4,9 +4,10 @@ import { html, noChange, nothing, svg, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { signal } from '@preact/signals-core';
 import type { StepState } from '../../protocol/messages.ts';
-import { niceTicks, shortNumber } from '../../scene/base/ticks.ts';
+import { niceTicks } from '../../scene/base/ticks.ts';
 import { releasedSpan, type Span, type StepMark, stepMarks, timelineSpan } from '../../session/time/timeSteps.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import { timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { Playback } from '../../session/time/playback.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -69,7 +70,8 @@ export class Timeline extends SignalElement {
         const surface = moving ? playback.span.value : null;
         const line = timelineSpan(times, surface);
         const at = (time: number): string => `${((100 * (time - line[0])) / (line[1] - line[0])).toFixed(3)}%`;
-        const ticks = niceTicks(line[0], line[1], this.width.value / pxPerTick);
+        const { ticks, shared } = niceTicks(line[0], line[1], this.width.value / pxPerTick);
+        this.toggleAttribute('shared', shared !== '');
         const { time } = playback;
         return html`
             <svg class="picture" aria-hidden="true">
@@ -83,8 +85,9 @@ export class Timeline extends SignalElement {
                 ${stepMarks(state.stepStates.value, this.width.value / pxPerMark).map((mark) => this.mark(mark, at))}
                 ${ticks.map(({ value, label }, i) => {
                     const words = i === ticks.length - 1 ? withUnit(label, this.unit) : label;
-                    return svg`<text x=${at(value)} y="49">${words}</text>`;
+                    return svg`<text class="tick" x=${at(value)} y="49">${words}</text>`;
                 })}
+                ${shared === '' ? nothing : svg`<text class="shared" x="100%" y="63">${withUnit(shared, this.unit)}</text>`}
             </svg>
             ${moving ? this.clockSlider(line) : this.frozenSlider(line)}
             ${moving ? this.releaseSlider(line) : nothing}
@@ -183,7 +186,7 @@ export class Timeline extends SignalElement {
     }
 
     private words(time: number): string {
-        return withUnit(shortNumber(time), this.unit);
+        return timeWords(this.model.state, this.model.view, time);
     }
 
     private get mayNot(): boolean {

@@ -8,6 +8,13 @@ export const timelineStyles = css`
         height: 52px;
         margin: 0 14px;
     }
+    /* One more line: what the numbers share. */
+    :host([shared]) {
+        height: 66px;
+    }
+    text.shared {
+        text-anchor: end;
+    }
     .picture {
         position: absolute;
         inset: 0;

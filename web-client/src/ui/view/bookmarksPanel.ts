@@ -1,7 +1,7 @@
 // Views of the picture under names, for everyone in the session.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { BookmarkRecord } from '../../protocol/messages.ts';
-import { shortNumber } from '../../scene/base/ticks.ts';
+import { timeText } from '../../session/picture/writtenNumbers.ts';
 import { readPageView } from '../../state/pageView.ts';
 import type { Calls } from '../../session/base/calls.ts';
 import type { ClockControl } from '../../session/time/clockControl.ts';
@@ -12,7 +12,7 @@ import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
 export interface BookmarksModel {
-    state: Pick<AppState, 'bookmarks' | 'clock' | 'role'>;
+    state: Pick<AppState, 'bookmarks' | 'clock' | 'dataset' | 'role' | 'surfaces'>;
     views: Pick<Views, 'current' | 'show'>;
     calls: Pick<Calls, 'try'>;
     clock: Pick<ClockControl, 'set'>;
@@ -72,7 +72,7 @@ export class BookmarksPanel extends SignalElement {
         const { bookmark, name, time } = record;
         return html`<li>
             <button type="button" class="go" title=${name} @click=${() => this.show(record)}>
-                ${name}${time === undefined ? nothing : html` <span class="quiet">t = ${shortNumber(time)}</span>`}
+                ${name}${time === undefined ? nothing : html` <span class="quiet">t = ${timeText(this.model.state, time)}</span>`}
             </button>
             ${
                 viewer

@@ -2,9 +2,10 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { FieldDescription, Vec3 } from '../../protocol/messages.ts';
 import { centreOf } from '../../scene/domain/domainAxes.ts';
-import { shortNumber } from '../../scene/base/ticks.ts';
+import { shortNumber, valueNumber } from '../../scene/base/numbers.ts';
 import { distance } from '../../session/tools/measuring.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import { coordinateField, timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { ProbeReading, ViewState } from '../../state/viewState.ts';
 import type { Probing } from '../../session/tools/probing.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -13,7 +14,7 @@ import { SignalElement } from '../base/signalElement.ts';
 import { vectorInput } from '../base/vectorInput.ts';
 
 export interface ProbeModel {
-    state: Pick<AppState, 'dataset'>;
+    state: Pick<AppState, 'dataset' | 'surfaces'>;
     view: ViewState;
     probing: Pick<Probing, 'probeThere'>;
 }
@@ -67,8 +68,9 @@ export class ProbePanel extends SignalElement {
         const bounds = state.dataset.value?.bounds;
         if (bounds === undefined) return html``;
         const reading = view.probe.value;
+        const written = (axis: number, value: number): string => coordinateField(state, axis, value);
         return html`
-            ${vectorInput('Probe', view.probePlace.value ?? centreOf(bounds), (point) => {
+            ${vectorInput('Probe', view.probePlace.value ?? centreOf(bounds), written, (point) => {
                 view.tool.value = 'probe';
                 probing.probeThere(point);
             })}
@@ -88,12 +90,12 @@ export class ProbePanel extends SignalElement {
         const fields = this.model.state.dataset.value?.fields ?? [];
         return html`<dl id="probe-values">
             ${values.map(({ name, value }) => {
-                const unit = fields.find((field: FieldDescription) => field.name === name)?.unit;
+                const { unit, range } = fields.find((field) => field.name === name) ?? noField;
                 return html`<dt>${name}${unit === undefined ? '' : ` (${unit})`}</dt>
-                    <dd data-field=${name}>${valueWords(value)}</dd>`;
+                    <dd data-field=${name}>${valueWords(value, range)}</dd>`;
             })}
             <dt>at</dt>
-            <dd>t = ${withUnit(shortNumber(time), this.model.view.units.value.time)}</dd>
+            <dd>t = ${timeWords(this.model.state, this.model.view, time)}</dd>
         </dl>`;
     }
 
@@ -112,10 +114,12 @@ export class ProbePanel extends SignalElement {
     }
 }
 
-function valueWords(value: number | Vec3 | null): string {
+const noField: Partial<Pick<FieldDescription, 'unit' | 'range'>> = {};
+
+function valueWords(value: number | Vec3 | null, range: FieldDescription['range'] | undefined): string {
     if (value === null) return '–';
-    if (typeof value === 'number') return shortNumber(value);
-    return `${shortNumber(Math.hypot(...value))} (${value.map((each) => shortNumber(each)).join(', ')})`;
+    if (typeof value === 'number') return valueNumber(value, range);
+    return `${valueNumber(Math.hypot(...value), range)} (${value.map((each) => shortNumber(each)).join(', ')})`;
 }
 
 customElements.define('wakesurf-probe', ProbePanel);

@@ -1,0 +1,49 @@
+// Times and coordinates as the page writes them: as finely as those of the dataset ask for, however large they are.
+import type { Vec3 } from '../../protocol/messages.ts';
+import { fieldNumber, finestStep, placeNumber, resolutionOf } from '../../scene/base/numbers.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import { withUnit } from './unitsInPicture.ts';
+
+type TimeState = Pick<AppState, 'dataset' | 'surfaces'>;
+type PlaceState = Pick<AppState, 'dataset'>;
+
+const steps = new WeakMap<readonly number[], number>();
+
+/** Of all time-steps and surfaces; 0 where there is only one time. */
+export function timeResolution({ dataset, surfaces }: TimeState): number {
+    const times = dataset.value?.times ?? [];
+    const ends = [...surfaces.value.values()].flatMap(({ from, to }) => [from, to]);
+    const all = [...times.slice(0, 1), ...times.slice(-1), ...ends].filter(Number.isFinite);
+    if (!steps.has(times)) steps.set(times, finestStep(times));
+    return resolutionOf(Math.min(...all), Math.max(...all), steps.get(times));
+}
+
+export function timeText(state: TimeState, time: number): string {
+    return placeNumber(time, timeResolution(state));
+}
+
+export function timeWords(state: TimeState, view: Pick<ViewState, 'units'>, time: number): string {
+    return withUnit(timeText(state, time), view.units.value.time);
+}
+
+export function timeField(state: TimeState, time: number): string {
+    return fieldNumber(time, timeResolution(state));
+}
+
+export function coordinateText(state: PlaceState, axis: number, value: number): string {
+    return placeNumber(value, coordinateResolution(state, axis));
+}
+
+export function coordinateField(state: PlaceState, axis: number, value: number): string {
+    return fieldNumber(value, coordinateResolution(state, axis));
+}
+
+export function pointText(state: PlaceState, point: Vec3): string {
+    return point.map((value, axis) => coordinateText(state, axis, value)).join(', ');
+}
+
+function coordinateResolution({ dataset }: PlaceState, axis: number): number {
+    const bounds = dataset.value?.bounds ?? [0, 0, 0, 0, 0, 0];
+    return resolutionOf(bounds[2 * axis] ?? 0, bounds[2 * axis + 1] ?? 0);
+}
