@@ -83,7 +83,10 @@ function start(app: App): void {
     showExactOrder(view, scene, graphics);
     showMarks(state, view, scene);
     showUnits(state, view, scene);
-    const sight = { view: () => scene.view(), pick: (at: ScreenPoint) => scene.pick(at) };
+    const sight = {
+        pick: (at: ScreenPoint) => scene.pick(at),
+        rakeAt: (at: ScreenPoint) => scene.rakes.pointUnder(at, scene.view()),
+    };
     const probing = new Probing({ state, pageView: view, worker, requestFrame, ...sight });
     const pointing = new Pointing({ state, people, requestFrame, ...sight });
     for (const tool of [

@@ -51,6 +51,8 @@ export class ViewState {
     readonly probe = signal<ProbeReading | null>(null);
     /** Where the probe is by now: the newest place, ahead of the reading while that is awaited. */
     readonly probePlace = signal<Vec3 | null>(null);
+    /** The pointer of the probe is where nothing can be seen. */
+    readonly probeMissed = signal(false);
     /** Up to two points. */
     readonly measured = signal<readonly Vec3[]>([]);
     readonly note = signal<NoteDraft | null>(null);

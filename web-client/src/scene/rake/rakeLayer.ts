@@ -7,8 +7,10 @@ import { RakeCurve } from './rakeCurve.ts';
 import { axisLine, curveUnder, type Handle, handleUnder, labelPlace, positionOf } from './rakeHandles.ts';
 import type { RakeShape } from './rakeShape.ts';
 import { RakeLabels } from './rakeLabels.ts';
+import { placeUnder } from './rakePlace.ts';
 import { RakeWidget } from './rakeWidget.ts';
 import type { Axis } from './snapping.ts';
+import { distance } from './vec3.ts';
 
 /** What is shown while a handle is moved. */
 export interface Guide {
@@ -92,6 +94,17 @@ export class RakeLayer implements Layer {
             if (px !== null && px < nearestPx) [nearest, nearestPx] = [id, px];
         }
         return nearest === this.chosen?.rake?.rake ? null : nearest;
+    }
+
+    /** The place of a rake, or of the disc of a round one, that is seen at a canvas position; null: none is. */
+    pointUnder(pointer: ScreenPoint, view: View): Vec3 | null {
+        let nearest: Vec3 | null = null;
+        for (const { shape } of this.widgets.values()) {
+            const point = placeUnder(pointer, shape, view);
+            if (point === null || (nearest !== null && distance(view.eye, point) >= distance(view.eye, nearest))) continue;
+            nearest = point;
+        }
+        return nearest;
     }
 
     /** Puts the ring of attention round a handle. */

@@ -1,10 +1,9 @@
 // The measure: the distance between two points of the picture.
 import type { Vec3 } from '../../protocol/messages.ts';
-import { centreOf } from '../../scene/domain/domainAxes.ts';
 import type { Pointer, PointerTool } from '../../scene/base/pointerTools.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { aim, type Sight } from './aiming.ts';
+import { aim, nothingThere, type Sight } from './aiming.ts';
 
 export interface MeasuringOptions extends Sight {
     state: AppState;
@@ -21,11 +20,15 @@ export class Measuring implements PointerTool {
     /** The first click sets one end, the second the other, the third starts again. */
     click({ at }: Pointer): boolean {
         const { state, pageView } = this.options;
-        const bounds = state.dataset.value?.bounds;
-        if (pageView.tool.value !== 'measure' || bounds === undefined) return false;
+        if (pageView.tool.value !== 'measure' || state.dataset.value === null) return false;
+        const aimed = aim(this.options, at);
+        if (aimed === null) {
+            state.problems.say('measure', nothingThere);
+            return true;
+        }
+        state.problems.solved('measure');
         const ends = pageView.measured.value;
-        const { point } = aim(this.options, at, ends.at(-1) ?? centreOf(bounds));
-        pageView.measured.value = ends.length === 1 ? [ends[0]!, point] : [point];
+        pageView.measured.value = ends.length === 1 ? [ends[0]!, aimed.point] : [aimed.point];
         return true;
     }
 

@@ -1,9 +1,8 @@
 // Notes: a click says where, a dialog asks what.
-import { centreOf } from '../../scene/domain/domainAxes.ts';
 import type { Pointer, PointerTool } from '../../scene/base/pointerTools.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { aim, type Sight } from './aiming.ts';
+import { aim, nothingThere, type Sight } from './aiming.ts';
 
 export interface NotingOptions extends Sight {
     state: AppState;
@@ -19,9 +18,14 @@ export class Noting implements PointerTool {
 
     click({ at }: Pointer): boolean {
         const { state, pageView } = this.options;
-        const bounds = state.dataset.value?.bounds;
-        if (pageView.tool.value !== 'annotate' || bounds === undefined) return false;
-        const { point, surface } = aim(this.options, at, centreOf(bounds));
+        if (pageView.tool.value !== 'annotate' || state.dataset.value === null) return false;
+        const aimed = aim(this.options, at);
+        if (aimed === null) {
+            state.problems.say('annotate', nothingThere);
+            return true;
+        }
+        state.problems.solved('annotate');
+        const { point, surface } = aimed;
         pageView.note.value = { annotation: null, text: '', position: point, surface };
         return true;
     }

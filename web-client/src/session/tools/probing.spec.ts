@@ -4,13 +4,14 @@ import type { Vec3 } from '../../protocol/messages.ts';
 import type { Pointer } from '../../scene/base/pointerTools.ts';
 import { AppState } from '../../state/appState.ts';
 import { ViewState } from '../../state/viewState.ts';
+import { nothingThere } from './aiming.ts';
 import { Measuring } from './measuring.ts';
 import { Noting } from './noting.ts';
 import { type Asked, answering } from '../../testing/answering.ts';
 import { datasetOf, fieldOf } from '../../testing/records.ts';
 import { Probing } from './probing.ts';
 
-/** A picture in which x of the canvas is x of space, with a surface to the left of 100. */
+/** A picture in which x of the canvas is x of space, with a surface to the left of 100, a rake from 200 to 260 and nothing else. */
 function bench() {
     const state = new AppState();
     const pageView = new ViewState();
@@ -28,8 +29,8 @@ function bench() {
         return new Promise((resolve) => answers.push(() => resolve({ inside: [true], values: { U: [[3, 4, 0]], p: [7] } })));
     });
     const sight = {
-        view: () => ({ pointAtDepth: ({ x }: { x: number }, anchor: Vec3): Vec3 => [x, 0, anchor[2]] }),
         pick: ({ x }: { x: number }) => (x < 100 ? { point: [x, 1, 1] as Vec3, surface: 's1' } : null),
+        rakeAt: ({ x }: { x: number }): Vec3 | null => (x >= 200 && x <= 260 ? [x, 2, 2] : null),
     };
     const probing = new Probing({ state, pageView, worker, requestFrame: () => undefined, ...sight });
     const answer = async (): Promise<void> => {
@@ -70,19 +71,34 @@ describe('Probing', () => {
         });
     });
 
-    it('in the open stays as far away as it was', async () => {
+    it('shows no number where there is nothing to see, and says so', async () => {
         const { probing, pageView, asked, answer } = bench();
         pageView.tool.value = 'probe';
-        probing.probeThere([1, 2, 8]);
+        probing.hover(at(50));
+        probing.flush();
+        // Still on its way when the pointer leaves the surface.
+        probing.hover(at(150));
+        probing.flush();
         await answer();
-        probing.hover(at(200));
         probing.flush();
         expect(asked).toHaveLength(1);
-        probing.click(at(250));
-        await answer();
-        probing.hover(at(300));
+        expect(pageView.probe.value).toBeNull();
+        expect(pageView.probeMissed.value).toBe(true);
+        probing.click(at(150));
+        // A click there holds nothing: the probe goes on with the pointer.
+        probing.hover(at(250));
         probing.flush();
-        expect(asked.at(-1)?.points).toEqual([[300, 0, 8]]);
+        expect(asked.at(-1)?.points).toEqual([[250, 2, 2]]);
+        await answer();
+        expect(pageView.probe.value?.point).toEqual([250, 2, 2]);
+        expect(pageView.probeMissed.value).toBe(false);
+    });
+
+    it('goes where numbers say, also where nothing can be seen', async () => {
+        const { probing, pageView, answer } = bench();
+        probing.probeThere([1, 2, 8]);
+        await answer();
+        expect(pageView.probe.value?.point).toEqual([1, 2, 8]);
     });
 
     it('asks for the newest place only, however fast the pointer is', async () => {
@@ -115,13 +131,25 @@ describe('Measuring', () => {
         expect(measuring.click(at(10))).toBe(false);
         pageView.tool.value = 'measure';
         measuring.click(at(10));
-        measuring.click(at(300));
+        measuring.click(at(220));
         expect(pageView.measured.value).toEqual([
             [10, 1, 1],
-            [300, 0, 1],
+            [220, 2, 2],
         ]);
         measuring.click(at(30));
         expect(pageView.measured.value).toEqual([[30, 1, 1]]);
+    });
+
+    it('takes no end where nothing can be seen, and says so until one is on something', () => {
+        const { measuring, pageView, state } = bench();
+        pageView.tool.value = 'measure';
+        measuring.click(at(10));
+        expect(measuring.click(at(300))).toBe(true);
+        expect(pageView.measured.value).toEqual([[10, 1, 1]]);
+        expect([...state.problems.all.value.values()]).toEqual([nothingThere]);
+        measuring.click(at(20));
+        expect(pageView.measured.value).toHaveLength(2);
+        expect(state.problems.all.value.size).toBe(0);
     });
 });
 
@@ -132,5 +160,13 @@ describe('Noting', () => {
         pageView.tool.value = 'annotate';
         expect(noting.click(at(10))).toBe(true);
         expect(pageView.note.value).toEqual({ annotation: null, text: '', position: [10, 1, 1], surface: 's1' });
+    });
+
+    it('puts no note where nothing can be seen', () => {
+        const { noting, pageView, state } = bench();
+        pageView.tool.value = 'annotate';
+        expect(noting.click(at(300))).toBe(true);
+        expect(pageView.note.value).toBeNull();
+        expect(state.problems.all.value.get('annotate')).toBe(nothingThere);
     });
 });

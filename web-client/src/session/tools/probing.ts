@@ -1,5 +1,4 @@
-// The probe: what the flow does at a point, on a surface or in the open, under the pointer or where numbers say.
-import { centreOf } from '../../scene/domain/domainAxes.ts';
+// The probe: what the flow does at a point of what is seen under the pointer, or where numbers say.
 import type { Pointer, PointerTool } from '../../scene/base/pointerTools.ts';
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -23,6 +22,8 @@ export class Probing implements PointerTool {
     private next: Vec3 | null = null;
     private under: Pointer | null = null;
     private held = false;
+    /** How often there was nothing to probe: an answer that was asked for before that is not shown. */
+    private missed = 0;
 
     constructor(options: ProbingOptions) {
         this.options = options;
@@ -34,6 +35,8 @@ export class Probing implements PointerTool {
         this.held = !this.held;
         this.under = this.held ? null : pointer;
         this.probeAt(pointer);
+        // Nothing can be held where nothing is.
+        this.held &&= !this.options.pageView.probeMissed.value;
         return true;
     }
 
@@ -67,14 +70,25 @@ export class Probing implements PointerTool {
     private probe(point: Vec3): void {
         this.next = point;
         this.options.pageView.probePlace.value = point;
+        this.options.pageView.probeMissed.value = false;
         if (!this.asking) void this.ask();
     }
 
     private probeAt({ at }: Pointer): void {
-        const { state, pageView } = this.options;
-        const bounds = state.dataset.value?.bounds;
-        if (bounds === undefined) return;
-        this.probe(aim(this.options, at, pageView.probePlace.value ?? centreOf(bounds)).point);
+        if (this.options.state.dataset.value === null) return;
+        const aimed = aim(this.options, at);
+        if (aimed === null) this.probeNothing();
+        else this.probe(aimed.point);
+    }
+
+    /** No number is shown of a place that no one can see. */
+    private probeNothing(): void {
+        const { pageView, requestFrame } = this.options;
+        this.next = null;
+        ++this.missed;
+        pageView.probe.value = null;
+        pageView.probeMissed.value = true;
+        requestFrame();
     }
 
     private async ask(): Promise<void> {
@@ -85,6 +99,7 @@ export class Probing implements PointerTool {
         this.next = null;
         this.asking = true;
         const time = shownTime(state);
+        const { missed } = this;
         // Masks and vectors that were left out at the import are listed, but are not there to be sampled.
         const fields = description.fields
             .map(({ name }) => name)
@@ -97,6 +112,7 @@ export class Probing implements PointerTool {
                 value: value ?? null,
             });
             state.problems.solved('probe');
+            if (missed !== this.missed) return;
             pageView.probe.value = { point, time, inside: inside[0] === true, values: Object.entries(values).map(at) };
         } catch (error) {
             tellUnlessCut(state.problems, 'probe', error);

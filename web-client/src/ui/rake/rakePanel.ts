@@ -4,10 +4,10 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import type { RakeKind, Vec3 } from '../../protocol/messages.ts';
 import { diagonal } from '../../scene/camera/fitting.ts';
-import { movedHandle } from '../../scene/rake/rakeInteraction.ts';
 import { gripOf, type Handle } from '../../scene/rake/rakeHandles.ts';
 import { asKind, circleOf, circleShape, withoutPoint, withPointAfter } from '../../scene/rake/rakeShape.ts';
 import { gridStep, unitAxis } from '../../scene/rake/snapping.ts';
+import { withCoordinate } from '../../scene/rake/typedPoint.ts';
 import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import { niceStep } from '../../scene/base/ticks.ts';
 import { numberProblems } from '../../session/edits/rakeEdits.ts';
@@ -326,34 +326,29 @@ export class RakePanel extends SignalElement {
 
     /** What is refused, or does not fit into the domain, does not stay in the field: no signal changes that would tell it. */
     private numberChanged(event: Event, handle: Handle, axis: Axis): void {
+        const { state, edits } = this.model;
         const field = event.target as HTMLInputElement;
         const typed = field.valueAsNumber;
-        if (Number.isFinite(typed)) this.moveTo(typed, handle, axis);
-        const { bounds } = this.model.state.dataset.value!;
-        const [low, high] = [bounds[2 * axis]!, bounds[2 * axis + 1]!];
-        const { problems } = this.model.state;
-        if (typed < low || typed > high) {
-            const [from, to] = [low, high].map((end) => coordinateText(this.model.state, axis, end));
-            problems.say(
-                numberProblems.shape,
-                `The domain extends from ${axes[axis]} = ${from} to ${to}: the rake stops at its edge.`,
-            );
-        } else problems.solved(numberProblems.shape);
-        field.value = coordinateField(this.model.state, axis, this.placeOf(handle)[axis]);
+        const { bounds } = state.dataset.value!;
+        if (Number.isFinite(typed)) {
+            const { shape, stoppedAt } = withCoordinate(state.rakeShape.value, handle, axis, typed, bounds);
+            edits.setShape(shape);
+            if (stoppedAt === null) state.problems.solved(numberProblems.shape);
+            else state.problems.say(numberProblems.shape, this.stoppedWords(axis, typed, stoppedAt));
+        }
+        field.value = coordinateField(state, axis, this.placeOf(handle)[axis]);
     }
 
-    private moveTo(value: number, handle: Handle, axis: Axis): void {
-        const { state, edits } = this.model;
-        if (typeof handle === 'number' && state.rakeShape.value.kind !== 'circle') {
-            // As typed, not as before plus the difference.
-            const points = this.points.map((point) => [...point] as Vec3);
-            points[handle]![axis] = value;
-            edits.setShape({ kind: state.rakeShape.value.kind, points });
-            return;
-        }
-        const by: Vec3 = [0, 0, 0];
-        by[axis] = value - this.placeOf(handle)[axis];
-        edits.setShape(movedHandle(state.rakeShape.value, handle, by));
+    private stoppedWords(axis: Axis, typed: number, stoppedAt: number): string {
+        const { state } = this.model;
+        const { bounds } = state.dataset.value!;
+        const [low, high] = [bounds[2 * axis]!, bounds[2 * axis + 1]!].map((end) => coordinateText(state, axis, end));
+        const name = axes[axis];
+        const others = axes.filter((each) => each !== name).join(' and ');
+        return (
+            `${name} = ${coordinateText(state, axis, typed)} does not fit into the domain, which extends from ${name} = ${low} to ${high}. ` +
+            `${name} stops at ${coordinateText(state, axis, stoppedAt)}; ${others} stay.`
+        );
     }
 
     private seedsChanged(event: Event): void {

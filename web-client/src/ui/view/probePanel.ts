@@ -3,6 +3,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import type { FieldDescription, Vec3 } from '../../protocol/messages.ts';
 import { centreOf } from '../../scene/domain/domainAxes.ts';
 import { shortNumber, valueNumber } from '../../scene/base/numbers.ts';
+import { nothingThere } from '../../session/tools/aiming.ts';
 import { distance } from '../../session/tools/measuring.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import { coordinateField, timeWords } from '../../session/picture/writtenNumbers.ts';
@@ -76,7 +77,13 @@ export class ProbePanel extends SignalElement {
             })}
             ${
                 reading === null
-                    ? html`<p class="quiet">Choose Probe over the picture and point at something, or type where.</p>`
+                    ? html`<p class="quiet" id="probe-hint">
+                          ${
+                              view.probeMissed.value
+                                  ? `${nothingThere} Or type where.`
+                                  : 'Choose Probe over the picture and point at a surface, the body or a rake, or type where.'
+                          }
+                      </p>`
                     : this.reading(reading)
             }
             ${this.measured()}
