@@ -39,6 +39,8 @@ struct DatasetInfo {
     std::uint64_t points = 0;
     std::uint64_t cells = 0;
     std::vector<double> times; ///< strictly increasing
+    std::string length_unit;   ///< of coordinates, as the reader knows it; empty: unknown
+    std::string time_unit;     ///< of times; empty: unknown
     bool steady = false;
     std::vector<FieldInfo> fields;
     std::string velocity; ///< name of the field taken as velocity

@@ -102,6 +102,10 @@ json dataset_json(const core::DatasetInfo& info) {
              {"finestSpacing", info.finest_spacing}};
     if (!info.note.empty())
         out["note"] = info.note;
+    if (!info.length_unit.empty())
+        out["lengthUnit"] = info.length_unit;
+    if (!info.time_unit.empty())
+        out["timeUnit"] = info.time_unit;
     if (info.precision == core::Precision::Half)
         out["precision"] = "half";
     if (info.grid == core::GridKind::Uniform || info.grid == core::GridKind::Rectilinear)
@@ -139,6 +143,10 @@ core::Result<core::DatasetInfo> parse_dataset_info(const json& value) {
         info.finest_spacing = members.number("finestSpacing");
     if (members.has("note"))
         info.note = members.text("note");
+    if (members.has("lengthUnit"))
+        info.length_unit = members.text("lengthUnit");
+    if (members.has("timeUnit"))
+        info.time_unit = members.text("timeUnit");
     if (members.has("precision")) {
         if (members.text("precision") != "half")
             members.fault("precision", "is not one this version knows");

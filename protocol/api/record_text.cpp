@@ -21,6 +21,11 @@ void read(CheckedJson& in, SessionHead& head) {
     head.next_surface = in.count("nextSurface", 1, most_whole);
     head.next_bookmark = in.count("nextBookmark", 1, most_whole);
     head.next_annotation = in.count("nextAnnotation", 1, most_whole);
+    if (in.has("units"))
+        in.inside("units", [&](CheckedJson& units) {
+            head.units.length = units.text("length");
+            head.units.time = units.text("time");
+        });
 }
 
 template <class Record>
@@ -59,12 +64,19 @@ std::string record_text(const ClockRecord& record) {
 }
 
 std::string record_text(const SessionHead& head) {
-    return json_text({{"name", head.name},
-                      {"seq", head.seq},
-                      {"nextRake", head.next_rake},
-                      {"nextSurface", head.next_surface},
-                      {"nextBookmark", head.next_bookmark},
-                      {"nextAnnotation", head.next_annotation}});
+    json out{{"name", head.name},
+             {"seq", head.seq},
+             {"nextRake", head.next_rake},
+             {"nextSurface", head.next_surface},
+             {"nextBookmark", head.next_bookmark},
+             {"nextAnnotation", head.next_annotation}};
+    if (!head.units.empty())
+        out["units"] = units_json(head.units);
+    return json_text(out);
+}
+
+json units_json(const SessionUnits& units) {
+    return {{"length", units.length}, {"time", units.time}};
 }
 
 core::Result<RakeRecord> parse_rake(std::string_view text) {

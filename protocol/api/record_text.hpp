@@ -9,11 +9,23 @@
 #include "protocol/api/generated/surface.hpp"
 #include "protocol/api/generated/time.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace wakesurf::protocol {
+
+/// The units that people of a session have typed; an empty one is as the dataset says.
+struct SessionUnits {
+    std::string length;
+    std::string time;
+
+    bool empty() const { return length.empty() && time.empty(); }
+
+    bool operator==(const SessionUnits&) const = default;
+};
 
 /// What a session is besides its records.
 struct SessionHead {
@@ -23,6 +35,7 @@ struct SessionHead {
     std::uint64_t next_surface = 1;
     std::uint64_t next_bookmark = 1;
     std::uint64_t next_annotation = 1;
+    SessionUnits units{};
 
     bool operator==(const SessionHead&) const = default;
 };
@@ -34,6 +47,8 @@ std::string record_text(const BookmarkRecord& record);
 std::string record_text(const AnnotationRecord& record);
 std::string record_text(const ClockRecord& record);
 std::string record_text(const SessionHead& head);
+
+nlohmann::json units_json(const SessionUnits& units);
 
 /// Error: Corrupt, OverLimit. A number comes back with the very same bits.
 core::Result<RakeRecord> parse_rake(std::string_view text);

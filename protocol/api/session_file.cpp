@@ -105,12 +105,15 @@ json session_file_json(const SessionFile& file) {
     json datasets = json::array();
     for (const DatasetMark& each : file.datasets)
         datasets.push_back(mark_json(each));
-    return {{"wakesurfSession", session_file_version},
-            {"name", file.name},
-            {"exported", file.exported},
-            {"wakesurf", file.wakesurf},
-            {"records", std::move(records)},
-            {"datasets", std::move(datasets)}};
+    json out{{"wakesurfSession", session_file_version},
+             {"name", file.name},
+             {"exported", file.exported},
+             {"wakesurf", file.wakesurf},
+             {"records", std::move(records)},
+             {"datasets", std::move(datasets)}};
+    if (!file.units.empty())
+        out["units"] = units_json(file.units);
+    return out;
 }
 
 core::Result<SessionFile> read_session_file(std::string_view text, std::size_t most_bytes) {
@@ -134,6 +137,8 @@ core::Result<SessionFile> read_session_file(std::string_view text, std::size_t m
     file.name = text_of(value, "name");
     file.exported = text_of(value, "exported");
     file.wakesurf = text_of(value, "wakesurf");
+    if (const auto units = value.find("units"); units != value.end() && units->is_object())
+        file.units = {text_of(*units, "length"), text_of(*units, "time")};
     for (const auto& [group, type] : groups)
         if (auto read = read_group(*records, group, type, file.records); !read)
             return tl::unexpected(read.error());

@@ -4,6 +4,7 @@
 
 #include "core/base/box.hpp"
 #include "core/base/result.hpp"
+#include "protocol/api/record_text.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -43,6 +44,7 @@ struct SessionFile {
     std::string wakesurf; ///< version
     std::vector<FileRecord> records;
     std::vector<DatasetMark> datasets;
+    SessionUnits units{};
 };
 
 nlohmann::json session_file_json(const SessionFile& file);

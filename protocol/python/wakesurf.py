@@ -174,6 +174,8 @@ class Dataset(TypedDict, total=False):
     lattice: Lattice  # lattice of the frames of its surfaces
     surfaceFields: List[str]  # names that `fields` of surface.set accepts
     note: str  # a remark about the data, for people; may be missing
+    lengthUnit: str  # unit of lengths and coordinates; left out if the files do not state it; may be missing
+    timeUnit: str  # unit of times; left out if the files do not state it; may be missing
     precision: str  # half: the values are stored with 16 bits each; may be missing
     dimensions: List[int]  # number of points along x, y and z; may be missing
     spacing: List[float]  # spacing of a uniform grid along x, y and z (the dataset's unit of length); may be missing
@@ -204,11 +206,19 @@ class KeptAside(TypedDict, total=False):
     records: List[AsideRecord]  # the newest 50 of them
 
 
+class Units(TypedDict, total=False):
+    """The units that the people of a session have typed."""
+
+    length: str  # unit of lengths; empty: as in dataset.describe
+    time: str  # unit of times; empty: as in dataset.describe
+
+
 class Snapshot(TypedDict, total=False):
     """All records of a session."""
 
     session: str  # id of the session
     name: str  # display name
+    units: Units  # left out if no one has typed any; may be missing
     rakes: List[RakeRecord]  # all rakes
     surfaces: List[SurfaceRecord]  # all surfaces
     bookmarks: List[BookmarkRecord]  # all bookmarks
@@ -218,10 +228,11 @@ class Snapshot(TypedDict, total=False):
 
 
 class SessionName(TypedDict, total=False):
-    """The id and the name of a session."""
+    """The id and the name of a session, and its units."""
 
     session: str  # id of the session
     name: str  # display name
+    units: Units  # left out if no one has typed any; may be missing
 
 
 class SessionMade(TypedDict, total=False):

@@ -25,6 +25,8 @@ struct SourceDescription {
         note; ///< what a user should know, for example where the times come from; may be empty
     std::vector<core::FieldInfo>
         fields; ///< of the fluid, units where the format has them, ranges of the first time-step
+    std::string length_unit{}; ///< of coordinates; empty where the files do not state it
+    std::string time_unit{};   ///< of times; empty where the files do not state it
 };
 
 /// Faces on which the fluid ends.

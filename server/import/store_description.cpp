@@ -68,6 +68,8 @@ store::StoreManifest describe_store(const ImportPlan& plan, const FirstStepReadi
     info.points = core::node_count(assembly.grid);
     info.cells = assembly.source_cells;
     info.times = plan.times;
+    info.length_unit = source.length_unit;
+    info.time_unit = source.time_unit;
     info.steady = plan.times.size() == 1;
     info.fields = source.fields;
     add_velocity(plan, info.fields);

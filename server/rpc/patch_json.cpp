@@ -44,10 +44,11 @@ json patch_json(const protocol::ClockRecord& record) {
 }
 
 json patch_json(const SessionName& session) {
-    return {{"op", "put"},
-            {"type", "session"},
-            {"id", session.session},
-            {"record", {{"session", session.session}, {"name", session.name}}}};
+    json record{{"session", session.session}, {"name", session.name}};
+    if (!session.units.empty())
+        record["units"] = protocol::units_json(session.units);
+    return {
+        {"op", "put"}, {"type", "session"}, {"id", session.session}, {"record", std::move(record)}};
 }
 
 json patch_json(const DeletedRecord& record) {

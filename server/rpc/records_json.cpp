@@ -44,6 +44,8 @@ json records_json(const Session& session) {
              {"bookmarks", bookmarks_json(session)},
              {"annotations", annotations_json(session)},
              {"clock", protocol::clock_json(session.clock().record())}};
+    if (!session.units().empty())
+        out["units"] = protocol::units_json(session.units());
     if (!session.kept_aside().empty())
         out["keptAside"] = kept_aside_json(session);
     return out;

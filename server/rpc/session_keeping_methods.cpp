@@ -1,5 +1,5 @@
-// session.rename, session.delete, session.restore, session.export, session.import, session.thumbnail: what becomes of a session
-// as a whole.
+// session.rename, session.setUnits, session.delete, session.restore, session.export, session.import, session.thumbnail: what
+// becomes of a session as a whole.
 #include "protocol/api/generated/session.hpp"
 #include "protocol/api/utc_text.hpp"
 #include "server/limits.hpp"
@@ -28,6 +28,20 @@ void session_rename(const Call& call, const protocol::SessionRename& to, Reply r
         return reply.fault(session.error());
     (*session)->rename(name);
     reply.result({{"session", (*session)->id()}, {"name", name}});
+}
+
+void session_set_units(const Call& call, const protocol::SessionSetUnits& to, Reply reply) {
+    const auto session = choose_session(call, to.session);
+    if (!session)
+        return reply.fault(session.error());
+    // Words that everyone gets to see, as names are.
+    const protocol::SessionUnits units{display_name(to.length, limits::unit_bytes),
+                                       display_name(to.time, limits::unit_bytes)};
+    (*session)->set_units(units);
+    json out{{"session", (*session)->id()}, {"name", (*session)->name()}};
+    if (!units.empty())
+        out["units"] = protocol::units_json(units);
+    reply.result(std::move(out));
 }
 
 /// The answer first: whoever called by a share link of this session loses the connection with it.
@@ -110,8 +124,9 @@ void session_thumbnail(const Call& call, const protocol::SessionThumbnail& of, R
 } // namespace
 
 std::vector<Method> session_keeping_methods() {
-    return {method(session_rename), method(session_delete), method(session_restore),
-            method(session_export), method(session_import), method(session_thumbnail)};
+    return {method(session_rename),   method(session_set_units), method(session_delete),
+            method(session_restore),  method(session_export),    method(session_import),
+            method(session_thumbnail)};
 }
 
 } // namespace wakesurf::server

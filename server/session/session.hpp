@@ -60,6 +60,9 @@ class Session {
 
     const std::string& name() const { return name_; }
 
+    /// That its people have typed.
+    const protocol::SessionUnits& units() const { return units_; }
+
     std::uint64_t seq() const { return seq_; }
 
     Participants& participants() { return participants_; }
@@ -101,6 +104,7 @@ class Session {
 
     /// Everybody in it is told.
     void rename(std::string name);
+    void set_units(protocol::SessionUnits units);
     void set_thumbnail(std::string base64);
 
     /// Somebody calls, or stays for as long as they wait for an answer: see Attendance.
@@ -227,6 +231,7 @@ class Session {
 
     std::string id_;
     std::string name_;
+    protocol::SessionUnits units_;
     SessionServices services_;
     std::uint64_t seq_ = 0;
     SessionRecords records_;

@@ -42,7 +42,8 @@ core::Error as_input(core::Error error) {
 } // namespace
 
 SessionSnapshot snapshot_of(const Session& session, const Datasets& datasets, std::int64_t now) {
-    SessionSnapshot out{session.name(), session.records(), session.clock().record(), {}, now};
+    SessionSnapshot out{session.name(), session.records(), session.clock().record(), {}, now,
+                        session.units()};
     out.clock.playing = false;
     for (const auto& [id, surfaces] : surfaces_by_dataset(out.records)) {
         const auto open = datasets.open(id);
@@ -55,6 +56,7 @@ SessionSnapshot snapshot_of(const Session& session, const Datasets& datasets, st
 protocol::SessionFile file_of(const SessionSnapshot& snapshot) {
     protocol::SessionFile file;
     file.name = snapshot.name;
+    file.units = snapshot.units;
     file.exported =
         protocol::utc_text(std::clamp<std::int64_t>(snapshot.taken, 0, protocol::last_utc_second));
     file.wakesurf = WAKESURF_VERSION;
@@ -80,6 +82,8 @@ core::Result<ReadSession> read_session_text(std::string_view text) {
     if (auto room = room_in_session(out.records.records.bytes()); !room)
         return tl::unexpected(room.error());
     out.records.name = display_name(file->name, limits::name_bytes);
+    out.records.units = {display_name(file->units.length, limits::unit_bytes),
+                         display_name(file->units.time, limits::unit_bytes)};
     return out;
 }
 

@@ -21,6 +21,7 @@ struct SessionSnapshot {
     protocol::ClockRecord clock;
     std::vector<protocol::DatasetMark> datasets; ///< that the surfaces name
     std::int64_t taken = 0;                      ///< seconds since 1970
+    protocol::SessionUnits units{};
 };
 
 /// Loop thread only. @param now  seconds since 1970

@@ -37,7 +37,8 @@ protocol::SessionHead Session::head() const {
             records_.next_number(RecordType::Rake),
             records_.next_number(RecordType::Surface),
             records_.next_number(RecordType::Bookmark),
-            records_.next_number(RecordType::Annotation)};
+            records_.next_number(RecordType::Annotation),
+            units_};
 }
 
 std::vector<JournalEntry> Session::own_entries() const {
@@ -107,6 +108,7 @@ RestoreReport Session::restore(std::span<const JournalEntry> entries) {
     KeptRecords kept = read_entries(entries);
     if (!kept.name.empty())
         name_ = std::move(kept.name);
+    units_ = std::move(kept.units);
     seq_ = kept.seq + restart_gap;
     changes_.start(seq_);
     records_ = std::move(kept.records);
@@ -144,6 +146,7 @@ void Session::recall_aside(std::vector<KeptAside> records, bool fresh) {
 
 void Session::copy(const Session& other) {
     records_ = other.records_;
+    units_ = other.units_;
     profile_.made_on_purpose();
     profile_.edited();
     begin(0, false); // a copy is made to be looked at
@@ -151,6 +154,7 @@ void Session::copy(const Session& other) {
 
 void Session::take_over(KeptRecords kept) {
     records_ = std::move(kept.records);
+    units_ = std::move(kept.units);
     if (kept.clock) {
         clock_.restore(*kept.clock);
         builds_.show(clock_.time(), false, true);

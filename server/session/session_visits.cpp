@@ -52,7 +52,13 @@ void Session::resume() {
 void Session::rename(std::string name) {
     name_ = std::move(name);
     profile_.made_on_purpose();
-    announce({SessionName{id_, name_}});
+    announce({SessionName{id_, name_, units_}});
+}
+
+void Session::set_units(protocol::SessionUnits units) {
+    units_ = std::move(units);
+    profile_.edited();
+    announce({SessionName{id_, name_, units_}});
 }
 
 void Session::set_thumbnail(std::string base64) {

@@ -34,7 +34,7 @@ import { SessionShelf } from './session/sessions/sessionShelf.ts';
 import { SurfaceProgress } from './session/surface/surfaceProgress.ts';
 import { SurfaceFeed } from './session/surface/surfaceFeed.ts';
 import { showTheme } from './session/picture/themeInPicture.ts';
-import { showUnits } from './session/picture/unitsInPicture.ts';
+import { showUnits, typeUnits } from './session/picture/unitsInPicture.ts';
 import { handOut } from './session/workerEvents.ts';
 import { baseUrl, followHistory, openFragment, readFragment, showFragment, writeFragment } from './session/view/urlState.ts';
 import { Views } from './session/view/views.ts';
@@ -168,7 +168,7 @@ function start(app: App): void {
             look: { state, view, edits, scene },
             bookmarks: { state, views, calls, clock },
             probe: { state, view, probing },
-            surroundings: { view },
+            surroundings: { state, view, typeUnits: (change) => void typeUnits(state, calls, change) },
             people: { state, view, people, calls, rename: (name) => controller.rename(name), logOut: leave },
             links: { state, views, calls, worker },
             notes: { state, view, calls, scene },

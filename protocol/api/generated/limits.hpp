@@ -39,6 +39,7 @@ inline constexpr std::uint64_t quads_most = 4000000; ///< quads of a surface
 inline constexpr std::size_t fields = 4;         ///< additional attributes of a surface's vertices
 inline constexpr std::uint64_t wait_ms = 600000; ///< time that a call may wait (ms)
 inline constexpr std::size_t name_bytes = 120;   ///< length of a name (bytes)
+inline constexpr std::size_t unit_bytes = 32;    ///< length of the name of a unit (bytes)
 inline constexpr std::size_t gesture_bytes = 64; ///< length of a gesture's name (bytes)
 inline constexpr std::size_t view_bytes =
     4096; ///< length of a bookmark's view, as JSON text (bytes)

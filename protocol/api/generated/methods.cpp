@@ -21,6 +21,7 @@ constexpr Names of_session_list[]{"trash"};
 constexpr Names of_session_join[]{"session", "name", "colour", "resumeToken", "lastSeq"};
 constexpr Names of_session_state[]{"session"};
 constexpr Names of_session_rename[]{"session", "name"};
+constexpr Names of_session_set_units[]{"session", "length", "time"};
 constexpr Names of_session_delete[]{"session", "forever"};
 constexpr Names of_session_restore[]{"session"};
 constexpr Names of_session_export[]{"session"};
@@ -82,6 +83,7 @@ constexpr MethodDescription described[]{
     {"session.leave", "viewer", true, false, false, {}},
     {"session.state", "viewer", false, false, false, of_session_state},
     {"session.rename", "host", false, true, false, of_session_rename},
+    {"session.setUnits", "editor", false, true, false, of_session_set_units},
     {"session.delete", "host", false, true, false, of_session_delete},
     {"session.restore", "editor", false, true, true, of_session_restore},
     {"session.export", "viewer", false, false, false, of_session_export},

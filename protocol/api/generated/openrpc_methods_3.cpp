@@ -25,6 +25,7 @@ const std::string_view methods_3 = R"json({
    "properties": {
     "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
     "name": {"type": "string", "description": "display name"},
+    "units": {"$ref": "#/components/schemas/Units"},
     "rakes": {"type": "array", "description": "all rakes", "items": {"$ref": "#/components/schemas/Rake"}},
     "surfaces": {"type": "array", "description": "all surfaces", "items": {"$ref": "#/components/schemas/Surface"}},
     "bookmarks": {"type": "array", "description": "all bookmarks", "items": {"$ref": "#/components/schemas/Bookmark"}},
@@ -119,13 +120,14 @@ const std::string_view methods_3 = R"json({
     "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
  "result": {
   "name": "result",
-  "description": "The id and the name of a session.",
+  "description": "The id and the name of a session, and its units.",
   "schema": {
    "type": "object",
-   "description": "The id and the name of a session.",
+   "description": "The id and the name of a session, and its units.",
    "properties": {
     "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
     "name": {"type": "string", "description": "display name"},
+    "units": {"$ref": "#/components/schemas/Units"},
     "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
     "hint": {"type": "string", "description": "why the edit is not on the disk"}},
    "required": ["session", "name"],
@@ -145,6 +147,59 @@ const std::string_view methods_3 = R"json({
    "name": "session.rename",
    "params": [{"name": "name", "value": "tip vortex"}, {"name": "session", "value": "session-2"}],
    "result": {"name": "result", "value": {"name": "tip vortex", "session": "session-2"}}}]},
+{
+ "name": "session.setUnits",
+ "summary": "Sets the units in which lengths and times are read. They only name what the numbers of the data mean: no number changes. Everyone in the session is notified.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "length",
+   "required": true,
+   "description": "unit of lengths; empty: as in dataset.describe",
+   "schema": {"type": "string", "maxLength": 32, "description": "unit of lengths; empty: as in dataset.describe"}},
+  {
+   "name": "time",
+   "required": true,
+   "description": "unit of times; empty: as in dataset.describe",
+   "schema": {"type": "string", "maxLength": 32, "description": "unit of times; empty: as in dataset.describe"}},
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "The id and the name of a session, and its units.",
+  "schema": {
+   "type": "object",
+   "description": "The id and the name of a session, and its units.",
+   "properties": {
+    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+    "name": {"type": "string", "description": "display name"},
+    "units": {"$ref": "#/components/schemas/Units"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["session", "name"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.setUnits",
+   "params": [{"name": "length", "value": "mm"}, {"name": "time", "value": "s"}, {"name": "session", "value": "session-2"}],
+   "result": {"name": "result", "value": {"name": "tip vortex", "session": "session-2", "units": {"length": "mm", "time": "s"}}}}]},
 {
  "name": "session.delete",
  "summary": "Moves a session to the trash, from which session.restore can bring it back for 30 days. The people in it are notified, and meanwhile its share links let no one in. `main` cannot be deleted.",
@@ -201,13 +256,14 @@ const std::string_view methods_3 = R"json({
    "schema": {"type": "string", "maxLength": 256, "description": "an id from session.list"}}],
  "result": {
   "name": "result",
-  "description": "The id and the name of a session.",
+  "description": "The id and the name of a session, and its units.",
   "schema": {
    "type": "object",
-   "description": "The id and the name of a session.",
+   "description": "The id and the name of a session, and its units.",
    "properties": {
     "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
     "name": {"type": "string", "description": "display name"},
+    "units": {"$ref": "#/components/schemas/Units"},
     "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
     "hint": {"type": "string", "description": "why the edit is not on the disk"}},
    "required": ["session", "name"],
@@ -307,78 +363,6 @@ const std::string_view methods_3 = R"json({
          "surface": "s1",
          "to": 2}]},
       "wakesurf": "0.1.0",
-      "wakesurfSession": 1}}}}]},
-{
- "name": "session.import",
- "summary": "Makes a new session from a document of session.export. POST /api/v1/sessions takes documents that are too large for a message.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "file",
-   "required": true,
-   "description": "the `file` that session.export returned",
-   "schema": {"type": "object", "description": "the `file` that session.export returned", "additionalProperties": true}},
-  {
-   "name": "name",
-   "required": false,
-   "description": "name of the new session; if left out, the name in the document",
-   "schema": {"type": "string", "maxLength": 120, "default": "", "description": "name of the new session; if left out, the name in the document"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
-    "name": {"type": "string", "description": "display name"},
-    "remaining": {"type": "integer", "minimum": 0, "description": "how many more sessions can be made"},
-    "notes": {
-     "type": "array",
-     "description": "for people: which datasets this server does not have, or which differ here",
-     "items": {"type": "string"}},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["session", "name", "remaining", "notes"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "editor",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "session.import",
-   "params": [
-    {
-     "name": "file",
-     "value": {
-      "datasets": [],
-      "exported": "2026-11-23T11:45:42Z",
-      "name": "wing tip",
-      "records": {
-       "annotations": [],
-       "bookmarks": [],
-       "clock": {"from": null, "loop": false, "playing": false, "speed": 1, "time": null, "to": null},
-       "rakes": [
-        {
-         "author": "a script",
-         "clipped": false,
-         "colour": "#0072b2",
-         "kind": "line",
-         "name": "r1",
-         "points": [[0.2, 0, -1], [1, 0, -1]],
-         "rake": "r1",
-         "seeds": 9}],
-       "surfaces": []},
-      "wakesurf": "0.1.0",
-      "wakesurfSession": 1}},
-    {"name": "name", "value": "twin"}],
-   "result": {"name": "result", "value": {"name": "twin", "notes": [], "remaining": 1020, "session": "session-3"}}}]})json";
+      "wakesurfSession": 1}}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

@@ -4,6 +4,78 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_4 = R"json({
+ "name": "session.import",
+ "summary": "Makes a new session from a document of session.export. POST /api/v1/sessions takes documents that are too large for a message.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "file",
+   "required": true,
+   "description": "the `file` that session.export returned",
+   "schema": {"type": "object", "description": "the `file` that session.export returned", "additionalProperties": true}},
+  {
+   "name": "name",
+   "required": false,
+   "description": "name of the new session; if left out, the name in the document",
+   "schema": {"type": "string", "maxLength": 120, "default": "", "description": "name of the new session; if left out, the name in the document"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {
+    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+    "name": {"type": "string", "description": "display name"},
+    "remaining": {"type": "integer", "minimum": 0, "description": "how many more sessions can be made"},
+    "notes": {
+     "type": "array",
+     "description": "for people: which datasets this server does not have, or which differ here",
+     "items": {"type": "string"}},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["session", "name", "remaining", "notes"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.import",
+   "params": [
+    {
+     "name": "file",
+     "value": {
+      "datasets": [],
+      "exported": "2026-11-23T11:45:42Z",
+      "name": "wing tip",
+      "records": {
+       "annotations": [],
+       "bookmarks": [],
+       "clock": {"from": null, "loop": false, "playing": false, "speed": 1, "time": null, "to": null},
+       "rakes": [
+        {
+         "author": "a script",
+         "clipped": false,
+         "colour": "#0072b2",
+         "kind": "line",
+         "name": "r1",
+         "points": [[0.2, 0, -1], [1, 0, -1]],
+         "rake": "r1",
+         "seeds": 9}],
+       "surfaces": []},
+      "wakesurf": "0.1.0",
+      "wakesurfSession": 1}},
+    {"name": "name", "value": "twin"}],
+   "result": {"name": "result", "value": {"name": "twin", "notes": [], "remaining": 1020, "session": "session-3"}}}]},
+{
  "name": "session.thumbnail",
  "summary": "Stores a small picture of the session for lists; it replaces the one before. GET /api/v1/sessions/SESSION/thumbnail returns it.",
  "tags": [{"name": "session"}],
@@ -306,64 +378,6 @@ const std::string_view methods_4 = R"json({
   {
    "name": "session.kick",
    "params": [{"name": "participant", "value": "p2"}, {"name": "session", "value": "main"}],
-   "result": {"name": "result", "value": {}}}]},
-{
- "name": "presence.update",
- "summary": "Shows the others what the caller points at, looks at, drags and has selected. What is left out stays as it is; null removes it. Best sent as a notification.",
- "tags": [{"name": "presence"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
-  {
-   "name": "pointer",
-   "required": false,
-   "description": "the point they point at",
-   "schema": {
-    "type": ["array", "null"],
-    "minItems": 3,
-    "maxItems": 3,
-    "description": "the point they point at",
-    "x-unit": "the dataset's unit of length",
-    "items": {"type": "number"}}},
-  {
-   "name": "camera",
-   "required": false,
-   "description": "where they look from",
-   "schema": {"anyOf": [{"$ref": "#/components/schemas/Camera"}, {"type": "null"}]}},
-  {
-   "name": "dragging",
-   "required": false,
-   "description": "the rake they drag",
-   "schema": {"anyOf": [{"$ref": "#/components/schemas/DraggedRake"}, {"type": "null"}]}},
-  {
-   "name": "selected",
-   "required": false,
-   "description": "id of the record they have selected",
-   "schema": {"type": ["string", "null"], "maxLength": 64, "description": "id of the record they have selected"}}],
- "result": {"name": "result", "description": "an empty object", "schema": {"$ref": "#/components/schemas/Empty"}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": true,
- "examples": [
-  {
-   "name": "presence.update",
-   "params": [
-    {"name": "pointer", "value": [0.5, 0, 0.2]},
-    {"name": "camera", "value": {"position": [4, -6, 3], "target": [0, 0, 0], "up": [0, 0, 1], "fov": 40}},
-    {"name": "selected", "value": "r1"}],
    "result": {"name": "result", "value": {}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

@@ -4,6 +4,64 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_5 = R"json({
+ "name": "presence.update",
+ "summary": "Shows the others what the caller points at, looks at, drags and has selected. What is left out stays as it is; null removes it. Best sent as a notification.",
+ "tags": [{"name": "presence"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
+  {
+   "name": "pointer",
+   "required": false,
+   "description": "the point they point at",
+   "schema": {
+    "type": ["array", "null"],
+    "minItems": 3,
+    "maxItems": 3,
+    "description": "the point they point at",
+    "x-unit": "the dataset's unit of length",
+    "items": {"type": "number"}}},
+  {
+   "name": "camera",
+   "required": false,
+   "description": "where they look from",
+   "schema": {"anyOf": [{"$ref": "#/components/schemas/Camera"}, {"type": "null"}]}},
+  {
+   "name": "dragging",
+   "required": false,
+   "description": "the rake they drag",
+   "schema": {"anyOf": [{"$ref": "#/components/schemas/DraggedRake"}, {"type": "null"}]}},
+  {
+   "name": "selected",
+   "required": false,
+   "description": "id of the record they have selected",
+   "schema": {"type": ["string", "null"], "maxLength": 64, "description": "id of the record they have selected"}}],
+ "result": {"name": "result", "description": "an empty object", "schema": {"$ref": "#/components/schemas/Empty"}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": true,
+ "examples": [
+  {
+   "name": "presence.update",
+   "params": [
+    {"name": "pointer", "value": [0.5, 0, 0.2]},
+    {"name": "camera", "value": {"position": [4, -6, 3], "target": [0, 0, 0], "up": [0, 0, 1], "fov": 40}},
+    {"name": "selected", "value": "r1"}],
+   "result": {"name": "result", "value": {}}}]},
+{
  "name": "rake.set",
  "summary": "Creates a rake, or replaces one as a whole. The surfaces of the rake are rebuilt at once, unless only its name or colour changes.",
  "tags": [{"name": "rake"}],

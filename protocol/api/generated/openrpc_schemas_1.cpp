@@ -277,6 +277,8 @@ const std::string_view schemas_1 =
   "lattice": {"$ref": "#/components/schemas/Lattice"},
   "surfaceFields": {"type": "array", "description": "names that `fields` of surface.set accepts", "items": {"type": "string"}},
   "note": {"type": "string", "description": "a remark about the data, for people"},
+  "lengthUnit": {"type": "string", "description": "unit of lengths and coordinates; left out if the files do not state it"},
+  "timeUnit": {"type": "string", "description": "unit of times; left out if the files do not state it"},
   "precision": {"enum": ["half"], "description": "half: the values are stored with 16 bits each"},
   "dimensions": {"type": "array", "minItems": 3, "maxItems": 3, "description": "number of points along x, y and z", "items": {"type": "integer"}},
   "spacing": {
@@ -336,12 +338,21 @@ const std::string_view schemas_1 =
   "records": {"type": "array", "description": "the newest 50 of them", "items": {"$ref": "#/components/schemas/AsideRecord"}}},
  "required": ["count", "records"],
  "additionalProperties": false},
+"Units": {
+ "type": "object",
+ "description": "The units that the people of a session have typed.",
+ "properties": {
+  "length": {"type": "string", "description": "unit of lengths; empty: as in dataset.describe"},
+  "time": {"type": "string", "description": "unit of times; empty: as in dataset.describe"}},
+ "required": ["length", "time"],
+ "additionalProperties": false},
 "Snapshot": {
  "type": "object",
  "description": "All records of a session.",
  "properties": {
   "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
   "name": {"type": "string", "description": "display name"},
+  "units": {"$ref": "#/components/schemas/Units"},
   "rakes": {"type": "array", "description": "all rakes", "items": {"$ref": "#/components/schemas/Rake"}},
   "surfaces": {"type": "array", "description": "all surfaces", "items": {"$ref": "#/components/schemas/Surface"}},
   "bookmarks": {"type": "array", "description": "all bookmarks", "items": {"$ref": "#/components/schemas/Bookmark"}},
@@ -352,10 +363,11 @@ const std::string_view schemas_1 =
  "additionalProperties": false},
 "SessionName": {
  "type": "object",
- "description": "The id and the name of a session.",
+ "description": "The id and the name of a session, and its units.",
  "properties": {
   "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
-  "name": {"type": "string", "description": "display name"}},
+  "name": {"type": "string", "description": "display name"},
+  "units": {"$ref": "#/components/schemas/Units"}},
  "required": ["session", "name"],
  "additionalProperties": false},
 "SessionMade": {
@@ -375,34 +387,6 @@ const std::string_view schemas_1 =
   "first": {"type": "number", "description": "time of the first time-step", "x-unit": "the dataset's unit of time"},
   "last": {"type": "number", "description": "time of the last time-step", "x-unit": "the dataset's unit of time"}},
  "required": ["count", "first", "last"],
- "additionalProperties": false},
-"NamedDataset": {
- "type": "object",
- "description": "A dataset that surfaces of a document use. Only the id is present if the dataset could not be used when the document was written.",
- "properties": {
-  "dataset": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the dataset"},
-  "name": {"type": "string", "description": "display name"},
-  "fingerprint": {"type": "string", "description": "fingerprint of the mesh and of the names of the fields; it stays the same when time-steps are added"},
-  "times": {"$ref": "#/components/schemas/TimesOfDataset"},
-  "bounds": {
-   "type": "array",
-   "minItems": 6,
-   "maxItems": 6,
-   "description": "bounding box: x0, x1, y0, y1, z0, z1",
-   "x-unit": "the dataset's unit of length",
-   "items": {"type": "number"}}},
- "required": ["dataset"],
- "additionalProperties": false},
-"FileRecords": {
- "type": "object",
- "description": "The records of a session as in a snapshot, with their ids, but without `rev` and `epoch`.",
- "properties": {
-  "rakes": {"type": "array", "description": "all rakes", "items": {"type": "object", "properties": {}, "additionalProperties": true}},
-  "surfaces": {"type": "array", "description": "all surfaces", "items": {"type": "object", "properties": {}, "additionalProperties": true}},
-  "bookmarks": {"type": "array", "description": "all bookmarks", "items": {"type": "object", "properties": {}, "additionalProperties": true}},
-  "annotations": {"type": "array", "description": "all annotations", "items": {"type": "object", "properties": {}, "additionalProperties": true}},
-  "clock": {"$ref": "#/components/schemas/Clock"}},
- "required": ["rakes", "surfaces", "bookmarks", "annotations", "clock"],
  "additionalProperties": false})json";
 
 } // namespace wakesurf::protocol::openrpc

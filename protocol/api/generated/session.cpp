@@ -49,6 +49,13 @@ void read(CheckedJson& in, SessionRename& out) {
     out.name = in.text("name", limits::name_bytes);
 }
 
+void read(CheckedJson& in, SessionSetUnits& out) {
+    if (in.has("session"))
+        out.session = in.text("session", 256);
+    out.length = in.text("length", limits::unit_bytes);
+    out.time = in.text("time", limits::unit_bytes);
+}
+
 void read(CheckedJson& in, SessionDelete& out) {
     out.session = in.text("session", 256);
     out.forever = in.flag_or("forever", false);

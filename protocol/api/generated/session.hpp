@@ -111,6 +111,24 @@ struct SessionRename {
 
 void read(CheckedJson& in, SessionRename& out);
 
+/// Parameters of session.setUnits: Sets the units in which lengths and times are read. They only
+/// name what the numbers of the data mean: no number changes. Everyone in the session is notified.
+struct SessionSetUnits {
+    static constexpr std::string_view method = "session.setUnits";
+
+    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
+    /// with a share link
+    std::optional<std::string> session;
+    /// unit of lengths; empty: as in dataset.describe
+    std::string length;
+    /// unit of times; empty: as in dataset.describe
+    std::string time;
+
+    bool operator==(const SessionSetUnits&) const = default;
+};
+
+void read(CheckedJson& in, SessionSetUnits& out);
+
 /// Parameters of session.delete: Moves a session to the trash, from which session.restore can bring
 /// it back for 30 days. The people in it are notified, and meanwhile its share links let no one in.
 /// `main` cannot be deleted.

@@ -5,6 +5,7 @@
 #include "core/base/result.hpp"
 #include "core/surface/surface_statistics.hpp"
 #include "protocol/api/generated/time.hpp"
+#include "protocol/api/record_text.hpp"
 #include "protocol/wire/mesh_stream.hpp"
 #include "server/base/pass_seconds.hpp"
 #include "server/session/records/session_records.hpp"
@@ -24,10 +25,11 @@ struct DeletedRecord {
     std::string id;
 };
 
-/// What the session is called now.
+/// What the session is called now, and its units.
 struct SessionName {
     std::string session;
     std::string name;
+    protocol::SessionUnits units{};
 };
 
 using Patch = std::variant<protocol::RakeRecord,

@@ -78,6 +78,7 @@ void take_head(const JournalEntry& entry, KeptRecords& into) {
         return refuse(entry, std::move(head.error()), into);
     into.name = head->name;
     into.seq = head->seq;
+    into.units = std::move(head->units);
     into.records.skip_numbers(RecordType::Rake, head->next_rake);
     into.records.skip_numbers(RecordType::Surface, head->next_surface);
     into.records.skip_numbers(RecordType::Bookmark, head->next_bookmark);

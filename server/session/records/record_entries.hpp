@@ -49,6 +49,7 @@ struct RestoreReport {
 struct KeptRecords {
     std::string name; ///< of the session; empty where it was not kept
     std::uint64_t seq = 0;
+    protocol::SessionUnits units{};
     SessionRecords records;
     std::optional<protocol::ClockRecord> clock; ///< as it was when it was kept
     std::optional<protocol::SessionProfile> profile;

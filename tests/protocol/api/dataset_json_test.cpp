@@ -27,6 +27,8 @@ core::DatasetInfo sample_info() {
     info.obstacle = true;
     info.bytes_per_step = 720;
     info.finest_spacing = 1e-3;
+    info.length_unit = "m";
+    info.time_unit = "s";
     return info;
 }
 
@@ -56,6 +58,8 @@ TEST(DatasetJson, ReadsBackWhatItWrites) {
         ASSERT_TRUE(back.has_value()) << back.error().message;
         EXPECT_EQ(dataset_json(*back), value);
         EXPECT_EQ(back->times, info.times);
+        EXPECT_EQ(back->length_unit, "m");
+        EXPECT_EQ(back->time_unit, "s");
     }
 }
 

@@ -74,6 +74,8 @@ TEST(RecordText, EveryRecordComesBackWithTheSameBits) {
     EXPECT_EQ(*parse_annotation(record_text(annotation)), annotation);
     const SessionHead head{"a name", 1234, 5, 6, 7, 8};
     EXPECT_EQ(*parse_session_head(record_text(head)), head);
+    const SessionHead measured{"a name", 1234, 5, 6, 7, 8, {"mm", ""}};
+    EXPECT_EQ(*parse_session_head(record_text(measured)), measured);
 }
 
 TEST(RecordText, ARakeFromBeforeRakesHadColoursIsReadAndAWrongColourIsNot) {

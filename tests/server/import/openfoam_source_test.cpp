@@ -35,6 +35,8 @@ TEST_P(WholeCase, GivesEveryValueOfEveryTimeStepInAnyOrder) {
     EXPECT_EQ(fields[0].name, "U");
     EXPECT_EQ(fields[0].components, 3);
     EXPECT_EQ(fields[0].unit, "m/s");
+    EXPECT_EQ(source->description().length_unit, "m");
+    EXPECT_EQ(source->description().time_unit, "s");
     EXPECT_EQ(fields[0].source, core::FieldInfo::Source::Cell);
     EXPECT_EQ(fields[1].name, "p");
     EXPECT_EQ(fields[1].components, 1);

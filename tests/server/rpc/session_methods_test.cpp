@@ -96,6 +96,35 @@ TEST_F(SessionMethods, AListTellsWhoWasHereWhenAndWhatIsInASession) {
     EXPECT_EQ(entry(id)["participants"], 0);
 }
 
+TEST_F(SessionMethods, UnitsThatAreTypedAreToldToAllAndGoWithTheSession) {
+    const std::string id = result("session.create", {{"name", "wake"}})["session"];
+    EXPECT_FALSE(result("session.state", {{"session", id}}).contains("units"));
+    NotedWire wire;
+    Client ada(wire, {}, grants);
+    answer("session.join", {{"session", id}, {"name", "Ada"}, {"colour", "#102030"}}, {}, &ada);
+    const json units{{"length", "mm"}, {"time", "s"}};
+    // Nothing in it that turns the writing direction, as in names.
+    const json set =
+        result("session.setUnits", {{"session", id}, {"length", " m\u202em "}, {"time", "s"}});
+    EXPECT_EQ(set, (json{{"session", id}, {"name", "wake"}, {"units", units}}));
+    EXPECT_EQ(result("session.state", {{"session", id}})["units"], units);
+    std::string told;
+    for (const json& each : wire.sent)
+        told += each.dump();
+    EXPECT_NE(told.find(R"("units":{"length":"mm","time":"s"})"), std::string::npos) << told;
+    // A new name leaves them.
+    result("session.rename", {{"session", id}, {"name", "lee"}});
+    EXPECT_EQ(result("session.state", {{"session", id}})["units"], units);
+    const std::string copy = result("session.fork", {{"session", id}})["session"];
+    EXPECT_EQ(result("session.state", {{"session", copy}})["units"], units);
+    const json file = result("session.export", {{"session", id}})["file"];
+    const std::string twin = result("session.import", {{"file", file}})["session"];
+    EXPECT_EQ(result("session.state", {{"session", twin}})["units"], units);
+    result("session.setUnits", {{"session", id}, {"length", ""}, {"time", ""}});
+    EXPECT_FALSE(result("session.state", {{"session", id}}).contains("units"));
+    error("session.setUnits", {{"session", id}, {"length", std::string(33, 'm')}, {"time", ""}});
+}
+
 TEST_F(SessionMethods, JoiningWithoutASessionIsJoiningMainOrTheLinksOwn) {
     NotedWire wire;
     Client host(wire, {}, grants);

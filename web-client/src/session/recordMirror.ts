@@ -1,6 +1,7 @@
 // The server's records as this page holds them: a snapshot replaces all of them, a patch some. Nothing else writes them.
 import type { Patch, SessionSnapshot, SurfaceEpoch } from '../protocol/messages.ts';
 import type { AppState } from '../state/appState.ts';
+import { noUnits } from '../state/units.ts';
 
 /** What has become of surfaces. */
 export interface SurfaceNews {
@@ -11,8 +12,9 @@ export interface SurfaceNews {
 }
 
 export function adoptSnapshot(state: AppState, snapshot: SessionSnapshot): void {
-    const { name, rakes, surfaces, bookmarks, annotations, clock } = snapshot;
+    const { name, units, rakes, surfaces, bookmarks, annotations, clock } = snapshot;
     state.sessionName.value = name;
+    state.typedUnits.value = units ?? noUnits;
     state.rakes.value = new Map(rakes.map((record) => [record.rake, record]));
     state.surfaces.value = new Map(surfaces.map((record) => [record.surface, record]));
     state.bookmarks.value = new Map(bookmarks.map((record) => [record.bookmark, record]));
@@ -35,8 +37,10 @@ export function applyPatches(state: AppState, patches: readonly Patch[]): Surfac
             records[patch.type].delete(patch.id);
             if (patch.type === 'surface') news.removed.push(patch.id);
         } else if (patch.type === 'clock') state.clock.value = patch.record;
-        else if (patch.type === 'session') state.sessionName.value = patch.record.name;
-        else if (patch.type === 'surface') {
+        else if (patch.type === 'session') {
+            state.sessionName.value = patch.record.name;
+            state.typedUnits.value = patch.record.units ?? noUnits;
+        } else if (patch.type === 'surface') {
             if (!records.surface.has(patch.id)) news.added.push(patch.id);
             records.surface.set(patch.id, patch.record);
             news.asked.push({ surface: patch.id, epoch: patch.record.epoch });

@@ -19,6 +19,7 @@ import type {
     Vec3,
 } from '../protocol/messages.ts';
 import { Announcements } from './announcements.ts';
+import { noUnits, type Units } from './units.ts';
 import type { LatencySample } from './latency.ts';
 
 /** What is on the screen of one surface. */
@@ -78,6 +79,8 @@ export class AppState {
     readonly you = signal<string | null>(null);
     readonly session = signal<string | null>(null);
     readonly sessionName = signal('');
+    /** That people of this session have typed; an empty one is as the dataset says. */
+    readonly typedUnits = signal<Units>(noUnits);
     readonly gone = signal<GoneSession | null>(null);
     /** Of the dataset's time-steps, what is in the server's memory; empty where that is not told. */
     readonly stepStates = signal<readonly StepState[]>([]);

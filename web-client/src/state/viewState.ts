@@ -4,16 +4,12 @@ import { signal } from '@preact/signals-core';
 import type { Vec3 } from '../protocol/messages.ts';
 import { type ClipPlanes, noClip } from './clipPlanes.ts';
 import { type SurfaceLook, usualLook } from './surfaceLook.ts';
+import { noUnits, type Units } from './units.ts';
 
 /** What a click on the picture does. */
 export type Tool = 'none' | 'place' | 'probe' | 'measure' | 'annotate' | 'paint';
 
 export type Theme = 'system' | 'dark' | 'light';
-
-export interface Units {
-    length: string;
-    time: string;
-}
 
 /** What the probe has found. */
 export interface ProbeReading {
@@ -43,8 +39,8 @@ export interface Brush {
 export class ViewState {
     readonly tool = signal<Tool>('none');
     readonly theme = signal<Theme>('system');
-    /** Of lengths and of times, as the user says: results rarely tell. Empty: unknown. */
-    readonly units = signal<Units>({ length: '', time: '' });
+    /** Of lengths and of times, as people of the session say, or else the data. Empty: unknown. */
+    readonly units = signal<Units>(noUnits);
     readonly orthographic = signal(false);
     /** What can be seen through is drawn in its exact order once the picture stands still. */
     readonly exactWhenStill = signal(false);

@@ -30,6 +30,13 @@ class OpenfoamSource final : public Source {
             description_.times.push_back(time.value);
         description_.note = found_.note;
         description_.fields = found_.fields;
+        // A case without dimensions, or in units of its own, says so in its fields.
+        const bool metric = std::any_of(found_.fields.begin(), found_.fields.end(),
+                                        [](const auto& field) { return field.unit == "m/s"; });
+        if (metric) {
+            description_.length_unit = "m";
+            description_.time_unit = "s";
+        }
     }
 
     OpenfoamSource(const OpenfoamSource&) = delete;

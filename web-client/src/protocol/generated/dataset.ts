@@ -106,6 +106,10 @@ export interface Dataset {
     surfaceFields: string[];
     /** a remark about the data, for people */
     note?: string;
+    /** unit of lengths and coordinates; left out if the files do not state it */
+    lengthUnit?: string;
+    /** unit of times; left out if the files do not state it */
+    timeUnit?: string;
     /** half: the values are stored with 16 bits each */
     precision?: 'half';
     /** number of points along x, y and z */
@@ -133,6 +137,8 @@ export const datasetCheck = members<Dataset>({
     lattice: latticeCheck,
     surfaceFields: list(text),
     note: optional(text),
+    lengthUnit: optional(text),
+    timeUnit: optional(text),
     precision: optional(oneOf(['half'])),
     dimensions: optional(list(whole, 3)),
     spacing: optional(point),

@@ -61,6 +61,8 @@ export const limits = {
     waitMs: 600_000,
     /** length of a name (bytes) */
     nameBytes: 120,
+    /** length of the name of a unit (bytes) */
+    unitBytes: 32,
     /** length of a gesture's name (bytes) */
     gestureBytes: 64,
     /** length of a bookmark's view, as JSON text (bytes) */

@@ -45,6 +45,7 @@ import type {
     SessionName,
     SessionRenameParams,
     SessionRestoreParams,
+    SessionSetUnitsParams,
     SessionStateParams,
     SessionStateResult,
     SessionThumbnailParams,
@@ -140,6 +141,11 @@ export interface Methods {
     'session.state': { params: SessionStateParams; result: SessionStateResult };
     /** Renames a session. Everyone in it is notified. */
     'session.rename': { params: SessionRenameParams; result: SessionName };
+    /**
+     * Sets the units in which lengths and times are read. They only name what the numbers of the data mean: no number
+     * changes. Everyone in the session is notified.
+     */
+    'session.setUnits': { params: SessionSetUnitsParams; result: SessionName };
     /**
      * Moves a session to the trash, from which session.restore can bring it back for 30 days. The people in it are
      * notified, and meanwhile its share links let no one in. `main` cannot be deleted.

@@ -43,6 +43,7 @@ import {
     sessionFileCheck,
     sessionMadeCheck,
     sessionNameCheck,
+    unitsCheck,
 } from './session.ts';
 import {
     type SessionSetRoleResult,
@@ -100,6 +101,7 @@ export const resultChecks: { [Name in keyof Methods]: Check<Methods[Name]['resul
     'session.state': members<SessionStateResult>({
         session: text,
         name: text,
+        units: optional(unitsCheck),
         rakes: list(rakeRecordCheck),
         surfaces: list(surfaceRecordCheck),
         bookmarks: list(bookmarkRecordCheck),
@@ -110,6 +112,7 @@ export const resultChecks: { [Name in keyof Methods]: Check<Methods[Name]['resul
         participants: list(participantCheck),
     }),
     'session.rename': sessionNameCheck,
+    'session.setUnits': sessionNameCheck,
     'session.delete': members<SessionDeleteResult>({ session: text, deletedUntil: optional(text) }),
     'session.restore': sessionNameCheck,
     'session.export': members<SessionExportResult>({ file: sessionFileCheck }),

@@ -32,12 +32,24 @@ export interface KeptAside {
 
 export const keptAsideCheck = members<KeptAside>({ count: whole, records: list(asideRecordCheck) });
 
+/** The units that the people of a session have typed. */
+export interface Units {
+    /** unit of lengths; empty: as in dataset.describe */
+    length: string;
+    /** unit of times; empty: as in dataset.describe */
+    time: string;
+}
+
+export const unitsCheck = members<Units>({ length: text, time: text });
+
 /** All records of a session. */
 export interface Snapshot {
     /** id of the session */
     session: string;
     /** display name */
     name: string;
+    /** left out if no one has typed any */
+    units?: Units;
     /** all rakes */
     rakes: RakeRecord[];
     /** all surfaces */
@@ -55,6 +67,7 @@ export interface Snapshot {
 export const snapshotCheck = members<Snapshot>({
     session: text,
     name: text,
+    units: optional(unitsCheck),
     rakes: list(rakeRecordCheck),
     surfaces: list(surfaceRecordCheck),
     bookmarks: list(bookmarkRecordCheck),
@@ -63,15 +76,17 @@ export const snapshotCheck = members<Snapshot>({
     keptAside: optional(keptAsideCheck),
 });
 
-/** The id and the name of a session. */
+/** The id and the name of a session, and its units. */
 export interface SessionName {
     /** id of the session */
     session: string;
     /** display name */
     name: string;
+    /** left out if no one has typed any */
+    units?: Units;
 }
 
-export const sessionNameCheck = members<SessionName>({ session: text, name: text });
+export const sessionNameCheck = members<SessionName>({ session: text, name: text, units: optional(unitsCheck) });
 
 /** A new session. */
 export interface SessionMade {
@@ -233,7 +248,7 @@ export const sessionEntryCheck = members<SessionEntry>({
 
 /**
  * A change of a record: the record as it is now, or that it was deleted. For the type `session`: the name of the
- * session.
+ * session and its units.
  */
 export interface Patch {
     /** what happened to the record */
@@ -355,6 +370,8 @@ export interface SessionStateResult {
     session: string;
     /** display name */
     name: string;
+    /** left out if no one has typed any */
+    units?: Units;
     /** all rakes */
     rakes: RakeRecord[];
     /** all surfaces */
@@ -379,6 +396,16 @@ export interface SessionRenameParams {
     session?: string;
     /** display name */
     name: string;
+}
+
+/** Parameters of session.setUnits. */
+export interface SessionSetUnitsParams {
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
+    session?: string;
+    /** unit of lengths; empty: as in dataset.describe */
+    length: string;
+    /** unit of times; empty: as in dataset.describe */
+    time: string;
 }
 
 /** Parameters of session.delete. */

@@ -1,35 +1,33 @@
-// The units in which lengths and times of a dataset are meant, as its user has said once: kept in this browser, dataset by
-// dataset, and shown at the axes.
+// The units in which lengths and times are meant: as people of the session have typed, or else as the reader of the data knows.
 import { effect } from '@preact/signals-core';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
-import { keep, recall } from '../../state/browserMemory.ts';
-import type { Units, ViewState } from '../../state/viewState.ts';
+import type { Units } from '../../state/units.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import type { Calls } from '../base/calls.ts';
 
-const none: Units = { length: '', time: '' };
-
-export function showUnits(state: AppState, view: ViewState, scene: Pick<FlowScene, 'setUnit'>): void {
-    let dataset: string | null = null;
+export function showUnits(
+    state: Pick<AppState, 'dataset' | 'typedUnits'>,
+    view: Pick<ViewState, 'units'>,
+    scene: Pick<FlowScene, 'setUnit'>,
+): void {
     effect(() => {
-        const opened = state.dataset.value?.dataset ?? null;
-        if (opened === dataset) return;
-        dataset = opened;
-        if (dataset !== null) view.units.value = readUnits(recall(`units.${dataset}`));
-    });
-    effect(() => {
-        const units = view.units.value;
-        scene.setUnit(units.length);
-        if (dataset !== null && units !== none) keep(`units.${dataset}`, JSON.stringify(units));
+        const { lengthUnit = '', timeUnit = '' } = state.dataset.value ?? {};
+        const { length, time } = state.typedUnits.value;
+        view.units.value = { length: length || lengthUnit, time: time || timeUnit };
+        scene.setUnit(view.units.value.length);
     });
 }
 
-export function readUnits(text: string | null): Units {
-    try {
-        const { length, time } = JSON.parse(text ?? '{}') as Record<string, unknown>;
-        const word = (value: unknown): string => (typeof value === 'string' ? value.slice(0, 12) : '');
-        return length === undefined && time === undefined ? none : { length: word(length), time: word(time) };
-    } catch {
-        return none;
+/** For everyone in the session. An empty unit is as the data say. */
+export async function typeUnits(state: AppState, calls: Pick<Calls, 'try'>, change: Partial<Units>): Promise<void> {
+    const before = state.typedUnits.value;
+    const typed = { ...before, ...change };
+    const session = state.session.value;
+    if (session === null) return;
+    state.typedUnits.value = typed;
+    if ((await calls.try('session.setUnits', { session, ...typed })) === null && state.typedUnits.value === typed) {
+        state.typedUnits.value = before;
     }
 }
 

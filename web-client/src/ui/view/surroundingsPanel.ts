@@ -1,6 +1,9 @@
 // What surrounds the surfaces: dark or light, and in which units its numbers are meant.
 import { css, html, type TemplateResult } from 'lit';
-import type { Theme, Units, ViewState } from '../../state/viewState.ts';
+import { limits } from '../../protocol/generated/limits.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { Units } from '../../state/units.ts';
+import type { Theme, ViewState } from '../../state/viewState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -11,7 +14,9 @@ const themes: readonly { theme: Theme; words: string }[] = [
 ];
 
 export interface SurroundingsModel {
-    view: Pick<ViewState, 'theme' | 'units'>;
+    state: Pick<AppState, 'dataset' | 'locked' | 'typedUnits'>;
+    view: Pick<ViewState, 'theme'>;
+    typeUnits: (change: Partial<Units>) => void;
 }
 
 export class SurroundingsPanel extends SignalElement {
@@ -36,15 +41,9 @@ export class SurroundingsPanel extends SignalElement {
     ];
 
     override render(): TemplateResult {
-        const { view } = this.model;
-        return html`<label
-                >Unit of length
-                <input id="length-unit" maxlength="12" placeholder="none" .value=${view.units.value.length} @change=${(event: Event) => this.setUnit('length', event)} />
-            </label>
-            <label
-                >Unit of time
-                <input id="time-unit" maxlength="12" placeholder="none" .value=${view.units.value.time} @change=${(event: Event) => this.setUnit('time', event)} />
-            </label>
+        const { state, view } = this.model;
+        const { lengthUnit, timeUnit } = state.dataset.value ?? {};
+        return html`${this.unit('length', lengthUnit)} ${this.unit('time', timeUnit)}
             <label
             >Colours of the page
             <select id="theme" @change=${this.choose}>
@@ -55,9 +54,20 @@ export class SurroundingsPanel extends SignalElement {
         </label>`;
     }
 
-    private setUnit(of: keyof Units, event: Event): void {
-        const { units } = this.model.view;
-        units.value = { ...units.value, [of]: (event.target as HTMLInputElement).value.trim() };
+    /** @param known by the reader of the data */
+    private unit(of: keyof Units, known: string | undefined): TemplateResult {
+        const { state, typeUnits } = this.model;
+        return html`<label title="For everyone in this session. Empty: as the data say."
+            >Unit of ${of}
+            <input
+                id=${`${of}-unit`}
+                maxlength=${limits.unitBytes}
+                placeholder=${known ?? 'none'}
+                ?disabled=${state.locked.value}
+                .value=${state.typedUnits.value[of]}
+                @change=${(event: Event) => typeUnits({ [of]: (event.target as HTMLInputElement).value.trim() })}
+            />
+        </label>`;
     }
 
     private choose(event: Event): void {
