@@ -2,6 +2,7 @@
 // is the same for any number of threads.
 #pragma once
 
+#include "core/field/field_in_series.hpp"
 #include "core/integrate/advance_particle.hpp"
 #include "core/integrate/cursor_of.hpp"
 
@@ -62,12 +63,19 @@ bool advance_particles(const Field& field,
                        int sign,
                        const AdvanceOptions& options,
                        const std::stop_token& stop) {
+    const auto carry = [&](ParticleState& at) {
+        if constexpr (FieldInSeries<Field>) {
+            if (options.method == AdvanceOptions::Method::Dopri5)
+                return advance_in_series(field, at, to, options, p.tangents());
+        }
+        advance_particle(cursor_of(field), at, to, options, p.tangents());
+    };
     return in_ranges(p.count(), stop, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i != end; ++i) {
             if (!still_to_go(p, i, to, sign))
                 continue;
             ParticleState at = take_out(p, i);
-            advance_particle(cursor_of(field), at, to, options, p.tangents());
+            carry(at);
             put_back(p, i, at);
         }
     });

@@ -59,6 +59,9 @@ class Flow {
     /// where the memory holds it. Depends on the data alone.
     virtual bool resident() const = 0;
 
+    /// True where `smooth` means something other than linear: of stored data on a uniform grid. The others are sampled the same with both.
+    virtual bool has_smooth() const { return false; }
+
     /// True when parts of the domain are solid.
     virtual bool obstacle() const = 0;
 

@@ -110,6 +110,8 @@ class IntervalFlow final : public Flow {
         return source_.bytes_per_step() * source_.times().size() <= short_series;
     }
 
+    bool has_smooth() const override { return Sampling::has_smooth; }
+
     bool obstacle() const override { return sampling_->obstacle(); }
 
     Result<void> sample(std::span<const Vec3> positions,

@@ -16,7 +16,8 @@ bool RectilinearSampling::advance(const Interval& interval,
                                   const std::stop_token& stop) const {
     const GridSampler<RectilinearAxes> field = linear(interval);
     end_in_gaps(field, particles, to, sign);
-    return advance_particles(field, particles, to, sign, options, stop);
+    return advance_particles(CellwiseSampler<RectilinearAxes>{field}, particles, to, sign, options,
+                             stop);
 }
 
 bool RectilinearSampling::trace(const Interval& interval,

@@ -13,6 +13,8 @@ namespace wakesurf::core {
 /// Thread safety: concurrent calls are fine. Keeps references to grid and mask. Twin: uniform_sampling.hpp.
 class RectilinearSampling {
   public:
+    static constexpr bool has_smooth = false;
+
     RectilinearSampling(const RectilinearGrid& grid, const SolidMask& mask);
 
     /// At no particular time.

@@ -2,6 +2,7 @@
 // result is the same for any number of threads.
 #pragma once
 
+#include "core/field/field_in_series.hpp"
 #include "core/integrate/cursor_of.hpp"
 #include "core/integrate/runge_kutta_steps.hpp"
 
@@ -15,12 +16,6 @@
 #include <utility>
 
 namespace wakesurf::core {
-
-/// A field that is a polynomial in each cell: its curves go cell by cell, unless RK4 is asked for.
-template <class Field>
-concept FieldInSeries = requires {
-    &Field::series_steps;
-};
 
 /// Advances until the simulation time `limit` (infinite: to every curve's own end). Returns false if `stop` fired, or there is no memory
 /// for the steps (`options.memory` says so).

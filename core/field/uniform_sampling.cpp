@@ -20,7 +20,8 @@ bool UniformSampling::advance(const Interval& interval,
         return advance_particles(smooth(interval), particles, to, sign, options, stop);
     return options.method == AdvanceOptions::Method::Rk4
                ? advance_stored(field, kernel_, particles, to, sign, options, stop)
-               : advance_particles(field, particles, to, sign, options, stop);
+               : advance_particles(CellwiseSampler<UniformGrid>{field}, particles, to, sign,
+                                   options, stop);
 }
 
 bool UniformSampling::trace(const Interval& interval,

@@ -14,6 +14,8 @@ namespace wakesurf::core {
 /// Thread safety: concurrent calls are fine. Keeps references to grid and mask.
 class UniformSampling {
   public:
+    static constexpr bool has_smooth = true;
+
     UniformSampling(const UniformGrid& grid, const SolidMask& mask, Simd simd);
 
     /// At no particular time.

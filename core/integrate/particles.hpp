@@ -24,6 +24,7 @@ struct Particles {
 };
 
 struct AdvanceOptions {
+    /// Dopri5: error control; through stored data that are linear one Taylor series a cell of the same tolerance, as in TraceOptions.
     enum class Method { Rk4, Dopri5 };
     Method method = Method::Rk4;
     double step = 0.0;             ///< Rk4: longest time step; > 0

@@ -12,6 +12,10 @@ enum class SurfaceKind { Stream, Path, Streak, Time };
 enum class Direction { Forward, Backward, Both };
 enum class Accuracy { Fast, Balanced, Exact };
 
+/// Of stored velocity between nodes and time-steps. Linear: what the shape functions of a cell give, linear in time, as ParaView shows it;
+/// every grid has it. Smooth: cubic in space and time, of a uniform grid. Closed forms are not interpolated.
+enum class Interpolation { Linear, Smooth };
+
 struct SurfaceParameters {
     SurfaceKind kind = SurfaceKind::Stream;
     double from =
@@ -23,7 +27,9 @@ struct SurfaceParameters {
         direction{}; ///< nothing: as `from` and `to` say (direction_of); what contradicts them is refused
     double separation =
         0.0; ///< longest edge allowed, in the dataset's length unit; 0: DatasetInfo::finest_spacing
-    Accuracy accuracy = Accuracy::Balanced;
+    Accuracy accuracy =
+        Accuracy::Balanced; ///< of tracing and inserting, in the field as interpolated
+    Interpolation interpolation = Interpolation::Linear;
     double merge =
         0.35; ///< cells merge where both of their sides are shorter than this part of the separation; 0: never
     /// degrees: neighbouring cells that meet at more are refined, along the flow and across, those of stream and path

@@ -102,6 +102,17 @@ Result<void> check_separation(const Flow& flow, double separation) {
                 "leave it out for the dataset's finest spacing");
 }
 
+Result<void> check_interpolation(const Flow& flow, Interpolation wanted) {
+    if (wanted == Interpolation::Linear || flow.has_smooth())
+        return {};
+    return fail(Error::Code::InvalidArgument,
+                flow.time_range() ? "`interpolation` cannot be smooth on this grid: only uniform "
+                                    "grids have a smooth field"
+                                  : "`interpolation` cannot be smooth here: a built-in flow is a "
+                                    "formula, which is not interpolated",
+                "leave `interpolation` out, or choose linear");
+}
+
 Result<double>
 largest_speed(const Flow& flow, const Rake& rake, double time, std::stop_token stop) {
     std::vector<Vec3> points;
@@ -127,10 +138,12 @@ Result<std::vector<SheetOptions>> sheet_options(const Flow& flow,
                                                 const SurfaceParameters& p,
                                                 double separation,
                                                 double largest_speed) {
+    if (auto there = check_interpolation(flow, p.interpolation); !there)
+        return tl::unexpected(there.error());
     SheetOptions one;
     one.trace.frozen = p.kind == SurfaceKind::Stream;
     one.trace.tolerance = trace_tolerance(p.accuracy);
-    one.trace.smooth = p.accuracy == Accuracy::Exact;
+    one.trace.smooth = p.interpolation == Interpolation::Smooth;
     one.trace.longest_step = flow.finest_spacing();
     one.trace.stagnation_speed = p.stagnation_speed * largest_speed;
     one.trace.most_steps = steps_per_curve(rake, separation, p.max_quads);

@@ -16,6 +16,9 @@ Result<void> check_request(const SurfaceParameters& parameters);
 /// Error: InvalidArgument.
 Result<void> check_separation(const Flow& flow, double separation);
 
+/// Whether the flow has a field of that interpolation. Error: InvalidArgument.
+Result<void> check_interpolation(const Flow& flow, Interpolation wanted);
+
 /// Largest speed on 7^3 points of the domain and 17 of the rake: what "standing still" is measured by.
 Result<double> largest_speed(const Flow& flow, const Rake& rake, double time, std::stop_token stop);
 
@@ -25,7 +28,7 @@ Result<void> check_times(const Flow& flow, const SurfaceParameters& parameters);
 /// Error the integrator may make per unit length.
 double trace_tolerance(Accuracy accuracy);
 
-/// One entry a direction. Error: as check_times.
+/// One entry a direction. Error: InvalidArgument where the flow has no such interpolation, else as check_times.
 Result<std::vector<SheetOptions>> sheet_options(const Flow& flow,
                                                 const Rake& rake,
                                                 const SurfaceParameters& parameters,

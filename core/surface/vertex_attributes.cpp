@@ -29,7 +29,7 @@ Result<void> add_attributes(SheetMesh& mesh,
                             const SurfaceParameters& p,
                             std::stop_token stop) {
     QuadComplex& complex = mesh.complex;
-    const bool smooth = p.accuracy == Accuracy::Exact;
+    const bool smooth = p.interpolation == Interpolation::Smooth;
     std::vector<double> times(complex.vertices(), p.from);
     if (p.kind == SurfaceKind::Path)
         for (std::size_t i = 0; i < times.size(); ++i)

@@ -57,9 +57,10 @@ _MESSAGE_BYTES = 65536  # that the server takes
 _PROBE_BYTES = _MESSAGE_BYTES * 3 // 4  # of one call's points
 # <spelling: made by protocol/api/generate>
 _SURFACE_NAMES = {"rake": "rake", "kind": "kind", "dataset": "dataset", "to": "to", "from_": "from", "rake2": "rake2",
-                  "direction": "direction", "accuracy": "accuracy", "release_until": "releaseUntil", "sweep": "sweep",
-                  "merge": "merge", "angle": "angle", "stagnation_speed": "stagnationSpeed", "max_quads": "maxQuads",
-                  "separation": "separation", "fields": "fields"}
+                  "direction": "direction", "accuracy": "accuracy", "interpolation": "interpolation",
+                  "release_until": "releaseUntil", "sweep": "sweep", "merge": "merge", "angle": "angle",
+                  "stagnation_speed": "stagnationSpeed", "max_quads": "maxQuads", "separation": "separation",
+                  "fields": "fields"}
 # </spelling>
 
 
@@ -172,6 +173,7 @@ class Dataset(TypedDict, total=False):
     bytesPerStep: int  # memory that one time-step takes (bytes)
     finestSpacing: float  # smallest spacing of the grid (the dataset's unit of length)
     lattice: Lattice  # lattice of the frames of its surfaces
+    smooth: bool  # true: surface.set accepts `interpolation` smooth
     surfaceFields: List[str]  # names that `fields` of surface.set accepts
     note: str  # a remark about the data, for people; may be missing
     lengthUnit: str  # unit of lengths and coordinates; left out if the files do not state it; may be missing
@@ -420,6 +422,7 @@ SurfaceRecord = TypedDict("SurfaceRecord", {  # A surface as the session keeps i
     "dataset": "str",  # an id from dataset.list
     "kind": "str",  # stream: streamlines of the field frozen at `from`; path: particles released together at ...
     "accuracy": "str",  # how accurately particles are traced and vertices inserted
+    "interpolation": "str",  # of stored velocity. linear: between the nodes of a cell and in time, as ParaView ...
     "to": "float",  # where the surface ends: before `from`, time runs backward. A stream surface is followed for ...
     "releaseUntil": "float",  # time at which the release stops; if left out, `to` (the dataset's unit of time); may ...
     "sweep": "List[float]",  # the patch is the rake swept along this vector (the dataset's unit of length); may be ...
@@ -914,8 +917,9 @@ class Session:
     # <surface: made by protocol/api/generate>
     def surface(self, rake: Union["Rake", str], kind: str, dataset: str, to: float, from_: Optional[float] = None, *,
                 rake2: Optional[Union["Rake", str]] = None, direction: Optional[str] = None,
-                accuracy: Optional[str] = None, release_until: Optional[float] = None, sweep: Optional[Point] = None,
-                merge: Optional[float] = None, angle: Optional[float] = None, stagnation_speed: Optional[float] = None,
+                accuracy: Optional[str] = None, interpolation: Optional[str] = None,
+                release_until: Optional[float] = None, sweep: Optional[Point] = None, merge: Optional[float] = None,
+                angle: Optional[float] = None, stagnation_speed: Optional[float] = None,
                 max_quads: Optional[int] = None, separation: Optional[float] = None,
                 fields: Optional[Sequence[str]] = None, **more: Any) -> "Surface":
         """Makes a surface and starts computing it. What is left out has the default of `surface.set`, whose spelling, as in
@@ -935,6 +939,8 @@ class Session:
             later time `to`, and as long before `from`, a path surface as far as there are data; only for stream and
             path surfaces.
         `accuracy`: how accurately particles are traced and vertices inserted; default balanced.
+        `interpolation`: of stored velocity. linear: between the nodes of a cell and in time, as ParaView shows it;
+            smooth: cubic in space and time, for uniform grids only, see `smooth` of dataset.describe; default linear.
         `release_until`: time at which the release stops; if left out, `to` (the dataset's unit of time); only for
             streak surfaces.
         `sweep`: the patch is the rake swept along this vector (the dataset's unit of length); only for time surfaces.
@@ -950,9 +956,10 @@ class Session:
             velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude), `q_criterion`.
         """
         given: Json = {"rake": _id(rake), "kind": kind, "dataset": dataset, "to": to, "from": from_, "rake2": rake2,
-                       "direction": direction, "accuracy": accuracy, "releaseUntil": release_until, "sweep": sweep,
-                       "merge": merge, "angle": angle, "stagnationSpeed": stagnation_speed, "maxQuads": max_quads,
-                       "separation": separation, "fields": fields}
+                       "direction": direction, "accuracy": accuracy, "interpolation": interpolation,
+                       "releaseUntil": release_until, "sweep": sweep, "merge": merge, "angle": angle,
+                       "stagnationSpeed": stagnation_speed, "maxQuads": max_quads, "separation": separation,
+                       "fields": fields}
         return self._surface(given, more)
     # </surface>
 

@@ -180,6 +180,9 @@ make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop
         return tl::unexpected(dataset.error());
     if (auto chosen = choose_times(request, dataset->info.times); !chosen)
         return chosen;
+    if (auto there = core::check_interpolation(*dataset->flow, request.parameters.interpolation);
+        !there)
+        return tl::unexpected(as_option(there.error()));
     if (request.parameters.separation == 0.0)
         request.parameters.separation = dataset->info.finest_spacing;
     if (auto shows = core::check_separation(*dataset->flow, request.parameters.separation); !shows)

@@ -35,6 +35,7 @@ void dataset_describe(const Call& call, const protocol::DatasetDescribe& of, Rep
         return reply.fault(open.error());
     json out = protocol::dataset_json(open->info);
     out["lattice"] = lattice_json(open->lattice);
+    out["smooth"] = open->flow->has_smooth();
     out["surfaceFields"] = field_names(*open);
     reply.result(out);
 }

@@ -82,6 +82,7 @@ describe('/openrpc.json', () => {
         expect(Object.fromEntries(defaults('surface.set') as [string, unknown][])).toEqual({
             default: false,
             accuracy: 'balanced',
+            interpolation: 'linear',
             merge: 0.35,
             angle: 20,
             stagnationSpeed: 1e-6,

@@ -308,12 +308,14 @@ describe('several rakes', () => {
         await page.getByRole('spinbutton', { name: 'Seeds' }).fill('48');
         await page.keyboard.press('Enter');
         await page.getByRole('combobox', { name: 'Accuracy' }).selectOption('exact');
+        await page.getByRole('combobox', { name: 'Interpolation' }).selectOption('smooth');
         await page.getByRole('combobox', { name: 'Separation' }).selectOption({ index: 3 });
         await page.getByRole('combobox', { name: 'Direction' }).selectOption('both');
         await eventually(surfaces, (each) => each[0]!.direction === 'both' && each[0]!.accuracy === 'exact');
+        await eventually(surfaces, (each) => each[0]!.interpolation === 'smooth');
         const [changed, other] = await surfaces();
         expect(changed!.separation).toBeCloseTo(4 * 0.1675, 2);
-        expect(other).toMatchObject({ direction: 'forward', accuracy: 'balanced' });
+        expect(other).toMatchObject({ direction: 'forward', accuracy: 'balanced', interpolation: 'linear' });
         const [, two] = await eventually(rakes, (each) => each[0]!.seeds === 48);
         expect(two).toEqual(untouched);
         await page.getByLabel('Colour of the rake').fill('#ff00ff');

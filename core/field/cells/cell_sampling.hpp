@@ -13,10 +13,12 @@
 
 namespace wakesurf::core {
 
-/// What is asked of a Sampling (uniform_sampling.hpp). `smooth` changes nothing: exact on a mesh of cells is what its shape
-/// functions give. Thread safety: concurrent calls are fine. Keeps a reference to the mesh.
+/// What is asked of a Sampling (uniform_sampling.hpp). `smooth` changes nothing: the field of a mesh of cells is what its
+/// shape functions give. Thread safety: concurrent calls are fine. Keeps a reference to the mesh.
 class CellSampling {
   public:
+    static constexpr bool has_smooth = false;
+
     /// Cost: that of CellDomain.
     explicit CellSampling(const CellMesh& mesh) : domain_(mesh) {}
 

@@ -21,7 +21,7 @@ InsertionPolicy policy(Accuracy accuracy) {
 
 Origin origin_of(const Rake& rake, const SurfaceParameters& p) {
     if (p.kind == SurfaceKind::Streak)
-        return Origin(rake);
+        return Origin(rake, p.interpolation == Interpolation::Smooth);
     return p.rake2 ? Origin(rake, *p.rake2, p.from) : Origin(rake, *p.sweep, p.from);
 }
 
@@ -53,16 +53,14 @@ MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double sepa
     rules.reconnect = p.reconnect;
     rules.obstacle = flow.obstacle();
     rules.max_quads = p.max_quads;
-    // Stored data are only as smooth as their interpolation, which error control of high order would search for kinks:
-    // there steps of a fixed part of a cell are as good, and several times faster.
-    const bool closed_form = !flow.time_range();
+    // Steps of a fixed part of a cell are several times faster, but of second order where stored data have a kink.
     AdvanceOptions carry;
-    carry.method = p.accuracy == Accuracy::Exact && closed_form ? AdvanceOptions::Method::Dopri5
-                                                                : AdvanceOptions::Method::Rk4;
+    carry.method = p.accuracy == Accuracy::Exact ? AdvanceOptions::Method::Dopri5
+                                                 : AdvanceOptions::Method::Rk4;
     carry.tolerance = trace_tolerance(p.accuracy);
     carry.longest_step = flow.finest_spacing();
     carry.stagnation_speed = p.stagnation_speed * request.largest_speed;
-    carry.smooth = p.accuracy == Accuracy::Exact;
+    carry.smooth = p.interpolation == Interpolation::Smooth;
     std::vector<double> places = seed_places(origin, flow, columns, rules.tear_size * separation);
     return {request,
             std::move(origin),

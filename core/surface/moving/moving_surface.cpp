@@ -74,6 +74,8 @@ Result<MovingSurface> MovingSurface::start(const Flow& flow,
                                            const Clock& clock,
                                            const WorkPart& work) {
     const auto began = clock.now();
+    if (auto there = check_interpolation(flow, p.interpolation); !there)
+        return tl::unexpected(there.error());
     if (auto in_time = check_times(flow, p); !in_time)
         return tl::unexpected(in_time.error());
     const auto speed = largest_speed(flow, rake, p.from, stop);

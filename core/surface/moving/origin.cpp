@@ -4,7 +4,8 @@
 
 namespace wakesurf::core {
 
-Origin::Origin(const Rake& rake) : curve_(rake), closed_(rake.closed()) {}
+Origin::Origin(const Rake& rake, bool smooth)
+    : curve_(rake), closed_(rake.closed()), smooth_(smooth) {}
 
 Origin::Origin(const Rake& rake, const Rake& opposite, double release)
     : curve_(rake), closed_(rake.closed() && opposite.closed()), opposite_(opposite),
@@ -62,7 +63,7 @@ Result<std::vector<MaterialPoint>> Origin::points(const Flow& flow,
         points[i].t = t[i];
     }
     if (!patch()) {
-        if (auto sampled = flow.sample(positions, t, velocities, stop); !sampled)
+        if (auto sampled = flow.sample(positions, t, velocities, stop, smooth_); !sampled)
             return tl::unexpected(sampled.error());
         for (std::size_t i = 0; i < s.size(); ++i)
             points[i].carried.along_t = -velocities[i];

@@ -16,8 +16,8 @@ namespace wakesurf::core {
 
 class Origin {
   public:
-    /// Streak: t is the release time.
-    explicit Origin(const Rake& rake);
+    /// Streak: t is the release time. @param smooth  the field that velocity on the rake is sampled in, as for Flow::sample
+    explicit Origin(const Rake& rake, bool smooth = false);
 
     /// Time: t in 0..1 runs from the rake to `opposite`, a second rake or the rake moved by a vector; all is released at
     /// `release`.
@@ -54,6 +54,7 @@ class Origin {
     std::optional<SeedingCurve> opposite_;
     std::optional<Vec3> sweep_;
     double release_ = 0.0;
+    bool smooth_ = false;
 };
 
 /// Traces vertices again from where they were released to the mesh's time; they are no longer approximated, and dead if

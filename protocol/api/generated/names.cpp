@@ -99,6 +99,24 @@ std::optional<core::Accuracy> accuracy(std::string_view word) {
     return std::nullopt;
 }
 
+std::string_view name(core::Interpolation value) {
+    switch (value) {
+    case core::Interpolation::Linear:
+        return "linear";
+    case core::Interpolation::Smooth:
+        return "smooth";
+    }
+    return {};
+}
+
+std::optional<core::Interpolation> interpolation(std::string_view word) {
+    if (word == "linear")
+        return core::Interpolation::Linear;
+    if (word == "smooth")
+        return core::Interpolation::Smooth;
+    return std::nullopt;
+}
+
 std::string_view name(core::Emptiness::Reason value) {
     switch (value) {
     case core::Emptiness::Reason::InBody:

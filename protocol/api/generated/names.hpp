@@ -14,6 +14,7 @@ std::string_view name(core::Rake::Kind value);
 std::string_view name(core::SurfaceKind value);
 std::string_view name(core::Direction value);
 std::string_view name(core::Accuracy value);
+std::string_view name(core::Interpolation value);
 std::string_view name(core::Emptiness::Reason value);
 
 // Nothing for any other word.
@@ -21,6 +22,7 @@ std::optional<core::Rake::Kind> rake_kind(std::string_view word);
 std::optional<core::SurfaceKind> surface_kind(std::string_view word);
 std::optional<core::Direction> direction(std::string_view word);
 std::optional<core::Accuracy> accuracy(std::string_view word);
+std::optional<core::Interpolation> interpolation(std::string_view word);
 std::optional<core::Emptiness::Reason> empty_reason(std::string_view word);
 
 } // namespace wakesurf::protocol

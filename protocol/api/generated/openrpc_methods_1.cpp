@@ -326,6 +326,7 @@ const std::string_view methods_1 = R"json({
      "obstacle": false,
      "points": 0,
      "reader": "analytic",
+     "smooth": false,
      "steady": true,
      "surfaceFields": ["velocity", "deformation", "approximated", "vorticity", "q_criterion"],
      "times": [0],

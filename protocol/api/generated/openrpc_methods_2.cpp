@@ -334,6 +334,7 @@ const std::string_view methods_2 = R"json({
         "epoch": 1,
         "fields": [],
         "from": 0,
+        "interpolation": "linear",
         "kind": "stream",
         "maxQuads": 1000000,
         "merge": 0.35,

@@ -80,6 +80,14 @@ const std::string_view methods_6 = R"json({
     "default": "balanced",
     "description": "how accurately particles are traced and vertices inserted"}},
   {
+   "name": "interpolation",
+   "required": false,
+   "description": "of stored velocity. linear: between the nodes of a cell and in time, as ParaView shows it; smooth: cubic in space and time, for uniform grids only, see `smooth` of dataset.describe",
+   "schema": {
+    "enum": ["linear", "smooth"],
+    "default": "linear",
+    "description": "of stored velocity. linear: between the nodes of a cell and in time, as ParaView shows it; smooth: cubic in space and time, for uniform grids only, see `smooth` of dataset.describe"}},
+  {
    "name": "releaseUntil",
    "required": false,
    "description": "time at which the release stops; if left out, `to`",
@@ -383,6 +391,7 @@ const std::string_view methods_6 = R"json({
        "epoch": 1,
        "fields": [],
        "from": 0,
+       "interpolation": "linear",
        "kind": "stream",
        "maxQuads": 1000000,
        "merge": 0.35,

@@ -275,6 +275,7 @@ const std::string_view schemas_1 =
   "bytesPerStep": {"type": "integer", "minimum": 0, "description": "memory that one time-step takes", "x-unit": "bytes"},
   "finestSpacing": {"type": "number", "minimum": 0, "description": "smallest spacing of the grid", "x-unit": "the dataset's unit of length"},
   "lattice": {"$ref": "#/components/schemas/Lattice"},
+  "smooth": {"type": "boolean", "description": "true: surface.set accepts `interpolation` smooth"},
   "surfaceFields": {"type": "array", "description": "names that `fields` of surface.set accepts", "items": {"type": "string"}},
   "note": {"type": "string", "description": "a remark about the data, for people"},
   "lengthUnit": {"type": "string", "description": "unit of lengths and coordinates; left out if the files do not state it"},
@@ -305,6 +306,7 @@ const std::string_view schemas_1 =
   "bytesPerStep",
   "finestSpacing",
   "lattice",
+  "smooth",
   "surfaceFields"],
  "additionalProperties": false},
 "CacheStatus": {

@@ -3,7 +3,35 @@
 
 namespace wakesurf::protocol::openrpc {
 
-const std::string_view schemas_2 = R"json("SessionFile": {
+const std::string_view schemas_2 = R"json("NamedDataset": {
+ "type": "object",
+ "description": "A dataset that surfaces of a document use. Only the id is present if the dataset could not be used when the document was written.",
+ "properties": {
+  "dataset": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the dataset"},
+  "name": {"type": "string", "description": "display name"},
+  "fingerprint": {"type": "string", "description": "fingerprint of the mesh and of the names of the fields; it stays the same when time-steps are added"},
+  "times": {"$ref": "#/components/schemas/TimesOfDataset"},
+  "bounds": {
+   "type": "array",
+   "minItems": 6,
+   "maxItems": 6,
+   "description": "bounding box: x0, x1, y0, y1, z0, z1",
+   "x-unit": "the dataset's unit of length",
+   "items": {"type": "number"}}},
+ "required": ["dataset"],
+ "additionalProperties": false},
+"FileRecords": {
+ "type": "object",
+ "description": "The records of a session as in a snapshot, with their ids, but without `rev` and `epoch`.",
+ "properties": {
+  "rakes": {"type": "array", "description": "all rakes", "items": {"type": "object", "properties": {}, "additionalProperties": true}},
+  "surfaces": {"type": "array", "description": "all surfaces", "items": {"type": "object", "properties": {}, "additionalProperties": true}},
+  "bookmarks": {"type": "array", "description": "all bookmarks", "items": {"type": "object", "properties": {}, "additionalProperties": true}},
+  "annotations": {"type": "array", "description": "all annotations", "items": {"type": "object", "properties": {}, "additionalProperties": true}},
+  "clock": {"$ref": "#/components/schemas/Clock"}},
+ "required": ["rakes", "surfaces", "bookmarks", "annotations", "clock"],
+ "additionalProperties": false},
+"SessionFile": {
  "type": "object",
  "description": "A session as one document. Any wakesurf server can import it; it is checked like edits, and imported as a whole or not at all.",
  "properties": {
@@ -47,7 +75,7 @@ const std::string_view schemas_2 = R"json("SessionFile": {
  "additionalProperties": false},
 "Patch": {
  "type": "object",
- "description": "A change of a record: the record as it is now, or that it was deleted. For the type `session`: the name of the session.",
+ "description": "A change of a record: the record as it is now, or that it was deleted. For the type `session`: the name of the session and its units.",
  "properties": {
   "op": {"enum": ["put", "delete"], "description": "what happened to the record"},
   "type": {"enum": ["rake", "surface", "bookmark", "annotation", "clock", "session"], "description": "kind of record"},
@@ -267,6 +295,10 @@ const std::string_view schemas_2 = R"json("SessionFile": {
    "enum": ["stream", "path", "streak", "time"],
    "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`"},
   "accuracy": {"enum": ["fast", "balanced", "exact"], "default": "balanced", "description": "how accurately particles are traced and vertices inserted"},
+  "interpolation": {
+   "enum": ["linear", "smooth"],
+   "default": "linear",
+   "description": "of stored velocity. linear: between the nodes of a cell and in time, as ParaView shows it; smooth: cubic in space and time, for uniform grids only, see `smooth` of dataset.describe"},
   "to": {
    "type": "number",
    "minimum": -3.4028234663852886e+38,

@@ -21,6 +21,10 @@ const std::string_view schemas_3 = R"json("Surface": {
    "enum": ["stream", "path", "streak", "time"],
    "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`"},
   "accuracy": {"enum": ["fast", "balanced", "exact"], "default": "balanced", "description": "how accurately particles are traced and vertices inserted"},
+  "interpolation": {
+   "enum": ["linear", "smooth"],
+   "default": "linear",
+   "description": "of stored velocity. linear: between the nodes of a cell and in time, as ParaView shows it; smooth: cubic in space and time, for uniform grids only, see `smooth` of dataset.describe"},
   "to": {
    "type": "number",
    "minimum": -3.4028234663852886e+38,
@@ -85,6 +89,7 @@ const std::string_view schemas_3 = R"json("Surface": {
   "dataset",
   "kind",
   "accuracy",
+  "interpolation",
   "to",
   "merge",
   "angle",

@@ -29,6 +29,10 @@ void read(CheckedJson& in, SurfaceRecord& out) {
         out.parameters.accuracy = *found;
     else
         in.fault("accuracy", "must be fast, balanced or exact");
+    if (const auto found = interpolation(in.text_or("interpolation", "linear")))
+        out.parameters.interpolation = *found;
+    else
+        in.fault("interpolation", "must be linear or smooth");
     out.parameters.to = in.number("to", -3.4028234663852886e+38, 3.4028234663852886e+38);
     out.parameters.release_until =
         in.number_if("releaseUntil", -3.4028234663852886e+38, 3.4028234663852886e+38);
@@ -66,6 +70,7 @@ nlohmann::json kept_json(const SurfaceRecord& record) {
     out["dataset"] = record.dataset;
     out["kind"] = name(record.parameters.kind);
     out["accuracy"] = name(record.parameters.accuracy);
+    out["interpolation"] = name(record.parameters.interpolation);
     out["to"] = record.parameters.to;
     if (record.parameters.release_until)
         out["releaseUntil"] = *record.parameters.release_until;
@@ -108,6 +113,10 @@ void read(CheckedJson& in, SurfaceSetting& out) {
         out.parameters.accuracy = *found;
     else
         in.fault("accuracy", "must be fast, balanced or exact");
+    if (const auto found = interpolation(in.text_or("interpolation", "linear")))
+        out.parameters.interpolation = *found;
+    else
+        in.fault("interpolation", "must be linear or smooth");
     out.parameters.release_until =
         in.number_if("releaseUntil", -3.4028234663852886e+38, 3.4028234663852886e+38);
     out.parameters.sweep = in.point_if("sweep");

@@ -39,6 +39,11 @@ inline constexpr SurfaceOption surface_options[]{
     {"--accuracy", "accuracy", "text",
      "fast, balanced or exact: how accurately particles are traced and vertices inserted",
      "balanced", false},
+    {"--interpolation", "interpolation", "text",
+     "linear or smooth: of stored velocity. linear: between the nodes of a cell and in time, as "
+     "ParaView shows it; smooth: cubic in space and time, for uniform grids only, see `smooth` of "
+     "dataset.describe",
+     "linear", false},
     {"--release-until", "releaseUntil", "number",
      "Streak: time at which the release stops; if left out, --to (the dataset's unit of time)", "",
      false},

@@ -15,6 +15,8 @@ core::Result<void> complete_surface(protocol::SurfaceSetting& setting, const Ope
     if (auto sound = core::check_direction(p); !sound)
         return sound;
     p.direction = core::direction_of(p);
+    if (auto there = core::check_interpolation(*dataset.flow, p.interpolation); !there)
+        return there;
     std::vector<std::string> fields;
     for (const std::string& name : setting.fields) {
         if (auto known = find_field(dataset, name); !known)

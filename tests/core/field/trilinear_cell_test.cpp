@@ -170,8 +170,7 @@ TEST(TrilinearCell, EveryVertexOfASurfaceOfStoredDataEqualsItsOwnRetraceWithinTe
         p.kind = c.kind;
         p.to = 3.0;
         p.separation = 0.1;
-        const auto surface =
-            build_surface(*flow, rake, p); // balanced: what linear interpolation is for
+        const auto surface = build_surface(*flow, rake, p);
         const double tolerance = 1e-5;
         ASSERT_TRUE(surface);
         EXPECT_EQ(surface->mesh.validate(), "");
@@ -204,6 +203,7 @@ TEST(SmoothSampling, EveryVertexOfAnExactSurfaceEqualsItsOwnSmoothRetraceWithinT
         p.to = 2.0;
         p.separation = 0.2;
         p.accuracy = Accuracy::Exact;
+        p.interpolation = Interpolation::Smooth;
         const auto surface = build_surface(*flow, rake, p);
         ASSERT_TRUE(surface);
         const SeedingCurve seeding(rake);

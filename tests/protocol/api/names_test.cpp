@@ -5,7 +5,7 @@
 namespace wakesurf::protocol::names_test {
 
 TEST(Names, ReadBackToTheValueTheyName) {
-    using core::Accuracy, core::Direction, core::SurfaceKind;
+    using core::Accuracy, core::Direction, core::Interpolation, core::SurfaceKind;
     for (const auto kind :
          {SurfaceKind::Stream, SurfaceKind::Path, SurfaceKind::Streak, SurfaceKind::Time})
         EXPECT_EQ(surface_kind(name(kind)), kind) << name(kind);
@@ -13,6 +13,8 @@ TEST(Names, ReadBackToTheValueTheyName) {
         EXPECT_EQ(direction(name(each)), each) << name(each);
     for (const auto each : {Accuracy::Fast, Accuracy::Balanced, Accuracy::Exact})
         EXPECT_EQ(accuracy(name(each)), each) << name(each);
+    for (const auto each : {Interpolation::Linear, Interpolation::Smooth})
+        EXPECT_EQ(interpolation(name(each)), each) << name(each);
 }
 
 TEST(Names, AreNothingElse) {
@@ -20,6 +22,7 @@ TEST(Names, AreNothingElse) {
         EXPECT_FALSE(surface_kind(word)) << word;
         EXPECT_FALSE(direction(word)) << word;
         EXPECT_FALSE(accuracy(word)) << word;
+        EXPECT_FALSE(interpolation(word)) << word;
     }
 }
 

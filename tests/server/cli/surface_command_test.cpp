@@ -15,6 +15,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
+#include <utility>
 
 namespace wakesurf::server::surface_command_test {
 
@@ -77,7 +79,57 @@ class SurfaceCommand : public testing::Test {
     std::filesystem::path folder_;
 };
 
+/// 4^3 nodes of a shear with a bend in it, as VTK's XML file of that type of grid: ImageData, RectilinearGrid or StructuredGrid.
+std::string grid_file(const std::string& type) {
+    std::ostringstream points, velocity;
+    for (int node = 0; node < 64; ++node) {
+        const int x = node % 4, y = node / 4 % 4, z = node / 16;
+        points << x << ' ' << y << ' ' << z + 0.1 * x << ' ';
+        velocity << "1 " << 0.2 * x * x << ' ' << 0.1 * z << ' ';
+    }
+    const auto array = [](const std::string& name, int components, const std::string& numbers) {
+        return "<DataArray type=\"Float32\" format=\"ascii\" Name=\"" + name +
+               "\" NumberOfComponents=\"" + std::to_string(components) + "\">" + numbers +
+               "</DataArray>";
+    };
+    const std::string axis = array("axis", 1, "0 1 2 3.5");
+    return "<VTKFile type=\"" + type + "\" version=\"0.1\" byte_order=\"LittleEndian\"><" + type +
+           " WholeExtent=\"0 3 0 3 0 3\" Origin=\"0 0 0\" Spacing=\"1 1 1\">" +
+           "<Piece Extent=\"0 3 0 3 0 3\"><PointData>" + array("U", 3, velocity.str()) +
+           "</PointData>" +
+           (type == "RectilinearGrid"  ? "<Coordinates>" + axis + axis + axis + "</Coordinates>"
+            : type == "StructuredGrid" ? "<Points>" + array("points", 3, points.str()) + "</Points>"
+                                       : "") +
+           "</Piece></" + type + "></VTKFile>";
+}
+
 } // namespace
+
+TEST_F(SurfaceCommand, HasTheSmoothFieldOfUniformGridsAndRefusesItBeforeItComputesOnOthers) {
+    for (const auto& [type, name] :
+         {std::pair{"ImageData", "data.vti"}, std::pair{"RectilinearGrid", "data.vtr"},
+          std::pair{"StructuredGrid", "data.vts"}}) {
+        std::ofstream(file(name)) << grid_file(type);
+        dataset_ = file(name);
+        const auto made = [&](const char* interpolation) {
+            return run({"--interpolation", interpolation, "--rake", "0.2,0.5,0.5 0.2,0.5,2.5",
+                        "--store", file("store"), "-o", file(interpolation + std::string(".ply"))});
+        };
+        EXPECT_EQ(made("linear").exit_status, 0) << name;
+        const auto smooth = made("smooth");
+        if (name == std::string("data.vti")) {
+            EXPECT_EQ(smooth.exit_status, 0) << smooth.errors;
+            EXPECT_NE(bytes("smooth.ply"), bytes("linear.ply"));
+            std::filesystem::remove(file("smooth.ply"));
+        } else {
+            EXPECT_EQ(smooth.exit_status, 2) << name;
+            EXPECT_NE(smooth.errors.find("--interpolation cannot be smooth on this grid"),
+                      std::string::npos)
+                << smooth.errors;
+            EXPECT_FALSE(std::filesystem::exists(file("smooth.ply")));
+        }
+    }
+}
 
 TEST_F(SurfaceCommand, WritesTheMeshAndItsStatistics) {
     const auto outcome = run({"--stats", file("stats.json")});
@@ -172,6 +224,8 @@ TEST_F(SurfaceCommand, AnswersWrongUsageWithStatusTwo) {
     refuses({"--separation", "nan"}, 2, "--separation");
     refuses({"--threads", "0"}, 2, "--threads");
     refuses({"--accuracy", "good"}, 2, "--accuracy");
+    refuses({"--interpolation", "cubic"}, 2, "--interpolation");
+    refuses({"--interpolation", "smooth"}, 2, "--interpolation cannot be smooth here");
     refuses({"-o", file("out.stl")}, 2, ".vtp, .glb, .ply, .obj or .drc");
     refuses({"-o", file("out")}, 2, "no known extension");
     refuses({"-o", file("out.PLY")}, 2, "no known extension");

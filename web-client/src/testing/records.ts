@@ -10,7 +10,7 @@ export function datasetOf(change: Partial<DatasetDescription> = {}): DatasetDesc
         times: [0],
         fields: [],
         surfaceFields: [],
-        ...{ velocity: 'U', why: 'the only vector', obstacle: false, bytesPerStep: 12_000, finestSpacing: 0.1 },
+        ...{ velocity: 'U', why: 'the only vector', obstacle: false, bytesPerStep: 12_000, finestSpacing: 0.1, smooth: true },
         lattice: { origin: [0, 0, 0], step: 2 ** -16, bits: 16 },
         ...change,
     };

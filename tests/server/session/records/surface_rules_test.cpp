@@ -112,6 +112,14 @@ TEST(SurfaceRules, HaveTheReleaseEndBetweenFromAndTo) {
     EXPECT_NE(complaint(upstream), "");
 }
 
+TEST(SurfaceRules, RefuseTheSmoothFieldOfWhatHasNone) {
+    for (const auto kind : {SurfaceKind::Stream, SurfaceKind::Path, SurfaceKind::Streak}) {
+        auto setting = of_kind(kind);
+        setting.parameters.interpolation = core::Interpolation::Smooth;
+        EXPECT_NE(complaint(setting).find("`interpolation`"), std::string::npos);
+    }
+}
+
 TEST(SurfaceRules, TakeTheDatasetsSpacingForASeparationLeftOut) {
     auto setting = of_kind(SurfaceKind::Stream);
     ASSERT_TRUE(complete_surface(setting, abc()));

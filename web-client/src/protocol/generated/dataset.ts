@@ -102,6 +102,8 @@ export interface Dataset {
     finestSpacing: number;
     /** lattice of the frames of its surfaces */
     lattice: Lattice;
+    /** true: surface.set accepts `interpolation` smooth */
+    smooth: boolean;
     /** names that `fields` of surface.set accepts */
     surfaceFields: string[];
     /** a remark about the data, for people */
@@ -135,6 +137,7 @@ export const datasetCheck = members<Dataset>({
     bytesPerStep: whole,
     finestSpacing: number,
     lattice: latticeCheck,
+    smooth: flag,
     surfaceFields: list(text),
     note: optional(text),
     lengthUnit: optional(text),

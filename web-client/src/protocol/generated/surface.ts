@@ -20,6 +20,14 @@ export const accuracies = ['fast', 'balanced', 'exact'] as const;
 export type Accuracy = (typeof accuracies)[number];
 export const accuracyCheck = oneOf(accuracies);
 
+/**
+ * of stored velocity. linear: between the nodes of a cell and in time, as ParaView shows it; smooth: cubic in space
+ * and time, for uniform grids only, see `smooth` of dataset.describe
+ */
+export const interpolations = ['linear', 'smooth'] as const;
+export type Interpolation = (typeof interpolations)[number];
+export const interpolationCheck = oneOf(interpolations);
+
 /** A surface as the session keeps it: its parameters, not its mesh. */
 export interface SurfaceRecord {
     /** id of the surface */
@@ -41,6 +49,11 @@ export interface SurfaceRecord {
     kind: SurfaceKind;
     /** how accurately particles are traced and vertices inserted */
     accuracy: Accuracy;
+    /**
+     * of stored velocity. linear: between the nodes of a cell and in time, as ParaView shows it; smooth: cubic in
+     * space and time, for uniform grids only, see `smooth` of dataset.describe
+     */
+    interpolation: Interpolation;
     /**
      * where the surface ends: before `from`, time runs backward. A stream surface is followed for `to` - `from`, and
      * `to` need not lie in the data; for the others it must (the dataset's unit of time)
@@ -89,6 +102,7 @@ export const surfaceRecordCheck = members<SurfaceRecord>({
     dataset: text,
     kind: surfaceKindCheck,
     accuracy: accuracyCheck,
+    interpolation: interpolationCheck,
     to: number,
     releaseUntil: optional(number),
     sweep: optional(point),
@@ -150,6 +164,11 @@ export interface SurfaceSetParams {
     direction?: Direction;
     /** how accurately particles are traced and vertices inserted */
     accuracy?: Accuracy;
+    /**
+     * of stored velocity. linear: between the nodes of a cell and in time, as ParaView shows it; smooth: cubic in
+     * space and time, for uniform grids only, see `smooth` of dataset.describe
+     */
+    interpolation?: Interpolation;
     /** time at which the release stops; if left out, `to` (the dataset's unit of time) */
     releaseUntil?: number;
     /** the patch is the rake swept along this vector (the dataset's unit of length) */
@@ -196,6 +215,7 @@ export const surfaceAskedNames = [
     'to',
     'direction',
     'accuracy',
+    'interpolation',
     'releaseUntil',
     'sweep',
     'merge',
@@ -209,6 +229,7 @@ export const surfaceAskedNames = [
 /** What holds of a surface where surface.set is not told. */
 export const surfaceDefaults = {
     accuracy: 'balanced' as Accuracy,
+    interpolation: 'linear' as Interpolation,
     merge: 0.35,
     angle: 20,
     stagnationSpeed: 1e-6,

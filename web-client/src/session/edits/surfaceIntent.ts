@@ -3,6 +3,7 @@ import type {
     Accuracy,
     DatasetDescription,
     Direction,
+    Interpolation,
     SurfaceKind,
     SurfaceRecord,
     SurfaceSetting,
@@ -21,6 +22,7 @@ export interface SurfaceIntent {
     separation: number;
     direction: Direction;
     accuracy: Accuracy;
+    interpolation: Interpolation;
     /** What is carried along for colouring, beside the speed. */
     fields: readonly string[];
     /** How long a streak surface is released for; null: until it is shown. */
@@ -31,10 +33,11 @@ export interface SurfaceIntent {
 }
 
 export function intentOf(record: SurfaceRecord): SurfaceIntent {
-    const { kind, from, to, separation, direction, accuracy, fields, releaseUntil, sweep = null, rake2 = null } = record;
+    const { kind, from, to, separation, direction, accuracy, interpolation, fields } = record;
+    const { releaseUntil, sweep = null, rake2 = null } = record;
     const released = releaseUntil === undefined ? null : Math.abs(releaseUntil - from);
     const length = Math.abs(to - from);
-    return { kind, from, length, separation, direction, accuracy, fields, released, sweep, rake2 };
+    return { kind, from, length, separation, direction, accuracy, interpolation, fields, released, sweep, rake2 };
 }
 
 /** A time surface needs a second curve: where none was chosen, the rake is swept across the domain. */
@@ -54,11 +57,12 @@ export function settingOf(
     times: readonly number[],
     steady: boolean,
 ): SurfaceSetting | null {
-    const { kind, from, separation, direction, accuracy, fields } = intent;
+    const { kind, from, separation, direction, accuracy, interpolation, fields } = intent;
     if (!(followed(intent, times, steady) > 0)) return null;
     const to = endOf(intent, times, steady);
     const shown = { from, to, releaseUntil: releaseEnd(intent, to - from) };
-    const wanted = { kind, separation, direction, accuracy, fields: [...fields], ...shown, ...secondCurve(intent) };
+    const field = { accuracy, interpolation, fields: [...fields] };
+    const wanted = { kind, separation, direction, ...field, ...shown, ...secondCurve(intent) };
     return { ...askedOf({ ...record, ...wanted }), surface: record.surface };
 }
 

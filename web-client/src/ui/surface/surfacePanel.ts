@@ -1,7 +1,15 @@
 // The settings of the surface: its kind, how long it is followed, how fine it is.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import type { Accuracy, DatasetDescription, Direction, SurfaceKind, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
+import type {
+    Accuracy,
+    DatasetDescription,
+    Direction,
+    Interpolation,
+    SurfaceKind,
+    SurfaceRecord,
+    Vec3,
+} from '../../protocol/messages.ts';
 import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import { diagonal } from '../../scene/camera/fitting.ts';
 import { niceStep } from '../../scene/base/ticks.ts';
@@ -35,6 +43,11 @@ const accuracies: [Accuracy, string][] = [
     ['fast', 'Fast, for exploring'],
     ['balanced', 'Balanced'],
     ['exact', 'Exact, for figures'],
+];
+
+const interpolations: [Interpolation, string][] = [
+    ['linear', 'Linear, as in ParaView'],
+    ['smooth', 'Smooth, cubic'],
 ];
 
 const kindNames: Record<SurfaceKind, string> = { stream: 'Stream', path: 'Path', streak: 'Streak', time: 'Time' };
@@ -199,9 +212,14 @@ export class SurfacePanel extends SignalElement {
                     ${edits.remark.value}
                 </p>
                 ${this.choice('accuracy', 'Accuracy', accuracies, intent.accuracy, (accuracy) => ({ accuracy }))}
+                ${dataset.smooth ? this.interpolation(intent) : nothing}
             </fieldset>
             ${this.several()}
         `;
+    }
+
+    private interpolation({ interpolation: current }: SurfaceIntent): TemplateResult {
+        return this.choice('interpolation', 'Interpolation', interpolations, current, (interpolation) => ({ interpolation }));
     }
 
     private choice<Value extends string>(
