@@ -94,8 +94,10 @@ std::optional<Login> LoginCookies::find(std::string_view cookie, const std::stri
     if (!by_id_.contains(login->id) && !adopt(*login, from))
         return std::nullopt;
     const auto found = by_id_.at(login->id);
-    if (over(*found))
+    if (over(*found)) {
+        forget_expired();
         return std::nullopt;
+    }
     found->used = services_.clock.now();
     found->proven = true;
     entries_.splice(entries_.end(), entries_, found);
@@ -139,9 +141,14 @@ bool LoginCookies::over(const Entry& entry) const {
     return now - entry.used >= limits::login_idle || now - entry.made >= limits::login_most;
 }
 
+/// For good: one of an earlier life would be adopted again.
 void LoginCookies::forget_expired() {
-    while (!entries_.empty() && over(entries_.front()))
+    while (!entries_.empty() && over(entries_.front())) {
+        const SignedLogin login = entries_.front().login;
         forget(entries_.begin());
+        if (services_.kept != nullptr)
+            services_.kept->end(login.grant, login.id, login.made);
+    }
 }
 
 void LoginCookies::forget(Entries::iterator entry) {

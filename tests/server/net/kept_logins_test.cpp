@@ -144,6 +144,20 @@ TEST_F(KeptLoginsTest, AreOverAMonthAfterTheyWereMadeHoweverManyRestartsThereWer
     EXPECT_FALSE(good(mine));
 }
 
+TEST_F(KeptLoginsTest, AreOverWhereAServerSawThemIdleForAWeek) {
+    start();
+    const std::string mine = login();
+    pass(60);
+    start();
+    EXPECT_TRUE(good(mine));
+    pass(7 * day);
+    EXPECT_FALSE(good(mine));
+    EXPECT_TRUE(good(login()));
+    EXPECT_FALSE(good(mine)) << "not adopted once more";
+    start();
+    EXPECT_FALSE(good(mine));
+}
+
 TEST_F(KeptLoginsTest, OfAShareLinkEndWithItAndAreNotThoseOfAnotherOfItsName) {
     start();
     const auto link = life->grants.make("main", Role::Viewer, {});
