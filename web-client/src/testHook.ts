@@ -36,6 +36,8 @@ export interface TestHook {
     /** Position in the window, in CSS pixels; null behind the camera. */
     project(point: Vec3): ScreenPoint | null;
     handleOnScreen(handle: Handle): ScreenPoint | null;
+    /** The tip of the arrow along an axis; null where there is none. */
+    arrowOnScreen(axis: 0 | 1 | 2): ScreenPoint | null;
     /** Every n-th vertex of the surface shown, with its scalar. */
     vertices(every: number): SurfaceVertex[];
     /** What is seen at a position in the window. */
@@ -131,6 +133,10 @@ export function installTestHook({ state, scene, latency, canvas, figure }: TestH
         setCamera: (position, target) => scene.controls.place({ position, target, orthographic: false }),
         project: (point) => inWindow(scene.project(point)),
         handleOnScreen: (handle) => inWindow(scene.project(scene.rakes.positionOf(handle, scene.view()))),
+        arrowOnScreen: (axis) => {
+            const arrow = scene.aim.arrows(scene.view()).find((each) => each.axis === axis);
+            return arrow === undefined ? null : inWindow(scene.project(arrow.tip));
+        },
         vertices: (every) => {
             const count = displayed()?.vertices ?? 0;
             const found: SurfaceVertex[] = [];

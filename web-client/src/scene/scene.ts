@@ -14,6 +14,7 @@ import { Lights } from './lights.ts';
 import { Movement, restMs } from './movement.ts';
 import { MovingResolution } from './movingResolution.ts';
 import { PointerTools } from './base/pointerTools.ts';
+import { RakeAim } from './rake/rakeAim.ts';
 import { RakeInteraction } from './rake/rakeInteraction.ts';
 import { RakeLayer } from './rake/rakeLayer.ts';
 import { Stillness } from './stillness.ts';
@@ -45,6 +46,7 @@ export class FlowScene {
     });
     readonly surfaces = new SurfaceLayer();
     readonly rakes: RakeLayer;
+    readonly aim: RakeAim;
     readonly interaction: RakeInteraction;
     readonly pointerTools: PointerTools;
     readonly renderer: WebGLRenderer;
@@ -90,8 +92,10 @@ export class FlowScene {
         this.renderer.localClippingEnabled = true;
         this.picker = new SurfacePick(this.renderer, this.surfaces);
         this.rakes = new RakeLayer(options.labels);
+        this.aim = new RakeAim(this.rakes, () => this.interaction.movable);
         this.interaction = new RakeInteraction({
             layer: this.rakes,
+            aim: this.aim,
             view: () => this.view(),
             pick: (at) => this.pick(at)?.point ?? null,
             requestFrame: this.loop.request,
@@ -105,6 +109,7 @@ export class FlowScene {
         this.surfaces.attach(this.scene);
         this.add(new Lights());
         this.add(this.rakes);
+        this.add(this.aim);
         new ResizeObserver(() => this.resize()).observe(this.canvas);
         this.canvas.addEventListener('webglcontextrestored', this.loop.request);
     }
@@ -172,6 +177,7 @@ export class FlowScene {
         this.add(this.outline);
         this.controls.setBounds(bounds);
         this.rakes.setBounds(bounds);
+        this.aim.setFloor(bounds[4]);
         this.surfaces.setBounds(bounds);
     }
 

@@ -1,8 +1,20 @@
-// The handles of a rake as points of constant size on the screen, over everything: a handle that cannot be seen cannot be
-// dragged. One draw call for all of them; the shader draws what each is for.
-import { BufferGeometry, Color, DynamicDrawUsage, Float32BufferAttribute, Points, ShaderMaterial } from 'three';
+// The handles of a rake as points of constant size on the screen, which show through what is before them, paler: a handle that
+// cannot be seen cannot be dragged, and one behind a body must not look as if it were in front. The shader draws what each is for.
+import {
+    BufferGeometry,
+    Color,
+    DynamicDrawUsage,
+    Float32BufferAttribute,
+    GreaterDepth,
+    Group,
+    LessEqualDepth,
+    Points,
+    ShaderMaterial,
+} from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
+import { isOrthographic, type View } from '../base/view.ts';
 import type { Handle } from './rakeHandles.ts';
+import { distance } from './vec3.ts';
 
 /** What a handle looks like. */
 const marks = { point: 0, middle: 1, rotate: 2, tilt: 3, dot: 4 } as const;
@@ -14,10 +26,21 @@ export interface HandleSprite {
     radiusPx: number;
     /** Under the pointer, or with the focus. */
     highlighted: boolean;
+    /** Another than the rake's. */
+    colour?: string;
 }
+
+/** Of what is behind something. */
+const hiddenOpacity = 0.42;
+/** Nearer to the eye by so much, so that what a handle stands on does not hide half of it. */
+const liftPx = 14;
 
 const vertexShader = /* glsl */ `
 uniform float pixelRatio;
+uniform float lift;
+uniform bool parallelRays;
+attribute vec3 tint;
+varying vec3 colour;
 attribute float mark;
 attribute float radius;
 attribute float highlighted;
@@ -26,7 +49,10 @@ varying float px;
 varying float lit;
 
 void main() {
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    vec4 seen = modelViewMatrix * vec4(position, 1.0);
+    seen.xyz += (parallelRays ? vec3(0.0, 0.0, 1.0) : -normalize(seen.xyz)) * lift;
+    gl_Position = projectionMatrix * seen;
+    colour = tint;
     kind = mark;
     lit = highlighted;
     px = radius * (1.0 + 0.22 * highlighted);
@@ -37,7 +63,8 @@ void main() {
 // Discs, rings and strokes by their distance in pixels: sharp at any size. What moves the whole is dark with a sign (a cross,
 // most of a circle with an arrow's head, a ring seen aslant), what moves a point has the rake's colour.
 const fragmentShader = /* glsl */ `
-uniform vec3 colour;
+uniform float opacity;
+varying vec3 colour;
 varying float kind;
 varying float px;
 varying float lit;
@@ -76,69 +103,93 @@ void main() {
     }
     float covered = within(px + 1.5 - r);
     if (covered <= 0.0) discard;
-    gl_FragColor = vec4(shade, covered);
+    gl_FragColor = vec4(shade, covered * opacity);
     #include <colorspace_fragment>
 }
 `;
 
 export class HandleSprites {
-    readonly object: Points;
-    private readonly material: ShaderMaterial;
+    readonly object = new Group();
+    private readonly geometry = new BufferGeometry();
+    private readonly materials = [createMaterial(false), createMaterial(true)];
+    private readonly tint = new Color();
     private capacity = 0;
 
     constructor(renderOrder: number) {
-        this.material = new ShaderMaterial({
-            vertexShader,
-            fragmentShader,
-            transparent: true,
-            depthTest: false,
-            depthWrite: false,
-            uniforms: { colour: { value: new Color() }, pixelRatio: { value: 1 } },
-        });
-        this.object = new Points(new BufferGeometry(), this.material);
-        this.object.frustumCulled = false;
-        this.object.renderOrder = renderOrder;
-        this.object.onBeforeRender = (renderer) => {
-            this.material.uniforms['pixelRatio']!.value = renderer.getPixelRatio();
-        };
+        for (const material of this.materials) {
+            const points = new Points(this.geometry, material);
+            points.frustumCulled = false;
+            points.renderOrder = renderOrder;
+            points.onBeforeRender = (renderer) => {
+                material.uniforms['pixelRatio']!.value = renderer.getPixelRatio();
+            };
+            this.object.add(points);
+        }
     }
 
     set(sprites: readonly HandleSprite[], colour: string): void {
-        const { geometry } = this.object;
+        const { geometry, tint } = this;
         this.reserve(sprites.length);
         geometry.setDrawRange(0, sprites.length);
         this.object.visible = sprites.length > 0;
-        (this.material.uniforms['colour']!.value as Color).set(colour);
         if (sprites.length === 0) return;
-        const [position, mark, radius, highlighted] = names.map((name) => geometry.getAttribute(name));
+        const [position, tints, mark, radius, highlighted] = names.map((name) => geometry.getAttribute(name));
         sprites.forEach((sprite, i) => {
             position!.setXYZ(i, ...sprite.at);
+            tint.set(sprite.colour ?? colour);
+            tints!.setXYZ(i, tint.r, tint.g, tint.b);
             mark!.setX(i, marks[sprite.mark]);
             radius!.setX(i, sprite.radiusPx);
             highlighted!.setX(i, sprite.highlighted ? 1 : 0);
         });
-        for (const attribute of [position, mark, radius, highlighted]) attribute!.needsUpdate = true;
+        for (const attribute of [position, tints, mark, radius, highlighted]) attribute!.needsUpdate = true;
+    }
+
+    /** Called before every frame. @param middle  a place among them */
+    update(view: View, middle: Vec3): void {
+        const parallel = isOrthographic(view.camera);
+        const lift = Math.min(liftPx * view.worldPerPx(middle), parallel ? Infinity : 0.02 * distance(view.eye, middle));
+        for (const { uniforms } of this.materials) {
+            uniforms['lift']!.value = lift;
+            uniforms['parallelRays']!.value = parallel;
+        }
     }
 
     dispose(): void {
-        this.object.geometry.dispose();
-        this.material.dispose();
+        this.geometry.dispose();
+        for (const material of this.materials) material.dispose();
     }
 
     private reserve(count: number): void {
         if (count <= this.capacity) return;
         this.capacity = Math.ceil(count * 1.5);
-        this.object.geometry.dispose();
+        this.geometry.dispose();
         names.forEach((name, i) => {
-            const size = i === 0 ? 3 : 1;
+            const size = i < 2 ? 3 : 1;
             const attribute = new Float32BufferAttribute(new Float32Array(this.capacity * size), size);
             attribute.setUsage(DynamicDrawUsage);
-            this.object.geometry.setAttribute(name, attribute);
+            this.geometry.setAttribute(name, attribute);
         });
     }
 }
 
-const names = ['position', 'mark', 'radius', 'highlighted'] as const;
+const names = ['position', 'tint', 'mark', 'radius', 'highlighted'] as const;
+
+function createMaterial(inFront: boolean): ShaderMaterial {
+    return new ShaderMaterial({
+        vertexShader,
+        fragmentShader,
+        transparent: true,
+        depthFunc: inFront ? LessEqualDepth : GreaterDepth,
+        depthWrite: false,
+        uniforms: {
+            opacity: { value: inFront ? 1 : hiddenOpacity },
+            pixelRatio: { value: 1 },
+            lift: { value: 0 },
+            parallelRays: { value: false },
+        },
+    });
+}
 
 export function markOf(handle: Handle, circle: boolean): Mark {
     if (handle === 'middle' || handle === 'rotate') return handle;

@@ -88,8 +88,9 @@ export interface CurveStyle {
     haloPx: number;
 }
 
-/** Of the part behind something: it shows through faintly. */
-const hiddenOpacity = 0.38;
+/** Of the part behind something: it shows through, faint and dashed. */
+const hiddenOpacity = 0.5;
+const hiddenDashPx = 7;
 
 export class RakeCurve {
     readonly object = new Group();
@@ -136,6 +137,7 @@ export class RakeCurve {
             material.uniforms['halo']!.value = style.haloPx;
             material.uniforms['width']!.value = style.widthPx;
         }
+        if (style.dashPx === 0) this.hidden.uniforms['dash']!.value = hiddenDashPx;
         this.shown.uniforms['opacity']!.value = style.opacity;
         this.hidden.uniforms['opacity']!.value = style.opacity * hiddenOpacity;
     }

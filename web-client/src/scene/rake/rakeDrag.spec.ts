@@ -22,7 +22,7 @@ const cameras: [string, SceneCamera][] = [
     ['perspective', placed(new PerspectiveCamera(30, size.width / size.height, 0.1, 100))],
     ['orthographic', placed(new OrthographicCamera(-6.4, 6.4, 3.6, -3.6, 0.1, 100))],
 ];
-const free: Snap = { axis: false, step: null };
+const free: Snap = { axis: null, step: null };
 const line: RakeShape = {
     kind: 'line',
     points: [
@@ -113,7 +113,7 @@ describe.each(cameras)('a handle dragged in a %s view', (_, camera) => {
             const [dx, dy] = [b.x - a.x, b.y - a.y];
             const by = { x: dx - 0.1 * dy, y: dy + 0.1 * dx };
             expect(nearestAxis(from, by, view)).toBe(axis);
-            const { shape, words } = drag(line, 0, by, { axis: true, step: null });
+            const { shape, words } = drag(line, 0, by, { axis: 'nearest', step: null });
             expect(words).toBe(`along ${'xyz'[axis]}`);
             shape.points[0]!.forEach((v, k) => expect(v).toBeCloseTo(from[k]! + (k === axis ? 0.7 : 0), 6));
             const seen = view.project(alongAxis(from, axis, b, view))!;
@@ -122,7 +122,7 @@ describe.each(cameras)('a handle dragged in a %s view', (_, camera) => {
     });
 
     it('comes to a point of the grid, and moves along the axis only with both', () => {
-        const { shape } = drag(line, 1, { x: 31, y: 17 }, { axis: false, step: 0.25 });
+        const { shape } = drag(line, 1, { x: 31, y: 17 }, { axis: null, step: 0.25 });
         for (const v of shape.points[1]!) expect(v * 4).toBe(Math.round(v * 4));
         const off: RakeShape = {
             kind: 'line',
@@ -131,14 +131,14 @@ describe.each(cameras)('a handle dragged in a %s view', (_, camera) => {
                 [1, 1, 1],
             ],
         };
-        const both = drag(off, 0, { x: 50, y: -12 }, { axis: true, step: 0.25 });
+        const both = drag(off, 0, { x: 50, y: -12 }, { axis: 'nearest', step: 0.25 });
         const kept = both.shape.points[0]!.filter((v, k) => v === off.points[0]![k]);
         expect(kept).toHaveLength(2);
         expect(both.words).toMatch(/along [xyz], grid 0.25/);
     });
 
     it('turns in steps of 15 degrees on a grid', () => {
-        const { words } = drag(line, 'rotate', { x: 40, y: 30 }, { axis: false, step: 0.5 });
+        const { words } = drag(line, 'rotate', { x: 40, y: 30 }, { axis: null, step: 0.5 });
         expect(Math.abs(Number(/^-?\d+/.exec(words)![0]) % 15)).toBe(0);
     });
 });

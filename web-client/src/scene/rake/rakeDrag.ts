@@ -19,8 +19,8 @@ export interface Drag {
 }
 
 export interface Snap {
-    /** Keep to an axis. */
-    axis: boolean;
+    /** Keep to an axis: to this one, or to the one that the movement is nearest to. */
+    axis: Axis | 'nearest' | null;
     /** Of the grid; null: none. */
     step: number | null;
 }
@@ -55,7 +55,7 @@ export function dragged(drag: Drag, pointer: ScreenPoint, view: View, snap: Snap
 function moved(drag: Drag, pointer: ScreenPoint, target: ScreenPoint, view: View, snap: Snap): Dragged {
     const { handle, start, anchor, pressed } = drag;
     const movement = { x: pointer.x - pressed.x, y: pointer.y - pressed.y };
-    const axis = snap.axis ? nearestAxis(anchor, movement, view) : null;
+    const axis = snap.axis === 'nearest' ? nearestAxis(anchor, movement, view) : snap.axis;
     let to = axis === null ? view.pointAtDepth(target, anchor) : alongAxis(anchor, axis, target, view);
     if (snap.step !== null) to = gridded(to, anchor, axis, snap.step);
     const shape = handle === 'middle' ? translated(start, minus(to, anchor)) : withPoint(start, handle as number, to);
@@ -83,7 +83,7 @@ function rotated({ start, anchor }: Drag, target: ScreenPoint, view: View, snap:
     const [before, now] = [minus(anchor, middle), minus(at, middle)];
     const axis = towardsViewer(view);
     let angle = Math.atan2(dot(cross(before, now), axis), dot(before, now));
-    const stepped = snap.axis || snap.step !== null;
+    const stepped = snap.axis !== null || snap.step !== null;
     if (stepped) angle = Math.round(angle / turnStep) * turnStep;
     const degrees = Math.round((angle * 180) / Math.PI);
     return { shape: turnedBy(start, axis, angle), at, axis: null, words: `${degrees}°${stepped ? ', steps of 15°' : ''}` };

@@ -5,9 +5,10 @@ import type { Pointer, PointerTool } from '../base/pointerTools.ts';
 import type { ScreenPoint, View } from '../base/view.ts';
 import { beginDrag, type Drag, type Dragged, dragged, type Snap, towardsViewer } from './rakeDrag.ts';
 import { gripOf, type Handle } from './rakeHandles.ts';
+import type { RakeAim } from './rakeAim.ts';
 import type { RakeLayer } from './rakeLayer.ts';
 import { type RakeShape, resized, tilted, translated, turnedBy, withPoint } from './rakeShape.ts';
-import { onGrid } from './snapping.ts';
+import { type Axis, onGrid } from './snapping.ts';
 import { minus, plus } from './vec3.ts';
 
 /** `movedAt` is the time of the pointer or key event, on the clock of performance.now(). */
@@ -19,6 +20,7 @@ export interface RakeMove {
 
 export interface RakeInteractionOptions {
     layer: RakeLayer;
+    aim: Pick<RakeAim, 'arm' | 'arrowUnder' | 'handle' | 'setHighlighted'>;
     view: () => View;
     /** What is under a canvas position: a place on a surface or a body. */
     pick: (at: ScreenPoint) => Vec3 | null;
@@ -39,6 +41,8 @@ export interface RakeUser {
     placed: () => void;
 }
 
+const nothingTaken = { handle: null, axis: null };
+
 const noOne: RakeUser = {
     mayMove: () => false,
     hasPointer: () => false,
@@ -53,6 +57,8 @@ export class RakeInteraction implements PointerTool {
     private readonly options: RakeInteractionOptions;
     private user = noOne;
     private drag: Drag | null = null;
+    /** Of the arrow that is dragged. */
+    private axis: Axis | null = null;
     private moved = false;
     private nudged = false;
     private placing: Handle | null = null;
@@ -103,11 +109,13 @@ export class RakeInteraction implements PointerTool {
     }
 
     press({ at }: Pointer): boolean {
-        const { layer } = this.options;
+        const { layer, aim } = this.options;
         const view = this.options.view();
-        const handle = this.placing === null && this.movable ? layer.handleAt(at, view) : null;
+        const { handle, axis } = this.placing === null ? this.takenAt(at, view) : nothingTaken;
         if (handle === null) return false;
         this.endNudge();
+        this.axis = axis;
+        if (axis === null) aim.arm(handle);
         this.drag = beginDrag(handle, layer.shape, at, view);
         this.moved = false;
         this.options.onHold(true);
@@ -119,8 +127,9 @@ export class RakeInteraction implements PointerTool {
         if (this.placing !== null) return 'crosshair';
         const { layer } = this.options;
         const view = this.options.view();
-        const handle = pointer === null || !this.movable ? null : layer.handleAt(pointer.at, view);
-        this.highlight(handle);
+        const { handle, axis } = pointer === null ? nothingTaken : this.takenAt(pointer.at, view);
+        this.highlight(axis === null ? handle : null);
+        if (this.options.aim.setHighlighted(axis)) this.options.requestFrame();
         if (handle !== null) return 'grab';
         if (pointer === null || !this.user.hasPointer()) return null;
         return layer.otherAt(pointer.at, view) === null ? null : 'pointer';
@@ -162,8 +171,21 @@ export class RakeInteraction implements PointerTool {
         return this.user.hasPointer() && this.chooseAt(at);
     }
 
-    private get movable(): boolean {
+    /** Whether rakes can be changed, and the pointer is for them. */
+    get movable(): boolean {
         return this.user.mayMove() && this.user.hasPointer();
+    }
+
+    /** The handle under a canvas position; with an axis, by the arrow there. The nearest counts. */
+    private takenAt(at: ScreenPoint, view: View): { handle: Handle | null; axis: Axis | null } {
+        if (!this.movable) return nothingTaken;
+        const { layer, aim } = this.options;
+        const handle = layer.handleAt(at, view);
+        const arrow = aim.arrowUnder(at, view);
+        if (arrow === null) return { handle, axis: null };
+        const seen = handle === null ? null : view.project(layer.positionOf(handle, view));
+        const nearer = seen !== null && Math.hypot(seen.x - at.x, seen.y - at.y) < arrow.px;
+        return nearer ? { handle, axis: null } : { handle: aim.handle, axis: arrow.axis };
     }
 
     private chooseAt(at: ScreenPoint): boolean {
@@ -183,7 +205,7 @@ export class RakeInteraction implements PointerTool {
     }
 
     private dragged(pointer: Pointer, drag: Drag): Dragged {
-        const snap: Snap = { axis: pointer.shift, step: this.step };
+        const snap: Snap = { axis: this.axis ?? (pointer.shift ? 'nearest' : null), step: this.step };
         return dragged(drag, pointer.at, this.options.view(), snap);
     }
 

@@ -19,7 +19,7 @@ export interface Guide {
     words: string;
 }
 
-const axisColours = ['#ff8a80', '#7ee2a8', '#8ab8ff'] as const;
+export const axisColours = ['#ff8a80', '#7ee2a8', '#8ab8ff'] as const;
 const nothing: RakeShape = { kind: 'line', points: [] };
 
 export class RakeLayer implements Layer {

@@ -61,7 +61,7 @@ export class RakeWidget {
     }
 
     update(view: View, held: HeldHandle | null, highlighted: Handle | null): void {
-        for (const each of [this.curve, this.ghost, this.stem]) each.update(view, this.middle);
+        for (const each of [this.curve, this.ghost, this.stem, this.dots, this.handles]) each.update(view, this.middle);
         const { drawn, shape } = this;
         const shown = drawn !== null && drawn.chosen && drawn.holder === null ? handlesOf(shape) : [];
         const at = (handle: Handle): Vec3 => (held?.handle === handle ? held.at : positionOf(handle, shape, view));
