@@ -13,9 +13,11 @@ import { FilmMaker } from './session/out/film.ts';
 import { MeshDownload } from './session/out/meshDownload.ts';
 import { Thumbnails } from './session/out/thumbnails.ts';
 import { showExactOrder } from './session/picture/exactOrder.ts';
+import { tellLostGraphics } from './session/picture/lostGraphics.ts';
 import { showMarks } from './session/picture/marksInPicture.ts';
 import { Measuring } from './session/tools/measuring.ts';
 import { Noting } from './session/tools/noting.ts';
+import { hideSurfaces } from './session/picture/shownSurfaces.ts';
 import { showLooks } from './session/picture/looksInPicture.ts';
 import { ImportWait } from './session/importWait.ts';
 import { OpenDataset } from './session/openDataset.ts';
@@ -44,6 +46,7 @@ import { ViewState } from './state/viewState.ts';
 import { installTestHook } from './testHook.ts';
 import { App } from './ui/app.ts';
 import { listenForPresses } from './ui/base/presses.ts';
+import { recallPanel } from './ui/view/room.ts';
 import { listenForViewKeys } from './ui/view/viewKeys.ts';
 import { listenForUndoKeys } from './ui/rake/undoKeys.ts';
 import { WorkerClient } from './worker/workerClient.ts';
@@ -80,6 +83,7 @@ function start(app: App): void {
     connectRakes({ state, view, scene, edits, people });
     showPeople(state, view, scene);
     showTheme(view, scene);
+    tellLostGraphics(state, canvas);
     showExactOrder(view, scene, graphics);
     showMarks(state, view, scene);
     showUnits(state, view, scene);
@@ -97,6 +101,7 @@ function start(app: App): void {
     ]) {
         scene.pointerTools.add(tool);
     }
+    hideSurfaces(state, view);
     showLooks({ state, view, scene, worker });
     connectPainting(view, scene);
     scene.controls.onMove(() => people.takeCamera());
@@ -124,6 +129,7 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => feed.apply());
     showRakes(state, view, scene);
     installTestHook({ state, scene, latency, canvas, figure });
+    recallPanel(view);
     listenForViewKeys({ view, scene, people });
     listenForPresses(edits.gestures);
     listenForUndoKeys(edits);
@@ -162,7 +168,7 @@ function start(app: App): void {
             help: { view },
             sessionHead: { state, view, shelf },
             datasetHead: { state, shelf },
-            rakeList: { state, edits },
+            rakeList: { state, view, edits },
             surface: { state, view, edits },
             rake: { state, view, edits, scene },
             look: { state, view, edits, scene },

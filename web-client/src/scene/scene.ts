@@ -29,6 +29,8 @@ import { type Layer, type ScreenPoint, type ScreenSize, View } from './base/view
 /** Of software rendering, while nothing is known of its speed. */
 const firstSoftwareRatio = 0.5;
 const exactAfterMs = 300;
+/** Where pictures are slow, so are the hands that wait for them: a sharp picture must not come between two of a movement. */
+const picturesOfRest = 3;
 
 export interface FlowSceneOptions {
     canvas: HTMLCanvasElement;
@@ -351,7 +353,7 @@ export class FlowScene {
     private pictureShown(time: number, movingMs: number | null): void {
         this.movement.drawn(time);
         if (movingMs !== null) this.movingResolution.drawn(movingMs);
-        this.rest.drawn(this.pixelRatio < this.fullRatio);
+        this.rest.drawn(this.pixelRatio < this.fullRatio, picturesOfRest * (movingMs ?? 0));
     }
 
     private drawSharply(): void {

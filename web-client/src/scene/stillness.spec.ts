@@ -48,6 +48,17 @@ describe('stillness', () => {
         expect(reached).toBe(1);
     });
 
+    it('takes longer where that is asked for, and as long as ever after that', () => {
+        stillness.drawn(true, 900);
+        clock.pass(899);
+        expect(reached).toBe(0);
+        clock.pass(1);
+        expect(reached).toBe(1);
+        stillness.drawn(true);
+        clock.pass(300);
+        expect(reached).toBe(2);
+    });
+
     it('is not waited for after a picture that cannot be better', () => {
         stillness.drawn(true);
         clock.pass(100);

@@ -19,6 +19,7 @@ export class Stillness {
     /** The last picture could be better. */
     private worth = false;
     private held = false;
+    private waitMs = 0;
 
     /** @param restMs how long a while is */
     constructor(reached: () => void, restMs: number, timers: Timers = browserTimers) {
@@ -27,9 +28,10 @@ export class Stillness {
         this.timers = timers;
     }
 
-    /** Something has been drawn that is worth a better picture, or is not. */
-    drawn(worth: boolean): void {
+    /** Something has been drawn that is worth a better picture, or is not. @param atLeastMs longer than usual, if need be */
+    drawn(worth: boolean, atLeastMs = 0): void {
         this.worth = worth;
+        this.waitMs = Math.max(this.restMs, atLeastMs);
         this.wait();
     }
 
@@ -42,7 +44,7 @@ export class Stillness {
 
     private wait(): void {
         if (this.pending !== null) this.timers.clear(this.pending);
-        this.pending = this.worth && !this.held ? this.timers.set(this.end, this.restMs) : null;
+        this.pending = this.worth && !this.held ? this.timers.set(this.end, this.waitMs) : null;
     }
 
     private readonly end = (): void => {

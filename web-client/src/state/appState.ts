@@ -90,6 +90,8 @@ export class AppState {
     /** The active rake as the user has it on the screen, ahead of the server's record while an edit is on its way. */
     readonly rakeShape = signal<ShownRake>({ kind: 'line', points: [] });
     readonly rakePoints = computed(() => this.rakeShape.value.points);
+    /** Surfaces that this page does not show, and is sent nothing of. */
+    readonly hiddenSurfaces = signal<ReadonlySet<string>>(new Set());
     readonly displayed = signal<ReadonlyMap<string, DisplayedSurface>>(new Map());
     /** By surface, where they are asked for. */
     readonly parts = signal<ReadonlyMap<string, readonly SurfacePart[]>>(new Map());
@@ -126,6 +128,7 @@ export class AppState {
             requestedEpoch: this.requestedEpochs.value.get(id) ?? 0,
             editsPending: this.editsPending.value,
             error: this.surfaceErrors.value.get(id),
+            hidden: this.hiddenSurfaces.value.has(id),
         });
     });
     /** Times of the time-steps that can be used now: all of them once the import has finished. */
@@ -153,7 +156,7 @@ export interface SurfaceFailure {
 }
 
 export type SurfacePhase =
-    'waiting' | 'ended' | 'gone' | 'none' | 'updating' | 'coarse' | 'live' | 'final' | 'empty' | 'stopped' | 'error';
+    'waiting' | 'ended' | 'gone' | 'hidden' | 'none' | 'updating' | 'coarse' | 'live' | 'final' | 'empty' | 'stopped' | 'error';
 
 export interface SurfaceProgress {
     displayed: DisplayedSurface | undefined;
@@ -161,11 +164,14 @@ export interface SurfaceProgress {
     /** An edit has not been answered yet, so that `requestedEpoch` may be old. */
     editsPending: boolean;
     error: SurfaceFailure | undefined;
+    /** Its user has hidden it. */
+    hidden?: boolean;
 }
 
 /** In which state the picture of a surface is, compared with what has been asked for. */
 export function surfacePhase(progress: SurfaceProgress): SurfacePhase {
-    const { displayed, requestedEpoch, editsPending, error } = progress;
+    const { displayed, requestedEpoch, editsPending, error, hidden } = progress;
+    if (hidden === true) return 'hidden';
     if (error !== undefined && error.epoch >= requestedEpoch && !editsPending) {
         return error.stopped ? 'stopped' : 'error';
     }

@@ -3,6 +3,7 @@
 import { isVec3, type Vec3 } from '../protocol/messages.ts';
 import { type ClipPlanes, decodeClip } from './clipPlanes.ts';
 import { decodeLook, encodeLook, type SurfaceLook } from './surfaceLook.ts';
+import { decodeVisibility, encodeVisibility, renamedVisibility } from './visibility.ts';
 
 export interface PageView {
     camera?: { position: Vec3; target: Vec3; orthographic: boolean };
@@ -13,6 +14,8 @@ export interface PageView {
     clip?: ClipPlanes;
     /** By surface, what the painter has revealed, as the scene encodes it. */
     masks?: Record<string, string>;
+    /** What is hidden or locked, as visibility.ts encodes it; not there: nothing. */
+    shown?: object;
 }
 
 const looksAtMost = 100;
@@ -21,7 +24,7 @@ const maskText = /^[\w-]{1,800}$/;
 export function readPageView(value: unknown): PageView {
     const view: PageView = {};
     if (typeof value !== 'object' || value === null) return view;
-    const { camera, surface, looks, clip, masks } = value as Record<string, unknown>;
+    const { camera, surface, looks, clip, masks, shown } = value as Record<string, unknown>;
     const pose = camera as Record<string, unknown> | null | undefined;
     const [position, target] = [pose?.['position'], pose?.['target']];
     if (isVec3(position) && isVec3(target) && String(position) !== String(target)) {
@@ -38,11 +41,17 @@ export function readPageView(value: unknown): PageView {
         view.masks = Object.fromEntries(Object.entries(masks).filter(isText).slice(0, looksAtMost));
     }
     if (clip !== undefined) view.clip = decodeClip(clip);
+    const kept = encodeVisibility(decodeVisibility(shown));
+    if (kept !== undefined) view.shown = kept;
     return view;
 }
 
 /** Of the same surfaces under other names; what is of one that is not among them is left out. */
-export function renamedView({ surface, looks, masks, ...kept }: PageView, names: ReadonlyMap<string, string>): PageView {
+export function renamedView(
+    { surface, looks, masks, shown, ...kept }: PageView,
+    names: ReadonlyMap<string, string>,
+    rakes: ReadonlyMap<string, string>,
+): PageView {
     const renamed = <Value>(each: Record<string, Value>): Record<string, Value> =>
         Object.fromEntries(
             Object.entries(each).flatMap(([id, value]) => {
@@ -51,10 +60,12 @@ export function renamedView({ surface, looks, masks, ...kept }: PageView, names:
             }),
         );
     const now = names.get(surface ?? '');
+    const stillShown = encodeVisibility(renamedVisibility(decodeVisibility(shown), rakes, names));
     return {
         ...kept,
         ...(now === undefined ? {} : { surface: now }),
         ...(looks === undefined ? {} : { looks: renamed(looks) }),
         ...(masks === undefined ? {} : { masks: renamed(masks) }),
+        ...(stillShown === undefined ? {} : { shown: stillShown }),
     };
 }

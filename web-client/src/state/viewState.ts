@@ -5,6 +5,7 @@ import type { Vec3 } from '../protocol/messages.ts';
 import { type ClipPlanes, noClip } from './clipPlanes.ts';
 import { type SurfaceLook, usualLook } from './surfaceLook.ts';
 import { noUnits, type Units } from './units.ts';
+import { allShown, type Visibility } from './visibility.ts';
 
 /** What a click on the picture does. */
 export type Tool = 'none' | 'place' | 'probe' | 'measure' | 'annotate' | 'paint';
@@ -52,8 +53,12 @@ export class ViewState {
     /** Up to two points. */
     readonly measured = signal<readonly Vec3[]>([]);
     readonly note = signal<NoteDraft | null>(null);
+    /** What was typed into notes and not saved, by note; '' is a new one. */
+    private readonly typedNotes = new Map<string, string>();
+    readonly panelFolded = signal(false);
     /** By surface; those that are not in it look as usual. */
     readonly looks = signal<ReadonlyMap<string, SurfaceLook>>(new Map());
+    readonly visibility = signal<Visibility>(allShown);
     readonly clip = signal<ClipPlanes>(noClip);
     /** The parts of the selected surface are listed. */
     readonly partsListed = signal(false);
@@ -69,6 +74,23 @@ export class ViewState {
 
     lookOf(surface: string | null): SurfaceLook {
         return this.looks.value.get(surface ?? '') ?? usualLook;
+    }
+
+    /** Asks for the words of a note, or goes on with those that were typed before. */
+    writeNote(note: NoteDraft): void {
+        this.note.value = { ...note, text: this.typedNotes.get(note.annotation ?? '') ?? note.text };
+    }
+
+    /** @param typed what to go on with next time; null: the note is saved, or no longer wanted */
+    endNote(typed: string | null): void {
+        const about = this.note.value?.annotation ?? '';
+        if (typed === null || typed.trim() === '') this.typedNotes.delete(about);
+        else this.typedNotes.set(about, typed);
+        this.note.value = null;
+    }
+
+    changeVisibility(change: Partial<Visibility>): void {
+        this.visibility.value = { ...this.visibility.value, ...change };
     }
 
     changeLook(surface: string, change: Partial<SurfaceLook>): void {

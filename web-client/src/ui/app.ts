@@ -148,6 +148,12 @@ export class App extends SignalElement {
                 grid-row: 1 / 3;
                 grid-column: 2;
             }
+            .folded {
+                grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) 0;
+            }
+            .folded wakesurf-panel {
+                display: none;
+            }
             .failure {
                 display: grid;
                 place-content: center;
@@ -169,6 +175,9 @@ export class App extends SignalElement {
             @media (max-width: 760px) {
                 .layout {
                     grid-template: minmax(42vh, 1fr) auto minmax(0, 42vh) / minmax(0, 1fr);
+                }
+                .folded {
+                    grid-template: minmax(0, 1fr) auto 0 / minmax(0, 1fr);
                 }
                 /* In one row with the buttons of the view: the domain has no room to spare beside it. */
                 wakesurf-tool-buttons {
@@ -195,9 +204,11 @@ export class App extends SignalElement {
         super();
         this.labels.className = 'labels';
         this.canvas.setAttribute('role', 'img');
+        this.canvas.tabIndex = 0;
         this.canvas.setAttribute(
             'aria-label',
-            'The surface in the flow. Rakes can be moved by keyboard in the panel, under Geometry.',
+            'The surface in the flow. Arrow keys turn the view, with Shift they move it, plus and minus zoom. ' +
+                'Rakes can be moved by keyboard in the panel, under Geometry.',
         );
     }
 
@@ -221,7 +232,7 @@ export class App extends SignalElement {
             </main>`;
         }
         if (model === null) return html`<main></main>`;
-        return html`<div class="layout">
+        return html`<div class=${model.viewButtons.view.panelFolded.value ? 'layout folded' : 'layout'}>
             <main>
                 ${this.canvas} ${this.labels}
                 <wakesurf-scalar-bar .model=${model.scalarBar}></wakesurf-scalar-bar>

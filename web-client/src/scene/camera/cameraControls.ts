@@ -1,5 +1,5 @@
 // The camera: orbit, pan and zoom with the mouse, in perspective or without; views that show the whole domain.
-import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
+import { OrthographicCamera, PerspectiveCamera, Quaternion, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { type Bounds, centreOf } from '../domain/domainAxes.ts';
@@ -29,6 +29,11 @@ export interface CameraPose {
 
 const upwards: Vec3 = [0, 0, 1];
 
+/** The poles of a Spherical are on y. */
+const zToY = new Quaternion().setFromUnitVectors(new Vector3(...upwards), new Vector3(0, 1, 0));
+/** Straight from above, what is to the right would be undefined. */
+const poleGap = 0.0005;
+
 export interface CameraControlsOptions {
     requestFrame: () => void;
     /** The view has been taken or let go. */
@@ -42,6 +47,7 @@ export class CameraControls {
     private readonly parallel = new OrthographicCamera(-1, 1, 1, -1, 0.01, 1000);
     private readonly orbit: OrbitControls;
     private readonly moved: (() => void)[] = [];
+    private readonly onTurn: () => void;
     private bounds: Bounds = [-1, 1, -1, 1, -1, 1];
     private orthographic = false;
     /** The camera follows someone else's just now. */
@@ -49,6 +55,7 @@ export class CameraControls {
     private placing = false;
 
     constructor({ requestFrame, onHold, onTurn }: CameraControlsOptions) {
+        this.onTurn = onTurn;
         for (const camera of [this.perspective, this.parallel]) camera.up.set(...upwards);
         this.orbit = new OrbitControls(this.perspective);
         this.orbit.zoomToCursor = true;
@@ -140,6 +147,40 @@ export class CameraControls {
         if (!this.orbit.update() && !this.led) for (const listener of this.moved) listener();
         this.placing = false;
         camera.updateMatrixWorld();
+    }
+
+    /** Round the target, as if the picture were dragged: so many radians to the right, and upwards. */
+    turn(right: number, up: number): void {
+        const { target } = this.orbit;
+        const place = new Spherical().setFromVector3(this.offset().applyQuaternion(zToY));
+        place.theta -= right;
+        place.phi = Math.min(Math.PI - poleGap, Math.max(poleGap, place.phi + up));
+        this.move(new Vector3().setFromSpherical(place).applyQuaternion(zToY.clone().invert()).add(target), target);
+    }
+
+    /** What is seen moves by parts of the height of the picture. */
+    pan(right: number, up: number): void {
+        const { camera, orbit } = this;
+        const offset = this.offset();
+        const height = 2 * offset.length() * Math.tan((this.perspective.fov * Math.PI) / 360);
+        const by = new Vector3(-right, -up, 0).multiplyScalar(height).applyQuaternion(camera.quaternion);
+        this.move(offset.add(orbit.target).add(by), orbit.target.clone().add(by));
+    }
+
+    /** Towards the target; less than 1: away from it. */
+    zoom(factor: number): void {
+        const { target } = this.orbit;
+        this.move(this.offset().divideScalar(factor).add(target), target);
+    }
+
+    /** From the target to where the camera is, or would be with perspective. */
+    private offset(): Vector3 {
+        return new Vector3(...this.pose.position).sub(this.orbit.target);
+    }
+
+    private move(position: Vector3, target: Vector3): void {
+        this.place({ position: position.toArray(), target: target.toArray(), orthographic: this.orthographic });
+        this.onTurn();
     }
 
     /** As someone else looks: no one is told that this camera has moved. */

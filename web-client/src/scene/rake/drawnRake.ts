@@ -16,6 +16,8 @@ export interface DrawnRake {
     shape: RakeShape;
     colour: string;
     chosen: boolean;
+    /** Cannot be moved, from here. */
+    locked: boolean;
     holder: RakeHolder | null;
 }
 

@@ -33,6 +33,8 @@ export interface RakeInteractionOptions {
 export interface RakeUser {
     /** Whether rakes can be changed, now. */
     mayMove: () => boolean;
+    /** Someone has pulled at a handle that is locked. */
+    refused: () => void;
     /** Whether the pointer is for rakes: no other tool is chosen. */
     hasPointer: () => boolean;
     moved: (move: RakeMove) => void;
@@ -45,6 +47,7 @@ const nothingTaken = { handle: null, axis: null };
 
 const noOne: RakeUser = {
     mayMove: () => false,
+    refused: () => undefined,
     hasPointer: () => false,
     moved: () => undefined,
     chose: () => undefined,
@@ -113,6 +116,11 @@ export class RakeInteraction implements PointerTool {
         const view = this.options.view();
         const { handle, axis } = this.placing === null ? this.takenAt(at, view) : nothingTaken;
         if (handle === null) return false;
+        if (!this.movable) {
+            // Whoever takes hold of a handle does not mean the camera.
+            this.user.refused();
+            return true;
+        }
         this.endNudge();
         this.axis = axis;
         if (axis === null) aim.arm(handle);
@@ -128,9 +136,9 @@ export class RakeInteraction implements PointerTool {
         const { layer } = this.options;
         const view = this.options.view();
         const { handle, axis } = pointer === null ? nothingTaken : this.takenAt(pointer.at, view);
-        this.highlight(axis === null ? handle : null);
+        this.highlight(this.movable && axis === null ? handle : null);
         if (this.options.aim.setHighlighted(axis)) this.options.requestFrame();
-        if (handle !== null) return 'grab';
+        if (handle !== null) return this.movable ? 'grab' : 'not-allowed';
         if (pointer === null || !this.user.hasPointer()) return null;
         return layer.otherAt(pointer.at, view) === null ? null : 'pointer';
     }
@@ -171,17 +179,17 @@ export class RakeInteraction implements PointerTool {
         return this.user.hasPointer() && this.chooseAt(at);
     }
 
-    /** Whether rakes can be changed, and the pointer is for them. */
+    /** Whether this rake can be changed, and the pointer is for it. */
     get movable(): boolean {
-        return this.user.mayMove() && this.user.hasPointer();
+        return this.user.mayMove() && this.user.hasPointer() && this.options.layer.movable;
     }
 
     /** The handle under a canvas position; with an axis, by the arrow there. The nearest counts. */
     private takenAt(at: ScreenPoint, view: View): { handle: Handle | null; axis: Axis | null } {
-        if (!this.movable) return nothingTaken;
+        if (!this.user.hasPointer()) return nothingTaken;
         const { layer, aim } = this.options;
         const handle = layer.handleAt(at, view);
-        const arrow = aim.arrowUnder(at, view);
+        const arrow = this.movable ? aim.arrowUnder(at, view) : null;
         if (arrow === null) return { handle, axis: null };
         const seen = handle === null ? null : view.project(layer.positionOf(handle, view));
         const nearer = seen !== null && Math.hypot(seen.x - at.x, seen.y - at.y) < arrow.px;

@@ -70,9 +70,10 @@ export class RakeLayer implements Layer {
         return [...this.widgets.values()].flatMap(({ rake }) => rake ?? []);
     }
 
-    /** Someone else moves the chosen rake. */
-    get held(): boolean {
-        return this.chosen?.rake?.holder != null;
+    /** The chosen rake can be moved: it is not locked, and no one else moves it. */
+    get movable(): boolean {
+        const rake = this.chosen?.rake;
+        return rake?.holder === null && !rake.locked;
     }
 
     /** Where a handle of the chosen rake is drawn. */
@@ -82,7 +83,7 @@ export class RakeLayer implements Layer {
     }
 
     handleAt(pointer: ScreenPoint, view: View): Handle | null {
-        return this.held ? null : handleUnder(pointer, this.shape, view);
+        return this.chosen?.rake?.holder != null ? null : handleUnder(pointer, this.shape, view);
     }
 
     /** The rake whose curve is nearest to a canvas position, unless that is the chosen one. */

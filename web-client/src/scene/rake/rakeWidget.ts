@@ -10,6 +10,9 @@ import { curveOf, middleOf, type RakeShape } from './rakeShape.ts';
 
 const handleRadiusPx = 11;
 const smallRadiusPx = 9;
+/** Small and without colour: nothing to take hold of. */
+const lockedRadiusPx = 6;
+const lockedColour = '#7d8896';
 const dotRadiusPx = 4;
 const smallDotRadiusPx = 2.5;
 /** More would hide the rake behind its points. */
@@ -68,10 +71,10 @@ export class RakeWidget {
         const sprites = shown.map((handle): HandleSprite => ({
             at: at(handle),
             mark: markOf(handle, shape.kind === 'circle'),
-            radiusPx: handle === 'rotate' ? smallRadiusPx : handleRadiusPx,
+            radiusPx: drawn?.locked === true ? lockedRadiusPx : handle === 'rotate' ? smallRadiusPx : handleRadiusPx,
             highlighted: handle === highlighted,
         }));
-        this.handles.set(sprites, drawn?.colour ?? '#ffffff');
+        this.handles.set(sprites, drawn?.locked === true ? lockedColour : (drawn?.colour ?? '#ffffff'));
         this.stem.setPoints(shown.includes('rotate') ? [this.middle, at('rotate')] : []);
     }
 

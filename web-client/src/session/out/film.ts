@@ -127,7 +127,7 @@ export class FilmMaker {
             ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), askAgainMs)
             : undefined;
         try {
-            await this.until(() => (moving ? this.surfacesAt(time) : ['final', 'empty'].includes(state.phase.value)));
+            await this.until(() => (moving ? this.surfacesAt(time) : ['final', 'empty', 'hidden'].includes(state.phase.value)));
         } finally {
             clearInterval(again);
         }
@@ -137,6 +137,7 @@ export class FilmMaker {
     private surfacesAt(time: number): boolean {
         const { state } = this.options;
         return [...state.surfaces.value.values()].every(({ surface, kind, from, to }) => {
+            if (state.hiddenSurfaces.value.has(surface)) return true;
             const displayed = state.displayed.value.get(surface);
             if (state.surfaceErrors.value.has(surface)) return true;
             if (displayed === undefined || displayed.phase !== 'final') return false;

@@ -22,6 +22,8 @@ export interface LooksOptions {
 export function showLooks({ state, view, scene, worker }: LooksOptions): void {
     const told = new Map<string, string>();
     effect(() => {
+        // One that is shown again is new to the scene.
+        void state.hiddenSurfaces.value;
         for (const [id, record] of state.surfaces.value) {
             const rake = state.rakes.value.get(record.rake);
             const facts = { record, rake, dataset: state.dataset.value, speedRange: state.speedRange.value };
@@ -34,8 +36,11 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
         if (state.stage.value !== 'running') told.clear();
         const listed = view.partsListed.value ? state.activeSurface.value : null;
         // One that comes back is new to the worker.
-        for (const id of told.keys()) if (!state.surfaces.value.has(id)) told.delete(id);
+        for (const id of told.keys()) {
+            if (!state.surfaces.value.has(id) || state.hiddenSurfaces.value.has(id)) told.delete(id);
+        }
         for (const id of state.surfaces.value.keys()) {
+            if (state.hiddenSurfaces.value.has(id)) continue;
             const look = view.lookOf(id);
             const parts = look.hiddenParts.length > 0 || listed === id ? { hidden: look.hiddenParts } : null;
             const wish = { attributes: attributesOf(look), parts };

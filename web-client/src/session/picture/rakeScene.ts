@@ -6,6 +6,7 @@ import type { DrawnRake, RakeHolder } from '../../scene/rake/drawnRake.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import { showsRake } from '../../state/visibility.ts';
 import { rakeColour } from './palette.ts';
 
 const ofNobody = '#ffffff';
@@ -17,10 +18,13 @@ export function showRakes(state: AppState, view: ViewState, scene: FlowScene): v
         const settled = state.rakeShape.value;
         if (scene.rakes.chosenId !== activeRake.value) scene.interaction.abandon();
         const own = scene.interaction.dragging ? scene.rakes.shape : settled;
-        const drawn = [...rakes.value.values()].map((record): DrawnRake => {
+        const visibility = view.visibility.value;
+        const shown = [...rakes.value.values()].filter(({ rake }) => showsRake(visibility, rake, activeRake.value));
+        const drawn = shown.map((record): DrawnRake => {
             const chosen = record.rake === activeRake.value;
             const colour = rakeColour(record, rakes.value);
-            return { rake: record.rake, shape: chosen ? own : record, colour, chosen, holder: holderOf(state, record) };
+            const locked = state.locked.value || visibility.lockedRakes.has(record.rake);
+            return { rake: record.rake, shape: chosen ? own : record, colour, chosen, locked, holder: holderOf(state, record) };
         });
         scene.rakes.setRakes(drawn);
         scene.loop.request();

@@ -49,6 +49,19 @@ describe('the hand on a rake', () => {
         expect(user.mayMove()).toBe(false);
     });
 
+    it('is told that the rake is locked, and how to unlock it', () => {
+        const { state, view, user } = bench();
+        state.activeRake.value = 'r1';
+        user.refused();
+        expect(state.notices.all.value.size).toBe(0);
+        view.changeVisibility({ lockedRakes: new Set(['r1', 'r2']) });
+        user.refused();
+        expect(state.notices.all.value.get('locked')).toBe('You have locked this rake.');
+        state.notices.remedyOf('locked')?.act();
+        expect([...view.visibility.value.lockedRakes]).toEqual(['r2']);
+        expect(state.notices.all.value.size).toBe(0);
+    });
+
     it('puts the tool away that has placed a point, and no other', () => {
         const { view, user } = bench();
         view.tool.value = 'place';

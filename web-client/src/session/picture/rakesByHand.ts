@@ -6,8 +6,8 @@ import type { Edits } from '../edits/edits.ts';
 import type { People } from '../people/people.ts';
 
 export interface RakesByHandOptions {
-    state: Pick<AppState, 'locked'>;
-    view: Pick<ViewState, 'tool'>;
+    state: Pick<AppState, 'locked' | 'role' | 'activeRake' | 'notices'>;
+    view: Pick<ViewState, 'tool' | 'visibility' | 'changeVisibility'>;
     scene: { interaction: Pick<FlowScene['interaction'], 'connect'> };
     edits: Pick<Edits, 'moveRake' | 'draggedNow' | 'chooseRake'>;
     people: Pick<People, 'tell'>;
@@ -16,6 +16,7 @@ export interface RakesByHandOptions {
 export function connectRakes({ state, view, scene, edits, people }: RakesByHandOptions): void {
     scene.interaction.connect({
         mayMove: () => !state.locked.value,
+        refused: () => tellLocked(state, view),
         hasPointer: () => view.tool.value === 'none' || view.tool.value === 'place',
         moved: (move) => {
             edits.moveRake(move);
@@ -26,4 +27,17 @@ export function connectRakes({ state, view, scene, edits, people }: RakesByHandO
             if (view.tool.value === 'place') view.tool.value = 'none';
         },
     });
+}
+
+function tellLocked({ role, activeRake, notices }: RakesByHandOptions['state'], view: RakesByHandOptions['view']): void {
+    const rake = activeRake.value ?? '';
+    const { lockedRakes } = view.visibility.value;
+    if (role.value === 'viewer') notices.say('locked', 'This link is for viewing: you cannot move rakes.');
+    else if (lockedRakes.has(rake)) {
+        const act = (): void => {
+            view.changeVisibility({ lockedRakes: new Set([...lockedRakes].filter((each) => each !== rake)) });
+            notices.solved('locked');
+        };
+        notices.say('locked', 'You have locked this rake.', { label: 'Unlock', act });
+    }
 }

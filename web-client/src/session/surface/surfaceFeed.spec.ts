@@ -53,6 +53,39 @@ describe('SurfaceFeed', () => {
         vi.useRealTimers();
     });
 
+    it('ends the subscription of a surface that is hidden, and begins another when it is shown', async () => {
+        const bench = new Bench();
+        bench.state.stage.value = 'running';
+        bench.state.surfaces.value = new Map([['s1', surfaceOf('s1')]]);
+        await bench.feed.subscribe('s1');
+        bench.feed.receive(stateOfEpoch(3));
+        bench.feed.apply();
+        bench.calls.length = 0;
+        bench.state.hiddenSurfaces.value = new Set(['s1']);
+        expect(bench.calls).toEqual(['forget s1', 'remove s1', 'surface.unsubscribe']);
+        expect(bench.state.displayed.value.size).toBe(0);
+        bench.feed.receive(stateOfEpoch(4));
+        bench.feed.apply();
+        expect(bench.shown).toEqual([3]);
+        bench.calls.length = 0;
+        bench.state.hiddenSurfaces.value = new Set();
+        expect(bench.calls).toEqual(['surface.subscribe']);
+        bench.feed.receive(stateOfEpoch(5));
+        bench.feed.apply();
+        expect(bench.shown).toEqual([3, 5]);
+    });
+
+    it('subscribes to nothing that is hidden, and ends what was agreed while it was being hidden', async () => {
+        const bench = new Bench();
+        bench.state.hiddenSurfaces.value = new Set(['s1']);
+        await bench.feed.subscribe('s1');
+        expect(bench.calls).toEqual([]);
+        const asked = bench.feed.subscribe('s2');
+        bench.state.hiddenSurfaces.value = new Set(['s1', 's2']);
+        await asked;
+        expect(bench.calls.at(-1)).toBe('surface.unsubscribe');
+    });
+
     it('shows only the newest whole state of a frame, and takes every one', async () => {
         const bench = new Bench();
         await bench.feed.subscribe('s1');

@@ -1,4 +1,6 @@
-// The surfaces as they arrive: subscriptions, and what is new in each surface, put on the screen at the next frame.
+// The surfaces as they arrive: subscriptions, and what is new in each surface, put on the screen at the next frame. A surface
+// that this page hides has no subscription: the server sends nothing of it.
+import { effect, untracked } from '@preact/signals-core';
 import { errorWords, type PassSeconds, type ReportedError } from '../../protocol/messages.ts';
 import type { FrameLoop } from '../../scene/frameLoop.ts';
 import type { FlowScene } from '../../scene/scene.ts';
@@ -6,6 +8,7 @@ import { type AppState, withEntry, withoutEntry } from '../../state/appState.ts'
 import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import type { SurfaceState } from '../../worker/workerMessages.ts';
+import { tellUnlessCut } from '../base/lostConnection.ts';
 
 const firstPauseMs = 500;
 const troublesAtMost = 4;
@@ -20,6 +23,10 @@ export interface SurfaceFeedOptions {
 export class SurfaceFeed {
     private readonly options: SurfaceFeedOptions;
     private readonly subscribed = new Set<string>();
+    /** What the server calls a subscription that it has agreed to. */
+    private readonly agreed = new Map<string, number>();
+    /** Would be subscribed if they were not hidden. */
+    private readonly hidden = new Set<string>();
     /** Each builds on the one before, so all are drawn; the worker keeps them few. */
     private readonly waiting = new Map<string, SurfaceState[]>();
     /** How often in a row the frames of a surface did not fit together. */
@@ -27,16 +34,31 @@ export class SurfaceFeed {
 
     constructor(options: SurfaceFeedOptions) {
         this.options = options;
+        effect(() => {
+            const { value } = options.state.hiddenSurfaces;
+            untracked(() => this.hide(value));
+        });
     }
 
     /** The mesh on the screen stays, and goes on if the server still has what follows. */
     async subscribe(surface: string): Promise<void> {
         const { worker, state } = this.options;
+        if (state.hiddenSurfaces.value.has(surface)) {
+            this.hidden.add(surface);
+            return;
+        }
         this.subscribed.add(surface);
-        const { resumed } = await worker.call('surface.subscribe', { surface }).catch((error: unknown) => {
+        const { subscription, resumed } = await worker.call('surface.subscribe', { surface }).catch((error: unknown) => {
             this.subscribed.delete(surface);
             throw error;
         });
+        if (!this.subscribed.has(surface)) {
+            // Hidden or deleted since.
+            worker.forget(surface);
+            await worker.call('surface.unsubscribe', { subscription }).catch(() => null);
+            return;
+        }
+        this.agreed.set(surface, subscription);
         // What is on the screen is of an epoch that the server may number again.
         if (!resumed) state.displayed.value = withoutEntry(state.displayed.value, surface);
     }
@@ -63,6 +85,7 @@ export class SurfaceFeed {
     reset(): void {
         const { state } = this.options;
         this.troubles.clear();
+        this.agreed.clear();
         for (const surface of this.subscribed) if (!state.surfaces.value.has(surface)) this.removed(surface);
     }
 
@@ -130,9 +153,28 @@ export class SurfaceFeed {
         }
     }
 
+    /** Ends the subscriptions of these surfaces, and begins those of the others again. */
+    private hide(surfaces: ReadonlySet<string>): void {
+        const { state, worker } = this.options;
+        for (const surface of [...this.subscribed].filter((each) => surfaces.has(each))) {
+            const subscription = this.agreed.get(surface);
+            this.removed(surface);
+            this.hidden.add(surface);
+            if (subscription !== undefined) void worker.call('surface.unsubscribe', { subscription }).catch(() => null);
+        }
+        for (const surface of [...this.hidden].filter((each) => !surfaces.has(each))) {
+            this.hidden.delete(surface);
+            // Without a connection it is subscribed with the others, when there is one again.
+            if (state.stage.value !== 'running' || !state.surfaces.value.has(surface)) continue;
+            this.subscribe(surface).catch((error: unknown) => tellUnlessCut(state.notices, `surface ${surface}`, error));
+        }
+    }
+
     removed(surface: string): void {
         const { state, scene, worker } = this.options;
         this.subscribed.delete(surface);
+        this.hidden.delete(surface);
+        this.agreed.delete(surface);
         this.waiting.delete(surface);
         worker.forget(surface);
         scene.removeSurface(surface);

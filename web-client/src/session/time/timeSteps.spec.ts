@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { StepState } from '../../protocol/messages.ts';
-import { clampTo, nearestStep, releasedSpan, residentWords, stepFrom, stepMarks, timelineSpan } from './timeSteps.ts';
+import { clampTo, nearestStep, releasedSpan, residentWords, stepFrom, stepMarks, timelineSpan, stepTicks } from './timeSteps.ts';
 
 const times = [8.5, 9, 10, 10.25, 16];
 
@@ -76,5 +76,42 @@ describe('time-steps', () => {
     it('are counted in words', () => {
         expect(residentWords(['resident', 'cold', 'loading'])).toBe('1 of 3 time-steps in memory, 1 loading');
         expect(residentWords(['cold'])).toBe('0 of 1 time-step in memory');
+    });
+});
+
+describe('the numbers of the line of time', () => {
+    it('stand at time-steps, with as many digits as tell them', () => {
+        const steps = Array.from({ length: 16 }, (_, i) => 8.5 + 0.5 * i);
+        expect(
+            stepTicks(steps, [8.5, 16], 16)
+                .map(({ label }) => label)
+                .slice(0, 3),
+        ).toEqual(['8.5', '9.0', '9.5']);
+        expect(stepTicks(steps, [8.5, 16], 9).map(({ value }) => value)).toEqual(steps.filter((_, i) => i % 2 === 0));
+        const short = Array.from({ length: 6 }, (_, i) => 0.1 + 0.0001 * i);
+        expect(stepTicks(short, [0.1, 0.1005], 8).map(({ label }) => label)).toEqual([
+            '0.1000',
+            '0.1001',
+            '0.1002',
+            '0.1003',
+            '0.1004',
+            '0.1005',
+        ]);
+        expect(stepTicks([-2, -1, 0], [-2, 0], 4).map(({ label }) => label)).toEqual(['\u22122', '\u22121', '0']);
+    });
+
+    it('are at most as many as are wanted, however many steps there are, and at steps all of them', () => {
+        for (const count of [2, 3, 7, 40, 999, 12_345]) {
+            const steps = Array.from({ length: count }, (_, i) => 1000 + 0.37 * i);
+            for (const wanted of [1, 2.5, 5, 14]) {
+                const ticks = stepTicks(steps, [0, 1e6], wanted);
+                expect(ticks.length).toBeLessThanOrEqual(Math.ceil(wanted) + 1);
+                expect(ticks.every(({ value }) => steps.includes(value))).toBe(true);
+            }
+        }
+    });
+
+    it('are round where there are no two steps in the span', () => {
+        expect(stepTicks([5], [0, 10], 5).map(({ label }) => label)).toEqual(['0', '2', '4', '6', '8', '10']);
     });
 });

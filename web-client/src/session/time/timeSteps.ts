@@ -1,5 +1,7 @@
 // Arithmetic of the time-steps: the nearest, the next, what the timeline spans, and the marks on it.
 import type { StepState, SurfaceKind } from '../../protocol/messages.ts';
+import { labelForm } from '../../scene/base/numbers.ts';
+import { niceTicks, type Ticks } from '../../scene/base/ticks.ts';
 
 export type Span = readonly [low: number, high: number];
 
@@ -76,4 +78,31 @@ export function residentWords(states: readonly StepState[]): string {
     const loading = count('loading');
     const steps = states.length === 1 ? 'time-step' : 'time-steps';
     return `${count('resident')} of ${states.length} ${steps} in memory${loading === 0 ? '' : `, ${loading} loading`}`;
+}
+
+/** Every how many time-steps there may be a number. */
+const strides = [1, 2, 5];
+
+/**
+ * Numbers for the line of time, about `wanted` of them, each at a time-step, because its mark stands above it. Where a series has
+ * fewer than two steps in the span, round numbers.
+ */
+export function stepTicks(times: readonly number[], [low, high]: Span, wanted: number): Ticks {
+    const within = times.filter((time) => time >= low && time <= high);
+    if (within.length < 2) return niceTicks(low, high, wanted);
+    const least = within.length / Math.max(1, wanted);
+    const power = 10 ** Math.floor(Math.log10(Math.max(1, least)));
+    const stride = power * (strides.find((each) => each * power >= least) ?? 10);
+    const shown = within.filter((_, i) => i % stride === 0);
+    const gap = Math.min(...shown.slice(1).map((time, i) => time - shown[i]!), high - low);
+    const { shared, label } = labelForm(low, high, 10 ** -decimalsOf(shown, gap));
+    return { ticks: shown.map((value) => ({ value, label: label(value) })), shared };
+}
+
+/** As few as tell each value, to a hundredth of the gap between two. */
+function decimalsOf(values: readonly number[], gap: number): number {
+    for (let decimals = 0; decimals < 12; ++decimals) {
+        if (values.every((value) => Math.abs(Number(value.toFixed(decimals)) - value) <= 0.01 * gap)) return decimals;
+    }
+    return 12;
 }

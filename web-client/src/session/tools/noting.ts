@@ -26,7 +26,7 @@ export class Noting implements PointerTool {
         }
         state.problems.solved('annotate');
         const { point, surface } = aimed;
-        pageView.note.value = { annotation: null, text: '', position: point, surface };
+        pageView.writeNote({ annotation: null, text: '', position: point, surface });
         return true;
     }
 

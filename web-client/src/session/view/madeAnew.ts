@@ -76,7 +76,11 @@ export async function makeAnew(
     const views = (there.bookmarks ?? []).map(({ name }) => name);
     for (const { name, view, time } of remembered.bookmarks) {
         if (taken(views, (each) => each === name) !== null) continue;
-        const setting = { name, view: { ...renamedView(readPageView(view), surfaces) }, ...(time === undefined ? {} : { time }) };
+        const setting = {
+            name,
+            view: { ...renamedView(readPageView(view), surfaces, rakes) },
+            ...(time === undefined ? {} : { time }),
+        };
         await refusals.of('view', () => worker.call('bookmark.set', setting));
     }
     return { rakes, surfaces, missing: refusals.words };

@@ -9,6 +9,7 @@ import { noClip } from '../../state/clipPlanes.ts';
 import { type PageView, renamedView } from '../../state/pageView.ts';
 import { decodeLook, encodeLook, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import { decodeVisibility, encodeVisibility, renamedVisibility } from '../../state/visibility.ts';
 import { encodeLinkState } from './linkState.ts';
 import type { MadeAnew } from './madeAnew.ts';
 import { showFragment, type UrlState, writeFragment } from './urlState.ts';
@@ -48,7 +49,7 @@ export class Views {
         effect(() => {
             // Whatever of these changes, the address does.
             void [state.session.value, state.rakes.value, state.surfaces.value, state.activeSurface.value];
-            void [view.looks.value, view.clip.value];
+            void [view.looks.value, view.clip.value, view.visibility.value];
             this.changed();
         });
     }
@@ -59,6 +60,7 @@ export class Views {
         const [clip, known] = [view.clip.value, state.surfaces.value];
         const masks = this.masks();
         const left = view.paintLeftOut.value;
+        const shown = encodeVisibility(view.visibility.value);
         const looks = [...view.looks.value]
             .filter(([id]) => known.has(id))
             .map(([id, look]) => {
@@ -70,11 +72,12 @@ export class Views {
             ...(surface === null ? {} : { surface }),
             looks: Object.fromEntries(looks) as Record<string, Partial<SurfaceLook>>,
             ...(clip === noClip ? {} : { clip }),
+            ...(shown === undefined ? {} : { shown }),
             ...(masks.length === 0 ? {} : { masks: Object.fromEntries(masks) }),
         };
     }
 
-    show({ camera, surface, looks, clip, masks = {} }: PageView): void {
+    show({ camera, surface, looks, clip, masks = {}, shown }: PageView): void {
         const { state, view, scene } = this.options;
         if (camera !== undefined) {
             view.orthographic.value = camera.orthographic;
@@ -84,6 +87,7 @@ export class Views {
         if (looks !== undefined) {
             view.looks.value = new Map(Object.entries(looks).map(([id, look]) => [id, decodeLook(look)]));
             view.clip.value = clip ?? noClip;
+            view.visibility.value = decodeVisibility(shown);
         }
         for (const [id, code] of Object.entries(masks)) scene.surfaces.setMask(id, code);
         if (surface !== undefined && state.surfaces.value.has(surface)) state.activeSurface.value = surface;
@@ -118,10 +122,11 @@ export class Views {
         for (const [id, code] of renamed(masks)) scene.surfaces.setMask(id, code);
         batch(() => {
             view.looks.value = new Map(renamed(looks));
+            view.visibility.value = renamedVisibility(view.visibility.value, rakes, surfaces);
             state.activeRake.value = rakes.get(state.activeRake.value ?? '') ?? null;
             state.activeSurface.value = surfaces.get(state.activeSurface.value ?? '') ?? null;
         });
-        if (url.state !== null) url.state.view = renamedView(url.state.view, surfaces);
+        if (url.state !== null) url.state.view = renamedView(url.state.view, surfaces, rakes);
     }
 
     /** The address of this page as it is now. */

@@ -5,6 +5,7 @@ export const phaseWords: Record<SurfacePhase, string> = {
     waiting: 'Waiting for the server …',
     ended: 'No longer connected',
     gone: 'Not in a session',
+    hidden: 'Hidden',
     none: 'Computing the first surface …',
     updating: 'Updating …',
     coarse: 'Coarse, refining …',

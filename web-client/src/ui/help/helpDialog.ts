@@ -14,7 +14,12 @@ const hints: readonly [keys: string, words: string][] = [
     ['Ctrl Z, Ctrl Shift Z', 'undo and redo your own edits'],
     ['Space', 'play and pause'],
     [', and .', 'previous and next time-step'],
+    ['Arrows', 'turn the view, while the picture has the focus; with Shift they move it'],
+    ['+ and −', 'zoom'],
     ['F', 'fit the whole domain'],
+    ['P', 'show or fold away the panel'],
+    ['Shift F', 'full screen'],
+    ['Ctrl Enter', 'save a note'],
     ['Esc', 'close the tool, stop following'],
     ['?', 'show this help'],
 ];

@@ -5,6 +5,9 @@ import { rakeColour } from '../../session/picture/palette.ts';
 import { holderOf } from '../../session/picture/rakeScene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import { showsRake, toggled } from '../../state/visibility.ts';
+import { icon, type IconName } from '../base/icons.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -12,6 +15,7 @@ const kindWords = { line: 'line', polyline: 'polyline', circle: 'circle', points
 
 export interface RakeListModel {
     state: AppState;
+    view: ViewState;
     edits: Edits;
 }
 
@@ -30,6 +34,37 @@ export class RakeList extends SignalElement {
                 padding: 0;
                 overflow-y: auto;
                 list-style: none;
+            }
+            li {
+                display: grid;
+                grid-template-columns: minmax(0, 1fr) auto auto;
+            }
+            .switch {
+                min-width: 28px;
+                padding: 3px 5px;
+                border-color: transparent;
+                background: none;
+                color: var(--quiet);
+            }
+            .switch svg {
+                margin: auto;
+            }
+            .switch[aria-pressed='true'] {
+                color: var(--warm);
+            }
+            .unseen {
+                opacity: 0.55;
+            }
+            .alone {
+                display: flex;
+                gap: 8px;
+                align-items: center;
+                margin-top: 6px;
+                cursor: pointer;
+            }
+            .alone input {
+                margin: 0;
+                accent-color: var(--accent);
             }
             .rake {
                 display: grid;
@@ -56,7 +91,7 @@ export class RakeList extends SignalElement {
                 white-space: nowrap;
             }
             .about {
-                max-width: 130px;
+                max-width: 84px;
                 color: var(--quiet);
                 font-size: 12px;
                 font-weight: 400;
@@ -102,7 +137,8 @@ export class RakeList extends SignalElement {
     ];
 
     override render(): TemplateResult {
-        const { state, edits } = this.model;
+        const { state, view, edits } = this.model;
+        const visibility = view.visibility.value;
         const rakes = [...state.rakes.value.values()];
         const chosen = state.rake.value;
         const { history, actions } = edits;
@@ -112,6 +148,19 @@ export class RakeList extends SignalElement {
             <ul aria-label="Rakes">
                 ${rakes.map((record) => this.entry(record, record === chosen))}
             </ul>
+            ${
+                rakes.length < 2 && !visibility.alone
+                    ? nothing
+                    : html`<label class="alone">
+                          <input
+                              id="show-alone"
+                              type="checkbox"
+                              .checked=${visibility.alone}
+                              @change=${() => view.changeVisibility({ alone: !visibility.alone })}
+                          />
+                          Show only the selected rake
+                      </label>`
+            }
             ${chosen === undefined ? nothing : this.own(chosen, locked)}
             <div class="row actions" role="group" aria-label="Edit rakes">
                 <button
@@ -132,7 +181,7 @@ export class RakeList extends SignalElement {
                 </button>
                 <button
                     type="button"
-                    ?disabled=${locked || chosen === undefined}
+                    ?disabled=${locked || chosen === undefined || visibility.lockedRakes.has(chosen.rake)}
                     title="Delete the chosen rake and its surfaces"
                     @click=${() => actions.deleteRake(chosen!.rake)}
                 >
@@ -147,7 +196,10 @@ export class RakeList extends SignalElement {
     }
 
     private entry(record: RakeRecord, chosen: boolean): TemplateResult {
-        const { state, edits } = this.model;
+        const { state, view, edits } = this.model;
+        const { hiddenRakes, lockedRakes } = view.visibility.value;
+        const shown = showsRake(view.visibility.value, record.rake, state.activeRake.value);
+        const isLocked = lockedRakes.has(record.rake);
         const holder = holderOf(state, record);
         const you = state.participants.value.get(state.you.value ?? '')?.name;
         const { author = '' } = record;
@@ -156,7 +208,7 @@ export class RakeList extends SignalElement {
         return html`<li>
             <button
                 type="button"
-                class="rake"
+                class=${shown ? 'rake' : 'rake unseen'}
                 data-rake=${record.rake}
                 aria-pressed=${chosen ? 'true' : 'false'}
                 title=${`${nameOf(record)}: ${about}`}
@@ -166,7 +218,33 @@ export class RakeList extends SignalElement {
                 <span class="name">${nameOf(record)}</span>
                 <span class="about">${about}</span>
             </button>
+            ${this.switch(isLocked, 'locked', 'free', `Lock ${nameOf(record)}`, 'Keep it from being moved on this page', () =>
+                view.changeVisibility({ lockedRakes: toggled(lockedRakes, record.rake) }),
+            )}
+            ${this.switch(!shown, 'hidden', 'seen', `Hide ${nameOf(record)}`, 'Hide it and its surfaces on this page', () =>
+                view.changeVisibility({ hiddenRakes: toggled(hiddenRakes, record.rake), alone: false }),
+            )}
         </li>`;
+    }
+
+    private switch(
+        on: boolean,
+        sign: IconName,
+        otherwise: IconName,
+        name: string,
+        words: string,
+        turn: () => void,
+    ): TemplateResult {
+        return html`<button
+            type="button"
+            class="switch"
+            aria-label=${name}
+            aria-pressed=${on ? 'true' : 'false'}
+            title=${words}
+            @click=${turn}
+        >
+            ${icon(on ? sign : otherwise)}
+        </button>`;
     }
 
     /** Name and colour of the chosen one. */

@@ -46,7 +46,7 @@ const shapes: [RakeKind, string][] = [
 
 export interface RakeModel {
     state: AppState;
-    view: Pick<ViewState, 'tool' | 'units'>;
+    view: Pick<ViewState, 'tool' | 'units' | 'visibility'>;
     edits: Pick<Edits, 'changeRake' | 'seeds' | 'setShape'>;
     scene: Pick<FlowScene, 'interaction' | 'rakes'>;
 }
@@ -73,7 +73,8 @@ export class RakePanel extends SignalElement {
         const shape = state.rakeShape.value;
         if (state.rake.value === undefined || state.dataset.value === null || shape.points.length === 0) return html``;
         const rows = handleRows(shape, this.shownPoint.value);
-        return html`<fieldset ?disabled=${state.locked.value}>
+        const { lockedRakes } = this.model.view.visibility.value;
+        return html`<fieldset ?disabled=${state.locked.value || lockedRakes.has(state.activeRake.value ?? '')}>
             ${this.shapeAndSeeds(shape.kind)}
             <div class="point heads" aria-hidden="true">
                 <span></span>${axes.map((axis) => html`<span>${this.inUnits(axis)}</span>`)}

@@ -11,7 +11,7 @@ import { SignalElement } from '../base/signalElement.ts';
 const longest = 1000;
 
 export interface NoteModel {
-    view: Pick<ViewState, 'note' | 'tool'>;
+    view: Pick<ViewState, 'note' | 'endNote' | 'tool'>;
     calls: Pick<Calls, 'try'>;
 }
 
@@ -32,6 +32,11 @@ export class NoteDialog extends SignalElement {
                 gap: 6px;
                 font-weight: 600;
             }
+            p {
+                margin: 6px 0 0;
+                color: var(--quiet);
+                font-size: 12px;
+            }
             textarea {
                 min-height: 90px;
                 padding: 6px 8px;
@@ -47,14 +52,20 @@ export class NoteDialog extends SignalElement {
 
     override render(): TemplateResult {
         const { note } = this.model.view;
-        return html`<dialog @close=${() => (note.value = null)}>
+        return html`<dialog @close=${this.closed}>
             <form @submit=${this.save}>
                 <label
                     >${note.value?.annotation == null ? 'A note for everyone here' : 'Change the note'}
-                    <textarea required maxlength=${longest} .value=${live(note.value?.text ?? '')}></textarea>
+                    <textarea
+                        required
+                        maxlength=${longest}
+                        .value=${live(note.value?.text ?? '')}
+                        @keydown=${this.pressed}
+                    ></textarea>
                 </label>
+                <p>Ctrl+Enter saves. Escape closes and keeps the text.</p>
                 <div class="answers">
-                    <button type="button" @click=${() => this.dialog?.close()}>Cancel</button>
+                    <button type="button" @click=${() => this.model.view.endNote(null)}>Discard</button>
                     <button type="submit">Save</button>
                 </div>
             </form>
@@ -71,11 +82,27 @@ export class NoteDialog extends SignalElement {
         return this.renderRoot.querySelector('dialog');
     }
 
+    /** By Escape, or since the note has been saved or discarded. */
+    private closed(): void {
+        const { view } = this.model;
+        if (view.note.value !== null) view.endNote(this.text);
+    }
+
+    private pressed(event: KeyboardEvent): void {
+        if (event.key !== 'Enter' || !(event.ctrlKey || event.metaKey)) return;
+        event.preventDefault();
+        this.renderRoot.querySelector('form')?.requestSubmit();
+    }
+
+    private get text(): string {
+        return this.renderRoot.querySelector('textarea')?.value ?? '';
+    }
+
     private async save(event: Event): Promise<void> {
         event.preventDefault();
         const { view, calls } = this.model;
         const draft = view.note.value;
-        const text = this.renderRoot.querySelector('textarea')?.value.trim() ?? '';
+        const text = this.text.trim();
         if (draft === null || text === '' || this.saving) return;
         this.saving = true;
         const saved = await calls.try('annotation.set', {
@@ -86,7 +113,7 @@ export class NoteDialog extends SignalElement {
         this.saving = false;
         // What the server refuses can be corrected.
         if (saved === null) return;
-        view.note.value = null;
+        view.endNote(null);
         view.tool.value = 'none';
     }
 }

@@ -11,7 +11,7 @@ import { SignalElement } from '../base/signalElement.ts';
 
 export interface NotesModel {
     state: Pick<AppState, 'annotations' | 'role'>;
-    view: Pick<ViewState, 'note'>;
+    view: Pick<ViewState, 'writeNote'>;
     calls: Pick<Calls, 'try'>;
     scene: Pick<FlowScene, 'controls' | 'loop'>;
 }
@@ -65,7 +65,7 @@ export class NotesPanel extends SignalElement {
                         ? nothing
                         : html`<button
                               type="button"
-                              @click=${() => (view.note.value = { annotation, text, position, surface })}
+                              @click=${() => view.writeNote({ annotation, text, position, surface })}
                           >
                               Change
                           </button>

@@ -50,7 +50,8 @@ export class StatusPanel extends SignalElement {
                 display: flex;
                 gap: 8px;
                 align-items: center;
-                margin: 6px 0;
+                height: 28px;
+                margin: 4px 0;
             }
             progress {
                 flex: 1;
@@ -103,10 +104,11 @@ export class StatusPanel extends SignalElement {
             }`;
     }
 
-    private progress(): TemplateResult | typeof nothing {
+    private progress(): TemplateResult {
         const { state, progress } = this.model;
         const now = state.progress.value;
-        if (now === null) return nothing;
+        // In any case its room is kept: nothing that one is about to press may move.
+        if (now === null) return html`<div class="progress" aria-hidden="true"></div>`;
         const may = state.role.value !== 'viewer' && state.capabilities.value.includes('stop');
         return html`<div class="progress">
             <progress max="1" value=${now.fraction ?? nothing} aria-label="Surface"></progress>

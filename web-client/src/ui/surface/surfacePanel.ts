@@ -22,6 +22,7 @@ import { timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import { toggled } from '../../state/visibility.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -56,7 +57,7 @@ const axes = ['x', 'y', 'z'] as const;
 
 export interface SurfaceModel {
     state: AppState;
-    view: Pick<ViewState, 'units'>;
+    view: Pick<ViewState, 'units' | 'visibility' | 'changeVisibility'>;
     edits: Pick<Edits, 'actions' | 'changeSurface' | 'chooseSurface' | 'intent' | 'remark'>;
 }
 
@@ -120,7 +121,7 @@ export class SurfacePanel extends SignalElement {
             }
             .several {
                 display: grid;
-                grid-template-columns: minmax(0, 1fr) auto auto;
+                grid-template-columns: minmax(0, 1fr) auto auto auto;
                 gap: 6px;
                 margin-top: 10px;
             }
@@ -253,11 +254,13 @@ export class SurfacePanel extends SignalElement {
 
     /** A rake may have several surfaces, or none. */
     private several(): TemplateResult {
-        const { state, edits } = this.model;
+        const { state, view, edits } = this.model;
         const rake = state.activeRake.value ?? '';
         const active = state.activeSurface.value;
         const own = surfacesOf(state, rake).map((id) => state.surfaces.value.get(id)!);
         const locked = state.locked.value;
+        const { hiddenSurfaces } = view.visibility.value;
+        const isHidden = hiddenSurfaces.has(active ?? '');
         const choose = (event: Event): void => edits.chooseSurface((event.target as HTMLSelectElement).value);
         return html`<div class="several" role="group" aria-label="Surfaces of this rake">
             ${
@@ -271,6 +274,19 @@ export class SurfacePanel extends SignalElement {
                       )}
                   </select>`
                     : html`<span></span>`
+            }
+            ${
+                active === null
+                    ? nothing
+                    : html`<button
+                          type="button"
+                          id="hide-surface"
+                          aria-pressed=${isHidden ? 'true' : 'false'}
+                          title="Hide this surface on this page; the rake stays"
+                          @click=${() => view.changeVisibility({ hiddenSurfaces: toggled(hiddenSurfaces, active) })}
+                      >
+                          Hide
+                      </button>`
             }
             <button type="button" ?disabled=${locked} @click=${() => edits.actions.addSurface(rake)}>
                 Add surface

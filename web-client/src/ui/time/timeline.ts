@@ -4,8 +4,7 @@ import { html, noChange, nothing, svg, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { signal } from '@preact/signals-core';
 import type { StepState } from '../../protocol/messages.ts';
-import { niceTicks } from '../../scene/base/ticks.ts';
-import { releasedSpan, type Span, type StepMark, stepMarks, timelineSpan } from '../../session/time/timeSteps.ts';
+import { releasedSpan, type Span, type StepMark, stepMarks, stepTicks, timelineSpan } from '../../session/time/timeSteps.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import { timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
@@ -70,7 +69,7 @@ export class Timeline extends SignalElement {
         const surface = moving ? playback.span.value : null;
         const line = timelineSpan(times, surface);
         const at = (time: number): string => `${((100 * (time - line[0])) / (line[1] - line[0])).toFixed(3)}%`;
-        const { ticks, shared } = niceTicks(line[0], line[1], this.width.value / pxPerTick);
+        const { ticks, shared } = stepTicks(times, line, this.width.value / pxPerTick);
         this.toggleAttribute('shared', shared !== '');
         const { time } = playback;
         return html`

@@ -1,13 +1,15 @@
 // Which way the axes point, and views of the whole domain for when the camera has lost its way: each end of an axis is a
 // button that looks from there.
-import { css, html, svg, type SVGTemplateResult, type TemplateResult } from 'lit';
+import { css, html, nothing, svg, type SVGTemplateResult, type TemplateResult } from 'lit';
 import { Vector3 } from 'three';
 import type { ViewName } from '../../scene/camera/cameraControls.ts';
 import type { View } from '../../scene/base/view.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
+import { icon } from '../base/icons.ts';
 import { SignalElement } from '../base/signalElement.ts';
+import { hasFullScreen, togglePanel, turnFullScreen } from './room.ts';
 
 /** `from`: on which side the camera then is. */
 const ends: readonly { view: ViewName; axis: 'x' | 'y' | 'z'; direction: readonly [number, number, number]; words: string }[] = [
@@ -21,7 +23,7 @@ const ends: readonly { view: ViewName; axis: 'x' | 'y' | 'z'; direction: readonl
 const armPx = 30;
 
 export interface ViewButtonsModel {
-    view: Pick<ViewState, 'orthographic'>;
+    view: Pick<ViewState, 'orthographic' | 'panelFolded'>;
     scene: Pick<FlowScene, 'controls' | 'loop' | 'onDraw' | 'view'>;
 }
 
@@ -43,6 +45,12 @@ export class ViewButtons extends SignalElement {
             .buttons {
                 display: flex;
                 gap: 4px;
+            }
+            .sign {
+                display: grid;
+                place-content: center;
+                min-width: 28px;
+                padding: 3px;
             }
             svg {
                 overflow: visible;
@@ -107,6 +115,23 @@ export class ViewButtons extends SignalElement {
                     }}
                 >
                     Parallel
+                </button>
+                ${
+                    hasFullScreen()
+                        ? html`<button type="button" class="sign" aria-label="Full screen" title="Full screen (Shift+F)" @click=${turnFullScreen}>
+                              ${icon('whole')}
+                          </button>`
+                        : nothing
+                }
+                <button
+                    type="button"
+                    class="sign"
+                    aria-label="Panel"
+                    title="Show or fold away the panel (P)"
+                    aria-expanded=${view.panelFolded.value ? 'false' : 'true'}
+                    @click=${() => togglePanel(view)}
+                >
+                    ${icon(view.panelFolded.value ? 'unfold' : 'fold')}
                 </button>
             </div>
             <svg width="92" height="92" viewBox="-46 -46 92 92" role="group" aria-label="Axes">

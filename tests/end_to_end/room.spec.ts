@@ -1,0 +1,194 @@
+// What one can do without a mouse in the picture, and for a picture with more room and less in it: hide, lock, fold, turn by keys.
+import type { Page } from 'playwright-core';
+import { beforeEach, describe, expect, it } from 'vitest';
+import { ask, screenshot } from './support/browser_page.ts';
+import { takeHandle } from './support/rake_drag.ts';
+import { useStand } from './support/stand.ts';
+
+const stand = useStand();
+let page: Page;
+
+const canvasSize = (): Promise<{ width: number; height: number }> =>
+    page.locator('main > canvas').evaluate(({ clientWidth, clientHeight }) => ({ width: clientWidth, height: clientHeight }));
+const camera = (): Promise<{ position: number[]; target: number[] }> => ask(page, (hook) => hook.camera);
+const drawnRakes = (): Promise<string[]> => ask(page, (hook) => hook.rakes.map(({ rake }) => rake));
+const displayed = (): Promise<number> => ask(page, (hook) => hook.allDisplayed.length);
+
+/** What the server has sent of surfaces so far, in frames. */
+async function sent(): Promise<number> {
+    const { origin } = new URL(stand.server.link);
+    const answer = await fetch(`${origin}/metrics`, { headers: { Authorization: `Bearer ${stand.server.token}` } });
+    return Number(/^wakesurf_stage_seconds_count\{stage="send"\} (\d+)/m.exec(await answer.text())![1]);
+}
+
+beforeEach(async () => {
+    page = await stand.visit({ width: 1440, height: 900 });
+});
+
+describe('a rake that is hidden', () => {
+    it('is not drawn, nor its surface, of which nothing is sent; after a reload it is hidden still', async () => {
+        await page
+            .getByRole('button', { name: /^Hide / })
+            .first()
+            .click();
+        await expect.poll(drawnRakes).toEqual([]);
+        await expect.poll(displayed).toBe(0);
+        expect(await ask(page, (hook) => hook.phase)).toBe('hidden');
+        const before = await sent();
+        await page.locator('#length').press('ArrowRight');
+        await page.waitForFunction(() => window.wakesurf!.requestedEpoch > 1);
+        await screenshot(page, 'hidden-rake');
+        await page.waitForFunction(() => location.hash.includes('state='));
+        await page.waitForTimeout(1000);
+        expect(await sent()).toBe(before);
+        await page.reload();
+        await page.waitForFunction(() => window.wakesurf?.phase === 'hidden');
+        expect(await drawnRakes()).toEqual([]);
+        await page
+            .getByRole('button', { name: /^Hide / })
+            .first()
+            .click();
+        await page.waitForFunction(() => window.wakesurf?.phase === 'final');
+        expect(await displayed()).toBe(1);
+    });
+
+    it('is all but the selected one where that is asked for', async () => {
+        await page.getByRole('button', { name: 'New rake' }).click();
+        await expect.poll(displayed).toBe(2);
+        await page.locator('#show-alone').check();
+        await expect.poll(drawnRakes).toHaveLength(1);
+        await expect.poll(displayed).toBe(1);
+        const [alone] = await drawnRakes();
+        await page.locator('button.rake[aria-pressed="false"]').click();
+        await expect.poll(async () => (await drawnRakes()).includes(alone!)).toBe(false);
+        expect(await drawnRakes()).toHaveLength(1);
+        await page.locator('#show-alone').uncheck();
+        await expect.poll(displayed).toBe(2);
+    });
+});
+
+describe('a rake that is locked', () => {
+    it('does not move, says why, and leaves the camera where it is', async () => {
+        await page
+            .getByRole('button', { name: /^Lock / })
+            .first()
+            .click();
+        const before = await ask(page, (hook) => [hook.camera, hook.rakePoints]);
+        const from = await takeHandle(page, 'middle');
+        await page.mouse.move(from.x - 60, from.y + 25, { steps: 4 });
+        await screenshot(page, 'locked-rake');
+        await page.mouse.up();
+        expect(await ask(page, (hook) => [hook.camera, hook.rakePoints])).toEqual(before);
+        await page.getByText('You have locked this rake.').waitFor();
+        await page.getByRole('button', { name: 'Unlock' }).click();
+        await takeHandle(page, 'middle');
+        await page.mouse.move(from.x - 20, from.y, { steps: 4 });
+        await page.mouse.up();
+        const after = await ask(page, (hook) => [hook.camera, hook.rakePoints]);
+        expect(after[0]).toEqual(before[0]);
+        expect(after[1]).not.toEqual(before[1]);
+    });
+});
+
+describe('room for the picture', () => {
+    it.each([
+        [1440, 900, 'width', 304],
+        [844, 390, 'width', 304],
+        [390, 844, 'height', 300],
+    ] as const)(
+        'is made at %d x %d by folding the panel away, with a button and with a key',
+        async (width, height, side, gained) => {
+            await page.setViewportSize({ width, height });
+            const before = await canvasSize();
+            await screenshot(page, `panel-${width}-open`);
+            const button = page.getByRole('button', { name: 'Panel' });
+            await button.click();
+            await expect.poll(async () => (await canvasSize())[side]).toBeGreaterThanOrEqual(before[side] + gained);
+            expect(await page.locator('wakesurf-panel').isVisible()).toBe(false);
+            await screenshot(page, `panel-${width}-folded`);
+            await page.keyboard.press('p');
+            await expect.poll(canvasSize).toEqual(before);
+            expect(await button.getAttribute('aria-expanded')).toBe('true');
+        },
+    );
+});
+
+describe('the camera', () => {
+    it('is turned, moved and moved nearer by keys', async () => {
+        await page.locator('main > canvas').focus();
+        const distance = ({ position, target }: { position: number[]; target: number[] }): number =>
+            Math.hypot(...position.map((x, i) => x - target[i]!));
+        const start = await camera();
+        for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowRight');
+        const turned = await camera();
+        const angle = ({ position, target }: typeof start): number =>
+            (Math.atan2(position[1]! - target[1]!, position[0]! - target[0]!) * 180) / Math.PI;
+        expect(angle(start) - angle(turned)).toBeCloseTo(15, 3);
+        expect(distance(turned)).toBeCloseTo(distance(start), 6);
+        expect(turned.target).toEqual(start.target);
+        await page.keyboard.press('+');
+        expect(distance(await camera())).toBeCloseTo(distance(start) / 1.15, 6);
+        await page.keyboard.press('Shift+ArrowUp');
+        const moved = await camera();
+        expect(moved.target).not.toEqual(start.target);
+        expect(distance(moved)).toBeCloseTo(distance(start) / 1.15, 6);
+        await page.keyboard.press('f');
+        expect((await camera()).target).toEqual(start.target);
+    });
+
+    it('leaves arrows to the handle whose button has the focus', async () => {
+        const before = await ask(page, (hook) => [hook.camera, hook.rakePoints]);
+        await page.locator('wakesurf-rake').getByRole('button', { name: 'Start' }).first().focus();
+        await page.keyboard.press('ArrowUp');
+        await page.waitForFunction((points) => JSON.stringify(window.wakesurf!.rakePoints) !== points, JSON.stringify(before[1]));
+        expect(await ask(page, (hook) => hook.camera)).toEqual(before[0]);
+    });
+});
+
+describe('a note', () => {
+    it('is saved by Ctrl+Enter, and Escape keeps what was typed', async () => {
+        const write = async (): Promise<void> => {
+            await page.getByRole('button', { name: 'Note' }).click();
+            const size = await canvasSize();
+            await page.mouse.click(size.width / 2, size.height / 2);
+            await page.locator('textarea').waitFor();
+        };
+        await write();
+        await page.keyboard.type('Vortices pair');
+        await page.keyboard.press('Escape');
+        await page.locator('textarea').waitFor({ state: 'hidden' });
+        await write();
+        expect(await page.locator('textarea').inputValue()).toBe('Vortices pair');
+        await page.keyboard.press('End');
+        await page.keyboard.type(' here');
+        await page.keyboard.press('Control+Enter');
+        await page.locator('.labels').getByText('Vortices pair here').waitFor();
+    });
+});
+
+describe('the status', () => {
+    it('is as high while a surface is computed as when it is there', async () => {
+        const height = (): Promise<number> => page.locator('wakesurf-status').evaluate((each) => each.clientHeight);
+        const before = await height();
+        await page.evaluate(() => {
+            const status = document
+                .querySelector('wakesurf-app')!
+                .shadowRoot!.querySelector('wakesurf-panel')!
+                .shadowRoot!.querySelector('wakesurf-status') as unknown as {
+                model: { state: { progress: { value: unknown } } };
+            };
+            status.model.state.progress.value = { surface: 's1', fraction: 0.4, message: '' };
+        });
+        await page.getByRole('button', { name: 'Stop' }).waitFor();
+        expect(await height()).toBe(before);
+    });
+});
+
+describe('graphics that are lost', () => {
+    it('are said to be, until they are back', async () => {
+        await ask(page, (hook) => hook.loseContext());
+        await page.getByText('The system has reset the graphics').waitFor();
+        await ask(page, (hook) => hook.restoreContext());
+        await page.getByText('The system has reset the graphics').waitFor({ state: 'hidden' });
+    });
+});

@@ -1,0 +1,55 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import type { Vec3 } from '../../protocol/messages.ts';
+import { CameraControls } from './cameraControls.ts';
+
+const length = (v: Vec3): number => Math.hypot(...v);
+const between = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+
+describe.each([false, true])('the camera by steps, without perspective: %s', (orthographic) => {
+    let controls: CameraControls;
+    let turned: number;
+
+    beforeEach(() => {
+        turned = 0;
+        controls = new CameraControls({ requestFrame: () => undefined, onHold: () => undefined, onTurn: () => ++turned });
+        controls.setBounds([0, 4, -1, 1, 0, 2]);
+        controls.place({ position: [2, -9, 1], target: [2, 0, 1], orthographic });
+        turned = 0;
+    });
+
+    const offset = (): Vec3 => between(controls.pose.position, controls.pose.target);
+
+    it('turns round its target, as if the picture were dragged, and keeps its distance', () => {
+        controls.turn(Math.PI / 2, 0);
+        // What was at the right is now behind: the camera has gone to the left.
+        expect(offset().map((x) => Math.round(x * 1e6) / 1e6 + 0)).toEqual([-9, 0, 0]);
+        controls.turn(0, 0.3);
+        expect(offset()[2]).toBeCloseTo(-9 * Math.sin(0.3), 6);
+        expect(length(offset())).toBeCloseTo(9, 6);
+        expect(controls.pose.target).toEqual([2, 0, 1]);
+        expect(turned).toBe(2);
+    });
+
+    it('never turns over', () => {
+        for (let i = 0; i < 40; ++i) controls.turn(0, -0.2);
+        expect(offset()[2]).toBeGreaterThan(8.99);
+        controls.turn(0, 0.5);
+        expect(offset()[1]).toBeLessThan(-4);
+    });
+
+    it('moves to the side by parts of the height of the picture, and looks the same way', () => {
+        const before = offset();
+        controls.pan(0.5, 0);
+        const half = 9 * Math.tan(Math.PI / 12);
+        expect(controls.pose.target[0]).toBeCloseTo(2 - half, 6);
+        offset().forEach((x, i) => expect(x).toBeCloseTo(before[i]!, 6));
+    });
+
+    it('comes nearer and goes away, and back to where it was', () => {
+        controls.zoom(1.5);
+        expect(length(offset())).toBeCloseTo(6, 6);
+        controls.zoom(1 / 1.5);
+        expect(length(offset())).toBeCloseTo(9, 6);
+        expect(controls.pose.orthographic).toBe(orthographic);
+    });
+});

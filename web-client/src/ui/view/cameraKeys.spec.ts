@@ -1,0 +1,28 @@
+import { describe, expect, it } from 'vitest';
+import { turnByKey } from './cameraKeys.ts';
+
+function did(key: string, shiftKey = false): [string, ...number[]][] {
+    const heard: [string, ...number[]][] = [];
+    const controls = {
+        turn: (...by: number[]) => void heard.push(['turn', ...by.map(Math.sign)]),
+        pan: (...by: number[]) => void heard.push(['pan', ...by.map(Math.sign)]),
+        zoom: (factor: number) => void heard.push(['zoom', Math.sign(factor - 1)]),
+    };
+    expect(turnByKey({ key, shiftKey }, controls)).toBe(heard.length > 0);
+    return heard;
+}
+
+describe('keys for the camera', () => {
+    it('turn by arrows, move by arrows with Shift, and zoom', () => {
+        expect(did('ArrowRight')).toEqual([['turn', 1, 0]]);
+        expect(did('ArrowDown')).toEqual([['turn', 0, -1]]);
+        expect(did('ArrowLeft', true)).toEqual([['pan', -1, 0]]);
+        expect(did('ArrowUp', true)).toEqual([['pan', 0, 1]]);
+        for (const key of ['+', '=']) expect(did(key)).toEqual([['zoom', 1]]);
+        expect(did('-')).toEqual([['zoom', -1]]);
+    });
+
+    it('leave all others alone', () => {
+        for (const key of ['a', 'Enter', ' ', 'PageUp', 'Tab', 'constructor']) expect(did(key)).toEqual([]);
+    });
+});

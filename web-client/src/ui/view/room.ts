@@ -1,0 +1,29 @@
+// Room for the picture: the panel folded away, and the page on the full screen.
+import { keep, recall } from '../../state/browserMemory.ts';
+import type { ViewState } from '../../state/viewState.ts';
+
+const kept = 'panel';
+const folded = 'folded';
+
+/** As it was when this browser was here last. */
+export function recallPanel(view: Pick<ViewState, 'panelFolded'>): void {
+    view.panelFolded.value = recall(kept) === folded;
+}
+
+export function togglePanel({ panelFolded }: Pick<ViewState, 'panelFolded'>): void {
+    panelFolded.value = !panelFolded.value;
+    keep(kept, panelFolded.value ? folded : 'open');
+}
+
+/** Some browsers, as those of small telephones, have none for pages. */
+export function hasFullScreen(): boolean {
+    return document.fullscreenEnabled;
+}
+
+export function turnFullScreen(): void {
+    if (!hasFullScreen()) return;
+    // A browser that refuses has its reasons, and says so itself.
+    void (document.fullscreenElement === null ? document.documentElement.requestFullscreen() : document.exitFullscreen()).catch(
+        () => undefined,
+    );
+}
