@@ -105,6 +105,9 @@ describe('room for the picture', () => {
             await button.click();
             await expect.poll(async () => (await canvasSize())[side]).toBeGreaterThanOrEqual(before[side] + gained);
             expect(await page.locator('wakesurf-panel').isVisible()).toBe(false);
+            const timeBar = await page.locator('wakesurf-time-bar').boundingBox();
+            expect(timeBar!.width).toBe(width);
+            expect(timeBar!.y + timeBar!.height).toBeLessThanOrEqual(height);
             await screenshot(page, `panel-${width}-folded`);
             await page.keyboard.press('p');
             await expect.poll(canvasSize).toEqual(before);
@@ -151,14 +154,14 @@ describe('a note', () => {
             await page.getByRole('button', { name: 'Note' }).click();
             const size = await canvasSize();
             await page.mouse.click(size.width / 2, size.height / 2);
-            await page.locator('textarea').waitFor();
+            await page.locator('wakesurf-note-dialog textarea').waitFor();
         };
         await write();
         await page.keyboard.type('Vortices pair');
         await page.keyboard.press('Escape');
-        await page.locator('textarea').waitFor({ state: 'hidden' });
+        await page.locator('wakesurf-note-dialog textarea').waitFor({ state: 'hidden' });
         await write();
-        expect(await page.locator('textarea').inputValue()).toBe('Vortices pair');
+        expect(await page.locator('wakesurf-note-dialog textarea').inputValue()).toBe('Vortices pair');
         await page.keyboard.press('End');
         await page.keyboard.type(' here');
         await page.keyboard.press('Control+Enter');

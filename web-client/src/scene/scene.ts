@@ -31,6 +31,7 @@ const firstSoftwareRatio = 0.5;
 const exactAfterMs = 300;
 /** Where pictures are slow, so are the hands that wait for them: a sharp picture must not come between two of a movement. */
 const picturesOfRest = 3;
+const longestRestMs = 600;
 
 export interface FlowSceneOptions {
     canvas: HTMLCanvasElement;
@@ -353,7 +354,7 @@ export class FlowScene {
     private pictureShown(time: number, movingMs: number | null): void {
         this.movement.drawn(time);
         if (movingMs !== null) this.movingResolution.drawn(movingMs);
-        this.rest.drawn(this.pixelRatio < this.fullRatio, picturesOfRest * (movingMs ?? 0));
+        this.rest.drawn(this.pixelRatio < this.fullRatio, Math.min(longestRestMs, picturesOfRest * (movingMs ?? 0)));
     }
 
     private drawSharply(): void {

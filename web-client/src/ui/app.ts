@@ -148,6 +148,10 @@ export class App extends SignalElement {
                 grid-row: 1 / 3;
                 grid-column: 2;
             }
+            wakesurf-time-bar {
+                grid-row: 2;
+                grid-column: 1;
+            }
             .folded {
                 grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) 0;
             }
@@ -172,18 +176,20 @@ export class App extends SignalElement {
                 max-width: 60ch;
                 margin: 0;
             }
+            /* In one row with the buttons of the view: the domain has no room to spare beside it. */
+            @media (max-width: 760px), (max-height: 500px) {
+                wakesurf-tool-buttons {
+                    right: auto;
+                    left: 12px;
+                    top: 12px;
+                }
+            }
             @media (max-width: 760px) {
                 .layout {
                     grid-template: minmax(42vh, 1fr) auto minmax(0, 42vh) / minmax(0, 1fr);
                 }
                 .folded {
                     grid-template: minmax(0, 1fr) auto 0 / minmax(0, 1fr);
-                }
-                /* In one row with the buttons of the view: the domain has no room to spare beside it. */
-                wakesurf-tool-buttons {
-                    right: auto;
-                    left: 12px;
-                    top: 12px;
                 }
                 wakesurf-tour {
                     right: 12px;

@@ -85,7 +85,7 @@ export const timeBarStyles = css`
         margin: 0;
     }
     /* Scripts are for where there are terminals; the signs of the marks are in the timeline's own words. */
-    @media (max-width: 500px) {
+    @media (max-width: 500px), (max-height: 500px) {
         #speed {
             max-width: 112px;
         }

@@ -27,7 +27,7 @@ export class ToolButtons extends SignalElement {
                 display: grid;
                 gap: 4px;
             }
-            @media (max-width: 760px) {
+            @media (max-width: 760px), (max-height: 500px) {
                 div {
                     grid-auto-flow: column;
                 }

@@ -171,7 +171,7 @@ export class ViewButtons extends SignalElement {
 
     /** The ends as the camera sees them, what is nearer over what is behind. */
     private turn({ camera }: View): void {
-        const drawing = this.renderRoot.querySelector('svg');
+        const drawing = this.renderRoot.querySelector('svg[role="group"]');
         if (drawing === null) return;
         // Most frames are not of a turning camera, and drawing this again costs as much as a small surface does.
         const turned = camera.quaternion.toArray().join();
