@@ -56,11 +56,11 @@ Result<void> check_times(const Flow& flow, const SurfaceParameters& p) {
     const auto inside = [&](const char* name, double time) -> Result<void> {
         if (time >= (*range)[0] && time <= (*range)[1])
             return {};
-        std::ostringstream text, hint;
-        text << name << " " << time << " is outside the times of the data, " << (*range)[0]
-             << " to " << (*range)[1];
-        hint << "choose a time from " << (*range)[0] << " to " << (*range)[1];
-        return fail(Error::Code::OutOfTime, text.str(), hint.str());
+        const std::string range_text = time_text((*range)[0]) + " to " + time_text((*range)[1]);
+        return fail(Error::Code::OutOfTime,
+                    name + (" " + time_text(time)) + " is outside the times of the data, " +
+                        range_text,
+                    "choose a time from " + range_text);
     };
     auto from = inside("'from'", p.from);
     return !from || p.kind == SurfaceKind::Stream ? from : inside("'to'", p.to);

@@ -2,36 +2,44 @@
 
 #include <cmath>
 #include <sstream>
-#include <string>
 
 namespace wakesurf::core {
 
 namespace {
 
-tl::unexpected<Error> refused(const std::ostringstream& what, const std::ostringstream& hint) {
-    return fail(Error::Code::InvalidArgument, what.str(), hint.str());
+tl::unexpected<Error> refused(const std::string& what, const std::string& hint) {
+    return fail(Error::Code::InvalidArgument, what, hint);
 }
 
-const char* word(SurfaceKind kind) {
-    return kind == SurfaceKind::Streak ? "streak" : "time";
+std::string span_text(double from, double to) {
+    return "'from' " + time_text(from) + " and 'to' " + time_text(to);
 }
 
 /// Their vertices are all there at one time, and there is one such time only in each direction.
 Result<void> check_both(const SurfaceParameters& p) {
-    std::ostringstream what, hint;
-    if (p.kind == SurfaceKind::Streak || p.kind == SurfaceKind::Time) {
-        what << "'direction' both is for stream and path surfaces: all of a " << word(p.kind)
-             << " surface is there at one time";
-        hint << "make two surfaces: one with 'from' " << p.from << " and 'to' " << p.to
-             << ", one with 'from' " << p.from << " and 'to' " << 2.0 * p.from - p.to;
-        return refused(what, hint);
-    }
+    const double back = 2.0 * p.from - p.to;
+    if (p.kind == SurfaceKind::Streak || p.kind == SurfaceKind::Time)
+        return refused("'direction' both is for stream and path surfaces: all of a " +
+                           std::string(p.kind == SurfaceKind::Streak ? "streak" : "time") +
+                           " surface is there at one time",
+                       "make two surfaces: one with " + span_text(p.from, p.to) + ", one with " +
+                           span_text(p.from, back));
     if (p.to > p.from)
         return {};
-    what << "'to' " << p.to << " is before 'from' " << p.from
-         << ", but with 'direction' both it is the later end";
-    hint << "give 'to' " << 2.0 * p.from - p.to << ": the surface goes as long before 'from'";
-    return refused(what, hint);
+    return refused("'to' " + time_text(p.to) + " is before 'from' " + time_text(p.from) +
+                       ", but with 'direction' both it is the later end",
+                   "give 'to' " + time_text(back) +
+                       ": the surface goes as long before 'from' as after it");
+}
+
+Result<void> check_one_way(const SurfaceParameters& p, bool backward) {
+    if (backward == (p.to < p.from))
+        return {};
+    const std::string way = backward ? "backward" : "forward";
+    return refused("'direction' is " + way + ", but 'to' " + time_text(p.to) +
+                       (backward ? " is after" : " is before") + " 'from' " + time_text(p.from),
+                   "for as long " + way + " give " + span_text(p.from, 2.0 * p.from - p.to) +
+                       ", and to go to " + time_text(p.to) + " leave 'direction' out");
 }
 
 Result<void> check_release_end(const SurfaceParameters& p) {
@@ -45,6 +53,13 @@ Result<void> check_release_end(const SurfaceParameters& p) {
 }
 
 } // namespace
+
+std::string time_text(double time) {
+    std::ostringstream text;
+    text.precision(12);
+    text << time;
+    return text.str();
+}
 
 double time_sign(const SurfaceParameters& p) {
     return p.to < p.from ? -1.0 : 1.0;
@@ -63,19 +78,10 @@ Result<void> check_direction(const SurfaceParameters& p) {
         return fail(Error::Code::InvalidArgument, "'from' and 'to' must be finite and differ",
                     "give the integration time as to - from");
     const Direction direction = direction_of(p);
-    if (direction == Direction::Both) {
-        if (auto sound = check_both(p); !sound)
-            return sound;
-    } else if (const bool backward = direction == Direction::Backward;
-               backward != (p.to < p.from)) {
-        std::ostringstream what, hint;
-        what << "'direction' is " << (backward ? "backward" : "forward") << ", but 'to' " << p.to
-             << (backward ? " is after" : " is before") << " 'from' " << p.from;
-        hint << "for as long " << (backward ? "backward" : "forward") << " give 'from' " << p.from
-             << " and 'to' " << 2.0 * p.from - p.to << ", and to go to " << p.to
-             << " leave 'direction' out";
-        return refused(what, hint);
-    }
+    auto sound = direction == Direction::Both ? check_both(p)
+                                              : check_one_way(p, direction == Direction::Backward);
+    if (!sound)
+        return sound;
     return check_release_end(p);
 }
 

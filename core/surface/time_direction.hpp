@@ -8,9 +8,13 @@
 #include "core/surface/surface_parameters.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace wakesurf::core {
+
+/// As people write it, to 12 digits: enough for seconds since 1970 with their milliseconds.
+std::string time_text(double time);
 
 /// 1, or -1 where time runs backward. A surface of both directions is shown at the times of its forward side.
 double time_sign(const SurfaceParameters& parameters);

@@ -1062,9 +1062,13 @@ class Surface(_Record):
         self._kept: Optional[Tuple[str, Mesh]] = None
 
     def set(self, if_rev: Optional[int] = None, **changes: Any) -> Json:
-        """Changes the parameters given, as in `Session.surface`, and computes it again. {rev, epoch, ...}"""
+        """Changes the parameters given, as in `Session.surface`, and computes it again. Where `from_` or `to` change, forward or backward
+        follows from them. {rev, epoch, ...}"""
         changes = {_SURFACE_NAMES.get(name, name): value for name, value in changes.items()}
-        return self._change(tuple(_SURFACE_NAMES.values()), changes, if_rev)
+        kept = set(_SURFACE_NAMES.values())
+        if changes.keys() & {"from", "to"} and self.record()["direction"] != "both":
+            kept.discard("direction")
+        return self._change(tuple(kept), changes, if_rev)
 
     def stats(self) -> Statistics:
         """What the newest state is and took; `complete` says whether it is the final one."""

@@ -215,6 +215,24 @@ class ClientTest(unittest.TestCase):
         rake.set(polyline=[(9, 0, 0), (14, 0, 0)])
         self.assertTrue(rake.clipped)
 
+    def test_goes_back_in_time_where_to_is_earlier_and_refuses_a_direction_that_says_otherwise(self):
+        rake = self.session.rake(line=LINE, seeds=9)
+        surface = self.session.surface(rake, "path", dataset="lamb-oseen", from_=1.5, to=0.5, separation=0.1)
+        self.assertEqual(surface.record()["direction"], "backward")
+        self.assertAlmostEqual(surface.mesh()["t"].min(), -1, places=5)
+        surface.set(to=2)
+        self.assertEqual((surface.record()["direction"], surface.record()["to"]), ("forward", 2))
+        with self.assertRaises(wakesurf.InvalidParameters) as refused:
+            surface.set(direction="backward")
+        self.assertIn("'from' 1.5 and 'to' 1", refused.exception.hint)
+        for kind, more in (("streak", {}), ("time", {"sweep": (0, 0, 0.5)})):
+            with self.assertRaises(wakesurf.InvalidParameters) as refused:
+                surface.set(kind=kind, direction="both", **more)
+            self.assertIn("stream and path surfaces", str(refused.exception))
+        surface.set(direction="both")
+        surface.set(to=2.5)
+        self.assertEqual(surface.record()["direction"], "both")
+
     def test_rakes_have_a_colour_which_changes_nothing_that_hangs_on_them(self):
         surface = self.surface()
         rake = self.session.rakes()[0]

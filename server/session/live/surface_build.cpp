@@ -1,8 +1,8 @@
 #include "server/session/live/surface_build.hpp"
 
 #include "core/surface/playback/surface_age.hpp"
-#include "core/surface/time_direction.hpp"
 #include "core/surface/surface_builder.hpp"
+#include "core/surface/time_direction.hpp"
 #include "core/surface/vertex_times.hpp"
 #include "server/base/log_text.hpp"
 #include "server/limits.hpp"
@@ -267,8 +267,8 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
     if (!work.takes(sampling_memory(shown->mesh.mesh.vertices())))
         return cancelled();
     auto fields = sample_fields(
-        job_.fields, *job_.flow, job_.store.get(), shown->mesh.mesh, [&] { return shown->times(); },
-        stop);
+        job_.fields, *job_.flow, job_.store.get(), shown->mesh.mesh,
+        [&] { return std::vector<double>(shown->mesh.mesh.vertices(), shown->time); }, stop);
     if (!fields)
         return tl::unexpected(fields.error());
     const double loaded = shown->statistics.seconds.load;

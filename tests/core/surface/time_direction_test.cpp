@@ -1,7 +1,6 @@
-#include "core/surface/time_direction.hpp"
-
 #include "core/field/stored_flow.hpp"
 #include "core/surface/surface_builder.hpp"
+#include "core/surface/time_direction.hpp"
 #include "core/surface/vertex_times.hpp"
 #include "tests/support/sampled_source.hpp"
 
@@ -68,6 +67,10 @@ TEST(TimeDirection, ThatContradictsTheTimesIsRefusedWithTheRightSpelling) {
     EXPECT_EQ(backward.error().message, "'direction' is backward, but 'to' 8 is after 'from' 5");
     EXPECT_EQ(backward.error().hint, "for as long backward give 'from' 5 and 'to' 2, and to go to "
                                      "8 leave 'direction' out");
+    const auto epoch = check_direction(
+        in(Direction::Backward, asked(SurfaceKind::Path, 1700000000.1, 1700000300.2)));
+    ASSERT_FALSE(epoch);
+    EXPECT_NE(epoch.error().hint.find("'to' 1699999700,"), std::string::npos) << epoch.error().hint;
     const auto forward = check_direction(in(Direction::Forward, asked(SurfaceKind::Path, 5, 2)));
     ASSERT_FALSE(forward);
     EXPECT_EQ(forward.error().message, "'direction' is forward, but 'to' 2 is before 'from' 5");

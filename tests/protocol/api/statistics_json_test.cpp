@@ -23,6 +23,8 @@ TEST(StatisticsJson, HasTheShapeOfTheContract) {
         "maxEdge": 0.25, "separation": 0.5, "requestedSeparation": 0.25, "coarsened": true,
         "seconds": {"load": 1.0, "advect": 2.0, "refine": 3.0, "other": 4.0, "total": 10.0},
         "peakBytes": 11})"));
+    statistics.data_end = 8.5;
+    EXPECT_EQ(statistics_json(statistics)["dataEnd"], 8.5);
 }
 
 TEST(StatisticsJson, SaysWhyThereIsNothingToSee) {

@@ -1,6 +1,5 @@
 // Surfaces kept before API level 5, when `backward` went back from `from` whichever way `to` lay.
 #include "server/session/records/older_surface.hpp"
-
 #include "server/session/records/record_entries.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +10,8 @@ namespace {
 
 JournalEntry kept(const std::string& id, const std::string& more) {
     return {"surface", id,
-            R"({"surface":")" + id + R"(","rev":3,"epoch":2,"rake":"r1","dataset":"d",)" + more + "}"};
+            R"({"surface":")" + id + R"(","rev":3,"epoch":2,"rake":"r1","dataset":"d",)" + more +
+                "}"};
 }
 
 KeptRecords read(const std::vector<JournalEntry>& surfaces) {

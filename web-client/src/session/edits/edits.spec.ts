@@ -1,75 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { settled } from '../../testing/fakeClock.ts';
-import type { RakeRecord, Vec3 } from '../../protocol/messages.ts';
-import { AppState } from '../../state/appState.ts';
-import { LatencyLog } from '../../state/latency.ts';
-import { answering } from '../../testing/answering.ts';
+import { Bench, type Call } from '../../testing/editsBench.ts';
 import { datasetOf, rakeOf, surfaceOf } from '../../testing/records.ts';
 import { CallError } from '../../worker/workerClient.ts';
-import { Edits } from './edits.ts';
 import { numberProblems } from './rakeEdits.ts';
-
-type Call = [method: string, params: Record<string, unknown>];
 
 const leased = new CallError({ kind: 'rpc', code: -32011, message: 'rake r1 is being dragged by Ann', hint: 'force' });
 const lost = new CallError({ kind: 'disconnected', code: 0, message: 'gone', hint: '' });
-
-/** A page whose server answers when the test lets it. */
-class Bench {
-    state = new AppState();
-    calls: Call[] = [];
-    waiting: { resolve: (result: unknown) => void; reject: (error: Error) => void }[] = [];
-    held = false;
-    edits: Edits;
-
-    constructor() {
-        const worker = answering((...call) => {
-            this.calls.push([call[0], call[1]]);
-            return new Promise((resolve, reject) => this.waiting.push({ resolve, reject }));
-        });
-        const options = { state: this.state, worker, latency: new LatencyLog(), requestFrame: () => undefined };
-        this.edits = new Edits({ ...options, dragging: () => this.held });
-        this.state.capabilities.value = ['lease'];
-        this.records([rakeOf('r1'), rakeOf('r2')], [surfaceOf('s1', { rake: 'r1' }), surfaceOf('s2', { rake: 'r2' })]);
-    }
-
-    records(rakes: RakeRecord[], surfaces = [...this.state.surfaces.value.values()]): void {
-        this.state.rakes.value = new Map(rakes.map((each) => [each.rake, each]));
-        this.state.surfaces.value = new Map(surfaces.map((each) => [each.surface, each]));
-        this.edits.recordsChanged();
-    }
-
-    drag(x: number, dragging = true): void {
-        this.held = dragging;
-        const shape = {
-            kind: 'line',
-            points: [
-                [x, 0, 0],
-                [0, 0, 1],
-            ] as Vec3[],
-        } as const;
-        this.edits.moveRake({ shape, dragging, movedAt: 1000 + x });
-    }
-
-    async answer(rev = 2, rest: object = {}): Promise<void> {
-        this.waiting.shift()?.resolve({ rake: 'r1', rev, clipped: false, points: [], surfaces: [], skipped: [], ...rest });
-        for (let i = 0; i < 6; ++i) await settled();
-    }
-
-    async refuse(error: Error): Promise<void> {
-        this.waiting.shift()?.reject(error);
-        for (let i = 0; i < 6; ++i) await settled();
-    }
-
-    /** What the problems that are told are about. */
-    get told(): string[] {
-        return [...this.state.problems.all.value.keys()];
-    }
-
-    get sent(): unknown[] {
-        return this.calls.map(([, params]) => (params['points'] as Vec3[] | undefined)?.[0]?.[0] ?? params);
-    }
-}
 
 describe('a drag on its way to the server', () => {
     it('is one edit a frame at most, the newest, with no more than four unanswered', async () => {
@@ -296,116 +233,6 @@ describe('an edit that waits to be sent', () => {
         void bench.edits.undo();
         for (let i = 0; i < 4; ++i) await settled();
         expect(bench.calls.map(([method]) => method)).toEqual(['rake.set', 'history.undo']);
-    });
-});
-
-describe('a change of a surface that cannot be as it is', () => {
-    const refusal = new CallError({ kind: 'rpc', code: -32014, message: 'there is no room', hint: '' });
-
-    function bench(times = [0, 1, 2, 3, 4]): Bench {
-        const made = new Bench();
-        made.state.dataset.value = datasetOf({ times });
-        return made;
-    }
-
-    /** The record as the server has it after the newest edit. */
-    function taken(made: Bench, rev: number): void {
-        const [, params] = made.calls.at(-1)!;
-        const rest = [...made.state.surfaces.value.values()].filter(({ surface }) => surface !== 's1');
-        made.records([...made.state.rakes.value.values()], [surfaceOf('s1', { rake: 'r1', ...params, rev }), ...rest]);
-    }
-
-    it('is released where the data have time for it, says so, and is what the record becomes', async () => {
-        for (const [kind, direction, from, to] of [
-            ['streak', 'backward', 4, 0],
-            ['path', 'backward', 4, 0],
-            ['path', 'both', 0, 4],
-        ] as const) {
-            const made = bench();
-            made.edits.changeSurface({ direction });
-            made.edits.changeSurface({ kind });
-            made.edits.flush();
-            expect(made.calls.at(-1)![1]).toMatchObject({ kind, direction, from, to });
-            await made.answer(2, { surface: 's1', epoch: 2 });
-            taken(made, 2);
-            expect(made.edits.intent.value).toMatchObject({ kind, direction, from });
-            if (direction === 'backward') expect(made.edits.remark.value).toBe('Released at 4: the data have nothing before 0.');
-            else expect(made.edits.remark.value).toBeNull();
-        }
-    });
-
-    it('goes one way where its kind cannot go both, and says so until the next change', async () => {
-        const made = bench();
-        made.edits.changeSurface({ direction: 'both' });
-        made.edits.flush();
-        await made.answer(2, { surface: 's1', epoch: 2 });
-        taken(made, 2);
-        made.edits.changeSurface({ kind: 'streak' });
-        made.edits.flush();
-        expect(made.calls.at(-1)![1]).toMatchObject({ kind: 'streak', direction: 'forward', from: 0, to: 4 });
-        expect(made.edits.intent.value).toMatchObject({ kind: 'streak', direction: 'forward' });
-        expect(made.edits.remark.value).toContain('goes one way in time');
-        made.edits.changeSurface({ length: 2 });
-        expect(made.edits.remark.value).toBeNull();
-    });
-
-    it('is released no later than the last time-step with data after it, however far the release is dragged', () => {
-        const made = bench();
-        made.edits.changeSurface({ kind: 'path' });
-        made.edits.changeSurface({ from: 4 });
-        made.edits.flush();
-        expect(made.calls.at(-1)![1]).toMatchObject({ from: 3, to: 4 });
-        expect(made.edits.intent.value?.from).toBe(3);
-        expect(made.edits.remark.value).toBe('Released at 3: the data have nothing after 4.');
-        made.edits.chooseRake('r2');
-        expect(made.edits.remark.value).toBeNull();
-    });
-
-    it('is not applied where the data have one time-step only: the controls stay at the record', () => {
-        const made = bench([0]);
-        made.edits.changeSurface({ kind: 'path' });
-        made.edits.flush();
-        expect(made.calls).toEqual([]);
-        expect(made.edits.intent.value?.kind).toBe('stream');
-        expect(made.edits.remark.value).toContain('Not applied');
-    });
-
-    it('goes back to the record when the server refuses it, with the reason beside it', async () => {
-        const made = bench();
-        made.edits.changeSurface({ separation: 0.5 });
-        made.edits.flush();
-        await made.refuse(refusal);
-        expect(made.edits.intent.value?.separation).toBe(0.2);
-        expect(made.edits.remark.value).toBe('Not applied: there is no room');
-        expect(made.told).toEqual(['surface s1']);
-    });
-
-    it('stays where a newer one is on its way, and is forgotten where that is taken', async () => {
-        const made = bench();
-        for (const separation of [0.5, 0.4]) {
-            made.edits.changeSurface({ separation });
-            made.edits.flush();
-        }
-        await made.refuse(refusal);
-        expect(made.edits.intent.value?.separation).toBe(0.4);
-        await made.answer(2, { surface: 's1', epoch: 2 });
-        taken(made, 2);
-        expect(made.edits.intent.value?.separation).toBe(0.4);
-        expect(made.edits.remark.value).toBeNull();
-    });
-});
-
-describe('a change of a surface that someone else has made', () => {
-    it('is shown also where it came while an edit of this page was unanswered', async () => {
-        const made = new Bench();
-        made.edits.changeSurface({ separation: 0.5 });
-        made.edits.flush();
-        const rest = [...made.state.surfaces.value.values()].filter(({ surface }) => surface !== 's1');
-        const theirs = surfaceOf('s1', { rake: 'r1', separation: 0.7, rev: 3 });
-        made.records([...made.state.rakes.value.values()], [theirs, ...rest]);
-        expect(made.edits.intent.value?.separation).toBe(0.5);
-        await made.answer(2, { surface: 's1', epoch: 2 });
-        expect(made.edits.intent.value?.separation).toBe(0.7);
     });
 });
 

@@ -2,9 +2,14 @@
 // stream surfaces stay in the data, and what has to give way for that is told.
 import type { Direction, SurfaceKind } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/ticks.ts';
-import type { SurfaceIntent } from './surfaceIntent.ts';
 
-type Times = Pick<SurfaceIntent, 'kind' | 'from' | 'length' | 'direction'>;
+/** Of the intent of a surface. */
+interface Times {
+    kind: SurfaceKind;
+    from: number;
+    length: number;
+    direction: Direction;
+}
 
 /** All of a streak or time surface is there at one time: it cannot go both ways. */
 export function directionsOf(kind: SurfaceKind): readonly Direction[] {
