@@ -26,7 +26,7 @@ struct TraceOptions {
     double step = 0.0;         ///< Rk4: the time step; Dopri5: the first one tried, 0: chosen
     double longest_step = 0.0; ///< arc length a step may cover, in the dataset's length unit; > 0
     double stagnation_speed = 0.0;   ///< a slower particle ends with Stagnation
-    std::size_t most_steps = 50'000; ///< attempts after which it ends with Budget: 200 bytes each
+    std::size_t most_steps = 50'000; ///< attempts after which it ends with Budget: 208 bytes each
     bool stretch = false;            ///< transport the tangent across the rake (for deformation)
     bool smooth = false; ///< stored data: tricubic in space and cubic in time instead of linear
     WorkMemory* memory = nullptr; ///< what the steps take is counted there, where there is one
@@ -39,6 +39,8 @@ struct CurveStep {
     double dt = 0.0;   ///< negative upstream
     std::array<glm::dvec4, 5> c;
     Vec3 stretch{0.0}; ///< transported tangent dx/ds at the start of the step
+    double error =
+        0.0; ///< how far off the step's end may be for what the integrator leaves out, as it estimates it; RK4: 0
 
     glm::dvec4 at(double theta) const {
         const double other = 1.0 - theta;

@@ -112,8 +112,10 @@ inline std::optional<CurveStep> series_step(const PathSeries& path,
     const double speed = speed_at(0.0);
     for (int i = 0; i <= 40; ++i, t *= 0.5) {
         CurveStep step = dense_output(path, lo, size, arc, t);
-        if (add_arc(step, speed, speed_at(0.5 * t), speed_at(t), t))
-            return step;
+        if (!add_arc(step, speed, speed_at(0.5 * t), speed_at(t), t))
+            continue;
+        step.error = series_error(path, size, t) * t;
+        return step;
     }
     return std::nullopt;
 }

@@ -45,6 +45,8 @@ struct QuadComplex {
     std::vector<float> deformation; ///< log2 of area now / area at birth; empty when not asked for
     std::vector<std::uint32_t> component;
     std::vector<std::uint8_t> approximated; ///< 1: interpolated, not traced from the rake
+    /// Length: how far the vertex may be from the particle it stands for, as estimated; empty: not estimated (moving surfaces)
+    std::vector<float> error;
     std::vector<Cell> cells;
 
     std::size_t vertices() const { return position.size(); }

@@ -1,6 +1,7 @@
 #include "core/surface/columns/sheet_mesh.hpp"
 
 #include "core/surface/columns/column_merge.hpp"
+#include "core/surface/columns/curve_errors.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -121,12 +122,17 @@ append_vertices(SheetMesh& mesh, const ColumnNumbers& numbers, const std::vector
             if (cell.mid[k] != no_vertex)
                 id[cell.mid[k]] = used;
         }
+    std::vector<const SeededCurve*> curves;
+    for (const auto& entry : numbers.entries())
+        curves.push_back(entry.column.curve);
+    const CurveErrors errors(std::move(curves));
     QuadComplex& complex = mesh.complex;
     const std::size_t total = complex.vertices() + numbers.count();
     complex.position.reserve(total);
     complex.s.reserve(total);
     complex.t.reserve(total);
     complex.approximated.reserve(total);
+    complex.error.reserve(total);
     mesh.stretch.reserve(total);
     for (const auto& entry : numbers.entries()) {
         const double s = entry.column.curve->s;
@@ -145,6 +151,7 @@ append_vertices(SheetMesh& mesh, const ColumnNumbers& numbers, const std::vector
             complex.s.push_back(s);
             complex.t.push_back(column.time[k]);
             complex.approximated.push_back(0);
+            complex.error.push_back(errors.at(entry.column.curve, column.arc[k]));
             mesh.stretch.push_back(column.stretch[k]);
         }
     }

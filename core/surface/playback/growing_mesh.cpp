@@ -39,6 +39,7 @@ QuadComplex vertices(const QuadComplex& mesh, const Order& order) {
     take(mesh.deformation, order, out.deformation);
     take(mesh.component, order, out.component);
     take(mesh.approximated, order, out.approximated);
+    take(mesh.error, order, out.error);
     return out;
 }
 

@@ -1,0 +1,160 @@
+#include "core/surface/columns/curve_errors.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace wakesurf::core {
+
+namespace {
+
+constexpr std::size_t knot_steps = 4; ///< from one look at the neighbours to the next
+
+/// Where a particle is at a time and how fast, at the start of a step.
+struct CurveState {
+    double time;
+    Vec3 position, velocity;
+};
+
+/// At the end of the curve's first `steps` steps.
+CurveState state_after(const Curve& curve, std::size_t steps) {
+    if (steps < curve.steps.size()) {
+        const CurveStep& step = curve.steps[steps];
+        return {step.time, Vec3(step.c[0]), Vec3(step.c[1] + step.c[2]) / step.dt};
+    }
+    const CurveStep& step = curve.steps.back();
+    return {curve.last.time, curve.last.position,
+            Vec3(step.c[1] - step.c[2] - step.c[3]) / step.dt};
+}
+
+/// A neighbouring curve, read in order of time.
+class Neighbour {
+  public:
+    Neighbour(const SeededCurve* curve, double s)
+        : curve_(curve == nullptr ? nullptr : &curve->curve),
+          apart_(curve == nullptr ? 0.0 : curve->s - s) {}
+
+    /// dx/ds as the difference to where the neighbour's particle is at that time; nothing where that has ended.
+    std::optional<Vec3> tangent(const CurveState& at) {
+        if (curve_ == nullptr || std::abs(at.time) > std::abs(curve_->last.time))
+            return std::nullopt;
+        const auto& steps = curve_->steps;
+        while (step_ + 1 < steps.size() && std::abs(steps[step_ + 1].time) <= std::abs(at.time))
+            ++step_;
+        if (steps.empty())
+            return std::nullopt;
+        const CurveStep& step = steps[step_];
+        const double theta = std::clamp((at.time - step.time) / step.dt, 0.0, 1.0);
+        return (Vec3(step.at(theta)) - at.position) / apart_;
+    }
+
+  private:
+    const Curve* curve_;
+    double apart_;
+    std::size_t step_ = 0;
+};
+
+/// The metric of the surface in its coordinates: seed parameter and time.
+struct Metric {
+    double ss, st, tt;
+
+    /// Kept away from zero: where the tangents are parallel, what lies between them is not known.
+    double determinant() const { return std::max(ss * tt - st * st, 1e-8 * ss * tt) + 1e-300; }
+};
+
+/// What errors in all directions of the surface have come to, in its coordinates: an ellipsoid.
+class Spread {
+  public:
+    /// Length that the ellipsoid has in a metric.
+    double length(const Metric& g) const {
+        return std::sqrt(std::max(g.ss * ss_ + 2.0 * g.st * st_ + g.tt * tt_, 0.0));
+    }
+
+    /// Adds a circle of that radius: the ellipsoid round all sums, of the least trace.
+    void add(const Metric& g, double radius) {
+        const double det = g.determinant();
+        const double before = length(g);
+        const double added = std::sqrt(2.0) * radius;
+        if (!(added > 0.0))
+            return;
+        const double own = before > 0.0 ? 1.0 + added / before : 1.0;
+        const double others = (1.0 + before / added) * radius * radius / det;
+        ss_ = own * ss_ + others * g.tt;
+        st_ = own * st_ - others * g.st;
+        tt_ = own * tt_ + others * g.ss;
+    }
+
+  private:
+    double ss_ = 0.0, st_ = 0.0, tt_ = 0.0;
+};
+
+} // namespace
+
+CurveErrors::CurveErrors(std::vector<const SeededCurve*> curves) : curves_(std::move(curves)) {
+    const auto before = [](const SeededCurve* a, const SeededCurve* b) { return a->s < b->s; };
+    std::sort(curves_.begin(), curves_.end(), before);
+    curves_.erase(std::unique(curves_.begin(), curves_.end()), curves_.end());
+    knots_.resize(curves_.size());
+    tbb::this_task_arena::isolate([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, curves_.size(), 4), [&](const auto& range) {
+                for (std::size_t i = range.begin(); i != range.end(); ++i)
+                    knots_[i] = along(*curves_[i], i > 0 ? curves_[i - 1] : nullptr,
+                                      i + 1 < curves_.size() ? curves_[i + 1] : nullptr);
+            });
+    });
+}
+
+std::vector<CurveErrors::Knot>
+CurveErrors::along(const SeededCurve& seeded, const SeededCurve* left, const SeededCurve* right) {
+    const Curve& curve = seeded.curve;
+    std::vector<Knot> knots{{0.0, 0.0}};
+    Neighbour before(left, seeded.s), after(right, seeded.s);
+    Vec3 across = curve.seed_tangent;
+    Spread spread;
+    double through = 0.0; // the error normal to the surface, times the area
+    double pending = 0.0;
+    for (std::size_t i = 0; i < curve.steps.size(); ++i) {
+        pending += curve.steps[i].error;
+        const bool last = i + 1 == curve.steps.size();
+        if ((i + 1) % knot_steps != 0 && !last)
+            continue;
+        const CurveState at = state_after(curve, i + 1);
+        const auto a = before.tangent(at);
+        const auto b = after.tangent(at);
+        // Across a tear one of the two says nothing of the surface; else both do.
+        if (a && b)
+            across = glm::dot(*a, *a) < glm::dot(*b, *b) ? *a : *b;
+        else if (a || b)
+            across = a ? *a : *b;
+        const Metric g{glm::dot(across, across), glm::dot(across, at.velocity),
+                       glm::dot(at.velocity, at.velocity)};
+        const double area = std::sqrt(g.determinant());
+        spread.add(g, pending);
+        through += pending * area;
+        pending = 0.0;
+        const double arc = last ? curve.last.arc : curve.steps[i + 1].c[0].w;
+        knots.push_back({arc, std::hypot(spread.length(g), through / area)});
+    }
+    return knots;
+}
+
+float CurveErrors::at(const SeededCurve* curve, double arc) const {
+    const auto place =
+        std::lower_bound(curves_.begin(), curves_.end(), curve,
+                         [](const SeededCurve* a, const SeededCurve* b) { return a->s < b->s; });
+    const auto& knots = knots_[static_cast<std::size_t>(place - curves_.begin())];
+    const auto after = std::upper_bound(knots.begin(), knots.end(), arc,
+                                        [](double a, const Knot& knot) { return a < knot.arc; });
+    if (after == knots.end())
+        return static_cast<float>(knots.back().error);
+    const Knot& from = *std::prev(after);
+    const double part = (arc - from.arc) / (after->arc - from.arc);
+    return static_cast<float>(from.error + part * (after->error - from.error));
+}
+
+} // namespace wakesurf::core

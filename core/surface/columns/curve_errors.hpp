@@ -1,0 +1,39 @@
+// How far the vertices of a stream or path surface may be from the particles they stand for: the integrator's error of each step,
+// carried along the curve as the flow stretches and shears what is near it. Past a stagnation line an error that was allowed
+// there is thousands of times as large.
+#pragma once
+
+#include "core/surface/columns/strip.hpp"
+
+#include <span>
+#include <vector>
+
+namespace wakesurf::core {
+
+/// Estimates along the curves of a sheet. Tangents of the surface carry an error: velocity along a curve, and across it the way to
+/// the next curve at the same time. In these an error keeps its coordinates while the flow carries it, so each step adds
+/// its own to those and nothing is carried; normal to the surface it is as the area becomes smaller.
+///
+/// Errors add up as if they all had one direction. The integrator's own estimate is of its lower order, so that the sum is usually too
+/// large. Cost: one comparison with either neighbour every fourth step.
+class CurveErrors {
+  public:
+    /// @param curves  of the sheet's columns, in any order, repeated or not; must outlive this
+    explicit CurveErrors(std::vector<const SeededCurve*> curves);
+
+    /// Length. @param arc  on the curve, from its seed
+    float at(const SeededCurve* curve, double arc) const;
+
+  private:
+    struct Knot {
+        double arc, error;
+    };
+
+    static std::vector<Knot>
+    along(const SeededCurve& curve, const SeededCurve* left, const SeededCurve* right);
+
+    std::vector<const SeededCurve*> curves_; ///< by seed parameter
+    std::vector<std::vector<Knot>> knots_;
+};
+
+} // namespace wakesurf::core
