@@ -1,188 +1,161 @@
 // Where people are when they open the page: behind a tunnel to another port, below a prefix of a proxy with two servers beside each
 // other, with a tab that is older than the server.
-import { join } from "node:path";
-import type { Browser, BrowserContext, Page } from "playwright-core";
-import {
-  afterAll,
-  afterEach,
-  beforeAll,
-  beforeEach,
-  describe,
-  expect,
-  it,
-} from "vitest";
-import {
-  ask,
-  finalSurface,
-  launchBrowser,
-  newContext,
-  openPage,
-  screenshot,
-} from "./support/browser_page.ts";
-import { allowLostConnections } from "./support/complaints.ts";
-import { NetworkProxy } from "./support/network_proxy.ts";
-import { PrefixProxy } from "./support/prefix_proxy.ts";
-import { ServerProcess, temporaryFolder } from "./support/server_process.ts";
+import { join } from 'node:path';
+import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { allowLostConnections } from './support/complaints.ts';
+import { NetworkProxy } from './support/network_proxy.ts';
+import { PrefixProxy } from './support/prefix_proxy.ts';
+import { ServerProcess, temporaryFolder } from './support/server_process.ts';
 
 const folder = temporaryFolder();
-const store = join(folder.path, "store");
+const store = join(folder.path, 'store');
 let browser: Browser;
 let context: BrowserContext;
 
 beforeAll(async () => {
-  browser = await launchBrowser();
+    browser = await launchBrowser();
 });
 
 afterEach(async () => context?.close());
 
 afterAll(async () => {
-  await browser?.close();
-  folder.remove();
+    await browser?.close();
+    folder.remove();
 });
 
 /** The fragment of what a server has printed, at another address of it. */
 function at(address: string, server: ServerProcess): string {
-  return `${address}${new URL(server.link).hash}`;
+    return `${address}${new URL(server.link).hash}`;
 }
 
 async function shows(page: Page): Promise<string> {
-  await finalSurface(page);
-  return (await ask(page, (hook) => hook.session))!;
+    await finalSurface(page);
+    return (await ask(page, (hook) => hook.session))!;
 }
 
-describe("a server elsewhere", () => {
-  it("is reached through a tunnel to another port, with no option", async () => {
-    const server = await ServerProcess.start({ store });
-    const tunnel = await NetworkProxy.start();
-    try {
-      tunnel.lead(server.port);
-      context = await newContext(browser);
-      const page = await openPage(
-        context,
-        at(`http://localhost:${tunnel.port}/`, server),
-      );
-      const session = await shows(page);
-      await page.reload();
-      expect(await shows(page)).toBe(session);
-    } finally {
-      tunnel.stop();
-      await server.stop();
-    }
-  });
+describe('a server elsewhere', () => {
+    it('is reached through a tunnel to another port, with no option', async () => {
+        const server = await ServerProcess.start({ store });
+        const tunnel = await NetworkProxy.start();
+        try {
+            tunnel.lead(server.port);
+            context = await newContext(browser);
+            const page = await openPage(context, at(`http://localhost:${tunnel.port}/`, server));
+            const session = await shows(page);
+            await page.reload();
+            expect(await shows(page)).toBe(session);
+        } finally {
+            tunnel.stop();
+            await server.stop();
+        }
+    });
 
-  it("is reached below a prefix, beside another one, and each keeps its login", async () => {
-    const proxy = await PrefixProxy.start();
-    const [first, second] = [
-      await ServerProcess.start({ store, origin: proxy.origin }),
-      await ServerProcess.start({ store, origin: proxy.origin }),
-    ];
-    try {
-      proxy.lead("/a/", first.port);
-      proxy.lead("/b/", second.port);
-      context = await newContext(browser);
-      for (const [prefix, server] of [
-        ["/a/", first],
-        ["/b/", second],
-      ] as const) {
-        const page = await openPage(
-          context,
-          at(`${proxy.origin}${prefix}`, server),
-        );
-        await shows(page);
-        await page.close();
-      }
-      const cookies = await context.cookies();
-      expect(cookies.map(({ path }) => path).sort()).toEqual(["/a/", "/b/"]);
-      for (const prefix of ["/a/", "/b/"]) {
-        const page = await openPage(context, `${proxy.origin}${prefix}`);
-        await shows(page);
-        await page.close();
-      }
-    } finally {
-      proxy.stop();
-      await Promise.all([first.stop(), second.stop()]);
-    }
-  });
+    it('is reached below a prefix, beside another one, and each keeps its login', async () => {
+        const proxy = await PrefixProxy.start();
+        const [first, second] = [
+            await ServerProcess.start({ store, origin: proxy.origin }),
+            await ServerProcess.start({ store, origin: proxy.origin }),
+        ];
+        try {
+            proxy.lead('/a/', first.port);
+            proxy.lead('/b/', second.port);
+            context = await newContext(browser);
+            for (const [prefix, server] of [
+                ['/a/', first],
+                ['/b/', second],
+            ] as const) {
+                const page = await openPage(context, at(`${proxy.origin}${prefix}`, server));
+                await shows(page);
+                await page.close();
+            }
+            const cookies = await context.cookies();
+            expect(cookies.map(({ path }) => path).sort()).toEqual(['/a/', '/b/']);
+            for (const prefix of ['/a/', '/b/']) {
+                const page = await openPage(context, `${proxy.origin}${prefix}`);
+                await shows(page);
+                await page.close();
+            }
+        } finally {
+            proxy.stop();
+            await Promise.all([first.stop(), second.stop()]);
+        }
+    });
 
-  it("says that it does not go by an address, and not that the token is wrong", async () => {
-    const proxy = await PrefixProxy.start();
-    const server = await ServerProcess.start({ store });
-    try {
-      proxy.lead("/a/", server.port, "127.0.0.1");
-      context = await newContext(browser);
-      const page = await openPage(context, at(`${proxy.origin}/a/`, server));
-      await page.getByText(/does not accept this page’s address/).waitFor();
-      await page.getByText(/start it with --origin/).waitFor();
-      await screenshot(page, "wrong-address");
-    } finally {
-      proxy.stop();
-      await server.stop();
-    }
-  });
+    it('says that it does not go by an address, and not that the token is wrong', async () => {
+        const proxy = await PrefixProxy.start();
+        const server = await ServerProcess.start({ store });
+        try {
+            proxy.lead('/a/', server.port, '127.0.0.1');
+            context = await newContext(browser);
+            const page = await openPage(context, at(`${proxy.origin}/a/`, server));
+            await page.getByText(/does not accept this page’s address/).waitFor();
+            await page.getByText(/start it with --origin/).waitFor();
+            await screenshot(page, 'wrong-address');
+        } finally {
+            proxy.stop();
+            await server.stop();
+        }
+    });
 });
 
-describe("a server that was started again", () => {
-  beforeEach(allowLostConnections);
+describe('a server that was started again', () => {
+    beforeEach(allowLostConnections);
 
-  it("lets in a page that was reloaded before, and a second tab", async () => {
-    const options = {
-      store,
-      tokenFile: join(folder.path, "token"),
-      state: join(folder.path, "state"),
-    };
-    let server = await ServerProcess.start(options);
-    try {
-      context = await newContext(browser);
-      const page = await openPage(context, server.link);
-      const session = await shows(page);
-      await page.reload();
-      await shows(page);
-      const { port } = server;
-      await server.stop("SIGKILL");
-      await page.getByText(/Connection lost/).waitFor();
-      server = await ServerProcess.start({ ...options, port });
-      await page.waitForFunction(
-        () => window.wakesurf?.connection === "open",
-        null,
-        { timeout: 20_000 },
-      );
-      expect(await shows(page)).toBe(session);
-      const tab = await openPage(context, page.url());
-      expect(await shows(tab)).toBe(session);
-    } finally {
-      await server.stop();
-    }
-  });
+    it('lets in a page that was reloaded before, and a second tab', async () => {
+        const options = {
+            store,
+            tokenFile: join(folder.path, 'token'),
+            state: join(folder.path, 'state'),
+        };
+        let server = await ServerProcess.start(options);
+        try {
+            context = await newContext(browser);
+            const page = await openPage(context, server.link);
+            const session = await shows(page);
+            await page.reload();
+            await shows(page);
+            const { port } = server;
+            await server.stop('SIGKILL');
+            await page.getByText(/Connection lost/).waitFor();
+            server = await ServerProcess.start({ ...options, port });
+            await page.waitForFunction(() => window.wakesurf?.connection === 'open', null, { timeout: 20_000 });
+            expect(await shows(page)).toBe(session);
+            const tab = await openPage(context, page.url());
+            expect(await shows(tab)).toBe(session);
+        } finally {
+            await server.stop();
+        }
+    });
 
-  it("keeps the picture of a page that it does not let in any more, and takes its new link", async () => {
-    const state = join(folder.path, "other-state");
-    let server = await ServerProcess.start({ store, state });
-    try {
-      context = await newContext(browser);
-      const page = await openPage(context, server.link);
-      const session = await shows(page);
-      const before = await ask(page, (hook) => hook.displayed!);
-      const { port } = server;
-      await server.stop("SIGKILL");
-      server = await ServerProcess.start({ store, state, port });
-      const banner = page.getByText(/does not accept the access token/);
-      await banner.waitFor({ timeout: 20_000 });
-      expect(await ask(page, (hook) => hook.displayed!.stateSum)).toBe(
-        before.stateSum,
-      );
-      expect(await page.locator("canvas").isVisible()).toBe(true);
-      await screenshot(page, "refused");
-      const field = page.getByRole("textbox", { name: "New link" });
-      await field.fill("no link");
-      await page.keyboard.press("Enter");
-      await page.getByText(/There is no token in this/).waitFor();
-      await field.fill(`wakesurf: ${server.link}`);
-      await page.keyboard.press("Enter");
-      await banner.waitFor({ state: "hidden" });
-      expect(await shows(page)).toBe(session);
-      expect(page.url()).not.toContain("token");
-    } finally {
-      await server.stop();
-    }
-  });
+    it('keeps the picture of a page that it does not let in any more, and takes its new link', async () => {
+        const state = join(folder.path, 'other-state');
+        let server = await ServerProcess.start({ store, state });
+        try {
+            context = await newContext(browser);
+            const page = await openPage(context, server.link);
+            const session = await shows(page);
+            const before = await ask(page, (hook) => hook.displayed!);
+            const { port } = server;
+            await server.stop('SIGKILL');
+            server = await ServerProcess.start({ store, state, port });
+            const banner = page.getByText(/does not accept the access token/);
+            await banner.waitFor({ timeout: 20_000 });
+            expect(await ask(page, (hook) => hook.displayed!.stateSum)).toBe(before.stateSum);
+            expect(await page.locator('canvas').isVisible()).toBe(true);
+            await screenshot(page, 'refused');
+            const field = page.getByRole('textbox', { name: 'New link' });
+            await field.fill('no link');
+            await page.keyboard.press('Enter');
+            await page.getByText(/There is no token in this/).waitFor();
+            await field.fill(`wakesurf: ${server.link}`);
+            await page.keyboard.press('Enter');
+            await banner.waitFor({ state: 'hidden' });
+            expect(await shows(page)).toBe(session);
+            expect(page.url()).not.toContain('token');
+        } finally {
+            await server.stop();
+        }
+    });
 });

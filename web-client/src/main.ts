@@ -34,6 +34,7 @@ import { SessionController } from './session/sessionController.ts';
 import { readNewLink } from './session/sessions/newLink.ts';
 import { SessionShelf } from './session/sessions/sessionShelf.ts';
 import { SurfaceProgress } from './session/surface/surfaceProgress.ts';
+import { SurfaceOutcomes } from './session/surface/surfaceOutcomes.ts';
 import { SurfaceFeed } from './session/surface/surfaceFeed.ts';
 import { showTheme } from './session/picture/themeInPicture.ts';
 import { showUnits, typeUnits } from './session/picture/unitsInPicture.ts';
@@ -106,6 +107,7 @@ function start(app: App): void {
     connectPainting(view, scene);
     scene.controls.onMove(() => people.takeCamera());
     const feed = new SurfaceFeed({ state, scene, worker, latency });
+    const outcomes = new SurfaceOutcomes({ state, worker });
     const views = new Views({ state, view, scene, url });
     const imports = new ImportWait({ state, worker });
     const thumbnails = new Thumbnails({
@@ -115,7 +117,7 @@ function start(app: App): void {
     });
     const dataset = new OpenDataset({ state, scene, worker, imports });
     const controller = new SessionController({ state, worker, dataset, feed, edits, people, views, thumbnails, url });
-    const news = new ServerNews({ state, feed, people, progress, dataset, controller });
+    const news = new ServerNews({ state, feed, outcomes, people, progress, dataset, controller });
     const shelf = new SessionShelf({ state, worker, base: baseUrl(), restored: (session) => controller.restored(session) });
     const clock = new ClockControl({ state, worker, requestFrame });
     const playback = new Playback({ state, edits, clock });

@@ -226,6 +226,10 @@ class TypeScript:
                 f"export const {noun}AskedNames = [{', '.join(quoted(each.name) for each in asked)}] as const;", "",
                 f"/** What holds of a {noun} where {method.name} is not told. */", f"export const {noun}Defaults = {{",
                 *[f"    {each.name}: {self.value(each.node)}," for each in asked if "default" in each.node], "};", "",
+                f"/** Least and most of what is a number in {method.name}; the least itself may be left out of the range. */",
+                f"export const {setter}Ranges = {{",
+                *[f"    {each.name}: [{least:g}, {each.node['maximum']:g}]," for each in asked if "maximum" in each.node
+                  for least in [each.node.get("minimum", each.node.get("exclusiveMinimum"))] if least is not None], "} as const;", "",
                 f"/** Which kinds take a parameter of {method.name} that not all take. */", f"export const {setter}OnlyFor = {{",
                 *[f"    {name}: [{', '.join(quoted(kind) for kind in kinds)}]," for name, kinds in limited.items()], "} as const;", ""]
 

@@ -13,6 +13,7 @@ function bench() {
     const unheard = (): void => undefined;
     const news = new ServerNews({
         state,
+        outcomes: { done: unheard },
         feed: { done: (_surface, _epoch, error) => void done.push(error), progressed: unheard },
         people: { patched: unheard },
         progress: { progressed: (...what) => void progressed.push(what) },

@@ -7,6 +7,7 @@ import type { People } from './people/people.ts';
 import type { SessionController } from './sessionController.ts';
 import type { SurfaceProgress } from './surface/surfaceProgress.ts';
 import type { SurfaceFeed } from './surface/surfaceFeed.ts';
+import type { SurfaceOutcomes } from './surface/surfaceOutcomes.ts';
 
 /** Notices before the server closes the connection, which the page tells in its own words. */
 const farewells: ReadonlySet<string> = new Set(['displaced', 'removed', 'linkEnded', 'loggedOut']);
@@ -16,6 +17,7 @@ const subjects: Readonly<Record<string, string>> = { notDurable: 'durability', d
 export interface ServerNewsOptions {
     state: AppState;
     feed: Pick<SurfaceFeed, 'done' | 'progressed'>;
+    outcomes: Pick<SurfaceOutcomes, 'done'>;
     people: Pick<People, 'patched'>;
     progress: Pick<SurfaceProgress, 'progressed'>;
     dataset: Pick<OpenDataset, 'patched' | 'stepsPatched'>;
@@ -31,12 +33,13 @@ export class ServerNews {
     }
 
     take(notification: Notification): void {
-        const { feed, dataset, people, progress, controller } = this.options;
+        const { feed, outcomes, dataset, people, progress, controller } = this.options;
         switch (notification.method) {
             case 'session.patched':
                 controller.patched(notification.session, notification.patches);
                 break;
             case 'surface.done':
+                outcomes.done(notification.stats);
                 feed.done(notification.surface, notification.epoch, whyNotWhole(notification));
                 break;
             case 'dataset.patched': {

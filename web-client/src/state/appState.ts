@@ -17,6 +17,7 @@ import type {
     StepState,
     SurfaceRecord,
     Vec3,
+    SurfaceStats,
 } from '../protocol/messages.ts';
 import { Announcements } from './announcements.ts';
 import { noUnits, type Units } from './units.ts';
@@ -97,6 +98,8 @@ export class AppState {
     readonly parts = signal<ReadonlyMap<string, readonly SurfacePart[]>>(new Map());
     /** The newest epoch that an answer or a record of the server has named, by surface. */
     readonly requestedEpochs = signal<ReadonlyMap<string, number>>(new Map());
+    /** What the server counted on the newest finished state of a surface. */
+    readonly outcomes = signal<ReadonlyMap<string, SurfaceStats>>(new Map());
     readonly surfaceErrors = signal<ReadonlyMap<string, SurfaceFailure>>(new Map());
     /** Surfaces of which older states were left out, because this client is slower than the server. */
     readonly catchingUp = signal<ReadonlySet<string>>(new Set());
@@ -128,6 +131,7 @@ export class AppState {
             requestedEpoch: this.requestedEpochs.value.get(id) ?? 0,
             editsPending: this.editsPending.value,
             error: this.surfaceErrors.value.get(id),
+            outcome: this.outcomes.value.get(id),
             hidden: this.hiddenSurfaces.value.has(id),
         });
     });
@@ -156,7 +160,19 @@ export interface SurfaceFailure {
 }
 
 export type SurfacePhase =
-    'waiting' | 'ended' | 'gone' | 'hidden' | 'none' | 'updating' | 'coarse' | 'live' | 'final' | 'empty' | 'stopped' | 'error';
+    | 'waiting'
+    | 'ended'
+    | 'gone'
+    | 'hidden'
+    | 'none'
+    | 'updating'
+    | 'coarse'
+    | 'live'
+    | 'final'
+    | 'coarsened'
+    | 'empty'
+    | 'stopped'
+    | 'error';
 
 export interface SurfaceProgress {
     displayed: DisplayedSurface | undefined;
@@ -164,13 +180,14 @@ export interface SurfaceProgress {
     /** An edit has not been answered yet, so that `requestedEpoch` may be old. */
     editsPending: boolean;
     error: SurfaceFailure | undefined;
+    outcome?: SurfaceStats | undefined;
     /** Its user has hidden it. */
     hidden?: boolean;
 }
 
 /** In which state the picture of a surface is, compared with what has been asked for. */
 export function surfacePhase(progress: SurfaceProgress): SurfacePhase {
-    const { displayed, requestedEpoch, editsPending, error, hidden } = progress;
+    const { displayed, requestedEpoch, editsPending, error, outcome, hidden } = progress;
     if (hidden === true) return 'hidden';
     if (error !== undefined && error.epoch >= requestedEpoch && !editsPending) {
         return error.stopped ? 'stopped' : 'error';
@@ -179,7 +196,10 @@ export function surfacePhase(progress: SurfaceProgress): SurfacePhase {
     if (displayed.epoch < requestedEpoch || editsPending) return 'updating';
     if (displayed.phase === 'live') return 'live';
     if (displayed.phase !== 'final') return 'coarse';
-    return displayed.cells === 0 ? 'empty' : 'final';
+    // What is told of another state says nothing of this one.
+    const counted = outcome?.stateSum === displayed.stateSum ? outcome : undefined;
+    if (displayed.cells === 0 || counted?.empty !== undefined) return 'empty';
+    return counted?.coarsened === true ? 'coarsened' : 'final';
 }
 
 /** A copy of a map with one entry set, for signals that compare by identity. */

@@ -237,6 +237,17 @@ export const surfaceDefaults = {
     fields: [] as string[],
 };
 
+/** Least and most of what is a number in surface.set; the least itself may be left out of the range. */
+export const surfaceSetRanges = {
+    from: [-3.40282e38, 3.40282e38],
+    to: [-3.40282e38, 3.40282e38],
+    releaseUntil: [-3.40282e38, 3.40282e38],
+    merge: [0, 0.5],
+    angle: [0, 180],
+    stagnationSpeed: [0, 0.1],
+    maxQuads: [1, 4e6],
+} as const;
+
 /** Which kinds take a parameter of surface.set that not all take. */
 export const surfaceSetOnlyFor = {
     rake2: ['time'],

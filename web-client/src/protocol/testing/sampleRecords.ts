@@ -21,8 +21,9 @@ export function sampleStatistics(rest: Partial<Statistics> = {}): Statistics {
     const terminated = { domain: 0, time: 4, obstacle: 0, stagnation: 0, budget: 0 };
     const seconds = { load: 0, advect: 0.2, refine: 0.1, other: 0, total: 0.3 };
     const counts = { quads: 3, vertices: 8, steps: 3, vertexSteps: 24, approximated: 0, peakBytes: 1000, stateSum: 1 };
-    const about = { surface: 's1', epoch: 1, complete: true, kind: 'stream', maxEdge: 0.2, separation: 0.2 } as const;
-    return { ...about, ...counts, terminated, seconds, ...rest };
+    const limits = { maxEdge: 0.2, separation: 0.2, requestedSeparation: 0.2, coarsened: false };
+    const about = { surface: 's1', epoch: 1, complete: true, kind: 'stream' } as const;
+    return { ...about, ...counts, ...limits, terminated, seconds, ...rest };
 }
 
 export function emptySnapshot(session: string, name = ''): SessionSnapshot {

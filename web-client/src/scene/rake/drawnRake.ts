@@ -19,6 +19,8 @@ export interface DrawnRake {
     /** Cannot be moved, from here. */
     locked: boolean;
     holder: RakeHolder | null;
+    /** Words beside it; empty: none. */
+    remark: string;
 }
 
 /** A handle that is not where the shape has it, because it is held. */

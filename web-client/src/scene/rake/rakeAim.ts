@@ -68,7 +68,7 @@ export class RakeAim implements Layer {
     }
 
     arrows(view: View): Arrow[] {
-        if (this.layer.held || this.layer.shape.points.length < 2 || !this.mayMove()) return [];
+        if (!this.layer.movable || this.layer.shape.points.length < 2 || !this.mayMove()) return [];
         return arrowsAt(this.layer.positionOf(this.handle, view), view);
     }
 

@@ -131,7 +131,7 @@ export class RakeLayer implements Layer {
             widget.update(view, own ? (guide?.held ?? null) : null, own ? highlighted : null);
         }
         if (guide !== null) this.axis.update(view, guide.held.at);
-        this.labels.show([...this.holders(view), ...this.snapWords(view)]);
+        this.labels.show([...this.holders(view), ...this.remarks(view), ...this.snapWords(view)]);
     }
 
     private holders(view: View): { at: ScreenPoint; words: string; colour: string }[] {
@@ -139,6 +139,13 @@ export class RakeLayer implements Layer {
             const points = holder?.points ?? shape.points;
             const at = labelPlace({ kind: shape.kind, points }, view);
             return holder === null || at === null ? [] : [{ at, words: `${holder.name} is moving this`, colour: holder.colour }];
+        });
+    }
+
+    private remarks(view: View): { at: ScreenPoint; words: string; colour: string }[] {
+        return this.drawn.flatMap(({ holder, shape, remark, colour }) => {
+            const at = holder !== null || remark === '' ? null : labelPlace(shape, view);
+            return at === null ? [] : [{ at, words: remark, colour }];
         });
     }
 

@@ -20,6 +20,9 @@ export interface SurfaceIntent {
     /** Integration time; all but stream surfaces get less where the data end. Both ways, of each. */
     length: number;
     separation: number;
+    maxQuads: number;
+    merge: number;
+    angle: number;
     direction: Direction;
     accuracy: Accuracy;
     interpolation: Interpolation;
@@ -34,10 +37,12 @@ export interface SurfaceIntent {
 
 export function intentOf(record: SurfaceRecord): SurfaceIntent {
     const { kind, from, to, separation, direction, accuracy, interpolation, fields } = record;
+    const { maxQuads, merge, angle } = record;
     const { releaseUntil, sweep = null, rake2 = null } = record;
     const released = releaseUntil === undefined ? null : Math.abs(releaseUntil - from);
     const length = Math.abs(to - from);
-    return { kind, from, length, separation, direction, accuracy, interpolation, fields, released, sweep, rake2 };
+    const mesh = { separation, maxQuads, merge, angle };
+    return { kind, from, length, ...mesh, direction, accuracy, interpolation, fields, released, sweep, rake2 };
 }
 
 /** A time surface needs a second curve: where none was chosen, the rake is swept across the domain. */
@@ -57,12 +62,13 @@ export function settingOf(
     times: readonly number[],
     steady: boolean,
 ): SurfaceSetting | null {
-    const { kind, from, separation, direction, accuracy, interpolation, fields } = intent;
+    const { kind, from, separation, maxQuads, merge, angle, direction, accuracy, interpolation, fields } = intent;
     if (!(followed(intent, times, steady) > 0)) return null;
     const to = endOf(intent, times, steady);
     const shown = { from, to, releaseUntil: releaseEnd(intent, to - from) };
     const field = { accuracy, interpolation, fields: [...fields] };
-    const wanted = { kind, separation, direction, ...field, ...shown, ...secondCurve(intent) };
+    const mesh = { separation, maxQuads, merge, angle };
+    const wanted = { kind, ...mesh, direction, ...field, ...shown, ...secondCurve(intent) };
     return { ...askedOf({ ...record, ...wanted }), surface: record.surface };
 }
 

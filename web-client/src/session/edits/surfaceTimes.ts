@@ -1,7 +1,7 @@
 // Which times and directions go together: a surface starts at `from` and ends `length` later, or earlier where it goes backward. All but
 // stream surfaces stay in the data, and what has to give way for that is told.
 import type { Direction, SurfaceKind } from '../../protocol/messages.ts';
-import { shortNumber } from '../../scene/base/ticks.ts';
+import { shortNumber } from '../../scene/base/numbers.ts';
 
 /** Of the intent of a surface. */
 interface Times {

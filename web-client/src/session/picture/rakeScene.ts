@@ -24,7 +24,8 @@ export function showRakes(state: AppState, view: ViewState, scene: FlowScene): v
             const chosen = record.rake === activeRake.value;
             const colour = rakeColour(record, rakes.value);
             const locked = state.locked.value || visibility.lockedRakes.has(record.rake);
-            return { rake: record.rake, shape: chosen ? own : record, colour, chosen, locked, holder: holderOf(state, record) };
+            const people = { locked, holder: holderOf(state, record), remark: whyNothing(state, record.rake) };
+            return { rake: record.rake, shape: chosen ? own : record, colour, chosen, ...people };
         });
         scene.rakes.setRakes(drawn);
         scene.loop.request();
@@ -33,6 +34,16 @@ export function showRakes(state: AppState, view: ViewState, scene: FlowScene): v
     effect(() => {
         if (view.tool.value !== 'place') scene.interaction.place(null);
     });
+}
+
+/** Of a surface of the rake that is empty: why there is nothing to see where it would be. Empty: there is. */
+function whyNothing({ displayed, outcomes, surfaces }: AppState, rake: string): string {
+    for (const { surface, rake: its } of surfaces.value.values()) {
+        const outcome = outcomes.value.get(surface);
+        const told = its === rake && outcome?.stateSum === displayed.value.get(surface)?.stateSum;
+        if (told && outcome?.empty !== undefined) return outcome.empty.message;
+    }
+    return '';
 }
 
 /** Null where no one else holds it. */

@@ -84,12 +84,12 @@ describe('the numbers of the line of time', () => {
         const steps = Array.from({ length: 16 }, (_, i) => 8.5 + 0.5 * i);
         expect(
             stepTicks(steps, [8.5, 16], 16)
-                .map(({ label }) => label)
+                .ticks.map(({ label }) => label)
                 .slice(0, 3),
         ).toEqual(['8.5', '9.0', '9.5']);
-        expect(stepTicks(steps, [8.5, 16], 9).map(({ value }) => value)).toEqual(steps.filter((_, i) => i % 2 === 0));
+        expect(stepTicks(steps, [8.5, 16], 9).ticks.map(({ value }) => value)).toEqual(steps.filter((_, i) => i % 2 === 0));
         const short = Array.from({ length: 6 }, (_, i) => 0.1 + 0.0001 * i);
-        expect(stepTicks(short, [0.1, 0.1005], 8).map(({ label }) => label)).toEqual([
+        expect(stepTicks(short, [0.1, 0.1005], 8).ticks.map(({ label }) => label)).toEqual([
             '0.1000',
             '0.1001',
             '0.1002',
@@ -97,14 +97,14 @@ describe('the numbers of the line of time', () => {
             '0.1004',
             '0.1005',
         ]);
-        expect(stepTicks([-2, -1, 0], [-2, 0], 4).map(({ label }) => label)).toEqual(['\u22122', '\u22121', '0']);
+        expect(stepTicks([-2, -1, 0], [-2, 0], 4).ticks.map(({ label }) => label)).toEqual(['\u22122', '\u22121', '0']);
     });
 
     it('are at most as many as are wanted, however many steps there are, and at steps all of them', () => {
         for (const count of [2, 3, 7, 40, 999, 12_345]) {
             const steps = Array.from({ length: count }, (_, i) => 1000 + 0.37 * i);
             for (const wanted of [1, 2.5, 5, 14]) {
-                const ticks = stepTicks(steps, [0, 1e6], wanted);
+                const { ticks } = stepTicks(steps, [0, 1e6], wanted);
                 expect(ticks.length).toBeLessThanOrEqual(Math.ceil(wanted) + 1);
                 expect(ticks.every(({ value }) => steps.includes(value))).toBe(true);
             }
@@ -112,6 +112,6 @@ describe('the numbers of the line of time', () => {
     });
 
     it('are round where there are no two steps in the span', () => {
-        expect(stepTicks([5], [0, 10], 5).map(({ label }) => label)).toEqual(['0', '2', '4', '6', '8', '10']);
+        expect(stepTicks([5], [0, 10], 5).ticks.map(({ label }) => label)).toEqual(['0', '2', '4', '6', '8', '10']);
     });
 });

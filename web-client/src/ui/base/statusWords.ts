@@ -11,7 +11,8 @@ export const phaseWords: Record<SurfacePhase, string> = {
     coarse: 'Coarse, refining …',
     live: 'Playing',
     final: 'Final',
-    empty: 'Final: this rake produces no surface',
+    coarsened: 'Coarser than asked for',
+    empty: 'Nothing to see',
     stopped: 'Stopped before it was final',
     error: 'Not computed',
 };

@@ -3,7 +3,9 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { SurfaceProgress } from '../../session/surface/surfaceProgress.ts';
-import type { AppState } from '../../state/appState.ts';
+import type { SurfaceStats } from '../../protocol/messages.ts';
+import { surfaceSetRanges } from '../../protocol/generated/surface.ts';
+import type { AppState, SurfacePhase } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -62,6 +64,8 @@ export class StatusPanel extends SignalElement {
                 color: var(--good);
             }
             .coarse,
+            .coarsened,
+            .empty,
             .live,
             .waiting,
             .updating,
@@ -78,10 +82,11 @@ export class StatusPanel extends SignalElement {
         if (id === null) return html``;
         const displayed = state.displayed.value.get(id);
         const phase = state.phase.value;
+        const outcome = state.outcomes.value.get(id);
         const count = (value: number | undefined): string => (value === undefined ? '–' : countWords(value));
         return html`<dl>
                 <dt>Surface</dt>
-                <dd class=${phase}><span role="status">${phaseWords[phase]}</span></dd>
+                <dd class=${phase}><span role="status">${statusWords(phase, outcome)}</span></dd>
                 <dt>Quads</dt>
                 <dd>${count(displayed?.cells)}</dd>
                 <dt>Vertices</dt>
@@ -89,6 +94,8 @@ export class StatusPanel extends SignalElement {
                 <dt>Separation</dt>
                 <dd>${shortNumber(state.surface.value?.separation ?? Number.NaN)}</dd>
             </dl>
+            ${phase === 'coarsened' ? this.quadLimit() : nothing}
+            ${phase === 'empty' ? html`<p class="problem" id="empty-reason">${emptyWords(outcome)}</p>` : nothing}
             ${this.progress()}
             <wakesurf-quality .model=${this.model}></wakesurf-quality>
             <wakesurf-latency .model=${this.model}></wakesurf-latency>
@@ -104,6 +111,25 @@ export class StatusPanel extends SignalElement {
             }`;
     }
 
+    /** Beside what it has done. */
+    private quadLimit(): TemplateResult | typeof nothing {
+        const { state, edits } = this.model;
+        const limit = state.surface.value?.maxQuads;
+        const [, most] = surfaceSetRanges.maxQuads;
+        if (limit === undefined) return nothing;
+        const more = Math.min(4 * limit, most);
+        return html`<p class="problem" id="coarsened">
+            ${countWords(limit)} quads are too few for the separation asked for.
+            ${
+                state.locked.value || more === limit
+                    ? nothing
+                    : html`<button type="button" @click=${() => edits.changeSurface({ maxQuads: more })}>
+                      Allow ${countWords(more)}
+                  </button>`
+            }
+        </p>`;
+    }
+
     private progress(): TemplateResult {
         const { state, progress } = this.model;
         const now = state.progress.value;
@@ -115,6 +141,18 @@ export class StatusPanel extends SignalElement {
             ${may ? html`<button type="button" @click=${() => progress.stop()}>Stop</button>` : nothing}
         </div>`;
     }
+}
+
+function statusWords(phase: SurfacePhase, outcome: SurfaceStats | undefined): string {
+    if (phase !== 'coarsened' || outcome === undefined) return phaseWords[phase];
+    return `Coarsened to ${shortNumber(outcome.separation)}: raise the quad limit`;
+}
+
+/** With what to do about it. */
+function emptyWords(outcome: SurfaceStats | undefined): string {
+    if (outcome?.empty === undefined) return '';
+    const { message, hint } = outcome.empty;
+    return `${message.charAt(0).toUpperCase()}${message.slice(1)}: ${hint}.`;
 }
 
 customElements.define('wakesurf-status', StatusPanel);

@@ -23,6 +23,7 @@ import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { toggled } from '../../state/visibility.ts';
+import './meshRules.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -214,6 +215,7 @@ export class SurfacePanel extends SignalElement {
                 </p>
                 ${this.choice('accuracy', 'Accuracy', accuracies, intent.accuracy, (accuracy) => ({ accuracy }))}
                 ${dataset.smooth ? this.interpolation(intent) : nothing}
+                <wakesurf-mesh-rules .model=${this.model}></wakesurf-mesh-rules>
             </fieldset>
             ${this.several()}
         `;

@@ -1,0 +1,57 @@
+import { signal } from '@preact/signals-core';
+import { describe, expect, it } from 'vitest';
+import { sampleStatistics } from '../../protocol/testing/sampleRecords.ts';
+import type { SurfaceStats } from '../../protocol/messages.ts';
+import type { DisplayedSurface, Stage } from '../../state/appState.ts';
+import { SurfaceOutcomes } from './surfaceOutcomes.ts';
+
+function displayed(stateSum: number, phase: DisplayedSurface['phase'] = 'final'): ReadonlyMap<string, DisplayedSurface> {
+    const sizes = { vertices: 8, cells: 3, triangles: 6, keys: 1, deltas: 0 };
+    return new Map([['s1', { surface: 's1', epoch: 1, stateSum, phase, time: 0, ...sizes }]]);
+}
+
+function bench() {
+    const asked: string[] = [];
+    let answer: SurfaceStats | Error = sampleStatistics({ stateSum: 7, coarsened: true });
+    const state = {
+        displayed: signal(displayed(7, 'coarse')),
+        outcomes: signal<ReadonlyMap<string, SurfaceStats>>(new Map()),
+        stage: signal<Stage>('running'),
+    };
+    const worker = {
+        call: (method: string) => {
+            asked.push(method);
+            return answer instanceof Error ? Promise.reject(answer) : Promise.resolve(answer);
+        },
+    } as unknown as ConstructorParameters<typeof SurfaceOutcomes>[0]['worker'];
+    const outcomes = new SurfaceOutcomes({ state, worker });
+    return { state, asked, outcomes, answers: (next: SurfaceStats | Error) => (answer = next) };
+}
+
+describe('the outcome of a surface', () => {
+    it('is asked for once where a page shows what was finished before it came', async () => {
+        const { state, asked } = bench();
+        expect(asked).toEqual([]);
+        state.displayed.value = displayed(7);
+        await Promise.resolve();
+        state.displayed.value = displayed(7);
+        expect(asked).toEqual(['surface.stats']);
+        expect(state.outcomes.value.get('s1')?.coarsened).toBe(true);
+    });
+
+    it('is not asked for where the server has told it', () => {
+        const { state, asked, outcomes } = bench();
+        outcomes.done(sampleStatistics({ stateSum: 9 }));
+        state.displayed.value = displayed(9);
+        expect(asked).toEqual([]);
+    });
+
+    it('is asked for again after a failure', async () => {
+        const { state, asked, answers } = bench();
+        answers(new Error('the connection was lost'));
+        state.displayed.value = displayed(7);
+        await new Promise((done) => setTimeout(done));
+        state.displayed.value = displayed(7);
+        expect(asked).toEqual(['surface.stats', 'surface.stats']);
+    });
+});

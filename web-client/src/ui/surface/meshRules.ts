@@ -1,0 +1,90 @@
+// The rules of the mesh beside its separation: how many quads it may have, and when quads are joined and refined. For those who ask.
+import { css, html, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
+import { surfaceSetRanges } from '../../protocol/generated/surface.ts';
+import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
+import type { Edits } from '../../session/edits/edits.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+type Rule = 'maxQuads' | 'merge' | 'angle';
+
+const rules: readonly { rule: Rule; words: string; title: string; step: string }[] = [
+    {
+        rule: 'maxQuads',
+        words: 'Quad limit',
+        title: 'With more quads than this the surface is made coarser, and says so',
+        step: '1',
+    },
+    {
+        rule: 'merge',
+        words: 'Join below',
+        title: 'Quads smaller than this part of the separation are joined; 0: never',
+        step: 'any',
+    },
+    {
+        rule: 'angle',
+        words: 'Refine above (°)',
+        title: 'Neighbouring quads at a larger angle are refined; 180: never',
+        step: 'any',
+    },
+];
+
+export interface MeshRulesModel {
+    edits: Pick<Edits, 'changeSurface' | 'intent'>;
+}
+
+export class MeshRules extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: MeshRulesModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            :host {
+                display: block;
+            }
+            summary {
+                color: var(--quiet);
+                cursor: pointer;
+            }
+            input {
+                width: 9em;
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const intent = this.model.edits.intent.value;
+        if (intent === null) return html``;
+        return html`<details id="mesh-rules">
+            <summary>Mesh</summary>
+            ${rules.map((each) => this.field(each, intent))}
+        </details>`;
+    }
+
+    private field({ rule, words, title, step }: (typeof rules)[number], intent: SurfaceIntent): TemplateResult {
+        const [least, most] = surfaceSetRanges[rule];
+        return html`<label class="row" for=${rule} title=${title}>
+            <span>${words}</span>
+            <input
+                id=${rule}
+                type="number"
+                min=${least}
+                max=${most}
+                step=${step}
+                .value=${live(String(intent[rule]))}
+                @change=${(event: Event) => this.changed(event, rule)}
+            />
+        </label>`;
+    }
+
+    /** What cannot be is put back. */
+    private changed(event: Event, rule: Rule): void {
+        const field = event.target as HTMLInputElement;
+        if (field.value !== '' && field.checkValidity()) this.model.edits.changeSurface({ [rule]: Number(field.value) });
+        else this.requestUpdate();
+    }
+}
+
+customElements.define('wakesurf-mesh-rules', MeshRules);
