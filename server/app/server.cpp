@@ -289,6 +289,7 @@ core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options)
     all->listener = *listener;
     OpenOptions open;
     open.store_root = options.store_root;
+    open.taken = options.taken;
     open.cache.account = all->memory.account();
     auto catalogue =
         DatasetCatalogue::open(options.datasets, open, [all](const std::string& dataset) {

@@ -47,10 +47,12 @@ core::Result<DatasetArgument> resolve_dataset(const std::string& argument) {
     }
     try {
         const fs::path path(argument);
-        if (!fs::exists(path) && is_pattern(path.filename().string()))
-            return resolve_path(fs::canonical(path.has_parent_path() ? path.parent_path() : ".") /
-                                path.filename());
-        return resolve_path(fs::canonical(path));
+        const bool there = fs::exists(path);
+        if (fs::is_directory(path) || (!there && !is_pattern(path.filename().string())))
+            return resolve_path(fs::canonical(path));
+        // A link to a file keeps its name: the files of its series are those beside it.
+        return resolve_path(fs::canonical(path.has_parent_path() ? path.parent_path() : ".") /
+                            path.filename());
     } catch (const fs::filesystem_error& error) {
         const auto code = error.code() == std::errc::no_such_file_or_directory
                               ? Error::Code::NotFound
@@ -58,6 +60,18 @@ core::Result<DatasetArgument> resolve_dataset(const std::string& argument) {
         return core::fail(code, "cannot read " + fs::path(argument).filename().string() + ": " +
                                     error.code().message());
     }
+}
+
+core::Result<void> check_source_options(const DatasetArgument& argument,
+                                        const SourceOptions& options) {
+    if (argument.kind == DatasetArgument::Kind::Source || !options.times())
+        return {};
+    return core::fail(
+        Error::Code::InvalidArgument,
+        std::string(options.dt ? "--dt" : "--start") +
+            " is for numbered files that state no times; " + argument.name +
+            (argument.kind == DatasetArgument::Kind::Flow ? " is a built-in flow" : " is a store"),
+        "leave it out, or import the files with it");
 }
 
 fs::path default_store_root() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "server/base/source_options.hpp"
 
 #include <filesystem>
 #include <string>
@@ -21,6 +22,10 @@ struct DatasetArgument {
 /// A folder that is no store stands for the one dataset in it, which the importer finds; a last part with * or % for the
 /// files of a series. Error: NotFound, Io.
 core::Result<DatasetArgument> resolve_dataset(const std::string& argument);
+
+/// Times can be told of sources only: what is stored, or computed, has its own. Error: InvalidArgument, beginning with the option.
+core::Result<void> check_source_options(const DatasetArgument& argument,
+                                        const SourceOptions& options);
 
 /// $WAKESURF_STORE, else $XDG_CACHE_HOME/wakesurf, else ~/.cache/wakesurf, else wakesurf-cache beside the current directory.
 std::filesystem::path default_store_root();

@@ -84,6 +84,8 @@ core::Result<void> DatasetCatalogue::add(const std::string& text) {
     auto argument = resolve_dataset(text);
     if (!argument)
         return tl::unexpected(argument.error());
+    if (auto fit = check_source_options(*argument, options_.taken); !fit)
+        return fit;
     auto entry = std::make_unique<Entry>();
     entry->argument = std::move(*argument);
     entry->status.name = entry->argument.name;
@@ -223,8 +225,9 @@ core::Result<void> DatasetCatalogue::run_import(Entry& entry,
     };
     const std::size_t most =
         memory->bytes() > 0 ? std::max(memory->bytes(), smallest_import) : 0; // 0: its own bound
-    return run_import_process({entry.argument.path, folder, {}, {}, options_.importer, {}, 0, most},
-                              listener, source.get_token());
+    ImportCommand command{entry.argument.path, folder, {}, {}, options_.importer, {}, 0, most};
+    command.taken = options_.taken;
+    return run_import_process(command, listener, source.get_token());
 }
 
 // Of an import that was stopped, or of an earlier one; by now it may be wanted again.

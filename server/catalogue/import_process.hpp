@@ -4,6 +4,7 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
+#include "server/base/source_options.hpp"
 #include "store/import_progress.hpp"
 
 #include <filesystem>
@@ -23,11 +24,12 @@ struct ImportCommand {
     std::string precision{};         ///< --precision; empty: single
     std::size_t jobs = 0;            ///< --jobs; 0: one a core
     std::uint64_t memory = 0;        ///< --memory, of all its processes; 0: its own bound
+    SourceOptions taken{};           ///< --dt, --start, --confined
 };
 
 /// Runs an import to its end in the calling thread; `listener` hears of every step, in this thread. When `stop`
 /// fires the importer is ended; the store stays usable and a later import goes on there.
-/// Error: the importer's own sentence (Corrupt), Cancelled, Io when it cannot be started or crashed.
+/// Error: the importer's own sentence (Corrupt), also where it is about a file that is being written; Cancelled, Io when it cannot be started or crashed.
 core::Result<void>
 run_import_process(const ImportCommand& command,
                    const std::function<void(const store::ImportProgress&)>& listener,

@@ -123,13 +123,18 @@ open_dataset(const DatasetArgument& argument,
              const OpenOptions& options,
              const std::function<void(const store::ImportProgress&)>& listener,
              std::stop_token stop) {
+    if (auto fit = check_source_options(argument, options.taken); !fit)
+        return tl::unexpected(fit.error());
     if (argument.kind == DatasetArgument::Kind::Flow)
         return open_flow(argument);
     if (argument.kind == DatasetArgument::Kind::Store)
         return open_store(argument.path, options.cache);
     const auto folder = store_folder(options.store_root, argument);
-    return run_import_process({argument.path, folder, {}, {}, options.importer}, listener, stop)
-        .and_then([&] { return open_store(folder, options.cache); });
+    ImportCommand command{argument.path, folder, {}, {}, options.importer};
+    command.taken = options.taken;
+    return run_import_process(command, listener, stop).and_then([&] {
+        return open_store(folder, options.cache);
+    });
 }
 
 } // namespace wakesurf::server

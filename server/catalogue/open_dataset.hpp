@@ -5,6 +5,7 @@
 #include "core/dataset/dataset_info.hpp"
 #include "core/dataset/time_step_cache.hpp"
 #include "core/field/flow.hpp"
+#include "server/base/source_options.hpp"
 #include "server/catalogue/dataset_argument.hpp"
 #include "store/import_progress.hpp"
 #include "store/store_reader.hpp"
@@ -30,6 +31,7 @@ struct OpenOptions {
     core::TimeStepCache::Options cache;
     std::filesystem::path importer{}; ///< empty: wakesurf-import beside our own executable
     std::chrono::milliseconds watch_period{2000}; ///< how often a server looks for new time-steps
+    SourceOptions taken{}; ///< of all sources; times are refused for what is no source
 };
 
 /// Error: InvalidArgument, NotFound (the list of names).

@@ -23,7 +23,8 @@ int run_import(const ImportOptions& options) {
          {},
          options.precision,
          options.jobs,
-         options.memory},
+         options.memory,
+         options.taken},
         [](const store::ImportProgress& progress) { store::show_progress(progress, stdout); },
         signals.token());
     if (!imported) {

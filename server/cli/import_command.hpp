@@ -1,6 +1,8 @@
 // `wakesurf import`: a source into a store of the user's choosing.
 #pragma once
 
+#include "server/base/source_options.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -12,8 +14,9 @@ struct ImportOptions {
     std::string dataset;
     std::string store;
     std::vector<std::string> fields;
-    std::string times;        ///< T0:T1[:EVERY], or empty
-    std::string precision;    ///< single, half or empty
+    std::string times;     ///< T0:T1[:EVERY], several with commas, or empty
+    std::string precision; ///< single, half or empty
+    SourceOptions taken;
     std::size_t jobs = 0;     ///< 0: one a core
     std::uint64_t memory = 0; ///< bytes; 0: the importer's own bound
 };

@@ -38,7 +38,10 @@ core::Result<core::DatasetInfo> describe_store(const std::filesystem::path& fold
     return std::move(manifest->info);
 }
 
-core::Result<core::DatasetInfo> describe(const DatasetArgument& argument, std::uint64_t memory) {
+core::Result<core::DatasetInfo> describe(const DatasetArgument& argument,
+                                         const InfoOptions& options) {
+    if (auto fit = check_source_options(argument, options.taken); !fit)
+        return tl::unexpected(fit.error());
     switch (argument.kind) {
     case DatasetArgument::Kind::Flow:
         return core::describe_analytic_flow(argument.flow);
@@ -48,8 +51,8 @@ core::Result<core::DatasetInfo> describe(const DatasetArgument& argument, std::u
         break;
     }
     const StopOnSignal signals;
-    return describe_with_import_process({argument.path, {}, {}, {}, {}, {}, 0, memory},
-                                        signals.token());
+    return describe_with_import_process(
+        {argument.path, {}, {}, {}, {}, {}, 0, options.memory, options.taken}, signals.token());
 }
 
 std::string grid_text(const core::DatasetInfo& info) {
@@ -97,10 +100,15 @@ void print_text(const core::DatasetInfo& info) {
 int run_info(const InfoOptions& options) {
     const auto info =
         resolve_dataset(options.dataset).and_then([&](const DatasetArgument& argument) {
-            return describe(argument, options.memory);
+            return describe(argument, options);
         });
-    if (!info)
-        return report_failure(info.error());
+    if (!info) {
+        const int status = report_failure(info.error());
+        return info.error().code == core::Error::Code::InvalidArgument &&
+                       info.error().message.starts_with("--")
+                   ? 2
+                   : status;
+    }
     if (options.json)
         fmt::print("{}\n", protocol::json_text(protocol::dataset_json(*info), 2));
     else

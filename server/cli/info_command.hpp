@@ -1,6 +1,8 @@
 // `wakesurf info`: what a dataset is, without importing it.
 #pragma once
 
+#include "server/base/source_options.hpp"
+
 #include <cstdint>
 #include <string>
 
@@ -9,6 +11,7 @@ namespace wakesurf::server {
 struct InfoOptions {
     std::string dataset;
     bool json = false;
+    SourceOptions taken;
     std::uint64_t memory = 0; ///< bytes that finding out may take; 0: the importer's own bound
 };
 

@@ -43,7 +43,9 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
                     "Fields to import, a,b (default: the velocity, all scalars, and the magnitudes "
                     "of other vectors)")
         ->delimiter(',');
-    command.add_option("--times", options.times, "T0:T1[:EVERY]");
+    command.add_option("--times", options.times,
+                       "T0:T1[:EVERY], several with commas: only time-steps in one of these");
+    add_source_options(command, options.taken);
 }
 
 int run(int argc, char** argv) {
@@ -77,6 +79,7 @@ int run(int argc, char** argv) {
         ->add_option("DATASET", info.dataset,
                      "A file or folder of simulation results, a store, or flow:NAME[?k=v,...]")
         ->required();
+    add_source_options(*info_command, info.taken);
     info_command->add_flag("--json", info.json, "Print JSON");
     info_command
         ->add_option(

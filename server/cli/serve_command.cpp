@@ -161,6 +161,7 @@ core::Result<ServerOptions> server_options(const ServeOptions& options) {
     if (!token)
         return tl::unexpected(token.error());
     server.datasets = datasets_to_serve(options);
+    server.taken = options.taken;
     server.host = address->host;
     server.port = address->port;
     server.state = options.state;
@@ -229,6 +230,7 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
         ->capture_default_str();
     command.add_option("--store", options.store,
                        "folder for imported data (default: $WAKESURF_STORE, or ~/.cache/wakesurf)");
+    add_source_options(command, options.taken);
     command.add_option(
         "--state", options.state,
         "folder for sessions (default: $WAKESURF_STATE; without one, sessions end with "

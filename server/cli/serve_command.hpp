@@ -1,6 +1,8 @@
 // `wakesurf serve`: the server, until Ctrl-C.
 #pragma once
 
+#include "server/base/source_options.hpp"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,6 +17,7 @@ struct ServeOptions {
     std::vector<std::string> datasets;
     std::string listen = "127.0.0.1:8080";
     std::string store;
+    SourceOptions taken; ///< of all datasets
     std::string state;
     std::uint64_t memory = 0; ///< 0: by the machine and the control group
     unsigned threads = 0;

@@ -45,6 +45,7 @@ open(const SurfaceOptions& options, const core::MemoryAccount& account, std::sto
     open.store_root =
         options.store.empty() ? default_store_root() : std::filesystem::path(options.store);
     open.cache.account = account;
+    open.taken = options.taken;
     const auto show = [](const store::ImportProgress& progress) {
         store::show_progress(progress, stderr);
     };
@@ -256,6 +257,7 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         ->check(CLI::Range(1, 1024));
     command.add_option("--store", options.store,
                        "Folder for imported data (default: ~/.cache/wakesurf)");
+    add_source_options(command, options.taken);
     command
         .add_option("-o,--output", options.output, "File to write: .vtp, .glb, .ply, .obj or .drc")
         ->required();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "protocol/api/generated/limits.hpp"
+#include "server/base/source_options.hpp"
 
 #include <cstdint>
 #include <map>
@@ -30,6 +31,7 @@ struct SurfaceOptions {
     std::string lines; ///< which lines are written instead of the mesh; empty: the mesh
     std::string stats;
     std::string store;
+    SourceOptions taken;
 };
 
 /// Declares the options of `surface` on its subcommand.

@@ -1,6 +1,7 @@
 #include "server/import/import_plan.hpp"
 
 #include "server/import/progress_marks.hpp"
+#include "server/import/sources/series/series_times.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,34 @@ core::Result<void> check_times(const std::vector<double>& times) {
                                   std::to_string(times[i]));
     }
     return {};
+}
+
+struct Times {
+    std::vector<double> values;
+    std::string note;
+};
+
+// What the source states; or, where it states none, what the user does.
+core::Result<Times> times_of(const SourceDescription& source, const SourceOptions& taken) {
+    if (!taken.times() || source.times.empty())
+        return Times{source.times, source.time_note};
+    if (source.places.empty())
+        return core::fail(Error::Code::InvalidArgument,
+                          std::string(taken.dt ? "--dt" : "--start") +
+                              " is for numbered files that state no times; " + source.name +
+                              " has the times " + time_text(source.times.front()) + " to " +
+                              time_text(source.times.back()),
+                          "leave it out");
+    const double start = taken.start.value_or(0.0);
+    const double dt = taken.dt.value_or(1.0);
+    Times out;
+    for (const double place : source.places)
+        out.values.push_back(start + dt * place);
+    out.note = "the files carry no times: " + time_text(start) + " and then every " +
+               time_text(dt) + ", by --start and --dt, are used";
+    if (source.places.back() + 1.0 > static_cast<double>(source.places.size()))
+        out.note += "; where numbers of files are missing, so are times";
+    return out;
 }
 
 core::Result<store::StoreSource> files_of(const Source& source,
@@ -57,10 +86,13 @@ core::Result<ImportPlan> make_plan(const ImportRequest& request) {
     if (!source)
         return tl::unexpected(source.error());
     const SourceDescription& description = (*source)->description();
-    if (auto sound = check_times(description.times); !sound)
+    auto times = times_of(description, request.taken);
+    if (!times)
+        return tl::unexpected(times.error());
+    if (auto sound = check_times(times->values); !sound)
         return core::fail(sound.error().code, description.name + ": " + sound.error().message,
                           sound.error().hint);
-    auto steps = select_times(description.times, request.times);
+    auto steps = select_times(times->values, request.times);
     if (!steps)
         return tl::unexpected(steps.error());
     auto files = files_of(**source, *steps);
@@ -74,7 +106,8 @@ core::Result<ImportPlan> make_plan(const ImportRequest& request) {
     plan.jobs = request.jobs;
     plan.memory = request.memory;
     for (const std::size_t step : plan.steps)
-        plan.times.push_back(description.times[step]);
+        plan.times.push_back(times->values[step]);
+    plan.time_note = std::move(times->note);
     plan.source = std::move(*source);
     auto choice = choose_fields(plan.source->description().fields, request.fields);
     if (!choice)

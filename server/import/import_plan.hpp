@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "server/base/source_options.hpp"
 #include "server/import/field_choice.hpp"
 #include "server/import/source.hpp"
 #include "server/import/time_selection.hpp"
@@ -9,7 +10,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +18,8 @@ namespace wakesurf::server {
 struct ImportRequest {
     std::filesystem::path source;
     std::vector<std::string> fields;
-    std::optional<TimeSelection> times;
+    std::vector<TimeSelection> times; ///< ranges; none: all
+    SourceOptions taken;
     core::Precision precision = core::Precision::Single;
     std::string
         selection; ///< all of these as the user wrote them, part of what the store was made from
@@ -31,6 +32,7 @@ struct ImportPlan {
     std::unique_ptr<Source> source;
     std::vector<std::size_t> steps; ///< of the source, in order
     std::vector<double> times;
+    std::string time_note; ///< where they come from, if that is not plain
     FieldChoice choice;
     core::Precision precision = core::Precision::Single;
     std::size_t jobs = 0;
@@ -45,7 +47,8 @@ struct ImportPlan {
     }
 };
 
-/// Opens the source. Error: as open_source, choose_fields and select_times; Corrupt for times that do not rise.
+/// Opens the source. Error: as open_source, choose_fields and select_times; Corrupt for times that do not rise; InvalidArgument,
+/// beginning with the option, for --dt or --start where the source states its times.
 core::Result<ImportPlan> make_plan(const ImportRequest& request);
 
 /// An error about a time-step that was not told which. @param error  to be read after the name

@@ -3,11 +3,13 @@
 #include "protocol/api/dataset_json.hpp"
 #include "protocol/api/json_text.hpp"
 #include "server/base/memory_size.hpp"
+#include "server/base/source_options.hpp"
 #include "server/import/conversion.hpp"
 #include "server/import/failure_words.hpp"
 #include "server/import/limited_rights.hpp"
 #include "server/import/own_output.hpp"
 #include "server/import/progress_marks.hpp"
+#include "server/import/sources/files/named_path.hpp"
 #include "server/import/step_workers.hpp"
 #include "server/import/told_words.hpp"
 #include "server/import/watched_process.hpp"
@@ -63,9 +65,10 @@ int failed(std::FILE* stream, const Wish& wish, core::Error error) {
 
 int run(const Wish& wish, const server::OwnOutput& out) {
     if (wish.store.empty()) {
-        const auto info = server::describe_source(wish.request);
+        auto info = server::describe_source(wish.request);
         if (!info)
             return failed(out.errors, wish, info.error());
+        info->note = server::without_folders(info->note, folders_of(wish));
         std::fprintf(out.results, "%s\n",
                      protocol::json_text(protocol::dataset_json(*info), 2).c_str());
         return 0;
@@ -91,6 +94,8 @@ int run(const Wish& wish, const server::OwnOutput& out) {
 // In the process that is watched.
 int read_and_convert(const Wish& wish) {
     const auto out = server::take_outputs(wish.show_libraries);
+    if (!wish.request.taken.confined)
+        server::allow_paths_out_of_folder();
     store::end_on_signals({}, server::end_step_workers);
     server::LimitedRights rights;
     if (!wish.store.empty())
@@ -144,7 +149,9 @@ int main(int argc, char** argv) {
         ->delimiter(',');
     app.add_option(
         "--times", times,
-        "T0:T1[:EVERY]: times from T0 to T1, both included; only every EVERY-th time-step");
+        "T0:T1[:EVERY]: times from T0 to T1, both included; only every EVERY-th time-step; several "
+        "with commas between them");
+    server::add_source_options(app, wish.request.taken);
     app.add_option("--precision", precision, "single, or half: half the size, rounded to 2^-11")
         ->check(CLI::IsMember({"single", "half"}));
     app.add_option("--jobs", wish.request.jobs,
@@ -172,6 +179,9 @@ int main(int argc, char** argv) {
     for (const auto& field : wish.request.fields)
         wish.request.selection += "field " + field + " ";
     wish.request.selection += times.empty() ? "" : "times " + times;
+    for (const auto& option : server::arguments_of(wish.request.taken))
+        if (option != "--confined")
+            wish.request.selection += " " + option;
     wish.request.precision = precision == "half" ? core::Precision::Half : core::Precision::Single;
     if (wish.bounds.memory == 0)
         wish.bounds.memory = server::usual_import_memory();

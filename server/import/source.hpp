@@ -21,8 +21,12 @@ struct SourceDescription {
     std::string name;          ///< of the dataset, for people
     std::string reader;        ///< VTK's class and what it reads, as `info` shows it
     std::vector<double> times; ///< strictly increasing
-    std::string
-        note; ///< what a user should know, for example where the times come from; may be empty
+    std::string note;          ///< what a user should know; may be empty
+    std::string time_note;     ///< where the times come from, if that is not plain; may be empty
+    /// Where no time is stated: where each time-step stands in its series, 0, 1, 2, further apart where numbers of files are missing.
+    /// Empty where the source states its times.
+    std::vector<double> places;
+    bool ignores_boundary_values = false; ///< of the velocity, but for walls at rest
     std::vector<core::FieldInfo>
         fields; ///< of the fluid, units where the format has them, ranges of the first time-step
     std::string length_unit{}; ///< of coordinates; empty where the files do not state it

@@ -1,6 +1,7 @@
 #include "server/import/store_description.hpp"
 
 #include "server/import/notes.hpp"
+#include "server/import/sources/series/series_times.hpp"
 #include "store/store_grid.hpp"
 
 #include <algorithm>
@@ -81,10 +82,30 @@ store::StoreManifest describe_store(const ImportPlan& plan, const FirstStepReadi
     info.precision = plan.precision;
     info.obstacle = layout.mask || layout.walls;
     info.bytes_per_step = store::step_file_size(info.points, 3, core::Precision::Single);
+    add_note(info.note, plan.time_note);
     add_note(info.note, source.note);
     add_note(info.note, assembly.note);
     add_note(info.note, plan.choice.note);
+    if (plan.choice.velocity.arrays.front().source == core::FieldInfo::Source::Cell)
+        add_note(info.note, std::string("approximate: the velocity at a node is the mean of the "
+                                        "cells around it") +
+                                (source.ignores_boundary_values
+                                     ? "; of the boundary's own values only walls at rest are used"
+                                     : ""));
     return manifest;
+}
+
+std::string note_on_missing_velocity(const std::vector<std::size_t>& steps,
+                                     const std::vector<double>& times) {
+    if (steps.empty())
+        return {};
+    constexpr std::size_t most = 5;
+    std::string out = "no velocity is a number (in single precision) at " +
+                      std::to_string(steps.size()) + " of " + std::to_string(times.size()) +
+                      (times.size() == 1 ? " time-step" : " time-steps") + ": time ";
+    for (std::size_t i = 0; i < std::min(most, steps.size()); ++i)
+        out += (i == 0 ? "" : ", ") + time_text(times.at(steps[i]));
+    return out + (steps.size() > most ? ", ..." : "");
 }
 
 void include(const ImportPlan& plan,

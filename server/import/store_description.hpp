@@ -6,6 +6,11 @@
 
 namespace wakesurf::server {
 
+/// Of time-steps that no one can follow particles in, by their times: "no velocity is a number at 3 of 9 time-steps: 0.5, 1, 1.5".
+/// Empty where there are none.
+std::string note_on_missing_velocity(const std::vector<std::size_t>& steps,
+                                     const std::vector<double>& times);
+
 /// Everything but the checksums of fixed files and `complete`; ranges are those the reader found in the first time-step.
 store::StoreManifest describe_store(const ImportPlan& plan, const FirstStepReading& reading);
 

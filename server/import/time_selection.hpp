@@ -4,7 +4,6 @@
 #include "core/base/result.hpp"
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,11 +17,12 @@ struct TimeSelection {
     std::size_t every = 1;
 };
 
+/// Ranges with commas between them: with 8:10,12:16 a time-step between them, which may be damaged, is left out.
 /// Error: InvalidArgument, beginning with "--times".
-core::Result<TimeSelection> parse_times(const std::string& text);
+core::Result<std::vector<TimeSelection>> parse_times(const std::string& text);
 
-/// Indices into `times`, all of them without a selection. Error: OutOfTime where it holds none.
+/// Indices into `times` that one of the ranges holds, all of them without ranges. Error: OutOfTime where they hold none.
 core::Result<std::vector<std::size_t>> select_times(std::span<const double> times,
-                                                    const std::optional<TimeSelection>& selection);
+                                                    const std::vector<TimeSelection>& ranges);
 
 } // namespace wakesurf::server

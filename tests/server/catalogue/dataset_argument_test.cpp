@@ -29,6 +29,18 @@ TEST(DatasetArgument, TellsFlowsStoresAndSourcesApart) {
     EXPECT_EQ(source.path, std::filesystem::canonical(folder / "a.vti"));
 }
 
+TEST(DatasetArgument, ALinkToAFileKeepsItsName) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "links");
+    write_file(folder / "a_7.vti", "");
+    std::filesystem::create_symlink(folder / "a_7.vti", folder / "links/b_0.vti");
+    const auto linked = resolve_dataset(folder / "links/b_0.vti").value();
+    EXPECT_EQ(linked.path, std::filesystem::canonical(folder / "links") / "b_0.vti");
+    EXPECT_EQ(linked.name, "b_0");
+    std::filesystem::remove(folder / "a_7.vti");
+    EXPECT_EQ(resolve_dataset(folder / "links/b_0.vti").error().code, core::Error::Code::NotFound);
+}
+
 TEST(DatasetArgument, FoldersAndPatternsAreLeftToTheImporter) {
     const TemporaryFolder folder;
     const auto whole = resolve_dataset(folder.path()).value();

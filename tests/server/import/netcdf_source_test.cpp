@@ -188,7 +188,7 @@ TEST_F(NetcdfSource, NotesMissingCoordinatesAndTimes) {
     const auto source = open_source(folder_ / "n.nc");
     ASSERT_TRUE(source.has_value()) << source.error().message;
     EXPECT_EQ((*source)->description().times, (std::vector<double>{0, 1}));
-    EXPECT_NE((*source)->description().note.find("carry no times"), std::string::npos);
+    EXPECT_NE((*source)->description().time_note.find("carry no times"), std::string::npos);
     EXPECT_NE((*source)->description().note.find("no coordinates along z"), std::string::npos);
 }
 

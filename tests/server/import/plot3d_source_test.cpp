@@ -266,7 +266,7 @@ TEST_F(Plot3dSource, CountsTheStepsWhereTheirTimesDoNotRise) {
     put_flow("flow", {}, {0, 0, 0});
     const auto source = open_source(folder_ / "flow.xyz");
     expect_steps(source, {0, 1, 2});
-    EXPECT_NE((*source)->description().note.find("do not increase"), std::string::npos);
+    EXPECT_NE((*source)->description().time_note.find("do not increase"), std::string::npos);
 }
 
 TEST_F(Plot3dSource, RefusesEveryTruncation) {

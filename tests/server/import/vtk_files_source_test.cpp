@@ -32,7 +32,7 @@ TEST_F(VtkFilesSource, ReadsEveryKindOfGridAsASeries) {
             ASSERT_TRUE(source.has_value()) << source.error().message;
             expect_known_series(**source, {0, 1, 2});
             EXPECT_EQ((*source)->description().name, stem);
-            EXPECT_NE((*source)->description().note.find("carry no times"), std::string::npos);
+            EXPECT_NE((*source)->description().time_note.find("carry no times"), std::string::npos);
             EXPECT_EQ((*source)->files(1)->size(), 1u);
             EXPECT_EQ((*source)->files(1)->front().name, stem + "_10" + extension);
             EXPECT_TRUE((*source)->shared_files()->empty());

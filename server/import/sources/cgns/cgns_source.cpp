@@ -88,7 +88,7 @@ class CgnsSource final : public Source {
                 units = survey->units;
             if (survey->times.empty()) {
                 steps_.push_back({i, std::nullopt});
-                times.push_back({listed(i).name, std::nullopt});
+                times.push_back({listed(i).name, std::nullopt, false, series_.entries[i].number});
             }
             for (std::size_t t = 0; t < survey->times.size(); ++t) {
                 steps_.push_back({i, survey->times[t]});
@@ -100,7 +100,8 @@ class CgnsSource final : public Source {
         if (!settled)
             return tl::unexpected(settled.error());
         description_.times = std::move(settled->times);
-        description_.note = std::move(settled->note);
+        description_.time_note = std::move(settled->note);
+        description_.places = std::move(settled->places);
         add_note(description_.note, units.note);
         return load(0, {true, {}}, units).and_then([&](const std::vector<Zone>& zones) {
             return describe(zones);

@@ -207,8 +207,7 @@ core::Result<void> find_times(EnsightCase& found) {
                           "write the velocity as `vector per node` or `vector per element`");
     const auto* set = set_of(found.time_sets, velocity->file);
     found.times = set == nullptr ? std::vector<double>{0.0} : set->times;
-    if (set == nullptr)
-        found.note = "the case has no times";
+    found.timeless = set == nullptr;
     std::string left_out;
     std::erase_if(found.variables, [&](const EnsightVariable& one) {
         const auto* own = set_of(found.time_sets, one.file);
@@ -249,7 +248,7 @@ core::Result<NamedFile> EnsightCase::file_at(const EnsightFile& file, double tim
         out.replace(first, count, digits);
     }
     return named_path(folder, out, name).map([&](const fs::path& path) {
-        return NamedFile{path, out};
+        return NamedFile{path, told_name(out)};
     });
 }
 

@@ -38,6 +38,7 @@ struct EnsightCase {
     std::vector<EnsightVariable> variables; ///< scalars and vectors with values at all of `times`
     std::vector<EnsightTimeSet> time_sets;
     std::vector<double> times; ///< of the velocity
+    bool timeless = false;     ///< the case states none: `times` is 0
     std::string note;
 
     const EnsightVariable* find(const core::FieldInfo& field) const;

@@ -46,6 +46,10 @@ class EnsightSource final : public Source {
         description_.reader = "EnSight Gold";
         description_.times = found_.times;
         description_.note = found_.note;
+        if (found_.timeless) {
+            description_.places = {0.0};
+            description_.time_note = "the case has no times";
+        }
     }
 
     core::Result<void> prepare() {

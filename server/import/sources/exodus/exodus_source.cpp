@@ -73,7 +73,8 @@ class ExodusSource final : public Source {
             return core::fail(Error::Code::Corrupt, file_.name + " does not have increasing times");
         if (description_.times.empty()) {
             description_.times = {0.0};
-            description_.note = "the file has no times";
+            description_.places = {0.0};
+            description_.time_note = "the file has no times";
         }
         for (int i = 0; i < reader_->GetNumberOfPointResultArrays(); ++i)
             if (std::string name = reader_->GetPointResultArrayName(i);

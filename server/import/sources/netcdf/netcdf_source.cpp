@@ -149,7 +149,8 @@ class NetcdfSource final : public Source {
         if (!settled)
             return tl::unexpected(settled.error());
         description_.times = std::move(settled->times);
-        add_note(settled->note);
+        description_.time_note = std::move(settled->note);
+        description_.places = std::move(settled->places);
         return describe();
     }
 

@@ -29,6 +29,7 @@ class OpenfoamSource final : public Source {
         for (const auto& time : found_.times)
             description_.times.push_back(time.value);
         description_.note = found_.note;
+        description_.ignores_boundary_values = true;
         description_.fields = found_.fields;
         // A case without dimensions, or in units of its own, says so in its fields.
         const bool metric = std::any_of(found_.fields.begin(), found_.fields.end(),

@@ -109,7 +109,9 @@ core::Result<Plot3dFiles> read_meta(const fs::path& file) {
         const auto solution_path = named_path(file.parent_path(), solution, name);
         if (!grid_path || !solution_path)
             return tl::unexpected(grid_path ? solution_path.error() : grid_path.error());
-        Plot3dStep step{{*grid_path, grid, {}}, {*solution_path, solution, {}}, std::nullopt};
+        Plot3dStep step{{*grid_path, told_name(grid), {}},
+                        {*solution_path, told_name(solution), {}},
+                        std::nullopt};
         if (entry.contains("time")) {
             if (!entry["time"].is_number() || !std::isfinite(entry["time"].get<double>()))
                 return core::fail(Error::Code::Corrupt, name + " gives " + solution +

@@ -122,8 +122,10 @@ class Plot3dSource final : public Source {
         if (!settled)
             return tl::unexpected(settled.error());
         description_.times = std::move(settled->times);
+        description_.places = std::move(settled->places);
         if (!listed && !rising)
-            description_.note = "the times in the solutions do not increase: 0, 1, 2, ... are used";
+            description_.time_note =
+                "the times in the solutions do not increase: 0, 1, 2, ... are used";
         return {};
     }
 

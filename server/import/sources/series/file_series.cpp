@@ -22,8 +22,12 @@ core::Result<FileSeries> open_file_series(const std::filesystem::path& source) {
         series.kind += " series";
     else
         series.name = numbered->files.front().stem().string();
-    for (const auto& file : numbered->files)
-        series.entries.push_back({{{file, file.filename().string(), {}}}, std::nullopt});
+    for (std::size_t i = 0; i < numbered->files.size(); ++i) {
+        const auto& file = numbered->files[i];
+        series.entries.push_back({{{file, file.filename().string(), {}}}, std::nullopt, {}});
+        if (i < numbered->numbers.size())
+            series.entries.back().number = numbered->numbers[i];
+    }
     return series;
 }
 

@@ -20,6 +20,7 @@ struct ListedFile {
 struct SeriesEntry {
     std::vector<ListedFile> parts; ///< all of one time-step, at least one
     std::optional<double> time;
+    std::optional<double> number{}; ///< in the file's name
 };
 
 struct FileSeries {

@@ -24,7 +24,7 @@ read_entry(const json& element, const std::filesystem::path& folder, const std::
     const auto path = named_path(folder, file, series);
     if (!path)
         return tl::unexpected(path.error());
-    SeriesEntry entry{{{*path, file, {}}}, std::nullopt};
+    SeriesEntry entry{{{*path, told_name(file), {}}}, std::nullopt, {}};
     if (const auto time = element.find("time"); time != element.end()) {
         if (!time->is_number() || !std::isfinite(time->get<double>()))
             return core::fail(Error::Code::Corrupt, series + " gives " + file + " the time '" +

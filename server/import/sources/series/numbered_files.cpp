@@ -101,6 +101,7 @@ core::Result<NumberedFiles> find(const fs::path& given, const Shape& shape) {
                 !inside)
                 return tl::unexpected(inside.error());
         out.files.push_back(std::move(path));
+        out.numbers.push_back(number);
     }
     return out;
 }

@@ -12,7 +12,8 @@ namespace wakesurf::server {
 struct NumberedFiles {
     std::string name; ///< what the files share before the number, tidied
     std::vector<std::filesystem::path>
-        files; ///< in order of their numbers; 0.25 and 12 are numbers
+        files;                     ///< in order of their numbers; 0.25 and 12 are numbers
+    std::vector<double> numbers{}; ///< of each; empty for a file alone
 };
 
 /// Whether the file name holds a `*` or a printf integer such as %04d.

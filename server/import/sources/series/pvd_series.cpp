@@ -36,7 +36,7 @@ core::Result<DataSetElement> read_element(vtkXMLDataElement& element,
     const auto path = named_path(folder, file, pvd);
     if (!path)
         return tl::unexpected(path.error());
-    DataSetElement out{{*path, file, xml_attribute(element, "name")}, std::nullopt, {}};
+    DataSetElement out{{*path, told_name(file), xml_attribute(element, "name")}, std::nullopt, {}};
     out.part = xml_attribute(element, "group") + '\n' + xml_attribute(element, "part") + '\n' +
                xml_attribute(element, "name");
     if (element.GetAttribute("timestep") == nullptr)
@@ -44,8 +44,8 @@ core::Result<DataSetElement> read_element(vtkXMLDataElement& element,
     const std::string time = xml_attribute(element, "timestep");
     out.time = finite_number(time);
     if (!out.time)
-        return core::fail(Error::Code::Corrupt, pvd + " gives " + file + " the time '" + time +
-                                                    "', which is not a finite number");
+        return core::fail(Error::Code::Corrupt, pvd + " gives " + told_name(file) + " the time '" +
+                                                    time + "', which is not a finite number");
     return out;
 }
 
@@ -93,7 +93,7 @@ core::Result<void>
 add(FileSeries& series, DataSetElement& element, std::vector<std::string>& parts) {
     auto& entries = series.entries;
     if (entries.empty() || !element.time || *entries.back().time != *element.time) {
-        entries.push_back({{}, element.time});
+        entries.push_back({{}, element.time, {}});
         parts.clear();
     }
     const auto same = std::find(parts.begin(), parts.end(), element.part);

@@ -34,6 +34,23 @@ void make_up_times(std::vector<TimedEntry>& entries) {
 
 } // namespace
 
+std::vector<double> places_of(const std::vector<TimedEntry>& entries) {
+    double step = 0.0;
+    bool numbered = true;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        numbered = numbered && entries[i].number.has_value();
+        if (numbered && i > 0) {
+            const double difference = *entries[i].number - *entries[i - 1].number;
+            step = i == 1 ? difference : std::min(step, difference);
+        }
+    }
+    std::vector<double> out;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        out.push_back(numbered && step > 0.0 ? (*entries[i].number - *entries[0].number) / step
+                                             : static_cast<double>(i));
+    return out;
+}
+
 core::Result<SeriesTimes> settle_times(std::vector<TimedEntry> entries) {
     SeriesTimes out;
     const auto is_timed = [](const TimedEntry& e) { return e.time.has_value(); };
@@ -42,6 +59,7 @@ core::Result<SeriesTimes> settle_times(std::vector<TimedEntry> entries) {
     if (timed == entries.end()) {
         for (std::size_t i = 0; i < entries.size(); ++i)
             out.times.push_back(static_cast<double>(i));
+        out.places = places_of(entries);
         if (entries.size() > 1)
             out.note = "the files carry no times: 0, 1, 2, ... are used";
         return out;

@@ -95,7 +95,7 @@ class Expansion {
                 const auto path = named_path(file.path.parent_path(), name, file.name);
                 if (!path)
                     return tl::unexpected(path.error());
-                if (auto added = add({*path, name, here}, file.name, depth + 1); !added)
+                if (auto added = add({*path, told_name(name), here}, file.name, depth + 1); !added)
                     return added;
             }
         }
@@ -120,7 +120,8 @@ class Expansion {
             const auto path = named_path(file.path.parent_path(), name, file.name);
             if (!path)
                 return tl::unexpected(path.error());
-            if (auto added = pieces.add({*path, name, file.block}, file.name, depth + 1); !added)
+            if (auto added = pieces.add({*path, told_name(name), file.block}, file.name, depth + 1);
+                !added)
                 return added;
         }
         if (pieces.out.leaves.empty())

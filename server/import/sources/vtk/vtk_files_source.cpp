@@ -173,7 +173,8 @@ class VtkFilesSource final : public Source {
     core::Result<void> find_times() {
         std::vector<TimedEntry> entries;
         for (std::size_t step = 0; step < series_.entries.size(); ++step) {
-            entries.push_back({entry_name(step), series_.entries[step].time});
+            entries.push_back({entry_name(step), series_.entries[step].time, false,
+                               series_.entries[step].number});
             if (series_.entries.front().time)
                 continue;
             auto own = own_time(step);
@@ -186,7 +187,8 @@ class VtkFilesSource final : public Source {
         }
         return settle_times(std::move(entries)).map([&](SeriesTimes found) {
             description_.times = std::move(found.times);
-            description_.note = std::move(found.note);
+            description_.time_note = std::move(found.note);
+            description_.places = std::move(found.places);
         });
     }
 

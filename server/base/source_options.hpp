@@ -1,0 +1,28 @@
+// What a command line says about a dataset besides its name: times that its files do not state, and how far it is trusted.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace wakesurf::server {
+
+struct SourceOptions {
+    std::optional<double> dt; ///< from one numbered file to the next; 1 where only `start` is told
+    std::optional<double> start; ///< of the first; 0 where only `dt` is told
+    bool confined = false;       ///< files that it names outside of its own folder are refused
+
+    bool times() const { return dt || start; }
+};
+
+/// Declares --dt, --start and --confined.
+void add_source_options(CLI::App& command, SourceOptions& options);
+
+/// As arguments of a command line, exactly.
+std::vector<std::string> arguments_of(const SourceOptions& options);
+
+} // namespace wakesurf::server
