@@ -100,6 +100,13 @@ core::Result<StoreManifest> parse(const json& value) {
         return tl::unexpected(info.error());
     manifest.info = std::move(*info);
     manifest.layout = parse_store_layout(members);
+    if (members.has("withoutVelocity"))
+        for (const json& index : members.list("withoutVelocity")) {
+            if (!index.is_number_unsigned())
+                members.fault("withoutVelocity", "must hold numbers of time-steps");
+            manifest.without_velocity.push_back(
+                index.is_number_unsigned() ? index.get<std::size_t>() : 0);
+        }
     manifest.velocity_range = members.numbers_of<2>("velocityRange");
     if (auto sound = members.verdict(); !sound)
         return tl::unexpected(sound.error());
@@ -115,6 +122,8 @@ std::string store_manifest_text(const StoreManifest& manifest) {
     out["complete"] = manifest.complete;
     out["source"] = source_json(manifest.source);
     out["info"] = protocol::dataset_json(manifest.info);
+    if (!manifest.without_velocity.empty())
+        out["withoutVelocity"] = manifest.without_velocity;
     out["velocityRange"] = manifest.velocity_range;
     return protocol::json_text(out, 1);
 }

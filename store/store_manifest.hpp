@@ -43,7 +43,8 @@ struct StoreManifest {
     bool complete = false; ///< false while it is written, and while the source may still grow
     StoreSource source;
     core::DatasetInfo info;
-    StoreLayout layout; ///< its folder is empty: a store may be moved
+    StoreLayout layout;                        ///< its folder is empty: a store may be moved
+    std::vector<std::size_t> without_velocity; ///< time-steps written with no finite velocity
     std::array<double, 2> velocity_range{0.0,
                                          0.0}; ///< of the speed, over the time-steps written so far
 };

@@ -2,7 +2,9 @@
 
 #include "server/import/first_step.hpp"
 #include "server/import/kept_steps.hpp"
+#include "server/import/notes.hpp"
 #include "server/import/one_thread.hpp"
+#include "server/import/sources/series/series_times.hpp"
 #include "server/import/step_workers.hpp"
 #include "server/import/store_description.hpp"
 #include "server/import/worker_count.hpp"
@@ -39,6 +41,7 @@ class Conversion {
             return tl::unexpected(reading.error());
         reading_ = std::move(*reading);
         manifest_ = describe_store(plan_, reading_);
+        described_ = manifest_.info.note;
         if (plan_.precision == core::Precision::Half)
             if (auto noted = note_rounding(); !noted)
                 return noted;
@@ -77,8 +80,8 @@ class Conversion {
         const auto velocity = velocity_of(plan_, reading_.first, 0, reading_.step);
         if (!velocity)
             return tl::unexpected(velocity.error());
-        auto& note = manifest_.info.note;
-        note += (note.empty() ? "" : "; ") + rounding_note(*velocity);
+        add_note(manifest_.info.note, rounding_note(*velocity));
+        described_ = manifest_.info.note;
         return {};
     }
 
@@ -117,6 +120,7 @@ class Conversion {
         manifest_.info.obstacle = before.info.obstacle;
         if (before.complete) {
             manifest_.velocity_range = before.velocity_range;
+            manifest_.without_velocity = before.without_velocity;
             for (std::size_t i = 0;
                  i < manifest_.info.fields.size() && i < before.info.fields.size(); ++i)
                 manifest_.info.fields[i].range = before.info.fields[i].range;
@@ -127,7 +131,7 @@ class Conversion {
                 const auto record = recorded(*earlier.reader, i, reading_.first.mask.fluid);
                 earlier.kept[i] = record.has_value();
                 if (record)
-                    include_record(*record);
+                    include_record(i, *record);
             }
             if (!earlier.kept[i])
                 todo_.push_back(i);
@@ -135,12 +139,17 @@ class Conversion {
         return write_manifest().map([](int) {});
     }
 
-    void include_record(const StepRecord& record) {
+    void include_record(std::size_t index, const StepRecord& record) {
+        if (record.speed.empty())
+            manifest_.without_velocity.push_back(index);
         include(plan_, record, !ranged_, manifest_);
         ranged_ = true;
     }
 
     core::Result<int> write_manifest() {
+        manifest_.info.note = described_;
+        add_note(manifest_.info.note,
+                 note_on_missing_velocity(manifest_.without_velocity, plan_.times));
         const std::string text = store::store_manifest_text(manifest_);
         return writer_.write(std::string(store::manifest_file_name), std::as_bytes(std::span(text)))
             .map([](std::uint32_t) { return 1; });
@@ -185,7 +194,7 @@ class Conversion {
     }
 
     core::Result<void> commit(std::size_t index, const StepRecord& record) {
-        include_record(record);
+        include_record(index, record);
         // With its range the store can be opened from the first time-step on.
         if (index == 0)
             if (auto told = write_manifest(); !told)
@@ -231,12 +240,32 @@ class Conversion {
     FirstStepReading reading_;
     store::StoreManifest manifest_;
     bool fixed_files_missing_ = false;
-    bool ranged_ = false; ///< the manifest's ranges are of stored values
+    bool ranged_ = false;   ///< the manifest's ranges are of stored values
+    std::string described_; ///< the note, without what converting the time-steps shows
     std::vector<std::size_t> todo_;
     std::size_t done_before_ = 0;
     std::size_t written_ = 0; ///< of todo_, in order
     std::chrono::steady_clock::time_point begun_;
 };
+
+// The first of a few time-steps that an import will not get beyond: looking at all would cost as much as the import.
+std::string what_ends_an_import(const ImportPlan& plan, const FirstStep& first) {
+    const std::size_t last = plan.times.size() - 1;
+    for (const std::size_t index : {std::size_t{1}, last}) {
+        if (index > last || index == 0)
+            continue;
+        const auto step = plan.read(index);
+        const auto sound =
+            step ? check_mesh_of(plan, first, index, *step) : tl::unexpected(step.error());
+        if (!sound)
+            return "an import will end before time " + time_text(plan.times[index]) + ": " +
+                   sound.error().message +
+                   (sound.error().hint.empty() ? "" : " (" + sound.error().hint + ")");
+        if (index == last)
+            break;
+    }
+    return {};
+}
 
 bool up_to_date(const EarlierImport& earlier) {
     return earlier.same_source && earlier.manifest.complete &&
@@ -256,9 +285,15 @@ core::Result<core::DatasetInfo> describe_source(const ImportRequest& request) {
     if (!velocity)
         return tl::unexpected(velocity.error());
     auto manifest = describe_store(*plan, *reading);
-    include(*plan, {{}, speed_range(*velocity, reading->first.mask.fluid), {}}, true, manifest);
+    const Range speed = speed_range(*velocity, reading->first.mask.fluid);
+    include(*plan, {{}, speed, {}}, true, manifest);
+    auto& note = manifest.info.note;
     if (plan->precision == core::Precision::Half)
-        manifest.info.note += (manifest.info.note.empty() ? "" : "; ") + rounding_note(*velocity);
+        add_note(note, rounding_note(*velocity));
+    if (speed.empty())
+        add_note(note, "no velocity of the first time-step is a number (in single precision)");
+    reading->step = {}; // before others are read
+    add_note(note, what_ends_an_import(*plan, reading->first));
     return manifest.info;
 }
 

@@ -12,7 +12,8 @@ namespace wakesurf::server {
 
 using ShowProgress = std::function<void(const store::ImportProgress&)>;
 
-/// What the store will be, its ranges from the first time-step, which is all that is read; writes nothing.
+/// What the store will be, its ranges from the first time-step; writes nothing. The second and the last are read, too: the note
+/// says if an import will end before one of them.
 core::Result<core::DatasetInfo> describe_source(const ImportRequest& request);
 
 /// Error: what the source or the disk is to blame for, naming file and time-step. The time-steps before it are in the store

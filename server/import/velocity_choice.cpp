@@ -283,7 +283,8 @@ core::Result<VelocityChoice> choose_velocity(const Fields& fields,
                       std::string(vectors ? "no field is a velocity" : "there is no vector field") +
                           "; there is " + listed(fields),
                       vectors ? "if one of them is, choose it with --fields NAME"
-                              : "write the velocity as one array of 3 components");
+                              : "write the velocity as one array of 3 components, or as three "
+                                "called u, v and w");
 }
 
 } // namespace wakesurf::server
