@@ -4,11 +4,14 @@
 #include "protocol/api/dataset_json.hpp"
 #include "protocol/api/json_text.hpp"
 #include "server/catalogue/child_process.hpp"
+#include "server/catalogue/file_being_written.hpp"
 #include "server/catalogue/shipped_files.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <csignal>
 
 namespace wakesurf::server {
 
@@ -69,21 +72,43 @@ std::string own_words(const std::string& errors) {
     return words;
 }
 
-core::Result<void> judge(const ChildOutcome& outcome, const std::stop_token& stop) {
+bool speaks_of_damage(const std::string& words) {
+    constexpr std::array<std::string_view, 8> signs{
+        "damaged", "truncated",      "is empty",     "incomplete",
+        "cut off", "does not exist", "is not there", "cannot be read"};
+    return std::any_of(signs.begin(), signs.end(), [&](std::string_view sign) {
+        return words.find(sign) != std::string::npos;
+    });
+}
+
+Error error_of(const ImportCommand& command, int status, const std::string& words) {
+    if (words.empty())
+        return {Error::Code::Corrupt, "the importer failed and did not say why", {}};
+    const auto file = status == 1 && speaks_of_damage(words)
+                          ? file_being_written(command.source, words)
+                          : std::nullopt;
+    if (file)
+        return {Error::Code::Corrupt, *file + " is being written and is not whole yet",
+                "it was changed less than " + std::to_string(still_written.count()) +
+                    " s ago; the reader said: " + words};
+    return {status == 2 ? Error::Code::InvalidArgument : Error::Code::Corrupt, words, {}};
+}
+
+core::Result<void>
+judge(const ImportCommand& command, const ChildOutcome& outcome, const std::stop_token& stop) {
     if (stop.stop_requested())
         return core::fail(Error::Code::Cancelled, "the import was interrupted",
                           "the next import of this source resumes where it ended");
     if (outcome.signal != 0)
         return core::fail(Error::Code::Io,
-                          "the importer ended unexpectedly (signal " +
-                              std::to_string(outcome.signal) + ")",
-                          "a file of the dataset is probably damaged");
+                          "the importer was ended (signal " + std::to_string(outcome.signal) + ")",
+                          outcome.signal == SIGKILL
+                              ? "someone ended it, or the machine had no memory left"
+                              : "this is a fault of wakesurf or of a library, not told by the "
+                                "file; run wakesurf-import by hand to see more");
     if (outcome.exit_status == 0)
         return {};
-    const std::string words = own_words(outcome.errors);
-    return core::fail(outcome.exit_status == 2 ? Error::Code::InvalidArgument
-                                               : Error::Code::Corrupt,
-                      words.empty() ? "the importer failed and did not say why" : words);
+    return tl::unexpected(error_of(command, outcome.exit_status, own_words(outcome.errors)));
 }
 
 core::Result<void> run(const ImportCommand& command,
@@ -98,7 +123,7 @@ core::Result<void> run(const ImportCommand& command,
     if (!describe)
         arguments.push_back(command.store.string());
     return run_child(program_of(command), arguments, address_space(), line, stop)
-        .and_then([&](const ChildOutcome& outcome) { return judge(outcome, stop); });
+        .and_then([&](const ChildOutcome& outcome) { return judge(command, outcome, stop); });
 }
 
 } // namespace

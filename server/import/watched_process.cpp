@@ -124,8 +124,8 @@ class Watch {
         return core::fail(Error::Code::Corrupt,
                           "the library that reads " + source_ + " crashed (signal " +
                               std::to_string(WTERMSIG(status)) + ")",
-                          "the file is damaged, or holds something that the library cannot handle; "
-                          "try to convert it with another program first");
+                          "the library cannot handle something in the file, which need not be "
+                          "damaged; try to convert it with another program first");
     }
 
     core::Result<int> interrupted() {

@@ -36,6 +36,33 @@ TEST_F(ImportProcess, TellsTheImportersSentenceAndNothingThatLibrariesPrint) {
     EXPECT_EQ(silent.error().message, "the importer failed and did not say why");
 }
 
+TEST_F(ImportProcess, TellsAFileThatIsBeingWrittenFromADamagedOne) {
+    const fs::path file = folder_ / "run/10.5/U";
+    fs::create_directories(file.parent_path());
+    tests::write_file(file, "half");
+    const auto error = [&](const std::string& words) {
+        auto command = with("echo 'wakesurf-import: " + words + "' >&2; exit 1");
+        command.source = folder_ / "run";
+        return run_import_process(command, [](const store::ImportProgress&) {}).error();
+    };
+    const std::string words = "time-step 10.5 of run is damaged";
+    EXPECT_EQ(error(words).message, "10.5/U is being written and is not whole yet");
+    EXPECT_NE(error(words).hint.find(words), std::string::npos);
+    EXPECT_EQ(error("10.5/U of run is not there").message,
+              "10.5/U is being written and is not whole yet");
+    EXPECT_EQ(error("0.5/U.gz of run is damaged").message, "0.5/U.gz of run is damaged");
+    EXPECT_EQ(error("10.5/U has no field p").message, "10.5/U has no field p");
+    fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::minutes(1));
+    EXPECT_EQ(error(words).message, words);
+}
+
+TEST_F(ImportProcess, SaysWhatEndedTheImporterAndBlamesNoFile) {
+    const auto ended =
+        run_import_process(with("kill -SEGV $$"), [](const store::ImportProgress&) {});
+    EXPECT_EQ(ended.error().message, "the importer was ended (signal 11)");
+    EXPECT_EQ(ended.error().hint.find("damaged"), std::string::npos);
+}
+
 TEST_F(ImportProcess, PassesItsShareOfMemoryOn) {
     auto command = with("echo \"wakesurf-import: $*\" >&2; exit 1");
     command.memory = 1'000'000;
