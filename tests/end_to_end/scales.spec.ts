@@ -105,6 +105,9 @@ describe('a domain on a map, in seconds since 1970', () => {
         await page.keyboard.press('Tab');
         await expect.poll(() => ask(page, (hook) => hook.displayed!.time)).toBe(1700000300);
         expect(await box.inputValue()).toBe('1700000300');
+        // All of it can be seen.
+        expect(await box.evaluate((input: HTMLInputElement) => input.scrollWidth <= input.clientWidth)).toBe(true);
+        expect(await field.evaluate((input: HTMLInputElement) => input.scrollWidth <= input.clientWidth)).toBe(true);
         expect(await drawnEdges(page)).toBeGreaterThanOrEqual(9);
         await screenshot(page, 'scale-map');
         await page.setViewportSize({ width: 390, height: 844 });
@@ -136,6 +139,15 @@ describe('a domain of 40 micrometres, in steps of 0.1 milliseconds', () => {
         expect(await drawnEdges(page)).toBeGreaterThanOrEqual(9);
         const times = (await texts(page, 'wakesurf-timeline text.tick')).map(spoken);
         expect([times[0], times.at(-1)]).toEqual([0.1, 0.1005]);
+        // Panning is seen, however short its way is.
+        const frames = await ask(page, (hook) => hook.framesDrawn);
+        const target = await ask(page, (hook) => hook.camera.target);
+        await page.mouse.move(500, 150);
+        await page.mouse.down({ button: 'right' });
+        await page.mouse.move(540, 160, { steps: 4 });
+        await page.mouse.up({ button: 'right' });
+        await expect.poll(() => ask(page, (hook) => hook.framesDrawn)).toBeGreaterThan(frames);
+        expect(await ask(page, (hook) => hook.camera.target)).not.toEqual(target);
         const [start] = await ask(page, (hook) => hook.rakePoints);
         const shown = await page.getByRole('spinbutton', { name: 'Start y', exact: true }).inputValue();
         expect(Math.abs(Number(shown) - start![1])).toBeLessThan(1e-9);
@@ -159,5 +171,5 @@ describe('units that someone has typed', () => {
         await other.locator('.axis-x', { hasText: 'x (m) ×1e−6' }).waitFor();
         await page.context().close();
         await other.context().close();
-    });
+    }, 150_000);
 });

@@ -7,8 +7,8 @@ const mostWhole = 1e6;
 const leastPlain = 1e-3;
 /** A number of more digits than these was computed, not typed. */
 const typedDigits = 12;
-/** Labels beside each other with more signs than this say what they share once. */
-const mostSigns = 6;
+/** Labels beside each other with more digits than this say what they share once. */
+const mostDigits = 6;
 
 /** A size of its own: four digits, and all of those before the point up to a million. */
 export function shortNumber(value: number): string {
@@ -76,13 +76,13 @@ export function labelForm(low: number, high: number, step: number): LabelForm {
     const furthest = Math.max(Math.abs(low), Math.abs(high));
     const range = high - low;
     let offset = 0;
-    if (signsOf(furthest, step) > mostSigns && furthest > 4 * range) {
+    if (digitsOf(furthest, step) > mostDigits && furthest > 4 * range) {
         // What all of the range begins with.
         const power = 10 ** Math.ceil(Math.log10(range) - 1e-9);
         offset = Math.floor(low / power + 1e-9) * power;
     }
     const left = offset === 0 ? furthest : high - offset;
-    const exponent = signsOf(left, step) > mostSigns ? 3 * Math.floor(Math.log10(left) / 3 + 1e-9) : 0;
+    const exponent = digitsOf(left, step) > mostDigits || left < leastPlain ? 3 * Math.floor(Math.log10(left) / 3 + 1e-9) : 0;
     const unit = Number(`1e${exponent}`);
     const decimals = decimalsOf(step / unit);
     const shared = [
@@ -103,10 +103,10 @@ export function decimalsOf(step: number): number {
     return Math.min(100, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
 }
 
-function signsOf(size: number, step: number): number {
+function digitsOf(size: number, step: number): number {
     const decimals = decimalsOf(step);
     const whole = size < 1 ? 1 : Math.floor(Math.log10(size) + 1e-9) + 1;
-    return whole + (decimals === 0 ? 0 : decimals + 1);
+    return whole + decimals;
 }
 
 function rounded(value: number, resolution: number): string {

@@ -1,9 +1,9 @@
 // The camera: orbit, pan and zoom with the mouse, in perspective or without; views that show the whole domain.
 import { OrthographicCamera, PerspectiveCamera, Quaternion, Spherical, Vector3 } from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { type Bounds, centreOf } from '../domain/domainAxes.ts';
 import type { SceneCamera } from '../base/view.ts';
+import { FineOrbit } from './fineOrbit.ts';
 import { diagonal, fittingDistance } from './fitting.ts';
 
 /** From the domain towards the camera. */
@@ -45,7 +45,7 @@ export interface CameraControlsOptions {
 export class CameraControls {
     private readonly perspective = new PerspectiveCamera(30, 1, 0.01, 1000);
     private readonly parallel = new OrthographicCamera(-1, 1, 1, -1, 0.01, 1000);
-    private readonly orbit: OrbitControls;
+    private readonly orbit: FineOrbit;
     private readonly moved: (() => void)[] = [];
     private readonly onTurn: () => void;
     private bounds: Bounds = [-1, 1, -1, 1, -1, 1];
@@ -57,7 +57,7 @@ export class CameraControls {
     constructor({ requestFrame, onHold, onTurn }: CameraControlsOptions) {
         this.onTurn = onTurn;
         for (const camera of [this.perspective, this.parallel]) camera.up.set(...upwards);
-        this.orbit = new OrbitControls(this.perspective);
+        this.orbit = new FineOrbit(this.perspective);
         this.orbit.zoomToCursor = true;
         this.orbit.addEventListener('change', () => {
             if (!this.led) for (const listener of this.moved) listener();

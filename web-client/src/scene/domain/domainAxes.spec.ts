@@ -55,6 +55,8 @@ describe('keptIn', () => {
     it('holds the words of a place in the picture inside, and leaves those of another where they are', () => {
         expect(keptIn({ x: -8, y: 300 }, { x: 30, y: 310 }, size)).toEqual({ x: 12, y: 300 });
         expect(keptIn({ x: 400, y: 612 }, { x: 410, y: 580 }, size)).toEqual({ x: 400, y: 588 });
+        // All of long words, too.
+        expect(keptIn({ x: 20, y: 300 }, { x: 30, y: 310 }, size, 45)).toEqual({ x: 45, y: 300 });
         expect(keptIn({ x: 400, y: 300 }, { x: 410, y: 310 }, size)).toEqual({ x: 400, y: 300 });
         expect(keptIn({ x: -50, y: 300 }, { x: -10, y: 310 }, size)).toEqual({ x: -50, y: 300 });
     });

@@ -4,7 +4,7 @@
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { ScreenPoint, ScreenSize } from '../base/view.ts';
 
-/** Half of what a number or a name takes. */
+/** Half the height of a number or a name, and the least half of its width. */
 const marginPx = 12;
 
 export type Bounds = readonly [number, number, number, number, number, number];
@@ -65,11 +65,14 @@ export function boxEdges(bounds: Bounds): Float32Array {
     return new Float32Array(ends);
 }
 
-/** Words of a place in the picture do not stand outside it: an axis near the border would lose its name. */
-export function keptIn(words: ScreenPoint, { x, y }: ScreenPoint, { width, height }: ScreenSize): ScreenPoint {
+/**
+ * Words of a place in the picture do not stand outside it: an axis near the border would lose its name.
+ * @param halfWidth  of the words, in pixels
+ */
+export function keptIn(words: ScreenPoint, { x, y }: ScreenPoint, { width, height }: ScreenSize, halfWidth = 0): ScreenPoint {
     if (x < 0 || x > width || y < 0 || y > height) return words;
-    const within = (value: number, size: number): number => Math.min(size - marginPx, Math.max(marginPx, value));
-    return { x: within(words.x, width), y: within(words.y, height) };
+    const within = (value: number, size: number, margin: number): number => Math.min(size - margin, Math.max(margin, value));
+    return { x: within(words.x, width, Math.max(marginPx, halfWidth)), y: within(words.y, height, marginPx) };
 }
 
 /** Edges along `axis` between a face turned to the eye and one turned away. */

@@ -13,11 +13,12 @@ const tickGapPx = 14;
 const nameGapPx = 40;
 /** Numbers with less room between them would run into each other, as where two axes meet. */
 const clearancePx = { x: 8, y: 13 };
-/** About half of what a sign of a number takes. */
+/** About half of what a sign of a number and of a name takes. */
 const halfSignPx = 3.5;
+const halfNameSignPx = 4.6;
 
 interface PlacedWords extends ScreenPoint {
-    signs: number;
+    halfWidth: number;
 }
 
 export class DomainOutline implements Layer {
@@ -80,21 +81,23 @@ export class DomainOutline implements Layer {
         if (lengthPx < 30) return;
         const [low, high] = [edge.from[edge.axis], edge.to[edge.axis]];
         const { ticks, shared } = niceTicks(low, high, Math.min(8, lengthPx / pxPerTick));
+        // First, because a number less is no loss.
+        const middle = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
+        const name = axisNames[edge.axis] ?? '';
+        const words = [name, this.unit === '' ? '' : `(${this.unit})`, shared].filter((each) => each !== '').join(' ');
+        this.place(middle, edge.outward, nameGapPx, words, `axis-name axis-${name}`);
         for (const tick of ticks) {
             const at: Vec3 = [...edge.from];
             at[edge.axis] = tick.value;
             this.place(project(at), edge.outward, tickGapPx, tick.label, 'tick');
         }
-        const middle = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
-        const name = axisNames[edge.axis] ?? '';
-        const words = [name, this.unit === '' ? '' : `(${this.unit})`, shared].filter((each) => each !== '').join(' ');
-        this.place(middle, edge.outward, nameGapPx, words, `axis-name axis-${name}`);
     }
 
     private place(at: ScreenPoint | null, outward: ScreenPoint, gapPx: number, text: string, className: string): void {
         if (at === null) return;
-        const place = keptIn({ x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx }, at, this.size);
-        const words = { ...place, signs: text.length };
+        const halfWidth = text.length * (className === 'tick' ? halfSignPx : halfNameSignPx);
+        const place = keptIn({ x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx }, at, this.size, halfWidth);
+        const words = { ...place, halfWidth };
         if (this.placed.some((other) => collide(other, words))) return;
         this.placed.push(words);
         this.labels.place(place, text, className);
@@ -102,6 +105,6 @@ export class DomainOutline implements Layer {
 }
 
 function collide(a: PlacedWords, b: PlacedWords): boolean {
-    const across = clearancePx.x + halfSignPx * (a.signs + b.signs);
+    const across = clearancePx.x + a.halfWidth + b.halfWidth;
     return Math.abs(a.x - b.x) < across && Math.abs(a.y - b.y) < clearancePx.y;
 }

@@ -12,6 +12,9 @@ describe('time-steps', () => {
         const back = [16];
         while (back.at(-1)! > 8.5) back.push(stepFrom(times, back.at(-1)!, -1, [8.5, 16]));
         expect(back).toEqual([...times].reverse());
+        // Microseconds, in seconds since 1970.
+        const late = [0, 1, 2, 3].map((i) => 1700000000 + i * 1e-5);
+        expect(stepFrom(late, late[1]!, 1, [late[0]!, late[3]!])).toBe(late[2]);
         expect(stepFrom(times, 16, 1, [8.5, 16])).toBe(16);
         expect(stepFrom(times, 8.5, -1, [8.5, 16])).toBe(8.5);
     });

@@ -18,7 +18,8 @@ export function nearestStep(times: readonly number[], time: number): number {
  * Data of one time-step have none in between: there it is a twentieth of the span.
  */
 export function stepFrom(times: readonly number[], time: number, sign: 1 | -1, [low, high]: Span): number {
-    const nearby = 1e-6 * Math.max(high - low, Math.abs(time) * 1e-6);
+    // Of seconds since 1970, a double tells those apart that differ by 2e-7.
+    const nearby = Math.max(1e-6 * (high - low), 1e-15 * Math.abs(time));
     const stops = times.length > 1 ? [low, ...times, high] : twentieths(low, high);
     const ahead = stops.filter((t) => sign * (t - time) > nearby && t >= low && t <= high);
     if (ahead.length === 0) return sign > 0 ? high : low;

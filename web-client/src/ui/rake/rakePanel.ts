@@ -36,6 +36,8 @@ const turnKeys: Record<string, 1 | -1> = { ArrowLeft: 1, ArrowUp: 1, ArrowRight:
 /** Of the domain's diagonal; ten times as much with Shift. */
 const stepFractions = [0.002, 0.01, 0.05];
 const turnDegrees = 5;
+/** More of them are written smaller. */
+const roomySigns = 7;
 const mostSeeds = limits.seeds;
 const axes = ['x', 'y', 'z'] as const;
 const shapes: [RakeKind, string][] = [
@@ -136,16 +138,18 @@ export class RakePanel extends SignalElement {
         const at = this.placeOf(handle);
         return html`<div class="point" role="group" aria-label=${`${name} point`}>
             ${this.handleButton(handle, name)}
-            ${axes.map(
-                (axis, k) =>
-                    html`<input
-                        type="number"
-                        step="any"
-                        aria-label=${`${name} ${axis}`}
-                        .value=${coordinateField(this.model.state, k, at[k] ?? 0)}
-                        @change=${(event: Event) => this.numberChanged(event, handle, k as Axis)}
-                    />`,
-            )}
+            ${axes.map((axis, k) => {
+                const text = coordinateField(this.model.state, k, at[k] ?? 0);
+                return html`<input
+                    type="number"
+                    step="any"
+                    class=${text.length > roomySigns ? 'long' : ''}
+                    title=${at[k] ?? 0}
+                    aria-label=${`${name} ${axis}`}
+                    .value=${text}
+                    @change=${(event: Event) => this.numberChanged(event, handle, k as Axis)}
+                />`;
+            })}
         </div>`;
     }
 

@@ -50,6 +50,11 @@ export const rakePanelStyles = css`
     .point input {
         width: 100%;
     }
+    .point input.long {
+        padding-inline: 2px;
+        font-size: 11px;
+        letter-spacing: -0.2px;
+    }
     .handle {
         padding-inline: 2px;
     }

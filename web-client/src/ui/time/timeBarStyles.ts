@@ -37,7 +37,6 @@ export const timeBarStyles = css`
         max-width: 150px;
     }
     input[type='number'] {
-        width: 74px;
         field-sizing: content;
         min-width: 74px;
         max-width: 150px;
