@@ -105,9 +105,6 @@ describe('a domain on a map, in seconds since 1970', () => {
         await page.keyboard.press('Tab');
         await expect.poll(() => ask(page, (hook) => hook.displayed!.time)).toBe(1700000300);
         expect(await box.inputValue()).toBe('1700000300');
-        // All of it can be seen.
-        expect(await box.evaluate((input: HTMLInputElement) => input.scrollWidth <= input.clientWidth)).toBe(true);
-        expect(await field.evaluate((input: HTMLInputElement) => input.scrollWidth <= input.clientWidth)).toBe(true);
         expect(await drawnEdges(page)).toBeGreaterThanOrEqual(9);
         await screenshot(page, 'scale-map');
         await page.setViewportSize({ width: 390, height: 844 });
