@@ -151,11 +151,11 @@ describe('the camera', () => {
 describe('a note', () => {
     it('is saved by Ctrl+Enter, and Escape keeps what was typed', async () => {
         const write = async (): Promise<void> => {
-            await page.getByRole('button', { name: 'Note' }).click();
             const size = await canvasSize();
             await page.mouse.click(size.width / 2, size.height / 2);
             await page.locator('wakesurf-note-dialog textarea').waitFor();
         };
+        await page.getByRole('button', { name: 'Note' }).click();
         await write();
         await page.keyboard.type('Vortices pair');
         await page.keyboard.press('Escape');
