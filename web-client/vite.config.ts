@@ -16,14 +16,18 @@ const pythonClient: Plugin = {
     },
 };
 
+/** Parts of three's shaders that no material of the page has: of physically based and of cartoon-like ones. */
+const unusedShaders = /^(?:var|const) ((?:lights_physical|lights_toon|transmission)_\w+) = ".*";$/gm;
+
 /** Templates, styles and shaders, three's too, are indented for who reads them; in a browser that is 3 % of the page and means nothing. */
 const unindented: Plugin = {
     name: 'unindented',
     apply: 'build',
     transform(code, id) {
         if (/\/src\/(ui|scene)\/.*\.ts$/.test(id)) return { code: code.replace(/\n[ \t]+/g, '\n'), map: null };
+        if (!id.endsWith('/three.module.js')) return null;
         // Its shaders are strings with escaped ends of lines.
-        return id.endsWith('/three.module.js') ? { code: code.replace(/\\n(\\t)+/g, '\\n'), map: null } : null;
+        return { code: code.replace(unusedShaders, 'var $1 = "";').replace(/\\n(\\t)+/g, '\\n'), map: null };
     },
 };
 
