@@ -121,6 +121,16 @@ void label_components(QuadComplex& complex) {
         complex.component[v] = number[root(v)];
 }
 
+std::optional<double> error_at(const QuadComplex& complex, double share) {
+    if (complex.error.empty())
+        return std::nullopt;
+    std::vector<float> all = complex.error;
+    const auto last = static_cast<double>(all.size() - 1);
+    const auto place = all.begin() + static_cast<std::ptrdiff_t>(std::ceil(share * last));
+    std::nth_element(all.begin(), place, all.end());
+    return *place;
+}
+
 double longest_edge(const QuadComplex& complex) {
     double longest = 0.0;
     for (const Cell& cell : complex.cells)

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,9 @@ void label_components(QuadComplex& complex);
 
 /// Bytes of all arrays.
 std::size_t memory_of(const QuadComplex& complex);
+
+/// The estimated error that this share of the vertices does not exceed; nothing where none is estimated.
+std::optional<double> error_at(const QuadComplex& complex, double share);
 
 /// Longest sub-edge (sides cut at their mid nodes).
 double longest_edge(const QuadComplex& complex);

@@ -51,6 +51,7 @@ struct SurfaceStatistics {
     double separation = 0;           ///< longest edge allowed in the end
     double requested_separation = 0; ///< the one asked for
     Seconds seconds;
+    std::optional<double> error99{}; ///< length: error_at(mesh, 0.99)
     /// Of a path surface of both directions: where the data begin, if that cuts its backward side short.
     std::optional<double> data_end{};
 

@@ -39,6 +39,8 @@ nlohmann::json statistics_json(const core::SurfaceStatistics& statistics,
         out["empty"] = {{"reason", name(statistics.empty->reason)},
                         {"message", statistics.empty->message},
                         {"hint", statistics.empty->hint}};
+    if (statistics.error99)
+        out["error99"] = *statistics.error99;
     if (!statistics.stopped.empty())
         out["stopped"] = statistics.stopped;
     return out;

@@ -205,6 +205,8 @@ std::vector<MeshAttribute> mesh_attributes(const core::QuadComplex& mesh,
         out.push_back(of_floats("deformation", mesh.deformation));
     out.push_back({"component", narrowed<std::uint16_t>(mesh.component), 0});
     out.push_back({"approximated", mesh.approximated, 0});
+    if (!mesh.error.empty() && !scalars.contains("error")) // a field of the data goes before it
+        out.push_back(of_floats("error", mesh.error));
     for (const auto& [name, values] : scalars)
         out.push_back(of_floats(name, values));
     return out;

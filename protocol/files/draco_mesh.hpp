@@ -25,7 +25,7 @@ struct MeshAttribute {
     std::size_t missing = 0; ///< values that were not finite, and are the least finite one instead
 };
 
-/// s, t, speed, velocity, deformation where the mesh has it, component (65535: that one or a smaller part), approximated,
+/// s, t, speed, velocity, deformation where the mesh has it, component (65535: that one or a smaller part), approximated, error where the mesh has it,
 /// and then the scalars in order.
 std::vector<MeshAttribute> mesh_attributes(const core::QuadComplex& mesh,
                                            const MeshScalars& scalars);

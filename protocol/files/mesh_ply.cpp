@@ -78,6 +78,11 @@ struct SpeedRange {
     }
 };
 
+/// A field of the data of that name goes before it.
+bool has_error(const core::QuadComplex& mesh, const MeshScalars& scalars) {
+    return !mesh.error.empty() && !scalars.contains("error");
+}
+
 std::string header(const core::QuadComplex& mesh,
                    const MeshMetadata& metadata,
                    const MeshScalars& scalars,
@@ -98,6 +103,8 @@ std::string header(const core::QuadComplex& mesh,
     if (!mesh.deformation.empty())
         text += "property float deformation\n";
     text += "property uint component\nproperty uchar approximated\n";
+    if (has_error(mesh, scalars))
+        text += "property float error\n";
     for (const std::string& name :
          words_of(scalars, {"x",   "y",     "z",    "s",           "t",         "speed",       "vx",
                             "vy",  "vz",    "nx",   "ny",          "nz",        "u",           "v",
@@ -135,6 +142,8 @@ mesh_ply(const core::QuadComplex& mesh, const MeshMetadata& metadata, const Mesh
             put(out, mesh.deformation[v]);
         put(out, mesh.component[v]);
         put(out, mesh.approximated[v]);
+        if (has_error(mesh, scalars))
+            put(out, mesh.error[v]);
         for (const auto& [name, values] : scalars) {
             assert(values.size() == mesh.vertices());
             put(out, values[v]);

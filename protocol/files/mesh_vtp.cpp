@@ -55,6 +55,8 @@ void point_data(std::string& xml, const core::QuadComplex& mesh, const MeshScala
         block(xml, "Float32", "deformation", mesh.deformation);
     block(xml, "UInt32", "component", mesh.component);
     block(xml, "UInt8", "approximated", mesh.approximated);
+    if (!mesh.error.empty() && !scalars.contains("error")) // a field of the data goes before it
+        block(xml, "Float32", "error", mesh.error);
     for (const auto& [name, values] : scalars) {
         assert(values.size() == mesh.vertices());
         block(xml, "Float32", name, values);

@@ -494,6 +494,7 @@ Statistics = TypedDict("Statistics", {  # Statistics of the newest state of a su
     "steps": "int",  # number of steps of the surface, in time or along its curves
     "vertexSteps": "int",  # number of steps of the integrator, for all particles together
     "approximated": "int",  # number of vertices that were interpolated, not traced from the rake
+    "error99": "float",  # 99 % of the vertices are estimated to be no farther than this from the particles they ...
     "terminated": "Terminations",  # numbers of particles from the rake's seeds, by what ended them; of streak and ...
     "maxEdge": "float",  # length of the longest edge (the dataset's unit of length)
     "separation": "float",  # longest edge allowed in the end (the dataset's unit of length)

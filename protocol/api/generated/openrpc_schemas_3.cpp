@@ -177,6 +177,11 @@ const std::string_view schemas_3 = R"json("Surface": {
   "steps": {"type": "integer", "minimum": 0, "description": "number of steps of the surface, in time or along its curves"},
   "vertexSteps": {"type": "integer", "minimum": 0, "description": "number of steps of the integrator, for all particles together"},
   "approximated": {"type": "integer", "minimum": 0, "description": "number of vertices that were interpolated, not traced from the rake"},
+  "error99": {
+   "type": "number",
+   "minimum": 0,
+   "description": "99 % of the vertices are estimated to be no farther than this from the particles they stand for; of stream and path surfaces, left out for the others",
+   "x-unit": "the dataset's unit of length"},
   "terminated": {"$ref": "#/components/schemas/Terminations"},
   "maxEdge": {"type": "number", "minimum": 0, "description": "length of the longest edge", "x-unit": "the dataset's unit of length"},
   "separation": {"type": "number", "minimum": 0, "description": "longest edge allowed in the end", "x-unit": "the dataset's unit of length"},

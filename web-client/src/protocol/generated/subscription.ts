@@ -125,6 +125,11 @@ export interface Statistics {
     /** number of vertices that were interpolated, not traced from the rake */
     approximated: number;
     /**
+     * 99 % of the vertices are estimated to be no farther than this from the particles they stand for; of stream and
+     * path surfaces, left out for the others (the dataset's unit of length)
+     */
+    error99?: number;
+    /**
      * numbers of particles from the rake's seeds, by what ended them; of streak and time surfaces those of all rows
      * released until then. Particles inserted on the way between others are not counted
      */
@@ -168,6 +173,7 @@ export const statisticsCheck = members<Statistics>({
     steps: whole,
     vertexSteps: whole,
     approximated: whole,
+    error99: optional(number),
     terminated: terminationsCheck,
     maxEdge: number,
     separation: number,
