@@ -12,7 +12,7 @@ struct ServerAddress {
     std::string host; ///< without the brackets of an IPv6 address
     std::string port;
     std::string prefix; ///< of a proxy, as /flow; may be empty
-    std::string token; ///< may be empty
+    std::string token;  ///< may be empty
 
     /// As a Host header has it.
     std::string authority() const;

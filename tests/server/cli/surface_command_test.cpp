@@ -137,8 +137,9 @@ TEST_F(SurfaceCommand, WritesTheMeshAndItsStatistics) {
     EXPECT_EQ(files(), 2u);
     const auto stats = nlohmann::json::parse(bytes("stats.json"), nullptr, false);
     ASSERT_TRUE(stats.is_object());
-    for (const auto* key : {"kind", "quads", "vertices", "steps", "vertexSteps", "approximated", "error99",
-                            "terminated", "maxEdge", "separation", "seconds", "peakBytes"})
+    for (const auto* key :
+         {"kind", "quads", "vertices", "steps", "vertexSteps", "approximated", "error99",
+          "terminated", "maxEdge", "separation", "seconds", "peakBytes"})
         EXPECT_TRUE(stats.contains(key)) << key;
     EXPECT_GT(stats["quads"], 100);
     EXPECT_LE(stats["maxEdge"].get<double>(), 0.1 + 1e-9);
