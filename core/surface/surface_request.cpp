@@ -58,8 +58,8 @@ Result<void> check_times(const Flow& flow, const SurfaceParameters& p) {
             return {};
         const std::string range_text = time_text((*range)[0]) + " to " + time_text((*range)[1]);
         return fail(Error::Code::OutOfTime,
-                    name + (" " + time_text(time)) + " is outside the times of the data, " +
-                        range_text,
+                    std::string(name) + " " + time_text(time) +
+                        " is outside the times of the data, " + range_text,
                     "choose a time from " + range_text);
     };
     auto from = inside("'from'", p.from);

@@ -66,8 +66,8 @@ describe('a picture that moves', () => {
             while (hook.pixelRatio < 1) await drawn();
             return [first, facts()];
         }, middle);
-        expect(moving!.ratio).toBeLessThan(1);
-        expect(moving!.places.some((place) => place !== null)).toBe(true);
+        expect(moving.ratio).toBeLessThan(1);
+        expect(moving.places.some((place) => place !== null)).toBe(true);
         expect({ ...moving, ratio: 1 }).toEqual(resting);
     });
 

@@ -67,8 +67,8 @@ async function drawnEdges(page: Page): Promise<number> {
             for (let side = 0; side < 4; ++side) {
                 const point = [0, 1, 2].map((k) => (b[2 * k]! + b[2 * k + 1]!) / 2) as [number, number, number];
                 const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-                point[u!] = b[2 * u! + (side & 1)]!;
-                point[v!] = b[2 * v! + (side >> 1)]!;
+                point[u] = b[2 * u + (side & 1)]!;
+                point[v] = b[2 * v + (side >> 1)]!;
                 // Off the middle, where a rake may end.
                 point[axis] = b[2 * axis]! + 0.3 * (b[2 * axis + 1]! - b[2 * axis]!);
                 const at = hook.project(point)!;
