@@ -10,6 +10,8 @@ namespace {
 
 // Of the budget.
 constexpr double first_trial = 1.0 / 64.0;
+constexpr double most_at_first =
+    1.0 / 8.0; ///< until one is counted: it is not known how much too many they are
 constexpr double last_trial = 0.4;
 constexpr double near_enough = 0.3; ///< for a law of few counts to tell the rest
 constexpr double aimed_at = 0.85;
@@ -56,12 +58,12 @@ std::optional<BudgetSearch::Trial> BudgetSearch::next() {
         if (too_fine_ > 0.0) // at a quarter of them, where it grows by the square
             separation = 4.0 * too_fine_;
         else if (too_fine_trial_ > 0.0)
-            separation = 2.0 * too_fine_trial_;
+            separation = 4.0 * too_fine_trial_;
         else if (estimate_ > first_trial * budget)
             separation = requested_ * std::sqrt(estimate_ / (first_trial * budget));
         separation = std::min(separation, coarsest_);
         const bool whole = separation == requested_ || separation == coarsest_;
-        return last_ = {separation, whole ? most_ : part(0.5)};
+        return last_ = {separation, whole ? most_ : part(most_at_first)};
     }
     settled_ = trials_ > most_trials || finest_->separation <= too_fine_ * closest;
     if (settled_)
@@ -93,6 +95,10 @@ bool BudgetSearch::built(std::uint64_t quads) {
     before_ = finest_;
     finest_ = Count{last_.separation, count};
     return false;
+}
+
+void BudgetSearch::settle() {
+    trials_ = most_trials;
 }
 
 void BudgetSearch::exceeded() {

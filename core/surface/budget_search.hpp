@@ -31,6 +31,9 @@ class BudgetSearch {
     /// What became of the last trial: so many quads. True: this surface is the one to keep.
     bool built(std::uint64_t quads);
 
+    /// From now on the finest surface counted is good enough.
+    void settle();
+
     /// It was given up, or would have been.
     void exceeded();
 

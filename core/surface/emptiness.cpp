@@ -108,8 +108,7 @@ Result<std::optional<Emptiness>> why_empty(const Flow& flow,
     auto reason = at_release(flow, rake, p, stop);
     if (!reason || *reason)
         return reason;
-    if (p.kind == SurfaceKind::Time && !mesh.cells.empty() && p.rake2 &&
-        p.rake2->points == rake.points)
+    if (p.kind == SurfaceKind::Time && p.rake2 && p.rake2->points == rake.points)
         return because(Reason::SameRakes,
                        "the two rakes are the same, so the patch between them has no area",
                        "move one of them, or use a sweep");

@@ -27,7 +27,7 @@ int run_generate(const GenerateOptions& options) {
     const auto request = check_generate_options(options);
     if (!request) {
         const int status = report_failure(request.error());
-        return request.error().code == core::Error::Code::InvalidArgument ? 2 : status;
+        return request.error().code == core::Error::Code::InvalidArgument ? wrong_usage : status;
     }
     const StopOnSignal signals;
     const auto show = [](const store::ImportProgress& progress) {

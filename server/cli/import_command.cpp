@@ -29,7 +29,7 @@ int run_import(const ImportOptions& options) {
         signals.token());
     if (!imported) {
         const int status = report_failure(imported.error());
-        return imported.error().code == core::Error::Code::InvalidArgument ? 2 : status;
+        return imported.error().code == core::Error::Code::InvalidArgument ? wrong_usage : status;
     }
     return 0;
 }

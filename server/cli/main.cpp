@@ -1,6 +1,7 @@
 // The program `wakesurf`: parses the command line and hands over to one command.
 #include "server/base/memory_size.hpp"
 #include "server/cli/bench_command.hpp"
+#include "server/cli/failure.hpp"
 #include "server/cli/generate_command.hpp"
 #include "server/cli/import_command.hpp"
 #include "server/cli/info_command.hpp"
@@ -21,7 +22,6 @@ namespace {
 using namespace wakesurf::server;
 
 constexpr int failed = 1;
-constexpr int wrong_usage = 2;
 
 void add_import_options(CLI::App& command, ImportOptions& options) {
     command.add_option("DATASET", options.dataset, "A file or folder of simulation results")

@@ -29,8 +29,6 @@ using core::fail;
 
 namespace {
 
-constexpr int wrong_usage = 2;
-
 struct Address {
     std::string host;
     std::uint16_t port = 0;

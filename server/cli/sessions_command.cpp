@@ -28,8 +28,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int wrong_usage = 2;
-
 core::Result<std::unique_ptr<SessionServer>> find_server(const SessionsOptions& options) {
     const bool changes = options.action != "list" && options.action != "export";
     if (!options.state.empty())

@@ -275,7 +275,7 @@ int run_surface(const SurfaceOptions& options) {
     auto request = check_surface_options(options);
     if (!request) {
         const int status = report_failure(request.error());
-        return request.error().code == core::Error::Code::InvalidArgument ? 2 : status;
+        return request.error().code == core::Error::Code::InvalidArgument ? wrong_usage : status;
     }
     const StopOnSignal signals;
     const auto made = make(options, *std::move(request), signals.token());
@@ -285,7 +285,7 @@ int run_surface(const SurfaceOptions& options) {
     const bool usage = made.error().code == core::Error::Code::InvalidArgument &&
                        made.error().message.starts_with("--");
     const int status = report_failure(made.error());
-    return usage ? 2 : status;
+    return usage ? wrong_usage : status;
 }
 
 } // namespace wakesurf::server

@@ -113,7 +113,7 @@ protocol::MeshMetadata metadata_of(const SurfaceJob& job,
 
 /// What is made on the way from a mesh to its file, a vertex: the most of all formats, Draco's, as the peak beside the mesh of
 /// 380,000 vertices.
-constexpr std::size_t file_bytes = 560;
+constexpr std::size_t vertex_file_bytes = 560;
 
 /// What a file is made from. Finished meshes are not kept: 100 MB a million quads.
 struct FileJob {
@@ -144,7 +144,7 @@ struct FileJob {
             return tl::unexpected(memory.refusal("a file of this surface"));
         if (!shown)
             return tl::unexpected(shown.error());
-        const std::size_t needed = shown->mesh.vertices() * (file_bytes + 8 * fields.size());
+        const std::size_t needed = shown->mesh.vertices() * (vertex_file_bytes + 8 * fields.size());
         if (auto taken = take(needed, stop, share); !taken)
             return tl::unexpected(taken.error());
         const auto metadata = metadata_of(surface, shown->statistics, *dataset, time);

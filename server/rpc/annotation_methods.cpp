@@ -9,14 +9,14 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr RecordHandlers<protocol::AnnotationRecord> handlers{
+constexpr RecordHandlers<protocol::AnnotationRecord> annotation_handlers{
     "annotation", &Session::annotation, protocol::annotation_json, &Session::delete_annotation};
 
 void annotation_set(const Call& call, const protocol::AnnotationSetting& setting, Reply reply) {
     const auto session = choose_session(call, setting.session);
     if (!session)
         return reply.fault(session.error());
-    if (const auto stale = handlers.stale(**session, setting.annotation, setting.if_rev))
+    if (const auto stale = annotation_handlers.stale(**session, setting.annotation, setting.if_rev))
         return reply.fault(*stale);
     const auto record =
         (*session)->set_annotation(setting, author_of(call, **session, setting.gesture));
@@ -27,7 +27,7 @@ void annotation_set(const Call& call, const protocol::AnnotationSetting& setting
 }
 
 void annotation_delete(const Call& call, const protocol::AnnotationDelete& of, Reply reply) {
-    handlers.remove(call, of, of.annotation, std::move(reply));
+    annotation_handlers.remove(call, of, of.annotation, std::move(reply));
 }
 
 void annotation_list(const Call& call, const protocol::AnnotationList& of, Reply reply) {

@@ -9,14 +9,14 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr RecordHandlers<protocol::BookmarkRecord> handlers{
+constexpr RecordHandlers<protocol::BookmarkRecord> bookmark_handlers{
     "bookmark", &Session::bookmark, protocol::bookmark_json, &Session::delete_bookmark};
 
 void bookmark_set(const Call& call, const protocol::BookmarkSetting& setting, Reply reply) {
     const auto session = choose_session(call, setting.session);
     if (!session)
         return reply.fault(session.error());
-    if (const auto stale = handlers.stale(**session, setting.bookmark, setting.if_rev))
+    if (const auto stale = bookmark_handlers.stale(**session, setting.bookmark, setting.if_rev))
         return reply.fault(*stale);
     const auto record =
         (*session)->set_bookmark(setting, author_of(call, **session, setting.gesture));
@@ -27,7 +27,7 @@ void bookmark_set(const Call& call, const protocol::BookmarkSetting& setting, Re
 }
 
 void bookmark_delete(const Call& call, const protocol::BookmarkDelete& of, Reply reply) {
-    handlers.remove(call, of, of.bookmark, std::move(reply));
+    bookmark_handlers.remove(call, of, of.bookmark, std::move(reply));
 }
 
 void bookmark_list(const Call& call, const protocol::BookmarkList& of, Reply reply) {

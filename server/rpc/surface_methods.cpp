@@ -9,7 +9,7 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr RecordHandlers<protocol::SurfaceRecord> handlers{
+constexpr RecordHandlers<protocol::SurfaceRecord> surface_handlers{
     "surface", &Session::surface, protocol::surface_json, &Session::delete_surface};
 
 /// Where `from` is left out; what is wrong with the dataset is told later.
@@ -27,7 +27,7 @@ void surface_set(const Call& call, const protocol::SurfaceSetting& asked, Reply 
     const auto session = choose_session(call, setting.session);
     if (!session)
         return reply.fault(session.error());
-    if (const auto stale = handlers.stale(**session, setting.surface, setting.if_rev))
+    if (const auto stale = surface_handlers.stale(**session, setting.surface, setting.if_rev))
         return reply.fault(*stale);
     Author author = author_of(call, **session, setting.gesture);
     author.default_scene = setting.default_scene;
@@ -41,7 +41,7 @@ void surface_set(const Call& call, const protocol::SurfaceSetting& asked, Reply 
 }
 
 void surface_delete(const Call& call, const protocol::SurfaceDelete& of, Reply reply) {
-    handlers.remove(call, of, of.surface, std::move(reply));
+    surface_handlers.remove(call, of, of.surface, std::move(reply));
 }
 
 /// Any editor may: the surface is everyone's, and so is the time it takes.

@@ -197,9 +197,9 @@ Result<void>
 MovingSurface::start_coarser(double until, const std::stop_token& stop, const WorkPart& work) {
     const MovingRequest request = state_.plan->request;
     BudgetSearch search = *state_.plan->search;
-    if (state_.plan->rules.coarsens) // nothing more can be done
-        return cannot_be_coarser(request.parameters.max_quads, search.coarsest());
     search.exceeded();
+    if (state_.plan->rules.coarsens) // and could not be made coarser as it moved
+        search.settle();
     const std::uint32_t vertex_id = state_.mesh.vertices.next_id();
     const std::uint32_t cell_id = state_.mesh.quads.next_id();
     state_.mesh = {};

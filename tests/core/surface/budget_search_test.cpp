@@ -62,8 +62,9 @@ TEST(BudgetSearch, FillsMostOfTheBudgetForTwiceItsCostAtMostWhateverThePowerLaw)
         const auto law = [&](double s) { return at_requested * std::pow(s, -p); };
         const Found found = search(law, 1.0, at_requested / 3.0, most, 1e9);
         ASSERT_GT(found.separation, 0.0);
-        if (found.separation > 1.0)
+        if (found.separation > 1.0) {
             EXPECT_GE(found.quads, 0.7 * static_cast<double>(most)) << "power " << p;
+        }
         EXPECT_LE(found.cost, 2.0) << "power " << p << ", " << at_requested << " of " << most;
     }
 }

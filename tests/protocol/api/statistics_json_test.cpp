@@ -24,7 +24,7 @@ TEST(StatisticsJson, HasTheShapeOfTheContract) {
         "seconds": {"load": 1.0, "advect": 2.0, "refine": 3.0, "other": 4.0, "total": 10.0},
         "peakBytes": 11})"));
     statistics.data_end = 8.5;
-    EXPECT_EQ(statistics_json(statistics)["dataEnd"], 8.5);
+    EXPECT_EQ(statistics_json(statistics, 11)["dataEnd"], 8.5);
 }
 
 TEST(StatisticsJson, SaysWhyThereIsNothingToSee) {

@@ -106,7 +106,7 @@ TEST_F(SessionMethods, UnitsThatAreTypedAreToldToAllAndGoWithTheSession) {
     // Nothing in it that turns the writing direction, as in names.
     const json set =
         result("session.setUnits", {{"session", id}, {"length", " m\u202em "}, {"time", "s"}});
-    EXPECT_EQ(set, (json{{"session", id}, {"name", "wake"}, {"units", units}}));
+    EXPECT_EQ(set, (json{{"session", id}, {"name", "wake"}, {"units", units}, {"durable", true}}));
     EXPECT_EQ(result("session.state", {{"session", id}})["units"], units);
     std::string told;
     for (const json& each : wire.sent)

@@ -28,7 +28,7 @@ function viewFrom(eye: Vec3): View {
 function aimAt(shape: RakeShape, mayMove = true): RakeAim {
     const middle: Vec3 = [0, 0, 1.5];
     const positionOf = (handle: unknown): Vec3 => (typeof handle === 'number' ? shape.points[handle]! : middle);
-    return new RakeAim({ shape, held: false, chosenId: 'r1', positionOf } as unknown as RakeLayer, () => mayMove);
+    return new RakeAim({ shape, movable: true, chosenId: 'r1', positionOf } as unknown as RakeLayer, () => mayMove);
 }
 
 describe('the arrows of a rake', () => {
