@@ -143,11 +143,7 @@ describe('a server that was started again', () => {
             const banner = page.getByText(/does not accept the access token/);
             await banner.waitFor({ timeout: 20_000 });
             expect(await ask(page, (hook) => hook.displayed!.stateSum)).toBe(before.stateSum);
-<<<<<<< ours
-            expect(await page.locator('canvas').isVisible()).toBe(true);
-=======
             expect(await page.getByRole('img', { name: /The surface in the flow/ }).isVisible()).toBe(true);
->>>>>>> theirs
             await screenshot(page, 'refused');
             const field = page.getByRole('textbox', { name: 'New link' });
             await field.fill('no link');

@@ -22,12 +22,14 @@ export function writeScaledFlow({ folder, name, origin, size, times }: ScaledFlo
     const extent = nodes.map((count) => `0 ${count - 1}`).join(' ');
     const entries = times.map((time, step) => {
         const values: string[] = [];
-        for (let k = 0; k < nodes[2]!; ++k)
-            {for (let j = 0; j < nodes[1]!; ++j)
-                {for (let i = 0; i < nodes[0]!; ++i) {
+        for (let k = 0; k < nodes[2]!; ++k) {
+            for (let j = 0; j < nodes[1]!; ++j) {
+                for (let i = 0; i < nodes[0]!; ++i) {
                     const turned = Math.sin(i / 3 + step / 2) * 0.2;
                     values.push(`${speed * (0.6 + 0.1 * j)} ${speed * turned} ${(speed * turned * (k - 4)) / 8}`);
-                }}}
+                }
+            }
+        }
         const file = `${name}_${step}.vti`;
         const piece = `<PointData Vectors="U"><DataArray type="Float64" Name="U" NumberOfComponents="3" format="ascii">
 ${values.join('\n')}
