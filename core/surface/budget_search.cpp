@@ -58,7 +58,7 @@ std::optional<BudgetSearch::Trial> BudgetSearch::next() {
         if (too_fine_ > 0.0) // at a quarter of them, where it grows by the square
             separation = 4.0 * too_fine_;
         else if (too_fine_trial_ > 0.0)
-            separation = 4.0 * too_fine_trial_;
+            separation = std::pow(4.0, trials_ - 1) * too_fine_trial_; // further each time
         else if (estimate_ > first_trial * budget)
             separation = requested_ * std::sqrt(estimate_ / (first_trial * budget));
         separation = std::min(separation, coarsest_);

@@ -195,9 +195,10 @@ TEST_F(SurfaceCommand, WritesAGlbWithoutDracoWhereAsked) {
 
 TEST_F(SurfaceCommand, BuildsPathSurfacesThatDifferFromStreamSurfacesWhereTheFlowIsUnsteady) {
     dataset_ = "flow:oscillating";
-    ASSERT_EQ(run({}).exit_status, 0);
+    const std::string across = "0,-1,0 0,0,1";
+    ASSERT_EQ(run({"--rake", across}).exit_status, 0);
     const auto stream = bytes("out.vtp");
-    const auto outcome = run({"--kind", "path", "--stats", file("stats.json")});
+    const auto outcome = run({"--rake", across, "--kind", "path", "--stats", file("stats.json")});
     EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
     EXPECT_EQ(nlohmann::json::parse(bytes("stats.json"))["kind"], "path");
     EXPECT_GT(bytes("out.vtp").size(), 10'000u);
@@ -235,7 +236,7 @@ TEST_F(SurfaceCommand, AnswersWrongUsageWithStatusTwo) {
     refuses({"--merge", "nan"}, 2, "--merge");
     refuses({"--angle", "-1"}, 2, "--angle");
     refuses({"--angle", "0"}, 2, "--angle");
-    refuses({"--from", "3"}, 2, "--to 2");
+    refuses({"--from", "3", "--direction", "forward"}, 2, "--to 2");
 }
 
 TEST_F(SurfaceCommand, AnswersWrongUsageToWhatAnotherKindOfSurfaceHas) {

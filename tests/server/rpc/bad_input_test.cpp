@@ -114,7 +114,10 @@ TEST_F(BadInput, OfSurfacesIsRefused) {
     EXPECT_EQ(surface(R"("kind":"stream","dataset":"nothing","from":0,"to":1)")["code"], -32004);
     EXPECT_EQ(surface(R"("kind":"stream","dataset":"lamb-oseen","from":1e300,"to":1)")["code"],
               -32602);
-    EXPECT_EQ(surface(R"("kind":"stream","dataset":"lamb-oseen","from":2,"to":1)")["code"], -32602);
+    EXPECT_EQ(
+        surface(R"("kind":"stream","dataset":"lamb-oseen","from":2,"to":1,"direction":"forward")")
+            ["code"],
+        -32602);
     EXPECT_EQ(
         surface(
             R"("kind":"stream","dataset":"lamb-oseen","from":0,"to":1,"separation":-1)")["code"],

@@ -51,6 +51,7 @@ const std::map<std::string, Row> rows{
     {"session.fork", {Role::Editor, About::Server}},
     {"session.list", {Role::Viewer, About::Nothing}},
     {"session.rename", {Role::Host, About::Session}},
+    {"session.setUnits", {Role::Editor, About::Session}},
     {"session.delete", {Role::Host, About::Session}},
     {"session.restore", {Role::Host, About::Server}},
     {"session.export", {Role::Viewer, About::Session}},
