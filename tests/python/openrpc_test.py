@@ -164,6 +164,7 @@ class OpenRpcTest(unittest.TestCase):
             ask("history.redo")
             fork = ask("session.fork", session=session)["session"]
             ask("session.rename", session=fork, name="copy")
+            ask("session.setUnits", session=fork, length="mm", time="s")
             ask("session.thumbnail", session=fork, image=PIXEL)
             refused(wakesurf.InvalidParameters, host, "session.thumbnail", session=fork, image="no picture")
             file = ask("session.export", session=fork)["file"]

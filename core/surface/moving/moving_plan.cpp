@@ -49,9 +49,7 @@ MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double sepa
     rules.least_t_at_wall = origin.patch() ? seed_distance / origin.longest_across() : 0.0;
     rules.policy = policy(p.accuracy);
     rules.tangents = p.accuracy == Accuracy::Balanced || p.deformation;
-    // Back through a series that does not fit into memory it would read all of it again. What is in memory must not decide: the same
-    // request has the same surface on any machine.
-    rules.retrace = p.accuracy == Accuracy::Exact || !flow.time_range();
+    rules.retrace = p.accuracy == Accuracy::Exact || flow.resident();
     rules.reconnect = p.reconnect;
     rules.obstacle = flow.obstacle();
     rules.max_quads = p.max_quads;
