@@ -151,8 +151,9 @@ describe('the camera', () => {
 describe('a note', () => {
     it('is saved by Ctrl+Enter, and Escape keeps what was typed', async () => {
         const write = async (): Promise<void> => {
-            const size = await canvasSize();
-            await page.mouse.click(size.width / 2, size.height / 2);
+            // On the rake, which is there whatever the surface looks like.
+            const at = await page.evaluate(() => window.wakesurf!.handleOnScreen('middle'));
+            await page.mouse.click(at!.x, at!.y);
             await page.locator('wakesurf-note-dialog textarea').waitFor();
         };
         await page.getByRole('button', { name: 'Note' }).click();
