@@ -21,7 +21,7 @@ let page: Page;
 afterAll(() => work.remove());
 
 beforeEach(async () => {
-    context = await newContext(stand.browser, { width: 900, height: 480 });
+    context = await newContext(stand.browser, { width: 900, height: 520 });
     await context.grantPermissions(['clipboard-read', 'clipboard-write']);
     page = await openPage(context, await stand.server.newSession());
     await finalSurface(page);

@@ -52,7 +52,7 @@ export class NoteDialog extends SignalElement {
 
     override render(): TemplateResult {
         const { note } = this.model.view;
-        return html`<dialog @close=${this.closed}>
+        return html`<dialog @cancel=${this.cancelled} @close=${this.closed}>
             <form @submit=${this.save}>
                 <label
                     >${note.value?.annotation == null ? 'A note for everyone here' : 'Change the note'}
@@ -82,10 +82,16 @@ export class NoteDialog extends SignalElement {
         return this.renderRoot.querySelector('dialog');
     }
 
-    /** By Escape, or since the note has been saved or discarded. */
+    /** By Escape. What is typed is kept now: the dialog tells that it has closed only later, when the next note may be open already. */
+    private cancelled(event: Event): void {
+        event.preventDefault();
+        this.model.view.endNote(this.text);
+    }
+
+    /** Also where the browser lets no one keep a dialog open. */
     private closed(): void {
         const { view } = this.model;
-        if (view.note.value !== null) view.endNote(this.text);
+        if (view.note.value !== null && this.dialog?.open === false) view.endNote(this.text);
     }
 
     private pressed(event: KeyboardEvent): void {
