@@ -282,6 +282,7 @@ class SessionFile(TypedDict, total=False):
     wakesurf: str  # version of the program that wrote it
     records: FileRecords  # the records of the session
     datasets: List[NamedDataset]  # datasets that the surfaces use
+    units: Units  # left out if no one has typed any; may be missing
 
 
 class Visitor(TypedDict, total=False):

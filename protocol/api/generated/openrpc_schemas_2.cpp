@@ -40,7 +40,8 @@ const std::string_view schemas_2 = R"json("NamedDataset": {
   "exported": {"type": "string", "description": "when the document was written, in UTC"},
   "wakesurf": {"type": "string", "description": "version of the program that wrote it"},
   "records": {"$ref": "#/components/schemas/FileRecords"},
-  "datasets": {"type": "array", "description": "datasets that the surfaces use", "items": {"$ref": "#/components/schemas/NamedDataset"}}},
+  "datasets": {"type": "array", "description": "datasets that the surfaces use", "items": {"$ref": "#/components/schemas/NamedDataset"}},
+  "units": {"$ref": "#/components/schemas/Units"}},
  "required": ["wakesurfSession", "name", "exported", "wakesurf", "records", "datasets"],
  "additionalProperties": false},
 "Visitor": {

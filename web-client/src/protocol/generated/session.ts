@@ -176,6 +176,8 @@ export interface SessionFile {
     records: FileRecords;
     /** datasets that the surfaces use */
     datasets: NamedDataset[];
+    /** left out if no one has typed any */
+    units?: Units;
 }
 
 export const sessionFileCheck = members<SessionFile>({
@@ -185,6 +187,7 @@ export const sessionFileCheck = members<SessionFile>({
     wakesurf: text,
     records: fileRecordsCheck,
     datasets: list(namedDatasetCheck),
+    units: optional(unitsCheck),
 });
 
 /** Someone who was in a session. */
