@@ -48,6 +48,13 @@ export class MeshRules extends SignalElement {
                 color: var(--quiet);
                 cursor: pointer;
             }
+            .row {
+                display: flex;
+                gap: 8px;
+                align-items: center;
+                justify-content: space-between;
+                margin-top: 6px;
+            }
             input {
                 width: 9em;
             }
