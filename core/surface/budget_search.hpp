@@ -37,10 +37,10 @@ class BudgetSearch {
     /// It was given up, or would have been.
     void exceeded();
 
-    /// A coarser surface has been counted that is large enough to know the separation that the next trial has.
+    /// Coarser surfaces have been counted, and the last one is large enough to tell the separation of the next trial.
     bool near() const;
 
-    /// How many surfaces were, with the whole budget.
+    /// How many trials with the whole budget were given up.
     int given_up() const { return given_up_; }
 
     double coarsest() const { return coarsest_; }

@@ -10,20 +10,18 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Of the squared edges: below it a surface is a line.
+/// Of a quad's squared diagonal: below it the quad is a line.
 constexpr double least_area = 1e-6;
 
+/// The first quad tells, unless the surface is a line: this is asked in every frame that plays.
 bool has_area(const QuadComplex& mesh) {
-    double area = 0.0;
-    double edges = 0.0;
-    for (const Cell& cell : mesh.cells) {
+    return std::any_of(mesh.cells.begin(), mesh.cells.end(), [&](const Cell& cell) {
         const auto& [a, b, c, d] = cell.corner;
         const Vec3 p = mesh.position[c] - mesh.position[a];
         const Vec3 q = mesh.position[d] - mesh.position[b];
-        area += 0.5 * glm::length(glm::cross(p, q));
-        edges += std::max(glm::dot(p, p), glm::dot(q, q));
-    }
-    return area > least_area * edges;
+        return glm::length(glm::cross(p, q)) >
+               least_area * std::max(glm::dot(p, p), glm::dot(q, q));
+    });
 }
 
 /// Where the particles come from: along the rake, and all over the patch of a time surface.
@@ -129,6 +127,9 @@ Result<std::optional<Emptiness>> why_empty(const Flow& flow,
     if (ended.obstacle > 0)
         return because(Reason::AllLeft, "all particles have reached the body",
                        "choose a shorter time, or move the rake");
+    if (ended.stagnation > 0)
+        return because(Reason::AtRest, "all particles have come to rest",
+                       "choose a shorter time, or move the rake to where the fluid moves");
     return because(Reason::TooCoarse, "no quad is left at this separation",
                    "choose a smaller separation");
 }

@@ -12,7 +12,7 @@
 
 namespace wakesurf::core {
 
-/// Nothing: there is something to see, quads with an area. Cost: O(quads); where there is nothing to see, a few hundred samples.
+/// Nothing: there is something to see, quads with an area. Cost: one quad; where there is nothing to see, all quads and a few hundred samples.
 /// Error: what sampling reports.
 Result<std::optional<Emptiness>> why_empty(const Flow& flow,
                                            const Rake& rake,

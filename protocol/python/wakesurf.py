@@ -500,7 +500,7 @@ Statistics = TypedDict("Statistics", {  # Statistics of the newest state of a su
     "maxEdge": "float",  # length of the longest edge (the dataset's unit of length)
     "separation": "float",  # longest edge allowed in the end (the dataset's unit of length)
     "requestedSeparation": "float",  # longest edge that was asked for (the dataset's unit of length)
-    "coarsened": "bool",  # true: within `maxQuads` the separation asked for is not possible, so `separation` is larger
+    "coarsened": "bool",  # true: within `maxQuads` the separation asked for is not possible, so `separation` is ...
     "seconds": "BuildSeconds",  # how long it took to build the surface
     "pass": "PassSeconds",  # how long it took to make this state; may be missing
     "peakBytes": "int",  # the most memory that the process has held, for everything that it does (bytes)

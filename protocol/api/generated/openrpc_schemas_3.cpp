@@ -186,7 +186,9 @@ const std::string_view schemas_3 = R"json("Surface": {
   "maxEdge": {"type": "number", "minimum": 0, "description": "length of the longest edge", "x-unit": "the dataset's unit of length"},
   "separation": {"type": "number", "minimum": 0, "description": "longest edge allowed in the end", "x-unit": "the dataset's unit of length"},
   "requestedSeparation": {"type": "number", "minimum": 0, "description": "longest edge that was asked for", "x-unit": "the dataset's unit of length"},
-  "coarsened": {"type": "boolean", "description": "true: within `maxQuads` the separation asked for is not possible, so `separation` is larger"},
+  "coarsened": {
+   "type": "boolean",
+   "description": "true: within `maxQuads` the separation asked for is not possible, so `separation` is larger; false until the surface is complete"},
   "seconds": {"$ref": "#/components/schemas/BuildSeconds"},
   "pass": {"$ref": "#/components/schemas/PassSeconds"},
   "peakBytes": {

@@ -22,7 +22,7 @@ int run(const std::vector<std::string>& arguments) {
 
 } // namespace
 
-TEST(AnyMemory, GivesTheSameBytesOfEveryKindWhetherTheSeriesFitsOrNot) {
+TEST(AnyMemory, MakesTheSameBytesOfEveryKindWhetherTheSeriesFitsOrNot) {
     const tests::TemporaryFolder folder;
     const std::string store = folder / "tornado.store";
     ASSERT_EQ(run({"generate", "tornado", store, "--grid", "64,64,64", "--times", "0:10:17"}), 0);

@@ -218,6 +218,32 @@ TEST_F(SurfaceCommand, FailsWithStatusOneWhereTheRequestIsWellFormedButCannotBeD
     refuses({"-o", file("missing/out.vtp")}, 1, "no folder");
 }
 
+TEST_F(SurfaceCommand, SaysThatASurfaceIsCoarserThanAskedFor) {
+    const auto outcome =
+        run({"--separation", "0.01", "--max-quads", "2000", "--stats", file("stats.json")});
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
+    EXPECT_NE(outcome.errors.find("coarsened: a separation of 0.01 needs more quads than allowed"),
+              std::string::npos)
+        << outcome.errors;
+    const auto stats = nlohmann::json::parse(bytes("stats.json"));
+    EXPECT_EQ(stats["coarsened"], true);
+    EXPECT_EQ(stats["requestedSeparation"], 0.01);
+    EXPECT_GT(stats["separation"], 0.01);
+    EXPECT_LE(stats["quads"], 2000);
+    EXPECT_GE(stats["quads"], 1400);
+    EXPECT_GT(stats["seconds"]["processor"], 0.0);
+}
+
+TEST_F(SurfaceCommand, WritesNothingWhereThereIsNothingToSeeAndSaysWhy) {
+    dataset_ = "flow:uniform";
+    refuses({"--rake", "0,0,0 1,0,0"}, 1, "the rake lies along the flow");
+    refuses({"--kind", "time", "--rake2", "0.2,0,-1 1,0,-1"}, 1, "the two rakes are the same");
+    dataset_ = "flow:uniform?u=0";
+    refuses({"--rake", "0,0,0 0,1,0"}, 1, "the fluid is at rest");
+    dataset_ = "flow:sphere";
+    refuses({"--rake", "-0.1,0,-0.1 0.1,0,0.1"}, 1, "the whole rake lies inside the body");
+}
+
 TEST_F(SurfaceCommand, AnswersWrongUsageWithStatusTwo) {
     refuses({"--kind", "iso"}, 2, "--kind");
     refuses({"--rake", "nan,0,0 1,0,0"}, 2, "nan,0,0");

@@ -140,7 +140,10 @@ export interface Statistics {
     separation: number;
     /** longest edge that was asked for (the dataset's unit of length) */
     requestedSeparation: number;
-    /** true: within `maxQuads` the separation asked for is not possible, so `separation` is larger */
+    /**
+     * true: within `maxQuads` the separation asked for is not possible, so `separation` is larger; false until the
+     * surface is complete
+     */
     coarsened: boolean;
     /** how long it took to build the surface */
     seconds: BuildSeconds;
