@@ -55,10 +55,9 @@ std::optional<BudgetSearch::Trial> BudgetSearch::next() {
         if (too_fine_ >= coarsest_)
             return std::nullopt;
         double separation = requested_;
-        if (too_fine_ > 0.0) // at a quarter of them, where it grows by the square
-            separation = 4.0 * too_fine_;
-        else if (too_fine_trial_ > 0.0)
-            separation = std::pow(4.0, trials_ - 1) * too_fine_trial_; // further each time
+        // At a quarter of them, where it grows by the square; further each time.
+        if (const double too_fine = std::max(too_fine_, too_fine_trial_); too_fine > 0.0)
+            separation = std::pow(4.0, std::max(1, trials_ - 1)) * too_fine;
         else if (estimate_ > first_trial * budget)
             separation = requested_ * std::sqrt(estimate_ / (first_trial * budget));
         separation = std::min(separation, coarsest_);

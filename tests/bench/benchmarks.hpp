@@ -9,6 +9,12 @@
 
 namespace wakesurf::bench {
 
+/// Surfaces of every kind in every closed form: fast beside balanced, in quads and in time.
+void register_accuracy_benchmarks();
+
+/// What coarsening costs that a quad budget demands, and how much of the budget the surface has then.
+void register_budget_benchmarks();
+
 /// Stream and path surfaces of about 20,000 quads on four rakes across the domain, complete, on one core.
 void register_surface_benchmarks(std::shared_ptr<const server::LoadedDataset> dataset);
 

@@ -50,7 +50,7 @@ inline core::MovingMesh flat_patch(int columns, int rows, bool closed = false) {
 
 /// For LocalOperations: the middle of an edge as a free vertex.
 inline core::VertexId insert_middle(core::MovingMesh& mesh, core::VertexId a, core::VertexId b) {
-    return mesh.vertices.add(core::midpoint(mesh, a, b, core::InsertionPolicy::Linear).point,
+    return mesh.vertices.add(core::midpoint(mesh, a, b, core::InsertionPolicy::Line).point,
                              core::VertexRole::Free, mesh.time);
 }
 

@@ -1,5 +1,7 @@
 #include "core/surface/moving/insertion.hpp"
 
+#include "core/surface/moving/line_interpolation.hpp"
+
 namespace wakesurf::core {
 
 namespace {
@@ -107,7 +109,7 @@ double relative_sagitta(const MovingMesh& mesh, VertexId a, VertexId b) {
 
 Midpoint midpoint(const MovingMesh& mesh, VertexId a, VertexId b, InsertionPolicy policy) {
     MaterialPoint mid = average(mesh, a, b);
-    if (policy == InsertionPolicy::Linear)
+    if (policy == InsertionPolicy::Line)
         return {mid, 0.0};
     const ParameterStep step = parameter_step(mesh, a, b);
     const Vec3 chord = mesh.vertices.position[b] - mesh.vertices.position[a];
@@ -133,11 +135,18 @@ Midpoint midpoint(const MovingMesh& mesh, VertexId a, VertexId b, InsertionPolic
 }
 
 Midpoint
-midpoint(const MovingMesh& mesh, const Cell& cell, std::size_t side, InsertionPolicy policy) {
+middle_of_side(const MovingMesh& mesh, CellIndex index, std::size_t side, InsertionPolicy policy) {
+    const Cell& cell = mesh.quads[index].cell;
     const VertexId a = cell.corner[side];
     const VertexId b = cell.corner[(side + 1) % 4];
     Midpoint mid = midpoint(mesh, a, b, policy);
-    if (policy == InsertionPolicy::Linear || mid.bulge > largest_sagitta)
+    if (policy == InsertionPolicy::Line) {
+        const LineBulge line = bulge_of_line(mesh, index, side);
+        mid.point.carried.position += line.offset;
+        mid.bulge = line.share;
+        return mid;
+    }
+    if (mid.bulge > largest_sagitta)
         return mid;
     const VertexId beyond_a = cell.corner[(side + 3) % 4];
     const VertexId beyond_b = cell.corner[(side + 2) % 4];

@@ -51,7 +51,7 @@ bool LocalOperations::ensure_mid(CellIndex cell, std::size_t side) {
         const CellIndex neighbour = here.across[side][0];
         Cell changed = here.cell;
         if (neighbour == no_cell) {
-            changed.mid[side] = insert_(here.cell, side);
+            changed.mid[side] = insert_(cell, side);
             replace(std::array{cell}, std::array{changed}, 1);
             return true;
         }
@@ -61,7 +61,7 @@ bool LocalOperations::ensure_mid(CellIndex cell, std::size_t side) {
         if (!facing)
             return false;
         if (beyond.mid[facing->side] == none) {
-            changed.mid[side] = beyond.mid[facing->side] = insert_(here.cell, side);
+            changed.mid[side] = beyond.mid[facing->side] = insert_(cell, side);
             replace(std::array{cell, neighbour}, std::array{changed, beyond}, 2);
             return true;
         }

@@ -25,7 +25,7 @@ enum class Reconnection : std::uint8_t {
 
 class LocalOperations {
   public:
-    using Insert = std::function<VertexId(const Cell& cell, std::size_t side)>;
+    using Insert = std::function<VertexId(CellIndex cell, std::size_t side)>;
 
     /// @param insert  makes the vertex in the middle of a whole side
     LocalOperations(MovingMesh& mesh, Insert insert) : mesh_(mesh), insert_(std::move(insert)) {}

@@ -84,13 +84,14 @@ void Refinement::find_normals(const MovingMesh& mesh) {
     });
 }
 
-VertexId Refinement::insert(MovingMesh& mesh, const Cell& cell, std::size_t side) {
+VertexId Refinement::insert(MovingMesh& mesh, CellIndex index, std::size_t side) {
+    const Cell& cell = mesh.quads[index].cell;
     const VertexId a = cell.corner[side];
     const VertexId b = cell.corner[(side + 1) % 4];
     MaterialVertices& vertices = mesh.vertices;
     const bool attached =
         vertices.role[a] == VertexRole::Attached && vertices.role[b] == VertexRole::Attached;
-    Midpoint mid = midpoint(mesh, cell, side, rules_.policy);
+    Midpoint mid = middle_of_side(mesh, index, side, rules_.policy);
     if (attached) { // on the rake itself: nothing is approximate there
         mid.point.carried.position = origin_.position(mid.point.s, mid.point.t);
         mid.point.approximated = false;
@@ -242,7 +243,7 @@ bool Refinement::keep_budget(MovingMesh& mesh, LocalOperations& operations) {
 
 Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work) {
     LocalOperations operations(
-        mesh, [&](const Cell& cell, std::size_t side) { return insert(mesh, cell, side); });
+        mesh, [&](CellIndex cell, std::size_t side) { return insert(mesh, cell, side); });
     if (!keep_budget(mesh, operations))
         return false;
     if (rules_.reconnect)

@@ -50,7 +50,7 @@ class Refinement {
     bool merge_pass(MovingMesh& mesh, LocalOperations& operations);
     void reconnect_pass(MovingMesh& mesh, LocalOperations& operations);
     bool keep_budget(MovingMesh& mesh, LocalOperations& operations);
-    VertexId insert(MovingMesh& mesh, const Cell& cell, std::size_t side);
+    VertexId insert(MovingMesh& mesh, CellIndex index, std::size_t side);
     void find_normals(const MovingMesh& mesh);
 
     const Flow& flow_;

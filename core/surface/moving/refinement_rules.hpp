@@ -24,7 +24,7 @@ struct RefinementRules {
     double least_t_at_wall = 0.0;
 
     InsertionPolicy policy = InsertionPolicy::Hermite;
-    /// Hermite: bulge of an edge, over its length, beyond which its middle is traced again.
+    /// Line and Hermite: bulge of an edge, over its length, beyond which its middle is traced again.
     double trusted_sagitta = 0.05;
     bool retrace = true;   ///< tracing again is possible; else reconnecting makes no such edges
     bool tangents = true;  ///< transported tangents are there to look at

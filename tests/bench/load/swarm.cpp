@@ -31,7 +31,7 @@ namespace {
 constexpr std::chrono::seconds patience{60};
 
 /// What all viewers of a swarm share; its thread only.
-struct Common {
+struct SwarmCommon {
     ServerAddress address;
     SwarmTarget target;
     std::vector<Arrival> arrivals{};
@@ -43,7 +43,7 @@ struct Common {
 class Viewer : public std::enable_shared_from_this<Viewer> {
   public:
     Viewer(asio::io_context& context,
-           Common& common,
+           SwarmCommon& common,
            std::uint32_t number,
            ViewerHabits habits,
            bool idle)
@@ -214,7 +214,7 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
 
     asio::io_context& context_;
     asio::steady_timer rest_;
-    Common& common_;
+    SwarmCommon& common_;
     std::uint32_t number_;
     ViewerHabits habits_;
     bool idle_;
@@ -274,7 +274,7 @@ struct Swarm::State {
     }
 
     template <class T>
-    T taken(T Common::*member) {
+    T taken(T SwarmCommon::*member) {
         std::promise<T> promise;
         asio::post(context, [&] { promise.set_value(std::exchange(common.*member, T{})); });
         return promise.get_future().get();
@@ -283,7 +283,7 @@ struct Swarm::State {
     asio::io_context context{1};
     asio::executor_work_guard<asio::io_context::executor_type> stay =
         asio::make_work_guard(context);
-    Common common;
+    SwarmCommon common;
     std::vector<std::shared_ptr<Viewer>> viewers;
     std::size_t started = 0;
     std::promise<std::string>* waiting = nullptr;
@@ -321,11 +321,11 @@ void Swarm::send(std::size_t viewer, const std::string& method, const json& para
 }
 
 std::vector<Arrival> Swarm::take_arrivals() {
-    return state_->taken(&Common::arrivals);
+    return state_->taken(&SwarmCommon::arrivals);
 }
 
 std::size_t Swarm::take_bytes() {
-    return state_->taken(&Common::bytes);
+    return state_->taken(&SwarmCommon::bytes);
 }
 
 } // namespace wakesurf::bench

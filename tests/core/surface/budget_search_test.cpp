@@ -77,6 +77,23 @@ TEST(BudgetSearch, FindsItsWayWhereTheCountJumps) {
     EXPECT_LE(found.quads, 20'000);
 }
 
+TEST(BudgetSearch, EndsWhateverTheEstimateAndHoweverSteepTheCount) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> power(0.3, 30.0), ten(-4.0, 4.0), size(1.0, 6.0);
+    for (int i = 0; i < 1000; ++i) {
+        const double p = power(random);
+        const auto most = static_cast<std::uint64_t>(std::pow(10.0, size(random)));
+        const double at_requested = static_cast<double>(most) * std::pow(10.0, ten(random));
+        const double estimate = at_requested * std::pow(10.0, ten(random));
+        const auto law = [&](double s) { return at_requested * std::pow(s, -p); };
+        const Found found = search(law, 1.0, estimate, most, std::pow(10.0, 1.0 + ten(random)));
+        if (at_requested <= static_cast<double>(most)) {
+            EXPECT_EQ(found.separation, 1.0);
+        }
+        EXPECT_LE(found.quads, static_cast<double>(most));
+    }
+}
+
 TEST(BudgetSearch, EndsWithNothingWhereNotEvenTheCoarsestFits) {
     const Found found = search([](double) { return 300.0; }, 0.1, 300.0, 200, 2.0);
     EXPECT_EQ(found.separation, 0.0);

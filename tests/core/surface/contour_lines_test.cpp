@@ -23,7 +23,8 @@ double length(const ContourLine& line) {
 /// 6 x 5 cells, some of them cut so that nodes hang on their neighbours; s = x / 6, t = y / 5.
 QuadComplex hanging() {
     MovingMesh mesh = flat_patch(6, 5);
-    LocalOperations operations(mesh, [&](const Cell& cell, std::size_t side) {
+    LocalOperations operations(mesh, [&](CellIndex index, std::size_t side) {
+        const Cell& cell = mesh.quads[index].cell;
         return insert_middle(mesh, cell.corner[side], cell.corner[(side + 1) % 4]);
     });
     for (const CellIndex cell : {0u, 8u, 14u, 21u, 29u})

@@ -37,7 +37,8 @@ class Edited {
     explicit Edited(unsigned seed) : random_(seed) {}
 
     void edit() {
-        LocalOperations operations(mesh_, [&](const Cell& cell, std::size_t side) {
+        LocalOperations operations(mesh_, [&](CellIndex index, std::size_t side) {
+            const Cell& cell = mesh_.quads[index].cell;
             return insert_middle(mesh_, cell.corner[side], cell.corner[(side + 1) % 4]);
         });
         for (int i = 0; i < 6; ++i) {

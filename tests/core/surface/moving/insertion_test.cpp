@@ -59,10 +59,10 @@ TEST(Insertion, HermiteIsOfFourthOrderInTheEdgesLength) {
     }
 }
 
-TEST(Insertion, LinearIsOfSecondOrder) {
+TEST(Insertion, AnEdgeAloneWithoutTangentsHasItsChordOfSecondOrder) {
     for (const Direction d : directions) {
-        EXPECT_NEAR(order(InsertionPolicy::Linear, d), 2.0, 0.1);
-        EXPECT_GT(error(InsertionPolicy::Linear, d, 0.1), 1e-4);
+        EXPECT_NEAR(order(InsertionPolicy::Line, d), 2.0, 0.1);
+        EXPECT_GT(error(InsertionPolicy::Line, d, 0.1), 1e-4);
     }
 }
 
@@ -157,7 +157,7 @@ TEST(Insertion, AClosedRakesLastEdgeRunsTheShortWayRound) {
     }
     MovingMesh across = edge(on_ring(0.9375, 7.5), on_ring(0.125, 1.0));
     across.lattice = {8.0, true, 0.0};
-    const MaterialPoint past = midpoint(across, 0, 1, InsertionPolicy::Linear).point;
+    const MaterialPoint past = midpoint(across, 0, 1, InsertionPolicy::Line).point;
     EXPECT_EQ(past.s, 0.03125); // beyond the seam
     EXPECT_EQ(past.place.column, 0.25);
 }

@@ -22,7 +22,8 @@ constexpr std::array every_way{Reconnection::LeftYoung, Reconnection::RightYoung
                                Reconnection::PairRight, Reconnection::PairLeft};
 
 LocalOperations operations_on(MovingMesh& mesh) {
-    return {mesh, [&](const Cell& cell, std::size_t side) {
+    return {mesh, [&](CellIndex index, std::size_t side) {
+                const Cell& cell = mesh.quads[index].cell;
                 return insert_middle(mesh, cell.corner[side], cell.corner[(side + 1) % 4]);
             }};
 }

@@ -1,0 +1,19 @@
+// Where a new vertex goes without transported tangents: on the cubic through the two vertices of an edge and those beyond them on the
+// same line of the surface. Refinement without tangents (accuracy fast) inserts with it.
+#pragma once
+
+#include "core/surface/moving/moving_mesh.hpp"
+
+namespace wakesurf::core {
+
+struct LineBulge {
+    Vec3 offset; ///< of the middle of the side from that of its chord
+    double
+        share; ///< its length over the chord's; above 0.25 the offset is zero, as a cubic says nothing of such a line
+};
+
+/// The polynomial goes through what there is, in the side's parameter: a cubic inside the surface, a parabola at its edge and beside a tear.
+/// The share is 1 where nothing beyond can be used: there is none, or the line is too uneven. Cost: constant.
+LineBulge bulge_of_line(const MovingMesh& mesh, CellIndex cell, std::size_t side);
+
+} // namespace wakesurf::core

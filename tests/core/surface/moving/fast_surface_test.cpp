@@ -1,0 +1,61 @@
+// What the accuracy `fast` is worth: as few quads as balanced, for less work.
+
+#include "tests/support/surfaces_anywhere.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wakesurf::core::fast_surface_test {
+
+namespace {
+
+using namespace tests;
+
+SurfaceStatistics built(AskedSurface& asked, Accuracy accuracy) {
+    asked.parameters.accuracy = accuracy;
+    const auto surface = asked.built();
+    EXPECT_TRUE(surface) << surface.error().message;
+    return surface ? surface->statistics : SurfaceStatistics{};
+}
+
+} // namespace
+
+TEST(FastSurface, NeedsAtMostAThirdMoreQuadsThanBalancedAndThreeQuartersOfItsStepsInEveryFlow) {
+    std::mt19937 random(16);
+    for (const AnalyticEntry& entry : analytic_entries())
+        for (const SurfaceKind kind : {SurfaceKind::Streak, SurfaceKind::Time}) {
+            AskedSurface asked = surface_anywhere(entry, kind, 0.15, random);
+            asked.parameters.max_quads = 10'000;
+            const SurfaceStatistics balanced = built(asked, Accuracy::Balanced);
+            const SurfaceStatistics fast = built(asked, Accuracy::Fast);
+            EXPECT_LE(static_cast<double>(fast.quads), 1.3 * static_cast<double>(balanced.quads))
+                << entry.name << ' ' << static_cast<int>(kind);
+            EXPECT_LE(static_cast<double>(fast.vertex_steps),
+                      0.75 * static_cast<double>(balanced.vertex_steps))
+                << entry.name << ' ' << static_cast<int>(kind);
+        }
+}
+
+TEST(FastSurface, RolledUpSheetsHaveNoMoreQuadsThanBalancedOnes) {
+    struct Case {
+        const char* flow;
+        Vec3 from, to;
+        double until, separation;
+    };
+
+    // 11.5, 2.5 and 2.6 times the quads of balanced where cuts were on the chord, as each showed the fold that it was to smooth.
+    for (const Case& c : {Case{"hill", {-0.3, 0.0, -0.6}, {0.5, 0.0, -0.6}, 6.0, 0.1},
+                          Case{"tornado", {0.3, 0.5, 0.1}, {0.7, 0.5, 0.6}, 4.0, 0.04},
+                          Case{"lamb-oseen", {0.1, 0.0, -1.0}, {1.5, 0.0, -1.0}, 5.0, 0.15}}) {
+        AskedSurface asked{*make_analytic_flow(c.flow), {Rake::Kind::Line, {c.from, c.to}, 16}, {}};
+        asked.parameters.kind = SurfaceKind::Streak;
+        asked.parameters.to = c.until;
+        asked.parameters.separation = c.separation;
+        const auto balanced = built(asked, Accuracy::Balanced);
+        const auto fast = built(asked, Accuracy::Fast);
+        EXPECT_GT(balanced.quads, 1000u) << c.flow;
+        EXPECT_LE(static_cast<double>(fast.quads), 1.1 * static_cast<double>(balanced.quads))
+            << c.flow;
+    }
+}
+
+} // namespace wakesurf::core::fast_surface_test
