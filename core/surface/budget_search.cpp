@@ -9,16 +9,20 @@ namespace wakesurf::core {
 namespace {
 
 // Of the budget.
-constexpr double first_trial = 1.0 / 64.0;
+constexpr double first_trial = 1.0 / 24.0;
 constexpr double most_at_first =
-    1.0 / 8.0; ///< until one is counted: it is not known how much too many they are
-constexpr double last_trial = 0.4;
-constexpr double near_enough = 0.3; ///< for a law of few counts to tell the rest
+    1.0 / 4.0; ///< until one is counted: it is not known how much too many they are
+constexpr double last_trial = 0.33;
+constexpr double near_enough = 0.2; ///< for a law of few counts to tell the rest
 constexpr double aimed_at = 0.85;
 constexpr double enough = 0.7;
 constexpr double count_of_given_up =
     1.15; ///< what is taken for the count of a surface that was given up
 
+constexpr double least_exponent =
+    1.0; ///< a smaller one measured is a jump of the count between two trials
+constexpr double most_likely =
+    1.6; ///< exponent: quads are small along both of a surface's directions
 constexpr double most_growth = 6.0; ///< of quads, from one trial to the next
 constexpr double closest = 1.01;    ///< ratio of two separations between which no third is tried
 constexpr int most_trials = 12;
@@ -34,11 +38,12 @@ double BudgetSearch::exponent() const {
         return 2.0;
     const double measured = std::log(finest_->quads / before_->quads) /
                             std::log(before_->separation / finest_->separation);
-    return std::clamp(measured, 0.6, 2.5);
+    return std::clamp(measured, least_exponent, 2.5);
 }
 
-double BudgetSearch::separation_of(double quads) const {
-    return finest_->separation * std::pow(std::max(finest_->quads, 1.0) / quads, 1.0 / exponent());
+double BudgetSearch::separation_of(double quads, double at_least) const {
+    return finest_->separation *
+           std::pow(std::max(finest_->quads, 1.0) / quads, 1.0 / std::max(exponent(), at_least));
 }
 
 bool BudgetSearch::near() const {
@@ -69,17 +74,17 @@ std::optional<BudgetSearch::Trial> BudgetSearch::next() {
         return last_ = {finest_->separation, most_};
     const double aim =
         near() ? aimed_at * budget : std::min(most_growth * finest_->quads, last_trial * budget);
-    double separation = separation_of(std::max(aim, 1.3 * finest_->quads));
+    double separation =
+        separation_of(std::max(aim, 1.3 * finest_->quads), near() ? 0.0 : most_likely);
     // What the law says of the separation asked for, with room for what it does not know.
     const double there = finest_->quads * std::pow(finest_->separation / requested_, exponent());
     if (too_fine_ == 0.0 && (separation <= requested_ * 1.05 || there < 0.5 * budget))
         return last_ = {requested_, most_};
-    if (too_fine_ > 0.0) { // between both: what was given up had a little more than the budget
-        const double quads = std::max(finest_->quads, 1.0);
-        const double way =
-            std::log(aimed_at * budget / quads) / std::log(count_of_given_up * budget / quads);
-        separation = std::max(separation,
-                              finest_->separation * std::pow(too_fine_ / finest_->separation, way));
+    if (too_fine_ >
+        0.0) { // what was given up had more than the budget: the law is at least so steep
+        const double steep = std::log(count_of_given_up * budget / std::max(finest_->quads, 1.0)) /
+                             std::log(finest_->separation / too_fine_);
+        separation = separation_of(aimed_at * budget, std::max(steep, most_likely));
     }
     separation = std::max(separation, requested_);
     if (separation >= finest_->separation / closest) // the law leads nowhere

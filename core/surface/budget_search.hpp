@@ -55,7 +55,7 @@ class BudgetSearch {
     double exponent() const;
 
     /// Where that law, from the finest surface counted, has so many quads.
-    double separation_of(double quads) const;
+    double separation_of(double quads, double at_least) const;
 
     double requested_;
     double coarsest_;
