@@ -33,6 +33,20 @@ struct BoundedForm {
             return PointStatus::OutsideDomain;
         return form.solid(p) ? PointStatus::InObstacle : PointStatus::Inside;
     }
+
+    double finest_spacing() const {
+        const Vec3 side = box.extent();
+        return std::min({side.x, side.y, side.z}) / 100.0;
+    }
+
+    /// True where one of the 26 points round `p`, a part of the finest spacing away on each axis, lies in the body.
+    bool at_wall(const Vec3& p) const {
+        const double near = near_wall * finest_spacing();
+        for (int i = 0; i < 27; ++i)
+            if (form.solid(p + near * (Vec3(i % 3, i / 3 % 3, i / 9) - 1.0)))
+                return true;
+        return false;
+    }
 };
 
 template <class Form>
@@ -45,10 +59,7 @@ class AnalyticFlow final : public Flow {
 
     std::optional<std::array<double, 2>> time_range() const override { return std::nullopt; }
 
-    double finest_spacing() const override {
-        const Vec3 side = field_.box.extent();
-        return std::min({side.x, side.y, side.z}) / 100.0;
-    }
+    double finest_spacing() const override { return field_.finest_spacing(); }
 
     PointStatus status(const Vec3& position) const override { return field_.status(position); }
 

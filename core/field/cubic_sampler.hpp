@@ -105,6 +105,8 @@ struct CubicSampler {
 
     PointStatus status(const Vec3& p) const { return linear.status(p); }
 
+    bool at_wall(const Vec3& p) const { return linear.at_wall(p); }
+
   private:
     /// The nodes round a point: cell - 1 .. cell + 2 on each axis, as far as there are any.
     struct Stencil {

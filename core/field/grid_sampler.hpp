@@ -6,6 +6,7 @@
 #include "core/field/cell_mask.hpp"
 #include "core/field/node_shares.hpp"
 #include "core/field/uniform_axes.hpp"
+#include "core/integrate/at_rest.hpp"
 
 #include <array>
 #include <cstddef>
@@ -161,6 +162,21 @@ struct GridSampler {
         return fluid < 0.5 ? PointStatus::InObstacle : PointStatus::Inside;
     }
 
+    /// See FieldWithWalls. The wall lies between solid nodes and those next to them; where the data hold the fluid at the latter, a
+    /// particle gets no farther.
+    bool at_wall(const Vec3& p) const {
+        if (mask->empty())
+            return false;
+        const CellPoint cell = locate(*grid, p);
+        const Corners at = corners(strides(*grid), cell);
+        double share = 0.0;
+        for (std::size_t i = 0; i < 8; ++i)
+            if (beside_solid(
+                    {cell.cell[0] + (i & 1), cell.cell[1] + (i >> 1 & 1), cell.cell[2] + (i >> 2)}))
+                share += at.weight[i];
+        return share >= 1.0 - near_wall;
+    }
+
     /// True where a node of the cell has a velocity that is not finite in either time-step.
     bool gap(std::size_t first_node) const {
         float zero = 0.0f; // a product with what is not finite is NaN
@@ -171,6 +187,22 @@ struct GridSampler {
     }
 
   private:
+    /// True for a node that shares a cell with a solid one, or is one.
+    bool beside_solid(const std::array<std::size_t, 3>& node) const {
+        const Strides stride = strides(*grid);
+        for (std::size_t i = 0; i < 8; ++i) {
+            const std::array<std::size_t, 3> back{i & 1, i >> 1 & 1, i >> 2};
+            bool there = true;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                there = there && node[axis] >= back[axis] &&
+                        node[axis] - back[axis] + 1 < dimensions(*grid)[axis];
+            if (there && cells->state((node[0] - back[0]) + stride.row * (node[1] - back[1]) +
+                                      stride.slice * (node[2] - back[2])) != CellMask::Fluid)
+                return true;
+        }
+        return false;
+    }
+
     /// Change of the velocity across the cell along each axis.
     using Slopes = std::array<Vec3, 3>;
 

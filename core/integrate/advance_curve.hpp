@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/point_status.hpp"
+#include "core/integrate/at_rest.hpp"
 #include "core/integrate/curve.hpp"
 
 #include <algorithm>
@@ -138,7 +139,7 @@ bool advance_curve(Steps steps,
         const StepOutcome outcome = steps.attempt(curve, left, step);
         ++curve.attempts;
         if (outcome == StepOutcome::Stagnation)
-            curve.end = CurveEnd::Stagnation;
+            curve.end = end_at_rest(steps.field(), curve.last.position);
         if (outcome != StepOutcome::Taken)
             continue;
         PointStatus met = PointStatus::Inside;

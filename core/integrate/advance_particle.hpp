@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/point_status.hpp"
+#include "core/integrate/at_rest.hpp"
 #include "core/integrate/carried.hpp"
 #include "core/integrate/particles.hpp"
 #include "core/integrate/runge_kutta.hpp"
@@ -113,7 +114,7 @@ void rk4_particle_step(const Field& field,
     };
     const Carried k1 = slope(at.carried, at.time);
     if (!(glm::length(k1.position) > options.stagnation_speed)) {
-        at.end = CurveEnd::Stagnation;
+        at.end = end_at_rest(field, at.carried.position);
         return;
     }
     const Carried change = rk4_change(slope, at.carried, at.time, dt, k1);
@@ -155,7 +156,7 @@ void advance_particle(const Field& field,
     while (at.end == CurveEnd::Running && at.time != to) {
         const double speed = glm::length(k1.position);
         if (!(speed > options.stagnation_speed)) {
-            at.end = CurveEnd::Stagnation;
+            at.end = end_at_rest(field, at.carried.position);
             return;
         }
         const double left = std::abs(to - at.time);

@@ -4,6 +4,7 @@
 
 #include "core/field/cells/cell_cursor.hpp"
 #include "core/field/cells/cell_path.hpp"
+#include "core/integrate/at_rest.hpp"
 
 #include <array>
 #include <cmath>
@@ -54,6 +55,8 @@ struct CellSampler {
     std::array<Vec3, 2> derivatives(const Vec3& p, double t, std::span<const Vec3> w) const;
 
     PointStatus status(const Vec3& p) const;
+
+    bool at_wall(const Vec3& p) const;
 };
 
 /// The field as one particle asks for it, one thread at a time: const only in that it answers the same.
@@ -110,6 +113,13 @@ class CellSamplerCursor {
         return place_.locate(p, true, [&](std::uint32_t cell) { return field_.usable(cell); });
     }
 
+    /// See FieldWithWalls. Also at the edge or the corner of a wall, in a cell that only touches it there.
+    bool at_wall(const Vec3& p) const {
+        const CellDomain& domain = *field_.domain;
+        return go_to(p, false) &&
+               domain.walls.share(domain.mesh, place_.cell(), place_.local()) >= 1.0 - near_wall;
+    }
+
     const CellCursor& place() const { return place_; }
 
   private:
@@ -164,6 +174,10 @@ CellSampler::derivatives(const Vec3& p, double t, std::span<const Vec3> w) const
 
 inline PointStatus CellSampler::status(const Vec3& p) const {
     return cursor().status(p);
+}
+
+inline bool CellSampler::at_wall(const Vec3& p) const {
+    return cursor().at_wall(p);
 }
 
 } // namespace wakesurf::core

@@ -1,5 +1,6 @@
 #include "core/field/cells/cell_walls.hpp"
 
+#include "core/field/cells/cell_polynomial.hpp"
 #include "core/field/cells/local_coordinates.hpp"
 
 #include <algorithm>
@@ -110,16 +111,15 @@ bool WallPatch::left_by(const Vec3& from, const Vec3& to) const {
 }
 
 CellWalls::CellWalls(const CellMesh& mesh) {
-    std::vector<std::uint8_t> on_wall;
     std::vector<FloatBox> boxes;
     for (const MeshCell& cell : mesh.cells)
         for (std::size_t f = 0; f < face_count(cell.shape); ++f) {
             if (cell.beyond[f] != beyond_wall)
                 continue;
-            on_wall.resize(mesh.points.size());
+            on_wall_.resize(mesh.points.size());
             const CellFace corners = face(cell.shape, f);
             for (std::size_t i = 0; i < corners.count; ++i)
-                on_wall[cell.node[corners.node[i]]] = 1;
+                on_wall_[cell.node[corners.node[i]]] = 1;
             patch_.push_back(patch_of(mesh, cell, corners));
             boxes.push_back(rounded_outward(box_of(patch_.back())));
         }
@@ -129,7 +129,20 @@ CellWalls::CellWalls(const CellMesh& mesh) {
     beside_.resize(mesh.cells.size());
     for (std::size_t i = 0; i < mesh.cells.size(); ++i)
         for (std::size_t k = 0; k < node_count(mesh.cells[i].shape); ++k)
-            beside_[i] |= on_wall[mesh.cells[i].node[k]];
+            beside_[i] |= on_wall_[mesh.cells[i].node[k]];
+}
+
+double CellWalls::share(const CellMesh& mesh, std::uint32_t cell, const Vec3& u) const {
+    if (patch_.empty() || !beside(cell))
+        return 0.0;
+    const MeshCell& each = mesh.cells[cell];
+    CellPolynomial share; // one on the wall, zero at the other nodes
+    share.fit(each.shape, [&](std::size_t i) {
+        Components value;
+        value.z[0] = on_wall_[each.node[i]];
+        return value;
+    });
+    return share.at(each.shape == CellShape::Pyramid, u).z[0];
 }
 
 bool CellWalls::crossed(const Vec3& from, const Vec3& to) const {

@@ -22,7 +22,7 @@ struct WallPatch {
     bool left_by(const Vec3& from, const Vec3& to) const;
 };
 
-/// Memory: 150 bytes a wall face and a byte a cell. Thread safety: concurrent queries are fine.
+/// Memory: 150 bytes a wall face, a byte a cell and a byte a node. Thread safety: concurrent queries are fine.
 class CellWalls {
   public:
     explicit CellWalls(const CellMesh& mesh);
@@ -32,11 +32,16 @@ class CellWalls {
     /// True for cells with a node on a wall.
     bool beside(std::uint32_t cell) const { return beside_[cell] != 0; }
 
+    /// How much of a value at local coordinates `u` of a cell comes from nodes on a wall: 1 on a wall face, and falling from there to the
+    /// cell's other nodes.
+    double share(const CellMesh& mesh, std::uint32_t cell, const Vec3& u) const;
+
     /// True where the segment goes through a wall, seen from inside the cells.
     bool crossed(const Vec3& from, const Vec3& to) const;
 
   private:
     std::vector<WallPatch> patch_;
+    std::vector<std::uint8_t> on_wall_; ///< by node
     std::vector<std::uint8_t> beside_;
     BoxTree tree_;
 };
