@@ -88,7 +88,7 @@ class AnalyticFlow final : public Flow {
         return TraceCost{};
     }
 
-    bool resident() const override { return true; }
+    bool few_data(double, double) const override { return true; }
 
     bool obstacle() const override { return obstacle_; }
 

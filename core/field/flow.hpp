@@ -55,9 +55,9 @@ class Flow {
                                       const AdvanceOptions& options,
                                       std::stop_token stop) const = 0;
 
-    /// True when the series is short (4 GiB): particles can be traced again from an earlier time at little cost, at none but computing
-    /// where the memory holds it. Depends on the data alone.
-    virtual bool resident() const = 0;
+    /// True when the data between two times are few (4 GiB): particles can be traced again from the one to the other at little cost, at
+    /// none but computing where the memory holds them. Depends on these data alone, not on memory, and not on a series that grows.
+    virtual bool few_data(double from, double to) const = 0;
 
     /// True where `smooth` means something other than linear: of stored data on a uniform grid. The others are sampled the same with both.
     virtual bool has_smooth() const { return false; }

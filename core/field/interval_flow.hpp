@@ -23,7 +23,7 @@ namespace wakesurf::core {
 /// @tparam Sampling  what samples the grid of the cache's source; uniform_sampling.hpp shows what is asked of it
 template <class Sampling>
 class IntervalFlow final : public Flow {
-    static constexpr std::size_t short_series = std::size_t{4} << 30;
+    static constexpr std::size_t few = std::size_t{4} << 30;
 
   public:
     IntervalFlow(std::shared_ptr<TimeStepCache> cache,
@@ -105,9 +105,14 @@ class IntervalFlow final : public Flow {
         return cost;
     }
 
-    bool resident() const override {
-        // By the data alone: how much memory there happens to be must change no surface.
-        return source_.bytes_per_step() * source_.times().size() <= short_series;
+    bool few_data(double from, double to) const override {
+        // From the last time-step that is not later than both to the first that is not earlier.
+        const std::vector<double>& times = source_.times();
+        const auto first = std::upper_bound(times.begin(), times.end(), std::min(from, to));
+        const auto last = std::lower_bound(times.begin(), times.end(), std::max(from, to));
+        const auto before = first - times.begin() - (first == times.begin() ? 0 : 1);
+        const auto behind = last - times.begin() + (last == times.end() ? 0 : 1);
+        return source_.bytes_per_step() * static_cast<std::size_t>(behind - before) <= few;
     }
 
     bool has_smooth() const override { return Sampling::has_smooth; }

@@ -49,10 +49,9 @@ MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double sepa
     rules.least_t_at_wall = origin.patch() ? seed_distance / origin.longest_across() : 0.0;
     rules.policy = policy(p.accuracy);
     rules.tangents = p.accuracy == Accuracy::Balanced || p.deformation;
-    rules.retrace = p.accuracy == Accuracy::Exact || flow.resident();
-    if (p.accuracy ==
-        Accuracy::
-            Fast) // cuts below this showed its errors, not the surface: 1.4 times the quads of balanced
+    rules.retrace = p.accuracy == Accuracy::Exact || flow.few_data(p.from, p.to);
+    // Cuts below this showed the errors of fast surfaces, not their shape: 1.4 times the quads of balanced ones.
+    if (p.accuracy == Accuracy::Fast)
         rules.finest = 0.25;
     rules.reconnect = p.reconnect;
     rules.obstacle = flow.obstacle();

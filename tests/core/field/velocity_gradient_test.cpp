@@ -51,7 +51,7 @@ class WithDetail : public Flow {
         return flow_.advance(particles, to, options, stop);
     }
 
-    bool resident() const override { return flow_.resident(); }
+    bool few_data(double from, double to) const override { return flow_.few_data(from, to); }
 
     bool obstacle() const override { return flow_.obstacle(); }
 

@@ -76,7 +76,7 @@ class StoppingFlow final : public Flow {
         return gyre().advance(particles, to, options, stop);
     }
 
-    bool resident() const override { return true; }
+    bool few_data(double, double) const override { return true; }
 
     bool obstacle() const override { return false; }
 
