@@ -14,6 +14,7 @@ namespace wakesurf::core {
 /// What the engine knows of every vertex besides its place and velocity, by the names that files and frames have for it.
 inline constexpr std::string_view deformation_name = "deformation";
 inline constexpr std::string_view approximated_name = "approximated";
+inline constexpr std::string_view error_name = "error";
 
 /// Fills velocity, and deformation when asked for: log2 of the area element |dx/ds x v| over what it was at release.
 /// Error: what sampling reports. Cost: one sample a vertex, two with deformation.

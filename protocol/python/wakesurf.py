@@ -955,7 +955,8 @@ class Session:
         `separation`: longest edge allowed; if left out, the dataset's finest spacing (the dataset's unit of length);
             above 0.
         `fields`: additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its
-            velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude), `q_criterion`.
+            velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude),
+            `q_criterion`.
         """
         given: Json = {"rake": _id(rake), "kind": kind, "dataset": dataset, "to": to, "from": from_, "rake2": rake2,
                        "direction": direction, "accuracy": accuracy, "interpolation": interpolation,

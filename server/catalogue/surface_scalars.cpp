@@ -14,7 +14,8 @@ bool stored(const LoadedDataset& dataset, const std::string& name) {
 
 /// Every export has it anyhow, unless the dataset has a field of that name.
 bool written_anyhow(const LoadedDataset& dataset, const std::string& name) {
-    const bool derived = name == core::deformation_name || name == core::approximated_name;
+    const bool derived = name == core::deformation_name || name == core::approximated_name ||
+                         name == core::error_name;
     return name == dataset.info.velocity || (derived && !stored(dataset, name));
 }
 

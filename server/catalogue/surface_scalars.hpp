@@ -16,7 +16,7 @@ namespace wakesurf::server {
 core::Result<void> check_fields(const LoadedDataset& dataset,
                                 const std::vector<std::string>& fields);
 
-/// Each named field, with a value a vertex, at the time in `times`. The velocity, deformation and approximated may be named too: every export has them.
+/// Each named field, with a value a vertex, at the time in `times`. The velocity, deformation, approximated and error may be named too: every export has them.
 /// Error: as check_fields, and what reading reports.
 core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset,
                                                     const core::QuadComplex& mesh,

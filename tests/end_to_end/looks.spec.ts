@@ -10,6 +10,7 @@ import { stripePeriodPx } from '../../web-client/src/scene/surface/patternShader
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
 import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { agreement, hitsOver, type Rgb, seenVertices } from './support/look_facts.ts';
+import { serverStats } from './support/server_mesh.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
 
 /** 8 x 8 x 8 points: the flow along x, and a field that is x. */
@@ -141,6 +142,29 @@ describe('colours', () => {
         expect(await page.getByRole('radio', { name: 'Cool to warm' }).isChecked()).toBe(true);
         expect(agreement(seen, ({ scalar }) => scalar, { map: 'coolToWarm', range: [-half, half] })).toBeGreaterThan(0.95);
         await screenshot(page, `look-${field}`);
+    });
+
+    it('are those of the estimated error over powers of ten, of which the status says what 99 % keep within', async () => {
+        const before = await ask(page, (hook) => hook.displayed!.epoch);
+        await page.getByLabel('Colour by').selectOption('error');
+        await page.waitForFunction(
+            (epoch) => window.wakesurf!.phase === 'final' && window.wakesurf!.displayed!.epoch > epoch,
+            before,
+        );
+        await expect.poll(scalarBar).toMatch(/^Colours: Estimated error .*, logarithmic$/);
+        await drawn();
+        const error99 = (await serverStats(server, page)).error99!;
+        const errors = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar).sort((a, b) => a - b);
+        const most = errors.at(-1)!;
+        expect(Math.abs(errors[Math.ceil(0.99 * (errors.length - 1))]! - error99)).toBeLessThanOrEqual(most / 65_535);
+        const words = await page.locator('wakesurf-status').getByRole('status').textContent();
+        expect(words).toMatch(/^Final, 99 % of vertices within \S+$/);
+        const least = errors[0]! > 0 ? errors[0]! : most / 1000;
+        const seen = await seenVertices(page, 3);
+        const colours = { map: 'viridis', range: [least, most], log: true } as const;
+        expect(agreement(seen, ({ scalar }) => Math.max(scalar, least), colours)).toBeGreaterThan(0.95);
+        await screenshot(page, 'look-error');
+        await page.locator('#log').uncheck();
     });
 
     it('are those of the speed again at once', async () => {

@@ -71,7 +71,10 @@ describe('a picture', () => {
         await page.locator('#background').selectOption('clear');
         await screenshot(page, 'export');
         const { name, bytes } = await saved('#save-picture');
-        expect(name).toBe(`sqcyl-${2 * box.width}x${2 * box.height}.png`);
+        const time = await ask(page, (hook) => hook.displayed!.time);
+        expect(await page.locator('#picture-time').textContent()).toContain(`at t = ${time}`);
+        expect(await page.locator('#mesh-time').textContent()).toContain(`at t = ${time}`);
+        expect(name).toBe(`sqcyl-t${time}-${2 * box.width}x${2 * box.height}.png`);
         const seen = await page.evaluate(() => {
             const hook = window.wakesurf!;
             const places = hook.vertices(37).map(({ point }) => hook.project(point)!);

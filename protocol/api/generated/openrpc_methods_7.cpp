@@ -217,7 +217,7 @@ const std::string_view methods_7 = R"json({
      "subscription": 1}}}]},
 {
  "name": "surface.unsubscribe",
- "summary": "Ends a subscription.",
+ "summary": "Ends a subscription. A surface that someone had subscribed to, and that no one shows or waits for two seconds later, is not computed any further: until someone subscribes to it or waits for it.",
  "tags": [{"name": "surface"}],
  "paramStructure": "by-name",
  "params": [

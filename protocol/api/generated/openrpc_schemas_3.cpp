@@ -79,7 +79,7 @@ const std::string_view schemas_3 = R"json("Surface": {
   "fields": {
    "type": "array",
    "maxItems": 16,
-   "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude), `q_criterion`",
+   "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `q_criterion`",
    "items": {"type": "string"}}},
  "required": [
   "surface",

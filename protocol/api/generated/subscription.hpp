@@ -80,7 +80,9 @@ struct SurfaceSubscribe {
 
 void read(CheckedJson& in, SurfaceSubscribe& out);
 
-/// Parameters of surface.unsubscribe: Ends a subscription.
+/// Parameters of surface.unsubscribe: Ends a subscription. A surface that someone had subscribed
+/// to, and that no one shows or waits for two seconds later, is not computed any further: until
+/// someone subscribes to it or waits for it.
 struct SurfaceUnsubscribe {
     static constexpr std::string_view method = "surface.unsubscribe";
 

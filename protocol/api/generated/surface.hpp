@@ -33,8 +33,8 @@ struct SurfaceRecord {
     /// maxQuads, from, direction, separation
     core::SurfaceParameters parameters;
     /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
-    /// its velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude),
-    /// `q_criterion`
+    /// its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its
+    /// magnitude), `q_criterion`
     std::vector<std::string> fields;
 
     bool operator==(const SurfaceRecord&) const = default;
@@ -71,8 +71,8 @@ struct SurfaceSetting {
     /// backward (the dataset's unit of time)
     std::optional<double> from;
     /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
-    /// its velocity (the magnitude), `deformation`, `approximated`, `vorticity` (its magnitude),
-    /// `q_criterion`
+    /// its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its
+    /// magnitude), `q_criterion`
     std::vector<std::string> fields;
     /// true: make the record only if no one has edited the session and it has no such record yet;
     /// this does not count as an edit, and undo does not take it back

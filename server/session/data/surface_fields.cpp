@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace wakesurf::server {
@@ -31,16 +32,19 @@ std::optional<SurfaceField> lookup(const OpenDataset& dataset, const std::string
         return SurfaceField{name, Source::Deformation};
     if (name == core::approximated_name)
         return SurfaceField{name, Source::Approximated};
+    if (name == core::error_name)
+        return SurfaceField{name, Source::Error};
     if (core::find_gradient_field(name))
         return SurfaceField{name, Source::Gradient};
     return std::nullopt;
 }
 
-/// All 0 where the mesh has none.
+/// All `missing` where the mesh has none.
 template <class T>
-std::vector<float> values_of(const std::vector<T>& given, const core::QuadComplex& mesh) {
+std::vector<float>
+values_of(const std::vector<T>& given, const core::QuadComplex& mesh, float missing = 0.0F) {
     std::vector<float> out(given.begin(), given.end());
-    out.resize(mesh.vertices());
+    out.resize(mesh.vertices(), missing);
     return out;
 }
 
@@ -59,7 +63,7 @@ std::vector<std::string> field_names(const OpenDataset& dataset) {
         for (const store::StoredScalar& each : dataset.store->layout().scalars)
             names.push_back(each.name);
     names.push_back(dataset.info.velocity);
-    for (const auto derived : {core::deformation_name, core::approximated_name,
+    for (const auto derived : {core::deformation_name, core::approximated_name, core::error_name,
                                core::vorticity_name, core::q_criterion_name})
         if (std::ranges::find(names, derived) == names.end())
             names.emplace_back(derived);
@@ -125,6 +129,8 @@ core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> f
             out.push_back(values_of(mesh.deformation, mesh));
         } else if (field.source == Source::Approximated) {
             out.push_back(values_of(mesh.approximated, mesh));
+        } else if (field.source == Source::Error) {
+            out.push_back(values_of(mesh.error, mesh, std::numeric_limits<float>::quiet_NaN()));
         } else if (field.source == Source::Gradient) {
             out.push_back(std::move((*gradients)[next++]));
         } else {

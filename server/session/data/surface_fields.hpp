@@ -20,7 +20,7 @@ namespace wakesurf::server {
 struct OpenDataset;
 
 struct SurfaceField {
-    enum class Source : std::uint8_t { Scalar, Speed, Deformation, Approximated, Gradient };
+    enum class Source : std::uint8_t { Scalar, Speed, Deformation, Approximated, Error, Gradient };
 
     std::string name;
     Source source = Source::Scalar;
@@ -42,7 +42,7 @@ std::vector<SurfaceField> fields_there(const OpenDataset& dataset,
 
 bool asks_for(std::span<const SurfaceField> fields, SurfaceField::Source source);
 
-/// Each field at each vertex; not finite where a stored field has no value, or the velocity no gradient.
+/// Each field at each vertex; not finite where a stored field has no value, the velocity no gradient, or the mesh no estimate of its error.
 /// @param store  which the flow is of; null for a built-in flow
 /// @param times  one a vertex: when it is there. Asked for if a field that is sampled is among them
 /// Error: Cancelled, what reading reports.

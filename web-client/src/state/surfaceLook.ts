@@ -11,7 +11,7 @@ export type BackSide = (typeof backSides)[number];
 type Pair = readonly [number, number];
 
 export interface SurfaceLook {
-    /** 'constant', 'speed', 'age', 's', what the server derives ('deformation', 'approximated', 'vorticity', 'q_criterion'), or 'field:' and the name of a field of the dataset. */
+    /** 'constant', 'speed', 'age', 's', what the server derives ('deformation', 'approximated', 'error', 'vorticity', 'q_criterion'), or 'field:' and the name of a field of the dataset. */
     colourBy: string;
     /** #rrggbb where `colourBy` is 'constant'; null: as the rake. */
     colour: string | null;

@@ -279,6 +279,40 @@ TEST(SurfaceFields, ApproximatedMarksAsManyVerticesAsTheStatisticsCount) {
     }
 }
 
+TEST(SurfaceFields, TheErrorOfTheVerticesIsWhatTheStatisticsSayOfThem) {
+    const core::SteadyClock clock;
+    for (const SurfaceKind kind : kinds) {
+        SurfaceJob job = strained(kind);
+        job.flow = *core::make_analytic_flow("abc");
+        job.lattice = protocol::lattice_over(core::describe_analytic_flow("abc")->bounds);
+        OpenDataset dataset;
+        job.fields = fields_there(dataset, {"error"});
+        ASSERT_EQ(job.fields.size(), 1u);
+        SurfaceBuild build(job, clock);
+        for (SurfacePass pass : all_passes()) {
+            if (pass.time)
+                *pass.time -= 2.0;
+            const Update update = update_of(build, pass);
+            const WireMesh& state = *update.wire.state;
+            std::vector<double> all;
+            for (std::size_t v = 0; v < state.vertices(); ++v)
+                all.push_back(value(state, 3, v));
+            std::sort(all.begin(), all.end());
+            const double at99 = all.at(
+                static_cast<std::size_t>(std::ceil(0.99 * static_cast<double>(all.size() - 1))));
+            // Nothing is sent where nothing is estimated.
+            const double stated = update.statistics.error99.value_or(0.0);
+            const double step = width(state, 3) / 65535.0;
+            EXPECT_NEAR(at99, stated, (update.wire.lossless ? 1.0 : 130.0) * step)
+                << static_cast<int>(kind) << " at " << update.time;
+            if (kind == SurfaceKind::Stream || kind == SurfaceKind::Path) {
+                EXPECT_GT(stated, 0.0);
+                EXPECT_GT(all.back(), 0.0);
+            }
+        }
+    }
+}
+
 TEST(SurfaceFields, AMeshIsTheSameWithFieldsAndWithout) {
     const core::SteadyClock clock;
     const ShearStore store;
@@ -313,7 +347,7 @@ TEST(SurfaceFields, NamesAreFoundInTheDatasetFirst) {
     const auto unknown = find_field(store.dataset(), "T");
     EXPECT_EQ(unknown.error().code, core::Error::Code::InvalidArgument);
     EXPECT_EQ(unknown.error().hint,
-              "there is p, holes, U, deformation, approximated, vorticity, q_criterion");
+              "there is p, holes, U, deformation, approximated, error, vorticity, q_criterion");
     const auto vector = find_field(store.dataset(), "heat flux");
     EXPECT_NE(vector.error().message.find("a store holds one vector"), std::string::npos);
     const auto names = [&](const std::vector<std::string>& asked) {

@@ -162,12 +162,12 @@ TEST_F(FieldsOnTheWire, WhatCannotBeSentIsRefusedInWords) {
               std::string::npos)
         << vector;
     EXPECT_EQ(error({"q"})["data"]["hint"],
-              "there is p, heat flux magnitude, U, deformation, approximated, vorticity, "
+              "there is p, heat flux magnitude, U, deformation, approximated, error, vorticity, "
               "q_criterion");
     EXPECT_EQ(client.result("server.info")["limits"]["fields"], 4);
     EXPECT_EQ(client.result("dataset.describe", {{"dataset", "box"}})["surfaceFields"],
-              (json{"p", "heat flux magnitude", "U", "deformation", "approximated", "vorticity",
-                    "q_criterion"}));
+              (json{"p", "heat flux magnitude", "U", "deformation", "approximated", "error",
+                    "vorticity", "q_criterion"}));
 }
 
 TEST_F(FieldsOnTheWire, ProgressSaysWhatEachPassTook) {

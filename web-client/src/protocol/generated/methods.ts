@@ -222,7 +222,10 @@ export interface Methods {
     'surface.wait': { params: SurfaceWaitParams; result: Statistics };
     /** Sends the mesh of a surface as binary frames, now and after every change. It cannot be part of a batch. */
     'surface.subscribe': { params: SurfaceSubscribeParams; result: SurfaceSubscribeResult };
-    /** Ends a subscription. */
+    /**
+     * Ends a subscription. A surface that someone had subscribed to, and that no one shows or waits for two seconds
+     * later, is not computed any further: until someone subscribes to it or waits for it.
+     */
     'surface.unsubscribe': { params: SurfaceUnsubscribeParams; result: object };
     /**
      * Reports the last update of a subscription that the client has applied. The server then sends at most eight

@@ -88,7 +88,7 @@ export interface SurfaceRecord {
     separation: number;
     /**
      * additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the
-     * magnitude), `deformation`, `approximated`, `vorticity` (its magnitude), `q_criterion`
+     * magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `q_criterion`
      */
     fields: string[];
 }
@@ -191,7 +191,7 @@ export interface SurfaceSetParams {
     separation?: number;
     /**
      * additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the
-     * magnitude), `deformation`, `approximated`, `vorticity` (its magnitude), `q_criterion`
+     * magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `q_criterion`
      */
     fields?: string[];
     /**

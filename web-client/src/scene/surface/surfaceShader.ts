@@ -79,9 +79,9 @@ uniform float ageSpan;
 
 vec3 baseColour() {
     if (source == 0) return constant;
-    float value = logarithmic ? log(values.x) : values.x;
-    // No number, or none that has a logarithm.
-    if (isnan(value) || isinf(value)) return vec3(0.2);
+    // No number, or none that has a logarithm. That of zero lies below every range.
+    if (isnan(values.x) || isinf(values.x) || (logarithmic && values.x < 0.0)) return vec3(0.2);
+    float value = logarithmic ? (values.x > 0.0 ? log(values.x) : range.x) : values.x;
     float fraction = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
     if (inverted) fraction = 1.0 - fraction;
     float at = (fraction * ${tableSize - 1}.0 + 0.5) / ${tableSize}.0;

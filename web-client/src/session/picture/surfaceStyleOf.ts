@@ -6,7 +6,8 @@ import type { SurfaceLook } from '../../state/surfaceLook.ts';
 export const deformation = 'deformation';
 export const vorticity = 'vorticity';
 export const qCriterion = 'q_criterion';
-const derived: readonly string[] = [deformation, vorticity, qCriterion, 'approximated'];
+export const estimatedError = 'error';
+const derived: readonly string[] = [deformation, vorticity, qCriterion, 'approximated', estimatedError];
 const fieldMark = 'field:';
 const usualColour = '#8fb8de';
 
@@ -49,6 +50,11 @@ export function fieldOf(colourBy: string): string | null {
 /** With a sign that says something: stretched or gathered, turning or straining. */
 export function isSigned(colourBy: string): boolean {
     return colourBy === deformation || colourBy === qCriterion;
+}
+
+/** Over powers of ten: most of the surface has a small part of what its worst place has. */
+export function isLogarithmic(colourBy: string): boolean {
+    return colourBy === estimatedError;
 }
 
 /** The attribute on the wire; null for what is made from s and t, or is constant. */

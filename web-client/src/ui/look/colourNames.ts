@@ -6,6 +6,7 @@ import {
     colourByField,
     colourFields,
     deformation,
+    estimatedError,
     qCriterion,
     vorticity,
 } from '../../session/picture/surfaceStyleOf.ts';
@@ -42,6 +43,7 @@ export function colourChoices(
         { value: vorticity, words: 'Vorticity' },
         { value: qCriterion, words: 'Vortices (Q)' },
         { value: 'approximated', words: 'Approximated' },
+        { value: estimatedError, words: 'Estimated error' },
     ];
     return [
         { value: 'speed', words: 'Speed' },
@@ -58,6 +60,7 @@ export function colourTitle(
     { source, scalar }: SurfaceStyle,
     dataset: DatasetDescription | null,
     kind: SurfaceKind | undefined,
+    lengthUnit = '',
 ): string {
     if (source === 's') return 'Position on the rake';
     if (source === 'age') return ageName(kind);
@@ -65,6 +68,7 @@ export function colourTitle(
     if (scalar === vorticity) return 'Vorticity';
     if (scalar === qCriterion) return 'Q (above 0: vortex)';
     if (scalar === 'approximated') return 'Approximated (0: no, 1: yes)';
+    if (scalar === estimatedError) return lengthUnit === '' ? 'Estimated error' : `Estimated error (${lengthUnit})`;
     const field = dataset?.fields.find(({ name }) => name === (scalar === 'speed' ? dataset.velocity : scalar));
     const name = scalar === 'speed' ? 'Speed' : scalar;
     return field?.unit === undefined ? name : `${name} (${field.unit})`;

@@ -1,7 +1,7 @@
 // What the selected surface is coloured by, with which colours, over which range.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, tableSize } from '../../scene/surface/colourMap.ts';
-import { attributeOf, fieldOf, isSigned, withField } from '../../session/picture/surfaceStyleOf.ts';
+import { attributeOf, fieldOf, isLogarithmic, isSigned, withField } from '../../session/picture/surfaceStyleOf.ts';
 import { colourMaps, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
@@ -114,7 +114,7 @@ export class ColourPanel extends SignalElement {
         const signed = isSigned(colourBy);
         const wasSigned = before.map === 'coolToWarm' && before.centre !== null;
         const map = signed ? 'coolToWarm' : wasSigned ? 'viridis' : before.map;
-        this.change({ colourBy, range: null, log: false, centre: signed ? 0 : null, map });
+        this.change({ colourBy, range: null, log: isLogarithmic(colourBy), centre: signed ? 0 : null, map });
     }
 
     private waiting(id: string, look: SurfaceLook): TemplateResult | typeof nothing {
@@ -187,7 +187,7 @@ export class ColourPanel extends SignalElement {
                     @change=${this.centreChanged}
                 />
             </div>
-            <p class="quiet">Values outside the range have the colours of its ends${look.log ? '; values of zero and below are grey' : ''}.</p>
+            <p class="quiet">Values outside the range have the colours of its ends${look.log ? '; values below zero are grey' : ''}.</p>
         `;
     }
 

@@ -84,7 +84,7 @@ export class ScalarBar extends SignalElement {
         if (this.span === null) return html``;
         const { colours, style } = this.span;
         const [low, high] = colours;
-        const name = colourTitle(style, state.dataset.value, state.surface.value?.kind);
+        const name = colourTitle(style, state.dataset.value, state.surface.value?.kind, view.units.value.length);
         const scale = style.logarithmic ? ', logarithmic' : '';
         const [from, to] = style.logarithmic
             ? [shortNumber(low), shortNumber(high)]

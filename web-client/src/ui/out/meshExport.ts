@@ -4,7 +4,9 @@ import { signal } from '@preact/signals-core';
 import { meshSteps } from '../../session/out/panelSteps.ts';
 import type { MeshFile } from '../../session/out/scriptStep.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
+import { meshTimeWords } from '../../session/out/exportedTime.ts';
 import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import './copyAs.ts';
 import { exportStyles } from './exportStyles.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
@@ -29,6 +31,7 @@ const chosen = signal<Choice>(vtp);
 
 export interface MeshExportModel {
     state: AppState;
+    view: Pick<ViewState, 'units'>;
     mesh: MeshDownload;
 }
 
@@ -39,7 +42,7 @@ export class MeshExport extends SignalElement {
     static override styles = [sharedStyles, exportStyles];
 
     override render(): TemplateResult {
-        const { mesh, state } = this.model;
+        const { mesh, state, view } = this.model;
         const { state: progress, words } = mesh.progress.value;
         const waiting = progress === 'waiting';
         return html`
@@ -62,6 +65,7 @@ export class MeshExport extends SignalElement {
                 </button>
                 ${waiting ? html`<button type="button" @click=${() => mesh.cancel()}>Cancel</button>` : nothing}
             </div>
+            <p id="mesh-time">${meshTimeWords(state, view)}</p>
             ${words === '' ? nothing : html`<p role=${progress === 'failed' ? 'alert' : 'status'}>${words}</p>`}
             <wakesurf-copy-as
                 .model=${this.model}

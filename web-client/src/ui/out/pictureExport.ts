@@ -3,7 +3,11 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { type Signal, signal } from '@preact/signals-core';
 import { type FigureBackground, sizeFault } from '../../scene/capture.ts';
 import type { Figure } from '../../session/out/figure.ts';
+import { timeInName } from '../../session/out/exportedTime.ts';
+import { timeWords } from '../../session/picture/writtenNumbers.ts';
+import { shownTime } from '../../session/time/shownTime.ts';
 import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { exportStyles } from './exportStyles.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
@@ -23,7 +27,8 @@ const choice = new SizeChoice('picture', [
 ]);
 
 export interface PictureExportModel {
-    state: Pick<AppState, 'dataset'>;
+    state: AppState;
+    view: Pick<ViewState, 'units'>;
     figure: Figure;
 }
 
@@ -35,7 +40,7 @@ export class PictureExport extends SignalElement {
     static override styles = [sharedStyles, exportStyles];
 
     override render(): TemplateResult {
-        const { figure } = this.model;
+        const { figure, state, view } = this.model;
         return html`
             ${choice.render(figure.shownSize)}
             <label
@@ -54,6 +59,7 @@ export class PictureExport extends SignalElement {
                 ${this.check('Rake', figure.rake)}
             </div>
             <div class="row"><button type="button" id="save-picture" @click=${this.save}>Save PNG</button></div>
+            <p id="picture-time">As it is shown, at t = ${timeWords(state, view, shownTime(state))}. The name of the file says so.</p>
             ${this.fault.value === '' ? nothing : html`<p role="alert">${this.fault.value}</p>`}
         `;
     }
@@ -82,7 +88,10 @@ export class PictureExport extends SignalElement {
             const picture = figure.draw(size, null);
             const file = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, 'image/png'));
             if (file === null) throw new Error('This browser does not have enough memory for a picture of this size.');
-            saveFile(file, fileName(state.dataset.value?.name, `${size.width}x${size.height}.png`));
+            saveFile(
+                file,
+                fileName(state.dataset.value?.name, `${timeInName(shownTime(state))}-${size.width}x${size.height}.png`),
+            );
         } catch (error) {
             this.fault.value = error instanceof Error ? error.message : String(error);
         }

@@ -2,10 +2,12 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
+import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import type { SurfaceProgress } from '../../session/surface/surfaceProgress.ts';
 import type { SurfaceStats } from '../../protocol/messages.ts';
 import { surfaceSetRanges } from '../../protocol/generated/surface.ts';
 import type { AppState, SurfacePhase } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -15,6 +17,7 @@ import { countWords, phaseWords } from '../base/statusWords.ts';
 
 export interface StatusModel {
     state: AppState;
+    view: Pick<ViewState, 'units'>;
     edits: Pick<Edits, 'changeSurface'>;
     progress: Pick<SurfaceProgress, 'stop'>;
     worker: Pick<WorkerClient, 'call'>;
@@ -77,7 +80,7 @@ export class StatusPanel extends SignalElement {
     ];
 
     override render(): TemplateResult {
-        const { state } = this.model;
+        const { state, view } = this.model;
         const id = state.activeSurface.value;
         if (id === null) return html``;
         const displayed = state.displayed.value.get(id);
@@ -86,7 +89,7 @@ export class StatusPanel extends SignalElement {
         const count = (value: number | undefined): string => (value === undefined ? '–' : countWords(value));
         return html`<dl>
                 <dt>Surface</dt>
-                <dd class=${phase}><span role="status">${statusWords(phase, outcome)}</span></dd>
+                <dd class=${phase}><span role="status">${statusWords(phase, outcome, view.units.value.length)}</span></dd>
                 <dt>Quads</dt>
                 <dd>${count(displayed?.cells)}</dd>
                 <dt>Vertices</dt>
@@ -143,7 +146,10 @@ export class StatusPanel extends SignalElement {
     }
 }
 
-function statusWords(phase: SurfacePhase, outcome: SurfaceStats | undefined): string {
+function statusWords(phase: SurfacePhase, outcome: SurfaceStats | undefined, unit: string): string {
+    if (phase === 'final' && outcome?.error99 !== undefined) {
+        return `${phaseWords.final}, 99 % of vertices within ${withUnit(shortNumber(Number(outcome.error99.toPrecision(2))), unit)}`;
+    }
     if (phase !== 'coarsened' || outcome === undefined) return phaseWords[phase];
     return `Coarsened to ${shortNumber(outcome.separation)}: raise the quad limit`;
 }
