@@ -80,6 +80,8 @@ inline constexpr std::size_t seated = 4096;   ///< participants of a link whose 
 inline constexpr std::size_t ring_bytes = std::size_t{32}
                                           << 20; ///< of a surface's updates; the newest stays
 inline constexpr std::chrono::seconds ring_age{5};
+inline constexpr std::chrono::seconds hidden_after{
+    2}; ///< a surface that no one shows any more is not computed
 inline constexpr std::size_t window =
     8; ///< updates a client may be sent beyond those it has acknowledged
 inline constexpr std::size_t behind_bytes = std::size_t{4} << 20;

@@ -28,6 +28,21 @@ Client::~Client() {
     part(&Session::lose);
 }
 
+void Client::subscribe(FrameCursor cursor, const std::shared_ptr<LiveSurface>& live) {
+    std::erase_if(shown_, [](const auto& each) { return each.second.expired(); });
+    shown_[live->number()] = live;
+    wire_.follow(std::move(cursor));
+}
+
+bool Client::unsubscribe(std::uint32_t number) {
+    if (!wire_.unfollow(number))
+        return false;
+    if (const auto live = shown_.extract(number))
+        if (const auto surface = live.mapped().lock())
+            surface->turned_away();
+    return true;
+}
+
 core::Result<Joined> Client::join(std::shared_ptr<Session> session, Arrival arrival) {
     if (session != session_)
         leave();

@@ -9,6 +9,7 @@
 #include "server/session/records/observer.hpp"
 #include "server/session/session.hpp"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,10 +53,10 @@ class Client final : public Observer, public GrantHolder {
     bool may_subscribe(std::uint32_t number) const { return wire_.may_follow(number); }
 
     /// Sends the updates of a surface, from where the cursor stands. REQUIRES: may_subscribe.
-    void subscribe(FrameCursor cursor) { wire_.follow(std::move(cursor)); }
+    void subscribe(FrameCursor cursor, const std::shared_ptr<LiveSurface>& live);
 
-    /// False when there was no such subscription.
-    bool unsubscribe(std::uint32_t number) { return wire_.unfollow(number); }
+    /// The client does not show the surface any more. False when there was no such subscription.
+    bool unsubscribe(std::uint32_t number);
 
     /// See Wire::acknowledge.
     bool acknowledge(std::uint32_t number, std::optional<std::uint32_t> epoch, std::uint32_t seq) {
@@ -90,7 +91,8 @@ class Client final : public Observer, public GrantHolder {
     Grants& grants_;
     PendingCalls calls_;
     std::shared_ptr<Session> session_;
-    std::string participant_; ///< of that session
+    std::string participant_;                                   ///< of that session
+    std::map<std::uint32_t, std::weak_ptr<LiveSurface>> shown_; ///< by number
 };
 
 } // namespace wakesurf::server

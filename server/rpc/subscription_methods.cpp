@@ -69,7 +69,7 @@ void surface_subscribe(const Call& call, const protocol::SurfaceSubscribe& to, R
                   {"attributes", std::move(attributes)},
                   {"epoch", (*live)->epoch()},
                   {"resumed", cursor.resumed()}});
-    call.client->subscribe(std::move(cursor));
+    call.client->subscribe(std::move(cursor), *live);
     (*live)->begin_now(); // it may have rested
 }
 

@@ -108,9 +108,11 @@ std::uint32_t LiveSurface::rebuild(SurfaceJob wanted, bool rest) {
 
 void LiveSurface::begin_now() {
     asked_for_ = services_.clock.now();
+    if (ring_->read())
+        turned_away_.reset();
     const bool no_memory = error_ && error_->code == core::Error::Code::OverLimit && building_;
     if (!held_ && !no_memory)
-        return;
+        return advance(); // it may have been hidden
     held_ = false;
     if (!building_)
         return; // there was nothing to build: data, or an edit, will come
@@ -141,6 +143,20 @@ void LiveSurface::put_to_rest() {
 void LiveSurface::resume() {
     if (held_ && interrupted_)
         begin_now();
+}
+
+void LiveSurface::turned_away() {
+    turned_away_ = services_.clock.now();
+    hide_ = services_.loop.after(limits::hidden_after, [weak = weak_from_this()] {
+        const auto self = weak.lock();
+        if (self && self->unseen())
+            self->stop_jobs();
+    });
+}
+
+bool LiveSurface::unseen() const {
+    return turned_away_ && services_.clock.now() - *turned_away_ >= limits::hidden_after &&
+           !looked_at();
 }
 
 std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error, bool rest) {
@@ -209,7 +225,7 @@ void LiveSurface::give_up_stale() {
 }
 
 bool LiveSurface::busy() const {
-    return running() || next_pass().has_value();
+    return running() || (!unseen() && next_pass().has_value());
 }
 
 bool LiveSurface::running() const {
@@ -247,7 +263,7 @@ Pace LiveSurface::pace(const SurfacePass& pass) const {
 }
 
 void LiveSurface::advance() {
-    if (held_)
+    if (held_ || unseen())
         return;
     if (running())
         return; // its end comes here
@@ -416,13 +432,15 @@ LiveSurface::wait(std::uint32_t epoch, std::chrono::milliseconds patience, Waite
         return 0;
     }
     begin_now();
-    return waiters_->add(
+    const std::uint64_t ticket = waiters_->add(
         epoch, patience,
         [weak = weak_from_this()] {
             const auto self = weak.lock();
             return self ? self->outcome() : SurfaceOutcome{};
         },
         std::move(waiter));
+    advance(); // it may be hidden
+    return ticket;
 }
 
 void LiveSurface::forget(std::uint64_t ticket) {

@@ -71,6 +71,10 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     /// Somebody is there again: what put_to_rest() stopped is computed again.
     void resume();
 
+    /// Somebody does not show it any more. If no one else does either, it is not computed for as long as that lasts, neither for edits nor
+    /// for the clock; what is there stays. Whoever subscribes or waits has it computed. One that no one ever showed is computed always.
+    void turned_away();
+
     /// Nothing of it is built or being built.
     bool resting() const { return held_; }
 
@@ -147,6 +151,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::array<std::optional<Running>, 2> lanes_;
 
     bool running() const; ///< a job of the current epoch
+    bool unseen() const;  ///< hidden by all
     void advance();
     std::optional<SurfacePass> next_pass() const;
     Pace pace(const SurfacePass& pass) const;
@@ -181,6 +186,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::optional<double> fallen_at_;      ///< at that time of the clock
     std::uint32_t next_seq_ = 0;           ///< of the epoch: above all updates that were given out
     std::chrono::steady_clock::time_point asked_for_{};
+    std::optional<std::chrono::steady_clock::time_point> turned_away_; ///< by the last one who did
     SurfaceJob wanted_;
     std::optional<core::Error> error_;
     std::optional<double> time_; ///< of the session's clock
@@ -195,7 +201,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::optional<SurfacePass> full_; ///< the newest one of full quality
 
     PassBudgets budgets_{true};
-    std::shared_ptr<void> trim_, overtake_; ///< timers
+    std::shared_ptr<void> trim_, overtake_, hide_; ///< timers
 };
 
 } // namespace wakesurf::server

@@ -102,6 +102,71 @@ struct WithheldSurfaces : RestoredSurfaces {
 
 } // namespace
 
+TEST(HiddenSurfaces, AreNotComputedForEditsUntilSomebodyShowsThem) {
+    Life life;
+    const std::string id = add_surfaces(life, 1).front();
+    auto looking = look_at(*life.live(id));
+    EXPECT_GT(life.settle(), 0U);
+    const std::uint32_t before = life.outcome(id).state_sum;
+    looking.reset();
+    life.live(id)->turned_away();
+    life.loop.advance(milliseconds(2100));
+    const std::string rake = life.session().rakes().front().rake;
+    ASSERT_TRUE(life.session().set_rake(tests::rake_at(1.5, rake)));
+    EXPECT_EQ(life.settle(), 0U);
+    EXPECT_FALSE(life.live(id)->busy());
+    EXPECT_FALSE(life.outcome(id).complete);
+    looking = look_at(*life.live(id));
+    EXPECT_GT(life.settle(), 0U);
+    EXPECT_TRUE(life.outcome(id).complete);
+    EXPECT_NE(life.outcome(id).state_sum, before);
+}
+
+TEST(HiddenSurfaces, AreGivenUpInTheMiddleAndGoOnWhenShown) {
+    Life life;
+    const std::string id = add_surfaces(life, 1).front();
+    auto looking = look_at(*life.live(id));
+    looking.reset();
+    life.live(id)->turned_away();
+    life.loop.advance(milliseconds(2100));
+    life.settle(); // what had been begun
+    EXPECT_FALSE(life.outcome(id).complete);
+    looking = look_at(*life.live(id));
+    life.settle();
+    EXPECT_TRUE(life.outcome(id).complete);
+}
+
+TEST(HiddenSurfaces, AreComputedWhileOthersShowOrAwaitThem) {
+    Life life;
+    const std::string id = add_surfaces(life, 1).front();
+    auto one = look_at(*life.live(id));
+    auto other = look_at(*life.live(id));
+    one.reset();
+    life.live(id)->turned_away();
+    life.loop.advance(milliseconds(2100));
+    life.settle();
+    EXPECT_TRUE(life.outcome(id).complete);
+    other.reset();
+    const std::string rake = life.session().rakes().front().rake;
+    ASSERT_TRUE(life.session().set_rake(tests::rake_at(1.5, rake)));
+    EXPECT_EQ(life.settle(), 0U) << "the other is gone too";
+    bool answered = false;
+    life.live(id)->wait(0, milliseconds(60'000), [&](const auto& outcome) {
+        answered = outcome.has_value() && outcome->complete;
+    });
+    life.settle();
+    EXPECT_TRUE(answered);
+}
+
+TEST(HiddenSurfaces, AreComputedOnForAMomentInWhichSomebodyMayShowThemAgain) {
+    Life life;
+    const std::string id = add_surfaces(life, 1).front();
+    look_at(*life.live(id)).reset();
+    life.live(id)->turned_away();
+    EXPECT_GT(life.settle(), 0U);
+    EXPECT_TRUE(life.outcome(id).complete);
+}
+
 TEST_F(RestoredSurfaces, AreNotBuiltUntilSomebodyLooks) {
     EXPECT_EQ(after.settle(), 0U);
     EXPECT_EQ(after.memory.used(core::MemoryUse::Surfaces), 0U);

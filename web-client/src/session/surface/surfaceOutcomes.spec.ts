@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals-core';
 import { describe, expect, it } from 'vitest';
 import { sampleStatistics } from '../../protocol/testing/sampleRecords.ts';
-import type { SurfaceStats } from '../../protocol/messages.ts';
+import type { SurfaceRecord, SurfaceStats } from '../../protocol/messages.ts';
 import type { DisplayedSurface, Stage } from '../../state/appState.ts';
 import { SurfaceOutcomes } from './surfaceOutcomes.ts';
 
@@ -17,6 +17,7 @@ function bench() {
         displayed: signal(displayed(7, 'coarse')),
         outcomes: signal<ReadonlyMap<string, SurfaceStats>>(new Map()),
         stage: signal<Stage>('running'),
+        surfaces: signal<ReadonlyMap<string, SurfaceRecord>>(new Map([['s1', {} as SurfaceRecord]])),
     };
     const worker = {
         call: (method: string) => {
@@ -44,6 +45,17 @@ describe('the outcome of a surface', () => {
         outcomes.done(sampleStatistics({ stateSum: 9 }));
         state.displayed.value = displayed(9);
         expect(asked).toEqual([]);
+    });
+
+    it('goes with the surface, and does not come back with a late answer', async () => {
+        const { state, outcomes } = bench();
+        state.displayed.value = displayed(7);
+        await Promise.resolve();
+        expect([...state.outcomes.value.keys()]).toEqual(['s1']);
+        state.surfaces.value = new Map();
+        expect(state.outcomes.value.size).toBe(0);
+        outcomes.done(sampleStatistics({ stateSum: 9 }));
+        expect(state.outcomes.value.size).toBe(0);
     });
 
     it('is asked for again after a failure', async () => {

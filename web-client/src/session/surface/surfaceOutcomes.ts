@@ -6,7 +6,7 @@ import { type AppState, withEntry } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 
 export interface SurfaceOutcomesOptions {
-    state: Pick<AppState, 'displayed' | 'outcomes' | 'stage'>;
+    state: Pick<AppState, 'displayed' | 'outcomes' | 'stage' | 'surfaces'>;
     worker: Pick<WorkerClient, 'call'>;
 }
 
@@ -19,6 +19,13 @@ export class SurfaceOutcomes {
         this.options = options;
         const { state } = options;
         effect(() => {
+            const there = state.surfaces.value;
+            for (const surface of this.asked.keys()) if (!there.has(surface)) this.asked.delete(surface);
+            const { outcomes } = state;
+            const kept = [...outcomes.peek()].filter(([surface]) => there.has(surface));
+            if (kept.length < outcomes.peek().size) outcomes.value = new Map(kept);
+        });
+        effect(() => {
             if (state.stage.value !== 'running') return;
             for (const { surface, phase, stateSum } of state.displayed.value.values()) {
                 if (phase === 'final') this.ask(surface, stateSum);
@@ -26,10 +33,11 @@ export class SurfaceOutcomes {
         });
     }
 
-    /** From the notification surface.done. */
+    /** From the notification surface.done. That of a surface which is gone is no one's. */
     done(stats: SurfaceStats | undefined): void {
-        const { outcomes } = this.options.state;
-        if (stats !== undefined) outcomes.value = withEntry(outcomes.value, stats.surface, stats);
+        const { outcomes, surfaces } = this.options.state;
+        if (stats !== undefined && surfaces.peek().has(stats.surface))
+            outcomes.value = withEntry(outcomes.value, stats.surface, stats);
     }
 
     private ask(surface: string, stateSum: number): void {
