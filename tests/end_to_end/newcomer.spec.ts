@@ -114,6 +114,12 @@ describe('on a phone', () => {
                 expect(apart, `${JSON.stringify(a)} ${JSON.stringify(b)}`).toBe(true);
             }),
         );
+        // What the colours mean stands below the picture, not on its axes.
+        const bar = (await page.locator('wakesurf-scalar-bar').boundingBox())!;
+        const picture = (await page.locator('canvas').first().boundingBox())!;
+        expect(bar.y).toBeGreaterThanOrEqual(picture.y + picture.height);
+        expect(bar.x).toBeGreaterThanOrEqual(0);
+        expect(bar.x + bar.width).toBeLessThanOrEqual(390);
         const panel = page.getByRole('complementary', { name: 'Settings' });
         const room = (await panel.boundingBox())!;
         expect(room.height).toBeGreaterThan(844 * 0.35);

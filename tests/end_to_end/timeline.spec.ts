@@ -221,6 +221,32 @@ describe('the timeline', () => {
         await expectServersMesh(stand.server, page);
     });
 
+    it('shows both sides of a path surface that goes both ways', async () => {
+        await page.getByRole('radio', { name: 'Path' }).check();
+        await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
+        await finalSurface(page);
+        const session = await ask(page, (hook) => hook.session);
+        const { surface } = await records();
+        const { rake, kind, dataset, separation } = surface;
+        const both = { rake, kind, dataset, separation, from: 11, to: 13, direction: 'both' };
+        await stand.server.call('surface.set', { session, surface: surface.surface, ...both });
+        const line = await lineOf(page.getByRole('slider', { name: 'Release', exact: true }));
+        await expect
+            .poll(async () => {
+                const band = (await page.locator('wakesurf-timeline .shown').boundingBox())!;
+                return [Math.abs(band.x - line.x(9)) < 1, Math.abs(band.x + band.width - line.x(13)) < 1];
+            })
+            .toEqual([true, true]);
+        await stand.server.call('time.set', { session, time: 12 });
+        await expect
+            .poll(async () => {
+                const other = (await page.locator('wakesurf-timeline .other').boundingBox())!;
+                return Math.abs(other.x + other.width / 2 - line.x(10));
+            })
+            .toBeLessThan(1.5);
+        await screenshot(page, 'both-sides');
+    });
+
     it('has a handle for the release, which goes from time-step to time-step', async () => {
         await streak();
         const handle = page.getByRole('slider', { name: 'Release', exact: true });

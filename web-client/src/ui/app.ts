@@ -191,6 +191,20 @@ export class App extends SignalElement {
                 .folded {
                     grid-template: minmax(0, 1fr) auto 0 / minmax(0, 1fr);
                 }
+                /* The colours below the picture, not on it: the axes need its width. */
+                main {
+                    display: grid;
+                    grid-template-rows: minmax(0, 1fr) auto;
+                }
+                canvas,
+                .labels {
+                    grid-row: 1;
+                }
+                wakesurf-scalar-bar {
+                    grid-row: 2;
+                    position: static;
+                    justify-self: center;
+                }
                 wakesurf-tour {
                     right: 12px;
                 }

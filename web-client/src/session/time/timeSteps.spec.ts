@@ -1,6 +1,16 @@
 import { describe, expect, it } from 'vitest';
 import type { StepState } from '../../protocol/messages.ts';
-import { clampTo, nearestStep, releasedSpan, residentWords, stepFrom, stepMarks, timelineSpan, stepTicks } from './timeSteps.ts';
+import {
+    clampTo,
+    nearestStep,
+    otherSide,
+    releasedSpan,
+    residentWords,
+    stepFrom,
+    stepMarks,
+    timelineSpan,
+    stepTicks,
+} from './timeSteps.ts';
 
 const times = [8.5, 9, 10, 10.25, 16];
 
@@ -47,6 +57,13 @@ describe('time-steps', () => {
             [1, 1],
             [5, 5],
         ]);
+    });
+
+    it('have the other side of a surface that goes both ways, as long as the data have it', () => {
+        expect(otherSide(10, 11, times)).toBe(9);
+        expect(otherSide(10, 16, times)).toBe(8.5);
+        expect(otherSide(8.5, 16, times)).toBe(8.5);
+        expect(otherSide(0, 4, [0])).toBe(-4);
     });
 
     it('and the surface fit on the timeline', () => {

@@ -41,6 +41,15 @@ export function releasedSpan([low, high]: Span, kind: SurfaceKind, backward: boo
     return [Math.min(from, to), Math.max(from, to)];
 }
 
+/**
+ * Where what is shown at `time` has come on the other side of its release, in a surface that goes both ways: as far back as forward, and no
+ * further than the data.
+ */
+export function otherSide(from: number, time: number, times: readonly number[]): number {
+    const back = 2 * from - time;
+    return times.length > 1 ? Math.max(times[0]!, back) : back;
+}
+
 /** All time-steps, and all of the surface; never empty. */
 export function timelineSpan(times: readonly number[], surface: Span | null): Span {
     const all = [...times, ...(surface ?? [])].filter(Number.isFinite);

@@ -4,7 +4,15 @@ import { html, noChange, nothing, svg, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { signal } from '@preact/signals-core';
 import type { StepState } from '../../protocol/messages.ts';
-import { releasedSpan, type Span, type StepMark, stepMarks, stepTicks, timelineSpan } from '../../session/time/timeSteps.ts';
+import {
+    otherSide,
+    releasedSpan,
+    type Span,
+    type StepMark,
+    stepMarks,
+    stepTicks,
+    timelineSpan,
+} from '../../session/time/timeSteps.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import { timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
@@ -66,7 +74,7 @@ export class Timeline extends SignalElement {
         const { playback, state } = this.model;
         const moving = playback.mode.value === 'clock';
         const times = state.times.value;
-        const surface = moving ? playback.span.value : null;
+        const surface = moving ? this.covered(playback.span.value) : null;
         const line = timelineSpan(times, surface);
         const at = (time: number): string => `${((100 * (time - line[0])) / (line[1] - line[0])).toFixed(3)}%`;
         const { ticks, shared } = stepTicks(times, line, this.width.value / pxPerTick);
@@ -81,6 +89,7 @@ export class Timeline extends SignalElement {
                         ? svg`<line class="now" x1=${at(time.value)} x2=${at(time.value)} y1="10" y2="34" />`
                         : nothing
                 }
+                ${moving && this.bothWays ? this.otherNow(time.value, at) : nothing}
                 ${stepMarks(state.stepStates.value, this.width.value / pxPerMark).map((mark) => this.mark(mark, at))}
                 ${ticks.map(({ value, label }, i) => {
                     const words = i === ticks.length - 1 ? withUnit(label, this.unit) : label;
@@ -93,11 +102,27 @@ export class Timeline extends SignalElement {
         `;
     }
 
+    private get bothWays(): boolean {
+        return this.model.edits.intent.value?.direction === 'both';
+    }
+
+    /** The times of the surface, its backward side too. */
+    private covered(span: Span): Span {
+        return this.bothWays ? [otherSide(span[0], span[1], this.model.state.times.value), span[1]] : span;
+    }
+
+    /** How far the backward side has come. */
+    private otherNow(time: number, at: (time: number) => string): TemplateResult {
+        const { playback, state } = this.model;
+        const x = at(otherSide(playback.span.value[0], time, state.times.value));
+        return svg`<line class="now other" x1=${x} x2=${x} y1="4" y2="16" />`;
+    }
+
     /** Released in the full part; in the pale one what was released moves on. */
     private surfaceBand(surface: Span, at: (time: number) => string): TemplateResult {
         const record = this.model.state.surface.value;
         const backward = record !== undefined && record.to < record.from;
-        const released = releasedSpan(surface, record?.kind ?? 'path', backward, record?.releaseUntil);
+        const released = releasedSpan(this.model.playback.span.value, record?.kind ?? 'path', backward, record?.releaseUntil);
         const end = released[backward ? 0 : 1];
         const width = (low: number, high: number): string => `${Math.max(0, parseFloat(at(high)) - parseFloat(at(low)))}%`;
         return svg`

@@ -42,6 +42,9 @@ export const timelineStyles = css`
         stroke: var(--text);
         stroke-width: 1.5;
     }
+    .other {
+        stroke-dasharray: 2 2;
+    }
     .hollow {
         fill: none;
         stroke: var(--quiet);
