@@ -3,6 +3,7 @@
 
 #include "server/import/sources/openfoam/openfoam_source.hpp"
 #include "tests/support/foam_files.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -93,5 +93,28 @@ TEST_F(Processors, AreRefusedWithoutATimeInCommon) {
     EXPECT_EQ(open_openfoam(at("")).error().code, Error::Code::Unsupported);
 }
 
+/// A cavity of 6^3 cells that OpenFOAM 1912 (blockMesh, decomposePar, icoFoam on two processors) computed and wrote.
+TEST_F(Processors, OfARunThatWasKilledWhileItWroteOpenWithTheTimesThatAllHave) {
+    const fs::path run = at("run");
+    fs::create_directories(run);
+    fs::copy(tests::source_folder() / "tests/server/import/openfoam_run", run,
+             fs::copy_options::recursive);
+    const auto times = [&] { return (*open_openfoam(run / "run.foam"))->description().times; };
+    EXPECT_EQ(times(), (std::vector<double>{33.05, 33.1, 33.15}));
+
+    const auto killed = fs::file_size(run / "processor1/33.15/U") / 2;
+    fs::resize_file(run / "processor1/33.15/U", killed);
+    const auto source = open_openfoam(run / "run.foam");
+    ASSERT_TRUE(source) << source.error().message;
+    EXPECT_EQ((*source)->description().times, (std::vector<double>{33.05, 33.1}));
+    EXPECT_NE((*source)->description().note.find("time 33.15 is left out: "), std::string::npos)
+        << (*source)->description().note;
+    const auto step = (*source)->read(1, (*source)->description().fields);
+    ASSERT_TRUE(step) << step.error().message;
+
+    fs::remove_all(run / "processor1/33.15");
+    EXPECT_EQ(times(), (std::vector<double>{33.05, 33.1}));
+}
+
 } // namespace
 } // namespace wakesurf::server::openfoam_processors_test

@@ -6,6 +6,8 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -152,6 +154,18 @@ bool written_by_hand(const fs::path& file) {
     const auto inside = std::find(tokens.begin(), tokens.end(), "internalField");
     return directive ||
            (inside != tokens.end() && inside + 1 != tokens.end() && *(inside + 1) == "uniform");
+}
+
+bool ends_as_written(const fs::path& file) {
+    constexpr std::streamoff at_most = 4096; // of blank lines
+    std::ifstream in(file, std::ios::binary | std::ios::ate);
+    if (!in)
+        return true;
+    const std::streamoff size = in.tellg();
+    in.seekg(std::max<std::streamoff>(0, size - at_most));
+    const std::string end{std::istreambuf_iterator<char>(in), {}};
+    const auto last = end.find_last_not_of(" \t\r\n");
+    return last != std::string::npos && (end[last] == '}' || end[last] == '/');
 }
 
 bool same_foam_body(const fs::path& one, const fs::path& other) {

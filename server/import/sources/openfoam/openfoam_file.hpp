@@ -42,6 +42,10 @@ core::Result<std::vector<FoamPatch>> read_foam_patches(const std::filesystem::pa
 /// for all cells? Then it may name its patches by groups as well. Reads the first 64 KiB. False where it cannot be read.
 bool written_by_hand(const std::filesystem::path& file);
 
+/// False where a file ends as none that OpenFOAM has closed: neither with a brace nor with a comment. True for compressed files, whose end
+/// is known only after all of them has been read, and where it cannot be read.
+bool ends_as_written(const std::filesystem::path& file);
+
 /// Are they equal but for their headers? False where one cannot be read.
 bool same_foam_body(const std::filesystem::path& one, const std::filesystem::path& other);
 

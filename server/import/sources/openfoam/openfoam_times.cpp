@@ -132,7 +132,8 @@ core::Result<void> keep_common_times(const FoamCase& found,
     return {};
 }
 
-// Processors write a time's fields one after the other: at the last time some may have files that others do not have yet.
+// Fields are written one after the other: at the last time some processors may have files that others do not have yet, and one file
+// may be written in part.
 void leave_out_last_time_half_written(FoamCase& found) {
     const std::string last = found.times.back().name;
     for (const auto& region : found.regions) {
@@ -146,14 +147,24 @@ void leave_out_last_time_half_written(FoamCase& found) {
             std::set_symmetric_difference(of_first.begin(), of_first.end(), here.begin(),
                                           here.end(),
                                           std::inserter(one_of_them, one_of_them.end()));
-            if (!region.fluid || one_of_them.empty() || found.times.size() == 1)
+            if (!region.fluid || found.times.size() == 1)
                 continue;
-            const std::string& name = *one_of_them.begin();
-            const auto& without = here.contains(name) ? found.parts.front() : part;
-            add_note(found.note, "time " + last + " is left out: " + without + " has no " + name +
-                                     " there, other processors have");
-            found.times.pop_back();
-            return;
+            const auto leave_out = [&](const std::string& why) {
+                add_note(found.note, "time " + last + " is left out: " + why);
+                found.times.pop_back();
+            };
+            if (!one_of_them.empty()) {
+                const std::string& name = *one_of_them.begin();
+                const auto& without = here.contains(name) ? found.parts.front() : part;
+                return leave_out(without + " has no " + name + " there, other processors have");
+            }
+            for (const auto& name : here) {
+                const std::string file = found.relative(part, last, region.name, name);
+                const auto header = read_foam_header(found.folder / file);
+                if (header && header->type.starts_with("vol") &&
+                    !ends_as_written(found.folder / file))
+                    return leave_out(file + " ends too early");
+            }
         }
     }
 }
