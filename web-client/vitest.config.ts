@@ -20,6 +20,8 @@ export default defineConfig({
                     include: ['**/*.spec.ts'],
                     setupFiles: [`${browserTests}support/setup.ts`],
                     environment: 'node',
+                    // All files have one browser (support/test_browser.ts).
+                    isolate: false,
                     // One Chromium with software rendering saturates two cores: files run in turn.
                     fileParallelism: false,
                     testTimeout: 60_000,

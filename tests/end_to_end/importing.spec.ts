@@ -4,8 +4,9 @@ import { linkSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { closePages, testBrowser } from './support/test_browser.ts';
 
 /** Many: however quick the machine, it is under way until it is stopped. */
 const steps = 400;
@@ -46,11 +47,11 @@ function unfinished(): string[] {
 beforeAll(async () => {
     const data = writeSlowSeries(folders[0].path);
     server = await ServerProcess.start({ store: folders[1].path, data });
-    browser = await launchBrowser();
+    browser = await testBrowser();
 });
 
 afterAll(async () => {
-    await browser?.close();
+    await closePages();
     await server?.stop();
     for (const folder of folders) folder.remove();
 });

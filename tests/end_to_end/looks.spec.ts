@@ -8,10 +8,11 @@ import { encodeLinkState } from '../../web-client/src/session/view/linkState.ts'
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { stripePeriodPx } from '../../web-client/src/scene/surface/patternShader.ts';
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
-import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { agreement, hitsOver, type Rgb, seenVertices } from './support/look_facts.ts';
 import { serverStats } from './support/server_mesh.ts';
-import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { bundledStore, ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { closePages, testBrowser } from './support/test_browser.ts';
 
 /** 8 x 8 x 8 points: the flow along x, and a field that is x. */
 const slab = `<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
@@ -20,15 +21,15 @@ const slab = `<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
 <DataArray type="Float32" Name="place" format="ascii">${'0 1 2 3 4 5 6 7 '.repeat(64)}</DataArray>
 </PointData></Piece></ImageData></VTKFile>`;
 
-const store = temporaryFolder();
 let server: ServerProcess;
 let browser: Browser;
 let context: BrowserContext;
 let page: Page;
 
 beforeAll(async () => {
-    server = await ServerProcess.start({ store: store.path });
-    browser = await launchBrowser();
+    server = await ServerProcess.start({ store: bundledStore() });
+    await server.imported();
+    browser = await testBrowser();
     context = await newContext(browser, { width: 860, height: 560 });
     page = await openPage(context, server.link);
     await finalSurface(page);
@@ -38,9 +39,8 @@ beforeAll(async () => {
 });
 
 afterAll(async () => {
-    await browser?.close();
+    await closePages();
     await server?.stop();
-    store.remove();
 });
 
 /** After the next picture. */

@@ -6,10 +6,11 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { BackSide, SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import type { PageView } from '../../web-client/src/state/pageView.ts';
-import { ask, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { acrossAt, finalSheets, FlatSheets, ground, middle, type Side, spread } from './support/flat_sheets.ts';
 import { pixelsOfPng } from './support/png_pixels.ts';
 import { layered, type Layer, litColour } from './support/shading_formula.ts';
+import { closePages, testBrowser } from './support/test_browser.ts';
 
 /** From y = 1 on, one behind the other, so that one to six of them are over one another. */
 const sheets = [
@@ -32,13 +33,13 @@ let surfaces: string[];
 
 beforeAll(async () => {
     flow = await FlatSheets.start();
-    browser = await launchBrowser();
+    browser = await testBrowser();
     context = await newContext(browser, { width: 900, height: 440 });
     ({ session, surfaces } = await flow.session(sheets.map(({ y, length }) => ({ points: acrossAt(y), length, look: {} }))));
 });
 
 afterAll(async () => {
-    await browser?.close();
+    await closePages();
     await flow?.stop();
 });
 

@@ -4,29 +4,29 @@ import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { colourTable, fractionOf } from '../../web-client/src/scene/surface/colourMap.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
-import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { bundledStore, ServerProcess } from './support/server_process.ts';
+import { closePages, testBrowser } from './support/test_browser.ts';
 
 type Rgb = [number, number, number];
 
-const store = temporaryFolder();
 let server: ServerProcess;
 let browser: Browser;
 let context: BrowserContext;
 let page: Page;
 
 beforeAll(async () => {
-    server = await ServerProcess.start({ store: store.path });
-    browser = await launchBrowser();
+    server = await ServerProcess.start({ store: bundledStore() });
+    await server.imported();
+    browser = await testBrowser();
     context = await newContext(browser);
     page = await openPage(context, server.link);
     await finalSurface(page);
 });
 
 afterAll(async () => {
-    await browser?.close();
+    await closePages();
     await server?.stop();
-    store.remove();
 });
 
 /** Hue in degrees and how colourful, of an sRGB colour. */

@@ -3,11 +3,12 @@
 import { join } from 'node:path';
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { allowLostConnections } from './support/complaints.ts';
 import { NetworkProxy } from './support/network_proxy.ts';
 import { PrefixProxy } from './support/prefix_proxy.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { closePages, testBrowser } from './support/test_browser.ts';
 
 const folder = temporaryFolder();
 const store = join(folder.path, 'store');
@@ -15,13 +16,13 @@ let browser: Browser;
 let context: BrowserContext;
 
 beforeAll(async () => {
-    browser = await launchBrowser();
+    browser = await testBrowser();
 });
 
 afterEach(async () => context?.close());
 
 afterAll(async () => {
-    await browser?.close();
+    await closePages();
     folder.remove();
 });
 

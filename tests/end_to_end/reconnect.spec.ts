@@ -3,11 +3,12 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { allowLostConnections } from './support/complaints.ts';
 import { dragHandle } from './support/rake_drag.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { closePages, testBrowser } from './support/test_browser.ts';
 
 const folder = temporaryFolder();
 const store = join(folder.path, 'store');
@@ -19,13 +20,13 @@ let context: BrowserContext;
 beforeAll(async () => {
     writeFileSync(tokenFile, 'a-token-that-survives-a-restart-0123456789abcdef\n', { mode: 0o600 });
     server = await ServerProcess.start({ store, tokenFile });
-    browser = await launchBrowser();
+    browser = await testBrowser();
 });
 
 afterEach(async () => context?.close());
 
 afterAll(async () => {
-    await browser?.close();
+    await closePages();
     await server?.stop();
     folder.remove();
 });

@@ -3,9 +3,10 @@
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { RakeRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { writeScaledFlow } from './support/scaled_flow.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { closePages, testBrowser } from './support/test_browser.ts';
 
 const folder = temporaryFolder();
 const onMap = {
@@ -17,18 +18,20 @@ const tiny = {
     times: Array.from({ length: 6 }, (_, i) => Number((0.1 + i * 1e-4).toFixed(4))),
 };
 const servers = new Map<string, ServerProcess>();
-let browser: Awaited<ReturnType<typeof launchBrowser>>;
+let browser: Awaited<ReturnType<typeof testBrowser>>;
 
 beforeAll(async () => {
-    browser = await launchBrowser();
+    browser = await testBrowser();
     for (const flow of [onMap, tiny]) {
         const data = writeScaledFlow({ folder: `${folder.path}/${flow.name}`, ...flow });
-        servers.set(flow.name, await ServerProcess.start({ data, store: `${folder.path}/store-${flow.name}` }));
+        const server = await ServerProcess.start({ data, store: `${folder.path}/store-${flow.name}` });
+        await server.imported();
+        servers.set(flow.name, server);
     }
 }, 120_000);
 
 afterAll(async () => {
-    await browser?.close();
+    await closePages();
     for (const server of servers.values()) await server.stop();
     folder.remove();
 });

@@ -4,20 +4,21 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
-import { launchBrowser, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { newContext, openPage, screenshot } from './support/browser_page.ts';
 import { finalSheets, FlatSheets, ground, middle, type Sheet, type Side, spread } from './support/flat_sheets.ts';
 import { type Colour, layerAlpha, layered, litColour } from './support/shading_formula.ts';
+import { closePages, testBrowser } from './support/test_browser.ts';
 
 let flow: FlatSheets;
 let browser: Browser;
 
 beforeAll(async () => {
     flow = await FlatSheets.start();
-    browser = await launchBrowser();
+    browser = await testBrowser();
 });
 
 afterAll(async () => {
-    await browser?.close();
+    await closePages();
     await flow?.stop();
 });
 

@@ -22,9 +22,9 @@ const flags = [
 
 const artefacts = join(projectRoot, 'test-artefacts');
 
-export async function launchBrowser(extra: readonly string[] = []): Promise<Browser> {
+export async function launchBrowser(extra: readonly string[] = [], executable = '/usr/bin/chromium'): Promise<Browser> {
     const browser = await chromium.launch({
-        executablePath: process.env['WAKESURF_CHROMIUM'] ?? '/usr/bin/chromium',
+        executablePath: process.env['WAKESURF_CHROMIUM'] ?? executable,
         headless: true,
         args: [...flags, ...extra],
     });

@@ -54,7 +54,9 @@ export class FlatSheets {
         const folder = temporaryFolder();
         const data = join(folder.path, 'fan.vti');
         writeFileSync(data, flow);
-        return new FlatSheets(await ServerProcess.start({ store: folder.path, data }), folder.remove);
+        const sheets = new FlatSheets(await ServerProcess.start({ store: folder.path, data }), folder.remove);
+        await sheets.server.imported();
+        return sheets;
     }
 
     async stop(): Promise<void> {

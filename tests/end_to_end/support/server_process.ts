@@ -82,6 +82,12 @@ export class ServerProcess {
         return reply.result as Record<string, unknown>;
     }
 
+    /** Waits until the first dataset is there as a whole: a surface that is built before grows with it. */
+    async imported(): Promise<void> {
+        const { datasets } = (await this.call('dataset.list', {})) as { datasets: { dataset: string }[] };
+        await this.call('dataset.open', { dataset: datasets[0]!.dataset });
+    }
+
     /** A link to an empty session, made for it: a visit makes none. */
     async newSession(name?: string): Promise<string> {
         const { session } = await this.call('session.create', name === undefined ? {} : { name });
@@ -95,6 +101,18 @@ export class ServerProcess {
         this.child.kill(signal);
         await ended;
     }
+}
+
+let bundled: string | null = null;
+
+/** The store of the bundled data for all files of tests that do not look at imports: it is imported once. It goes with the process. */
+export function bundledStore(): string {
+    if (bundled === null) {
+        const { path, remove } = temporaryFolder();
+        bundled = path;
+        process.once('exit', remove);
+    }
+    return bundled;
 }
 
 /** A new folder and its removal. */

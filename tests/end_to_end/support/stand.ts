@@ -1,21 +1,20 @@
-// One server and one browser for the tests of a file, and people who visit.
-import type { Browser, BrowserContext, Page } from 'playwright-core';
+// One server for the tests of a file, and people who visit.
+import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll } from 'vitest';
-import { finalSurface, launchBrowser, newContext, openPage, type PageOptions } from './browser_page.ts';
+import { finalSurface, newContext, openPage, type PageOptions } from './browser_page.ts';
 import { NetworkProxy } from './network_proxy.ts';
-import { ServerProcess, temporaryFolder } from './server_process.ts';
+import { bundledStore, ServerProcess } from './server_process.ts';
+import { closePages, testBrowser } from './test_browser.ts';
 
 export class Stand {
     server!: ServerProcess;
     browser!: Browser;
     /** Between the server and those who come by `networkLink`. */
     network!: NetworkProxy;
-    private readonly contexts: BrowserContext[] = [];
 
     /** Someone with a browser of their own, neither cookies nor choices are shared; without a link, in a session of their own. */
     async visit(options: PageOptions & { link?: string } = {}): Promise<Page> {
         const context = await newContext(this.browser, options);
-        this.contexts.push(context);
         const page = await openPage(context, options.link ?? (await this.server.newSession()));
         await finalSurface(page);
         return page;
@@ -34,8 +33,7 @@ export class Stand {
     }
 
     async close(): Promise<void> {
-        for (const context of this.contexts.splice(0)) await context.close();
-        await this.browser?.close();
+        await closePages();
         await this.server?.stop();
         this.network?.stop();
     }
@@ -44,16 +42,13 @@ export class Stand {
 /** To be called at the top of a file of tests. @param more  datasets beside the bundled one */
 export function useStand(more: readonly string[] = []): Stand {
     const stand = new Stand();
-    const store = temporaryFolder();
     beforeAll(async () => {
         stand.network = await NetworkProxy.start();
-        stand.server = await ServerProcess.start({ store: store.path, origin: stand.network.origin, more });
+        stand.server = await ServerProcess.start({ store: bundledStore(), origin: stand.network.origin, more });
+        await stand.server.imported();
         stand.network.lead(stand.server.port);
-        stand.browser = await launchBrowser();
+        stand.browser = await testBrowser();
     });
-    afterAll(async () => {
-        await stand.close();
-        store.remove();
-    });
+    afterAll(() => stand.close());
     return stand;
 }
