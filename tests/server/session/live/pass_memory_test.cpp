@@ -23,7 +23,10 @@ SurfaceJob large(SurfaceKind kind, std::size_t fields) {
     job.parameters.kind = kind;
     job.parameters.to = 4.0;
     job.parameters.accuracy = core::Accuracy::Fast;
-    job.parameters.separation = 0.06;
+    // So that none needs less than 5 MB or more than 30.
+    job.parameters.separation = kind == SurfaceKind::Time     ? 0.09
+                                : kind == SurfaceKind::Streak ? 0.075
+                                                              : 0.06;
     if (kind == SurfaceKind::Time)
         job.parameters.sweep = core::Vec3{3, 0, 0};
     job.flow = *core::make_analytic_flow("abc");
