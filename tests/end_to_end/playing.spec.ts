@@ -12,7 +12,7 @@ let context: BrowserContext;
 let page: Page;
 
 beforeEach(async () => {
-    context = await newContext(stand.browser, { height: 900 });
+    context = await newContext(stand.browser, { width: 860, height: 700 });
     page = await openPage(context, await stand.networkLink());
     await finalSurface(page);
     await page.getByRole('radio', { name: 'Streak' }).check();

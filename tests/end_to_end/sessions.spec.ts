@@ -10,7 +10,7 @@ import { dragHandle } from './support/rake_drag.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
-const size = { width: 1100, height: 640 };
+const size = { width: 900, height: 560 };
 
 async function listed(trash = false): Promise<SessionEntry[]> {
     return (await stand.server.call('session.list', { trash }))['sessions'] as SessionEntry[];

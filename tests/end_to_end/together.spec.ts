@@ -27,7 +27,7 @@ afterEach(async () => {
 
 /** A browser of its own: cookies are not shared. */
 async function visit(link: string): Promise<Page> {
-    const context = await newContext(stand.browser);
+    const context = await newContext(stand.browser, { width: 860, height: 520 });
     contexts.push(context);
     await context.addInitScript(keepWorker);
     const visited = await openPage(context, link);
