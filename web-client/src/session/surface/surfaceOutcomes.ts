@@ -36,8 +36,8 @@ export class SurfaceOutcomes {
     /** From the notification surface.done. That of a surface which is gone is no one's. */
     done(stats: SurfaceStats | undefined): void {
         const { outcomes, surfaces } = this.options.state;
-        if (stats !== undefined && surfaces.peek().has(stats.surface))
-            outcomes.value = withEntry(outcomes.value, stats.surface, stats);
+        if (stats === undefined || !surfaces.peek().has(stats.surface)) return;
+        outcomes.value = withEntry(outcomes.value, stats.surface, stats);
     }
 
     private ask(surface: string, stateSum: number): void {
