@@ -46,7 +46,7 @@ struct QuadComplex {
     std::vector<float> deformation; ///< log2 of area now / area at birth; empty when not asked for
     std::vector<std::uint32_t> component;
     std::vector<std::uint8_t> approximated; ///< 1: interpolated, not traced from the rake
-    /// Length: how far the vertex may be from the particle it stands for, as estimated; empty: not estimated (moving surfaces)
+    /// Length: how far the vertex may be from the particle it stands for, as estimated; empty: of a mesh that no builder has made
     std::vector<float> error;
     std::vector<Cell> cells;
 

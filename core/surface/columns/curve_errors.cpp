@@ -1,5 +1,7 @@
 #include "core/surface/columns/curve_errors.hpp"
 
+#include "core/surface/carried_error.hpp"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -58,40 +60,6 @@ class Neighbour {
     std::size_t step_ = 0;
 };
 
-/// The metric of the surface in its coordinates: seed parameter and time.
-struct Metric {
-    double ss, st, tt;
-
-    /// Kept away from zero: where the tangents are parallel, what lies between them is not known.
-    double determinant() const { return std::max(ss * tt - st * st, 1e-8 * ss * tt) + 1e-300; }
-};
-
-/// What errors in all directions of the surface have come to, in its coordinates: an ellipsoid.
-class Spread {
-  public:
-    /// Length that the ellipsoid has in a metric.
-    double length(const Metric& g) const {
-        return std::sqrt(std::max(g.ss * ss_ + 2.0 * g.st * st_ + g.tt * tt_, 0.0));
-    }
-
-    /// Adds a circle of that radius: the ellipsoid round all sums, of the least trace.
-    void add(const Metric& g, double radius) {
-        const double det = g.determinant();
-        const double before = length(g);
-        const double added = std::sqrt(2.0) * radius;
-        if (!(added > 0.0))
-            return;
-        const double own = before > 0.0 ? 1.0 + added / before : 1.0;
-        const double others = (1.0 + before / added) * radius * radius / det;
-        ss_ = own * ss_ + others * g.tt;
-        st_ = own * st_ - others * g.st;
-        tt_ = own * tt_ + others * g.ss;
-    }
-
-  private:
-    double ss_ = 0.0, st_ = 0.0, tt_ = 0.0;
-};
-
 } // namespace
 
 CurveErrors::CurveErrors(std::vector<const SeededCurve*> curves) : curves_(std::move(curves)) {
@@ -115,8 +83,7 @@ CurveErrors::along(const SeededCurve& seeded, const SeededCurve* left, const See
     std::vector<Knot> knots{{0.0, 0.0}};
     Neighbour before(left, seeded.s), after(right, seeded.s);
     Vec3 across = curve.seed_tangent;
-    Spread spread;
-    double through = 0.0; // the error normal to the surface, times the area
+    CarriedError error;
     double pending = 0.0;
     for (std::size_t i = 0; i < curve.steps.size(); ++i) {
         pending += curve.steps[i].error;
@@ -131,14 +98,11 @@ CurveErrors::along(const SeededCurve& seeded, const SeededCurve* left, const See
             across = glm::dot(*a, *a) < glm::dot(*b, *b) ? *a : *b;
         else if (a || b)
             across = a ? *a : *b;
-        const Metric g{glm::dot(across, across), glm::dot(across, at.velocity),
-                       glm::dot(at.velocity, at.velocity)};
-        const double area = std::sqrt(g.determinant());
-        spread.add(g, pending);
-        through += pending * area;
+        const SurfaceTangents here{across, at.velocity};
+        error.add(here, pending);
         pending = 0.0;
         const double arc = last ? curve.last.arc : curve.steps[i + 1].c[0].w;
-        knots.push_back({arc, std::hypot(spread.length(g), through / area)});
+        knots.push_back({arc, error.length(here)});
     }
     return knots;
 }

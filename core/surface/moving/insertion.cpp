@@ -36,6 +36,7 @@ MaterialPoint average(const MovingMesh& mesh, VertexId a, VertexId b) {
     mid.place.row = 0.5 * (p.place.row + q.place.row);
     mid.birth_area = 0.5f * (p.birth_area + q.birth_area);
     mid.approximated = true;
+    mid.error = VertexError::between(p.error, q.error);
     return mid;
 }
 

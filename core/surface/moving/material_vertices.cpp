@@ -21,6 +21,7 @@ void for_each_array(MaterialVertices& v, Visit visit) {
     visit(v.id);
     visit(v.role);
     visit(v.approximated);
+    visit(v.error);
 }
 
 } // namespace
@@ -58,7 +59,8 @@ MaterialPoint MaterialVertices::point(VertexId v) const {
             t[v],
             place[v],
             birth_area[v],
-            approximated[v] != 0};
+            approximated[v] != 0,
+            error[v]};
 }
 
 void MaterialVertices::set(VertexId v, const MaterialPoint& point) {
@@ -70,6 +72,7 @@ void MaterialVertices::set(VertexId v, const MaterialPoint& point) {
     place[v] = point.place;
     birth_area[v] = point.birth_area;
     approximated[v] = point.approximated ? 1 : 0;
+    error[v] = point.error;
 }
 
 Particles MaterialVertices::particles(bool tangents) {

@@ -4,6 +4,7 @@
 
 #include "core/integrate/carried.hpp"
 #include "core/integrate/particles.hpp"
+#include "core/surface/carried_error.hpp"
 #include "core/surface/quad_complex.hpp"
 
 #include <cstdint>
@@ -22,6 +23,21 @@ struct LatticePlace {
     double row = 0.0;
 };
 
+/// How far a vertex may be from the particle it stands for.
+struct VertexError {
+    CarriedError traced; ///< by the integrator's steps, as if it had been traced from the rake
+    CarriedError
+        placed; ///< by interpolation, of it or of what it was interpolated from; none where it is traced again
+
+    /// Half-way between two vertices.
+    static VertexError between(const VertexError& a, const VertexError& b) {
+        return {CarriedError::between(a.traced, b.traced),
+                CarriedError::between(a.placed, b.placed)};
+    }
+
+    double length(const SurfaceTangents& at) const { return traced.length(at) + placed.length(at); }
+};
+
 /// What a vertex is made from.
 struct MaterialPoint {
     Carried carried;
@@ -30,13 +46,14 @@ struct MaterialPoint {
     LatticePlace place;
     float birth_area = 0.0f; ///< |dx/ds x dx/dt| at release
     bool approximated = false;
+    VertexError error;
 };
 
 /// Of one vertex in all arrays.
-inline constexpr std::size_t vertex_bytes = 3 * sizeof(Vec3) + 3 * sizeof(double) +
-                                            sizeof(CurveEnd) + sizeof(LatticePlace) +
-                                            sizeof(Vec3f) + sizeof(float) + sizeof(std::uint32_t) +
-                                            sizeof(VertexRole) + sizeof(std::uint8_t);
+inline constexpr std::size_t vertex_bytes =
+    3 * sizeof(Vec3) + 3 * sizeof(double) + sizeof(CurveEnd) + sizeof(LatticePlace) +
+    sizeof(Vec3f) + sizeof(float) + sizeof(std::uint32_t) + sizeof(VertexRole) +
+    sizeof(std::uint8_t) + sizeof(VertexError);
 
 class MaterialVertices {
   public:
@@ -83,6 +100,7 @@ class MaterialVertices {
     std::vector<std::uint32_t> id;
     std::vector<VertexRole> role;
     std::vector<std::uint8_t> approximated;
+    std::vector<VertexError> error;
 
   private:
     std::vector<VertexId> free_;

@@ -75,6 +75,7 @@ MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double sepa
             p.release_until.value_or(p.to),
             p.accuracy == Accuracy::Fast,
             flow.finest_spacing(),
+            true,
             {}};
 }
 

@@ -1,5 +1,6 @@
 #include "core/surface/moving/moving_surface.hpp"
 
+#include "core/integrate/advance_particle.hpp"
 #include "core/surface/budget_search.hpp"
 #include "core/surface/moving/cell_shape.hpp"
 #include "core/surface/moving/release.hpp"
@@ -30,6 +31,8 @@ constexpr double growth_a_step =
     0.5; // of an edge's length: Hermite interpolation wants edges cut before they double
 constexpr double least_of_row =
     1.0 / 16.0; // of the time between rows: one violent cell must not stop the rest
+constexpr std::uint64_t check_every =
+    4; ///< steps, from one look at the integrator's errors to the next
 constexpr double sorting_share = 0.125; // of vertices inserted since memory was last in mesh order
 
 /// The larger of `most` and the fastest relative growth of a cell's sides, of those longer than `shortest`. Roots are taken only
@@ -65,6 +68,9 @@ MovingSurface::MovingSurface(const Flow& flow, MovingPlan plan, const Clock& clo
     state_.plan = std::make_shared<const MovingPlan>(std::move(plan));
     state_.separation = state_.plan->rules.separation;
     state_.mesh.time = state_.plan->request.parameters.from;
+    state_.errors_until = state_.mesh.time;
+    if (state_.plan->estimates)
+        state_.step_errors = StepErrors(flow.domain());
 }
 
 Result<MovingSurface> MovingSurface::start(const Flow& flow,
@@ -102,6 +108,7 @@ Result<std::optional<std::uint64_t>> MovingSurface::most_quads(const Flow& flow,
                                                                const Clock& clock,
                                                                const std::stop_token& stop,
                                                                const WorkPart& work) {
+    plan.estimates = false;
     MovingSurface surface(flow, std::move(plan), clock);
     auto within = surface.begin(stop, work);
     std::uint64_t most = 0;
@@ -333,17 +340,15 @@ Result<bool> MovingSurface::move(double to, const std::stop_token& stop, const W
     const double reach =
         (state_.plan->fast ? 1.0 : 0.5) * std::min(state_.plan->finest_spacing, state_.separation);
     carry.step = speed > 0.0 ? reach / speed : dt;
-    const auto advanced =
-        flow_->advance(v.particles(state_.plan->rules.tangents), now, carry, stop);
-    if (!advanced)
-        return tl::unexpected(advanced.error());
-    mesh.time = now;
+    const auto load = this->carry(now, carry, stop);
+    if (!load)
+        return tl::unexpected(load.error());
     state_.vertex_steps +=
         running * static_cast<std::uint64_t>(std::max(1.0, std::ceil(dt / carry.step - 1e-9)));
     carry_on_the_dead(mesh, state_.terminated);
     move_attached(mesh);
-    seconds_.load += advanced->load;
-    seconds_.advect += elapsed(*clock_, began) - advanced->load;
+    seconds_.load += *load;
+    seconds_.advect += elapsed(*clock_, began) - *load;
 
     const auto refining = clock_->now();
     if (!released.empty() && !last_release) {
@@ -367,6 +372,30 @@ Result<bool> MovingSurface::move(double to, const std::stop_token& stop, const W
     return true;
 }
 
+/// All vertices to `to`, and with them what is known of their errors. Returns the seconds spent waiting for time-steps.
+Result<double>
+MovingSurface::carry(double to, const AdvanceOptions& options, const std::stop_token& stop) {
+    MovingMesh& mesh = state_.mesh;
+    const double h = std::abs(to - mesh.time) / rk4_steps(to - mesh.time, options);
+    std::optional<StepSample> sample;
+    if (state_.plan->estimates &&
+        (state_.steps % check_every == 0 || state_.step_errors.too_long(h)))
+        sample.emplace(mesh, state_.steps);
+    const auto advanced =
+        flow_->advance(mesh.vertices.particles(state_.plan->rules.tangents), to, options, stop);
+    if (!advanced)
+        return tl::unexpected(advanced.error());
+    mesh.time = to;
+    if (sample)
+        if (auto learnt = sample->learn(state_.step_errors, *flow_, mesh, options, stop); !learnt)
+            return tl::unexpected(learnt.error());
+    if (state_.plan->estimates && state_.steps % check_every == check_every - 1) {
+        add_step_errors(mesh, state_.step_errors, state_.errors_until, carries_tangents());
+        state_.errors_until = to;
+    }
+    return advanced->load;
+}
+
 Result<void> MovingSurface::advance_to(double to, std::stop_token stop, const WorkPart& work) {
     const double from = time();
     while (time() != to) {
@@ -380,7 +409,14 @@ Result<void> MovingSurface::advance_to(double to, std::stop_token stop, const Wo
 }
 
 KeyedMesh MovingSurface::mesh() const {
-    return snapshot(state_.mesh, state_.plan->rules.tangents);
+    return snapshot(
+        state_.mesh, state_.plan->rules.tangents,
+        stated_errors(state_.mesh, state_.step_errors, state_.errors_until, carries_tangents()));
+}
+
+/// Tangents that are carried but not interpolated well say less than the edges do.
+bool MovingSurface::carries_tangents() const {
+    return state_.plan->rules.policy == InsertionPolicy::Hermite;
 }
 
 std::string MovingSurface::validate() const {

@@ -8,6 +8,7 @@
 #include "core/surface/keyed_mesh.hpp"
 #include "core/surface/moving/moving_plan.hpp"
 #include "core/surface/moving/refinement.hpp"
+#include "core/surface/moving/step_errors.hpp"
 #include "core/surface/surface_parameters.hpp"
 #include "core/surface/surface_statistics.hpp"
 
@@ -30,8 +31,10 @@ struct MovingState {
     std::uint64_t steps = 0;
     std::uint64_t vertex_steps = 0; ///< integrator steps of all vertices
     SurfaceStatistics::Terminated terminated;
+    StepErrors step_errors;
+    double errors_until = 0.0; ///< the steps before are in the errors of the vertices
 
-    std::size_t bytes() const { return memory_of(mesh); }
+    std::size_t bytes() const { return memory_of(mesh) + step_errors.bytes(); }
 };
 
 /// Thread safety: one thread at a time. Runs in the calling thread's oneTBB arena.
@@ -95,10 +98,12 @@ class MovingSurface {
     Result<void> begin_within_budget(const std::stop_token& stop, const WorkPart& work);
     Result<void> start_coarser(double until, const std::stop_token& stop, const WorkPart& work);
     Result<bool> move(double to, const std::stop_token& stop, const WorkPart& work);
+    Result<double> carry(double to, const AdvanceOptions& options, const std::stop_token& stop);
     Result<bool>
     refine(const AdvanceOptions& carry, const std::stop_token& stop, const WorkPart& work);
     Result<void> sample_velocity(const std::stop_token& stop);
     double step_length(double to) const;
+    bool carries_tangents() const;
 
     const Flow* flow_;
     const Clock* clock_;

@@ -1,6 +1,7 @@
 #include "core/surface/moving/refinement.hpp"
 
 #include "core/surface/moving/cell_shape.hpp"
+#include "core/surface/moving/insertion_error.hpp"
 #include "core/surface/moving/reconnection.hpp"
 
 #include <tbb/blocked_range.h>
@@ -95,11 +96,14 @@ VertexId Refinement::insert(MovingMesh& mesh, CellIndex index, std::size_t side)
     if (attached) { // on the rake itself: nothing is approximate there
         mid.point.carried.position = origin_.position(mid.point.s, mid.point.t);
         mid.point.approximated = false;
+        mid.point.error = {};
         mid.bulge = 0.0;
     }
     const VertexId v =
         vertices.add(mid.point, attached ? VertexRole::Attached : VertexRole::Free, mesh.time);
     const bool doubtful = rules_.retrace && mid.bulge > rules_.trusted_sagitta;
+    if (!attached && !doubtful && rules_.policy != InsertionPolicy::Exact)
+        add_insertion_error(mesh, v, index, side, rules_.policy);
     if (rules_.policy == InsertionPolicy::Exact || doubtful) {
         if (!attached)
             to_retrace_.push_back(v);

@@ -10,7 +10,7 @@ namespace wakesurf::core {
 /// For a surface that goes back in time.
 void mirror_cells(QuadComplex& mesh);
 
-/// Fills in what is counted on the mesh: quads, vertices, approximated ones, the longest edge.
+/// Fills in what is counted on the mesh: quads, vertices, approximated ones, the longest edge, the estimated error.
 void count(SurfaceStatistics& statistics, const QuadComplex& mesh);
 
 } // namespace wakesurf::core

@@ -32,7 +32,7 @@ bool answered(const LinkedQuads& quads, CellIndex cell, const SubEdge& edge) {
 
 } // namespace
 
-KeyedMesh snapshot(const MovingMesh& mesh, bool deformation) {
+KeyedMesh snapshot(const MovingMesh& mesh, bool deformation, std::span<const float> error) {
     const MaterialVertices& v = mesh.vertices;
     const auto slots = mesh.quads.slots();
     std::vector<std::uint8_t> used(v.slots(), 0);
@@ -64,6 +64,8 @@ KeyedMesh snapshot(const MovingMesh& mesh, bool deformation) {
         if (deformation)
             out.mesh.deformation.push_back(deformation_of(v, i));
         out.mesh.approximated.push_back(v.approximated[i]);
+        if (!error.empty())
+            out.mesh.error.push_back(error[i]);
     }
     for (const CellIndex i : cells) {
         Cell cell = slots[i].cell;

@@ -125,8 +125,8 @@ export interface Statistics {
     /** number of vertices that were interpolated, not traced from the rake */
     approximated: number;
     /**
-     * 99 % of the vertices are estimated to be no farther than this from the particles they stand for; of stream and
-     * path surfaces, left out for the others (the dataset's unit of length)
+     * 99 % of the vertices are estimated to be no farther than this from the particles they stand for; left out where
+     * there is no surface to see (the dataset's unit of length)
      */
     error99?: number;
     /**

@@ -1,0 +1,163 @@
+#include "core/surface/moving/step_errors.hpp"
+
+#include "core/integrate/advance_particle.hpp"
+#include "core/surface/moving/surface_tangents.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wakesurf::core {
+
+namespace {
+
+constexpr double boxes = 16.0; ///< along each axis of the domain
+constexpr double kept = 0.7;   ///< of what was learnt before
+
+constexpr double share = 1.0 / 32.0; ///< of the vertices
+constexpr double fewest = 16.0;
+
+/// Halving the steps of RK4 leaves a sixteenth of the error where the field is smooth, a quarter where it has a kink. And between
+/// the vertices of the sample others have larger errors.
+constexpr double of_the_difference = 2.0;
+
+/// A number that looks random, the same for the same vertex and turn.
+std::uint32_t mixed(std::uint32_t id, std::uint64_t turn) {
+    std::uint64_t x = (std::uint64_t(id) + 1) * 0x9e3779b97f4a7c15u + turn * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 31)) * 0x94d049bb133111ebu;
+    return static_cast<std::uint32_t>(x >> 32);
+}
+
+bool moving(const MaterialVertices& v, VertexId i) {
+    return v.role[i] == VertexRole::Free && v.end[i] == CurveEnd::Running;
+}
+
+template <class Visit>
+void for_each_moving(const MovingMesh& mesh, Visit visit) {
+    const std::size_t count = mesh.vertices.slots();
+    tbb::this_task_arena::isolate([&] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
+            for (std::size_t i = range.begin(); i != range.end(); ++i)
+                if (const auto v = static_cast<VertexId>(i); moving(mesh.vertices, v))
+                    visit(v);
+        });
+    });
+}
+
+} // namespace
+
+StepErrors::StepErrors(const Box& domain)
+    : low_(domain.lo), widest_(glm::length(domain.extent())),
+      scale_(boxes / glm::max(domain.extent(), Vec3(1e-300))),
+      rate_(static_cast<std::size_t>(boxes * boxes * boxes), 0.0f) {}
+
+std::size_t StepErrors::place(const Vec3& position) const {
+    const Vec3 box = glm::clamp(glm::floor((position - low_) * scale_), 0.0, boxes - 1.0);
+    return static_cast<std::size_t>((box.z * boxes + box.y) * boxes + box.x);
+}
+
+void StepErrors::begin(double h) {
+    // Fields with kinks are of second order, smooth ones of fourth.
+    const double longer = step_ > 0.0 ? h / step_ : 1.0;
+    const auto left = static_cast<float>(kept * std::pow(longer, longer > 1.0 ? 3.0 : 2.0));
+    for (float& rate : rate_)
+        rate *= left;
+    largest_ *= left;
+    step_ = h;
+}
+
+void StepErrors::learn(const Vec3& position, double rate) {
+    const auto learnt = static_cast<float>(rate);
+    if (!std::isfinite(learnt))
+        return;
+    // In all boxes within half a box.
+    const Vec3 half = 0.5 / scale_;
+    for (const double x : {-1.0, 1.0})
+        for (const double y : {-1.0, 1.0})
+            for (const double z : {-1.0, 1.0}) {
+                float& known = rate_[place(position + half * Vec3(x, y, z))];
+                known = std::max(known, learnt);
+            }
+    largest_ = std::max(largest_, learnt);
+}
+
+double StepErrors::at(const Vec3& position) const {
+    const float known = rate_[place(position)];
+    return double(known > 0.0f ? known : largest_);
+}
+
+StepSample::StepSample(const MovingMesh& mesh, std::uint64_t turn) : from_(mesh.time) {
+    const MaterialVertices& v = mesh.vertices;
+    const double wanted = std::max(share, fewest / static_cast<double>(v.slots() + 1));
+    const double below = wanted * 4294967296.0;
+    for (VertexId i = 0; i < v.slots(); ++i)
+        if (moving(v, i) && double(mixed(v.id[i], turn)) < below) {
+            vertex_.push_back(i);
+            start_.push_back(v.position[i]);
+            time_.push_back(v.time[i]);
+            end_.push_back(CurveEnd::Running);
+        }
+    position_ = start_;
+}
+
+Result<void> StepSample::learn(StepErrors& errors,
+                               const Flow& flow,
+                               const MovingMesh& mesh,
+                               AdvanceOptions options,
+                               std::stop_token stop) {
+    const MaterialVertices& v = mesh.vertices;
+    const double dt = std::abs(mesh.time - from_);
+    if (!(dt > 0.0))
+        return {};
+    const double h = dt / rk4_steps(dt, options);
+    errors.begin(h);
+    if (vertex_.empty())
+        return {};
+    options.step = 0.5 * h;
+    const double tolerance = options.tolerance;
+    options.tolerance /= 32.0; // halves the steps of Dopri5
+    if (auto carried = flow.advance({position_, {}, {}, time_, end_}, mesh.time, options, stop);
+        !carried)
+        return tl::unexpected(carried.error());
+    for (std::size_t i = 0; i < vertex_.size(); ++i) {
+        if (end_[i] != CurveEnd::Running || v.end[vertex_[i]] != CurveEnd::Running)
+            continue;
+        const double apart = glm::length(position_[i] - v.position[vertex_[i]]);
+        // Error control allows the tolerance, and rare places use it up.
+        const double allowed = options.method == AdvanceOptions::Method::Dopri5
+                                   ? tolerance * glm::length(position_[i] - start_[i])
+                                   : 0.0;
+        const double rate = std::max(of_the_difference * apart, allowed) / dt;
+        errors.learn(start_[i], rate);
+        errors.learn(position_[i], rate);
+    }
+    return {};
+}
+
+void add_step_errors(MovingMesh& mesh, const StepErrors& errors, double since, bool carried) {
+    const MeshTangents tangents(mesh, carried);
+    const double time = std::abs(mesh.time - since);
+    for_each_moving(mesh, [&](VertexId i) {
+        mesh.vertices.error[i].traced.add(tangents.at(i),
+                                          errors.at(mesh.vertices.position[i]) * time);
+    });
+}
+
+std::vector<float>
+stated_errors(const MovingMesh& mesh, const StepErrors& errors, double since, bool carried) {
+    const MeshTangents tangents(mesh, carried);
+    const double time = std::abs(mesh.time - since);
+    std::vector<float> stated(mesh.vertices.slots(), 0.0f);
+    for_each_moving(mesh, [&](VertexId i) {
+        const double pending = errors.at(mesh.vertices.position[i]) * time;
+        // What is squeezed to nothing has no metric; nothing is farther than the domain is wide.
+        stated[i] = static_cast<float>(std::min(
+            mesh.vertices.error[i].length(tangents.at(i)) + pending, errors.largest_distance()));
+    });
+    return stated;
+}
+
+} // namespace wakesurf::core
