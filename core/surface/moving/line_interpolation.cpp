@@ -11,10 +11,18 @@ namespace {
 /// Ratios of neighbouring pieces of a line, in the parameter and in length, up to which they are one smooth line.
 constexpr double most_uneven = 4.0;
 constexpr double largest_line_bulge = 0.25; ///< over the chord's length
+constexpr double unknown_error =
+    0.05; ///< of a chord's middle, likewise, where there is nothing beyond
 
 struct LinePoint {
     Vec3 position;
     double parameter; ///< from the end of the side, in its extent
+};
+
+/// Through the ends of a side and a point beyond one of them.
+struct Parabola {
+    double apart; ///< of that point from the end, in the side's extent
+    Vec3 bulge;   ///< in the middle of the side
 };
 
 double extent(const MovingMesh& mesh, VertexId from, VertexId to, bool cross) {
@@ -73,39 +81,40 @@ LineBulge bulge_of_line(const MovingMesh& mesh, CellIndex cell, std::size_t side
     const Vec3 chord = v.position[b] - v.position[a];
     const double length = glm::length(chord);
     if (whole == 0.0 || !(length > 0.0))
-        return {Vec3(0.0), 1.0};
+        return {Vec3(0.0), 1.0, length};
     for (const VertexId corner : here.corner)
         if (v.dead(corner)) // the cell is on its way out
-            return {Vec3(0.0), 0.0};
+            return {Vec3(0.0), 0.0, unknown_error * length};
     const auto even = [&](double ratio) {
         return ratio > 1.0 / most_uneven && ratio < most_uneven;
     };
-    // The divided difference of a parabola, at either end: bulge in the middle, where it is a quarter of it.
+    // Half the second derivative of the parabola through the side and the point beyond one of its ends.
     const auto parabola = [&](std::optional<LinePoint> next, VertexId end,
-                              double sign) -> std::optional<std::pair<double, Vec3>> {
+                              double sign) -> std::optional<Parabola> {
         if (!next)
             return std::nullopt;
-        const double h = sign * next->parameter / whole; // in the side's extent
+        const double apart = sign * next->parameter / whole; // in the side's extent
         const Vec3 piece = next->position - v.position[end];
-        if (!even(h) || !even(glm::length(piece) / length))
+        if (!even(apart) || !even(glm::length(piece) / length))
             return std::nullopt;
-        const Vec3 second = (piece / h - sign * chord) / (1.0 + h); // half the second derivative
-        return std::pair{h, -0.25 * second};
+        return Parabola{apart, -0.25 * (piece / apart - sign * chord) / (1.0 + apart)};
     };
     const auto at_a = parabola(beyond(mesh, cell, (side + 3) % 4, a, cross), a, -1.0);
     const auto at_b = parabola(beyond(mesh, cell, (side + 1) % 4, b, cross), b, 1.0);
-    Vec3 bulge(0.0);
+    if (!at_a && !at_b)
+        return {Vec3(0.0), 0.0, unknown_error * length};
+    Vec3 bulge = (at_a ? at_a : at_b)->bulge;
+    double error = glm::length(bulge);
     if (at_a && at_b) { // the cubic: each parabola by how near its point is
-        const double near_a = at_b->first + 0.5;
-        const double near_b = at_a->first + 0.5;
-        bulge = (near_a * at_a->second + near_b * at_b->second) / (near_a + near_b);
-    } else if (at_a || at_b) {
-        bulge = (at_a ? at_a : at_b)->second;
-    } else {
-        return {bulge, 0.0};
+        const double of_a = at_b->apart + 0.5;
+        const double of_b = at_a->apart + 0.5;
+        bulge = (of_a * at_a->bulge + of_b * at_b->bulge) / (of_a + of_b);
+        error = glm::length(at_a->bulge - at_b->bulge);
     }
     const double share = glm::length(bulge) / length;
-    return {share <= largest_line_bulge ? bulge : Vec3(0.0), std::isfinite(share) ? share : 1.0};
+    if (!(share <= largest_line_bulge))
+        return {Vec3(0.0), std::isfinite(share) ? share : 1.0, length};
+    return {bulge, share, std::min(error, length)};
 }
 
 } // namespace wakesurf::core

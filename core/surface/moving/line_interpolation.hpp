@@ -8,8 +8,9 @@ namespace wakesurf::core {
 
 struct LineBulge {
     Vec3 offset; ///< of the middle of the side from that of its chord
-    double
-        share; ///< its length over the chord's; above 0.25 the offset is zero, as a cubic says nothing of such a line
+    /// Length of the offset over the chord's. Above 0.25 the offset is zero: a cubic says nothing of such a line.
+    double share;
+    double error; ///< length by which the middle may be off
 };
 
 /// The polynomial goes through what there is, in the side's parameter: a cubic inside the surface, a parabola at its edge and beside a tear.
