@@ -14,6 +14,7 @@ set(waiting
     core/surface/obstacle_surface.hpp
     core/surface/playback/surface_at.hpp
     core/surface/rake_check.hpp
+    core/surface/suggestion/scene_suggestion.hpp
     core/surface/surface_builder.hpp
     core/surface/vertex_times.hpp)
 set(installed)

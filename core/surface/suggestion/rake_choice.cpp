@@ -1,0 +1,291 @@
+#include "core/surface/suggestion/rake_choice.hpp"
+
+#include "core/surface/suggestion/body_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace wakesurf::core {
+
+namespace {
+
+// Of the body's size: how far ahead of it, and how far off its middle (exactly there all would end where the flow parts).
+constexpr double ahead = 1.0, off_middle = 0.05;
+/// Of the way that particles go: the rest of it is for what happens at the body and behind.
+constexpr double ahead_of_way = 0.15;
+/// On each side, of a body's width.
+constexpr double beyond = 0.25;
+// Of the domain's side: a rake's place where the flow enters, its length where no body says it, its distance from the sides.
+constexpr double entering = 0.1, usual_length = 0.6, margin = 0.03;
+/// A body this wide is as wide as the domain.
+constexpr double whole = 0.9;
+/// A flow whose vorticity changes its velocity by less across the domain does not turn.
+constexpr double turning = 0.3;
+constexpr int looks = 64; ///< along a line, for where it is in fluid
+constexpr double sweep_of_body = 1.0, sweep_of_domain = 0.25;
+
+double middle(const Box& box, int axis) {
+    return 0.5 * (box.lo[axis] + box.hi[axis]);
+}
+
+std::array<int, 2> others(int axis) {
+    return {(axis + 1) % 3, (axis + 2) % 3};
+}
+
+double inside(const Box& domain, int axis, double at) {
+    const double gap = margin * domain.extent()[axis];
+    return std::clamp(at, domain.lo[axis] + gap, domain.hi[axis] - gap);
+}
+
+/// A line along an axis through `at`, as far as it is in fluid; nothing where none of it is.
+std::optional<std::array<Vec3, 2>>
+line_in_fluid(const Flow& flow, const Vec3& at, int axis, double low, double high) {
+    const Box domain = flow.domain();
+    low = inside(domain, axis, low);
+    high = inside(domain, axis, high);
+    const auto place = [&](int i) {
+        Vec3 p = at;
+        p[axis] = low + (high - low) * i / looks;
+        return p;
+    };
+    std::pair<int, int> longest{0, -1};
+    for (int i = 0; i <= looks; ++i) {
+        const int first = i;
+        while (i <= looks && flow.status(place(i)) == PointStatus::Inside)
+            ++i;
+        if (i - 1 - first > longest.second - longest.first)
+            longest = {first, i - 1};
+    }
+    if (longest.second - longest.first < looks / 8)
+        return std::nullopt;
+    return std::array{place(longest.first), place(longest.second)};
+}
+
+/// The axis out of two along which more of something is; where both have about as much, the longer side of the domain.
+int more_of(const std::array<int, 2>& axes, const Vec3& amount, const Vec3& extent) {
+    const auto [a, b] = axes;
+    if (std::abs(amount[a] - amount[b]) > 0.05 * std::max(amount[a], amount[b]))
+        return amount[a] > amount[b] ? a : b;
+    return extent[a] > extent[b] * 1.05 ? a : b;
+}
+
+/// Along `axis`, to where there is more room.
+Vec3 sweep_along(const Box& domain, const Vec3& from, int axis, double length) {
+    const double above = domain.hi[axis] - from[axis];
+    const double below = from[axis] - domain.lo[axis];
+    Vec3 sweep(0.0);
+    sweep[axis] = std::min(length, 0.9 * std::max(above, below));
+    if (below > above)
+        sweep[axis] = -sweep[axis];
+    return sweep;
+}
+
+/// What of the flow goes along its axis ahead of a body, where that would meet it.
+double speed_ahead(const FlowSurvey& survey, const Box& body) {
+    const int axis = survey.axis();
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < survey.lattice.size(); ++i) {
+        const Vec3 at = survey.lattice.centre(survey.lattice.place(i));
+        const bool upstream =
+            survey.sign() > 0.0 ? at[axis] < body.lo[axis] : at[axis] > body.hi[axis];
+        bool beside = survey.solid[i] == 0 && upstream;
+        for (const int k : others(axis)) {
+            const double reach = body.extent()[k] + survey.lattice.step()[k];
+            beside = beside && std::abs(at[k] - middle(body, k)) < reach;
+        }
+        if (!beside)
+            continue;
+        sum += glm::length(survey.velocity[i]);
+        count += 1.0;
+    }
+    return count > 0.0 && sum > 0.0 ? sum / count : glm::length(survey.mean);
+}
+
+/// A vortex is fastest round its core.
+double fastest_along(const FlowSurvey& survey, const std::array<Vec3, 2>& line) {
+    double most = 0.0;
+    for (int i = 0; i <= looks; ++i) {
+        const Vec3 at = line[0] + (line[1] - line[0]) * (double(i) / looks);
+        const auto box = survey.lattice.index(survey.lattice.box_of(at));
+        most = std::max(most, glm::length(survey.velocity[box]));
+    }
+    return most;
+}
+
+/// How far it is along the flow's axis until the domain ends.
+double way_out(const FlowSurvey& survey, const Vec3& from) {
+    const int axis = survey.axis();
+    const Box& domain = survey.lattice.domain;
+    const double along =
+        survey.sign() > 0.0 ? domain.hi[axis] - from[axis] : from[axis] - domain.lo[axis];
+    return along * glm::length(survey.mean) / std::abs(survey.mean[axis]);
+}
+
+/// Size: of what makes a wake, whatever the body's span.
+double size_of(const Box& body, int axis, int span, int offset) {
+    const Vec3 extent = body.extent();
+    return std::min(extent[span], std::max(extent[offset], extent[axis]));
+}
+
+std::optional<RakeChoice> ahead_of_body(const Flow& flow,
+                                        const FlowSurvey& survey,
+                                        const Box& body,
+                                        std::optional<double> time) {
+    const Box domain = flow.domain();
+    const int axis = survey.axis();
+    const auto sides = others(axis);
+    const int span = more_of(sides, body.extent(), domain.extent());
+    const int offset = span == sides[0] ? sides[1] : sides[0];
+    const double size = size_of(body, axis, span, offset);
+    RakeChoice choice;
+    choice.body = body;
+    choice.speed = speed_ahead(survey, body);
+    const double front = survey.sign() > 0.0 ? body.lo[axis] : body.hi[axis];
+    const double room = survey.sign() > 0.0 ? front - domain.lo[axis] : domain.hi[axis] - front;
+    double gap = std::min(ahead * size, 0.6 * room);
+    if (time)
+        gap = std::min(gap, ahead_of_way * choice.speed * *time);
+    const bool wide = body.extent()[span] > whole * domain.extent()[span];
+    const double more = beyond * body.extent()[span];
+    for (const double part : {1.0, 0.5, 1.5, 0.25}) {
+        const double distance = std::min(part * gap, 0.9 * room);
+        Vec3 at = 0.5 * (body.lo + body.hi);
+        at[axis] = front;
+        at -= survey.mean * (distance / std::abs(survey.mean[axis]));
+        at[offset] =
+            inside(domain, offset, at[offset] + off_middle * std::min(body.extent()[offset], size));
+        const auto line =
+            wide ? line_in_fluid(flow, at, span, domain.lo[span], domain.hi[span])
+                 : line_in_fluid(flow, at, span, body.lo[span] - more, body.hi[span] + more);
+        if (!line)
+            continue;
+        choice.line = *line;
+        choice.sweep = sweep_along(domain, at, offset, sweep_of_body * size);
+        choice.way = way_out(survey, at);
+        choice.why = "ahead of a body, across the flow that meets it";
+        return choice;
+    }
+    return std::nullopt;
+}
+
+/// Through where the flow turns, or a little ahead of it.
+std::optional<RakeChoice> at_rotation(const Flow& flow,
+                                      const FlowSurvey& survey,
+                                      const Rotation& rotation,
+                                      std::optional<double> time) {
+    const Box domain = flow.domain();
+    const Vec3 extent = domain.extent();
+    RakeChoice choice;
+    choice.speed = survey.speed;
+    Vec3 at = rotation.place;
+    int span = 0;
+    int offset = 0;
+    if (survey.through()) {
+        const int axis = survey.axis();
+        const auto sides = others(axis);
+        span = more_of(sides, glm::abs(rotation.vorticity), extent);
+        offset = span == sides[0] ? sides[1] : sides[0];
+        const double entry = survey.sign() > 0.0 ? domain.lo[axis] : domain.hi[axis];
+        double back = std::abs(at[axis] - entry) - entering * extent[axis];
+        if (time)
+            back = std::min(back, 2.0 * ahead_of_way * choice.speed * *time);
+        at[axis] -= survey.sign() * std::max(0.0, back);
+        choice.way = way_out(survey, at);
+        choice.why = "across the flow, ahead of where it turns most";
+    } else {
+        // Across the vortex, and across the way that its middle goes.
+        const Vec3 along =
+            glm::abs(rotation.vorticity) / std::max(glm::length(rotation.vorticity), 1e-300) +
+            glm::abs(rotation.velocity) / std::max(survey.speed, 1e-300);
+        for (int k = 1; k < 3; ++k)
+            if (along[k] < along[span] - 0.05 ||
+                (along[k] < along[span] + 0.05 && extent[k] > extent[span]))
+                span = k;
+        offset = (span + 1) % 3;
+        if (along[(span + 2) % 3] > along[offset])
+            offset = (span + 2) % 3;
+        choice.way = 0.75 * std::max({extent.x, extent.y, extent.z});
+        choice.why = "across the place where the flow turns most";
+    }
+    const double half = 0.5 * usual_length * extent[span];
+    for (const int k : {0, 1, 2})
+        at[k] = inside(domain, k, at[k]);
+    const auto line = line_in_fluid(flow, at, span, at[span] - half, at[span] + half);
+    if (!line)
+        return std::nullopt;
+    choice.line = *line;
+    choice.sweep = sweep_along(domain, at, offset, sweep_of_domain * extent[offset]);
+    if (!survey.through())
+        choice.speed = std::max(choice.speed, fastest_along(survey, *line));
+    return choice;
+}
+
+/// Where more enters than anywhere else: the side of the domain with the fastest flow inward, over its boxes.
+RakeChoice at_entry(const Flow& flow, const FlowSurvey& survey) {
+    const SurveyLattice& lattice = survey.lattice;
+    const Box& domain = lattice.domain;
+    const Vec3 extent = domain.extent();
+    double most = -1.0;
+    int axis = 0;
+    bool low = true;
+    for (std::size_t k = 0; k < 3; ++k)
+        for (const bool at_low : {true, false}) {
+            double inward = 0.0;
+            double boxes = 0.0;
+            for (std::size_t i = 0; i < lattice.size(); ++i) {
+                if (lattice.place(i)[k] != (at_low ? 0 : lattice.count[k] - 1))
+                    continue;
+                const double along = survey.velocity[i][static_cast<int>(k)];
+                inward += std::max(0.0, at_low ? along : -along);
+                boxes += 1.0;
+            }
+            if (boxes > 0.0 && inward / boxes > most * (1.0 + 1e-9)) {
+                most = inward / boxes;
+                axis = static_cast<int>(k);
+                low = at_low;
+            }
+        }
+    RakeChoice choice;
+    choice.speed = survey.speed;
+    const auto sides = others(axis);
+    const int span = more_of(sides, extent, extent);
+    const int offset = span == sides[0] ? sides[1] : sides[0];
+    Vec3 at = domain.lo + 0.5 * extent;
+    at[axis] =
+        low ? domain.lo[axis] + entering * extent[axis] : domain.hi[axis] - entering * extent[axis];
+    at[offset] += margin * extent[offset];
+    const double half = 0.5 * usual_length * extent[span];
+    const auto line = line_in_fluid(flow, at, span, at[span] - half, at[span] + half);
+    Vec3 side(0.0);
+    side[span] = half;
+    choice.line = line.value_or(std::array{at - side, at + side});
+    choice.sweep = sweep_along(domain, at, offset, sweep_of_domain * extent[offset]);
+    choice.way = extent[axis];
+    choice.why = survey.speed > 0.0 ? "where the flow enters"
+                                    : "near a side of the domain, because the flow is at rest";
+    return choice;
+}
+
+} // namespace
+
+RakeChoice choose_rake(const Flow& flow,
+                       const FlowSurvey& survey,
+                       const WallGeometry& walls,
+                       std::optional<double> time) {
+    if (survey.through()) {
+        const auto bodies = find_bodies(flow, survey, walls);
+        if (!bodies.empty())
+            if (auto choice = ahead_of_body(flow, survey, first_body(bodies, survey), time))
+                return *choice;
+    }
+    const Rotation rotation = strongest_rotation(survey);
+    if (rotation.strength > turning)
+        if (auto choice = at_rotation(flow, survey, rotation, time))
+            return *choice;
+    return at_entry(flow, survey);
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,145 @@
+#include "core/surface/suggestion/scene_suggestion.hpp"
+
+#include "core/surface/suggestion/rake_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wakesurf::core {
+
+namespace {
+
+constexpr std::uint32_t usual_seeds = 32;
+/// The flow is slower in a wake than ahead of it: the time for a way is this much longer than the fastest needs.
+constexpr double slower = 1.25;
+/// Of that time, for a time surface.
+constexpr double patch_part = 0.35;
+/// Of time-steps that a first surface reads, at most, unless those are fewer than `least_steps`.
+constexpr double most_bytes = 4.0 * (1ULL << 30U);
+constexpr std::size_t least_steps = 8;
+// What a surface costs: how often a vertex is moved, in all, and how many quads are enough to see, and too few.
+constexpr double most_moves = 4e6, most_quads = 20'000.0, least_quads = 2'000.0;
+// Cells across the body, at least, and along the rake, at most.
+constexpr double across_body = 6.0, along_rake = 40.0, along_rake_in_vortex = 24.0;
+
+/// To so many digits, downward where `down`.
+double rounded(double value, int digits) {
+    if (!(value > 0.0) || !std::isfinite(value))
+        return value;
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - digits + 1);
+    return std::round(value / unit) * unit;
+}
+
+Vec3 rounded(const Vec3& place, const Box& domain) {
+    const Vec3 extent = domain.extent();
+    Vec3 out = place;
+    for (int k = 0; k < 3; ++k) {
+        if (!(extent[k] > 0.0))
+            continue;
+        const double unit = std::pow(10.0, std::floor(std::log10(extent[k])) - 3.0);
+        out[k] = std::clamp(std::round(place[k] / unit) * unit, domain.lo[k], domain.hi[k]);
+    }
+    return out;
+}
+
+/// How long it takes to see all of it; a time of its own where nothing moves.
+double usual_time(const RakeChoice& choice) {
+    return choice.speed > 0.0 ? rounded(slower * choice.way / choice.speed, 2) : 1.0;
+}
+
+/// The last time-steps that last so long, as far as there are so many and they are not too large.
+double first_time(const SeriesFacts& series, double wanted) {
+    const auto& times = series.times;
+    std::size_t first = times.size() - 1;
+    const double bytes = static_cast<double>(series.bytes_per_step);
+    while (first > 0 && times.back() - times[first] < wanted * (1.0 - 1e-9)) {
+        const std::size_t steps = times.size() - first + 1;
+        if (steps > least_steps && static_cast<double>(steps) * bytes > most_bytes)
+            break;
+        --first;
+    }
+    return times[first];
+}
+
+double separation_of(const Flow& flow, const RakeChoice& choice, double time) {
+    const double finest = flow.finest_spacing();
+    const double width = glm::length(choice.line[1] - choice.line[0]);
+    const double way = std::min(choice.way, choice.speed * time);
+    const double area = width * std::max(way, width / 4.0);
+    const double moves = std::max(1.0, way / (0.5 * finest));
+    const double quads = std::clamp(most_moves / moves, least_quads, most_quads);
+    double separation = std::sqrt(area / quads);
+    // Where the flow turns, surfaces become much longer than the way.
+    separation = std::max(separation, width / (choice.body ? along_rake : along_rake_in_vortex));
+    if (choice.body) {
+        const Vec3 extent = choice.body->extent();
+        std::array<double, 3> sides{extent.x, extent.y, extent.z};
+        std::ranges::sort(sides);
+        separation = std::min(separation, sides[1] / across_body);
+    }
+    return separation <= finest ? finest : rounded(separation, 2);
+}
+
+SurfaceParameters
+surface_of(SurfaceKind kind, double from, double to, double separation, const Vec3& sweep) {
+    SurfaceParameters p;
+    p.kind = kind;
+    p.from = from;
+    p.to = to;
+    p.separation = separation;
+    if (kind == SurfaceKind::Time)
+        p.sweep = sweep;
+    return p;
+}
+
+bool at_rest(const FlowSurvey& survey) {
+    return !(survey.speed > 0.0);
+}
+
+} // namespace
+
+Result<SceneSuggestion> suggest_scene(const Flow& flow,
+                                      const SeriesFacts& series,
+                                      const WallGeometry& walls,
+                                      std::stop_token stop) {
+    const std::vector<double>& times = series.times;
+    double shown = times.back();
+    auto survey = survey_flow(flow, shown, stop);
+    if (survey && at_rest(*survey) && times.size() > 1) {
+        shown = times[times.size() / 2];
+        survey = survey_flow(flow, shown, stop);
+    }
+    if (!survey)
+        return tl::unexpected(survey.error());
+    const bool moves = series.steady || times.size() > 1;
+    const std::optional<double> available =
+        series.steady || times.size() < 2 ? std::nullopt : std::optional(shown - times.front());
+    const RakeChoice choice = choose_rake(flow, *survey, walls, available);
+    SceneSuggestion out;
+    const Box domain = flow.domain();
+    out.rake = {Rake::Kind::Line,
+                {rounded(choice.line[0], domain), rounded(choice.line[1], domain)},
+                usual_seeds};
+    out.why = "The rake is " + choice.why + ".";
+    const double long_enough = usual_time(choice);
+    const Vec3 sweep = choice.sweep;
+    out.surfaces.push_back(surface_of(SurfaceKind::Stream, shown, shown + long_enough,
+                                      separation_of(flow, choice, long_enough), sweep));
+    if (!moves)
+        return out;
+    SeriesFacts until_shown = series;
+    std::erase_if(until_shown.times, [&](double time) { return time > shown; });
+    const double from = series.steady ? shown : first_time(until_shown, long_enough);
+    const double to = series.steady ? shown + long_enough : shown;
+    const double separation = separation_of(flow, choice, to - from);
+    for (const auto kind : {SurfaceKind::Path, SurfaceKind::Streak})
+        out.surfaces.push_back(surface_of(kind, from, to, separation, sweep));
+    // All of a time surface is where its particles are in the end: not gone yet.
+    const double part = long_enough * patch_part;
+    out.surfaces.push_back(surface_of(SurfaceKind::Time,
+                                      series.steady ? from : first_time(until_shown, part),
+                                      series.steady ? from + part : to, separation, sweep));
+    return out;
+}
+
+} // namespace wakesurf::core

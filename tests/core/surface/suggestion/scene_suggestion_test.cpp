@@ -1,0 +1,367 @@
+#include "core/field/analytic_flow.hpp"
+#include "core/surface/suggestion/scene_suggestion.hpp"
+#include "core/surface/surface_builder.hpp"
+#include "tests/support/mesh_measures.hpp"
+#include "tests/support/meshed_source.hpp"
+#include "tests/support/sampled_source.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ostream>
+
+namespace wakesurf::core::scene_suggestion_test {
+
+namespace {
+
+/// Potential flow round spheres of radius 1/2, unsteady by a little; solid inside.
+struct Spheres {
+    Vec3 along{1, 0, 0};
+    std::vector<Vec3> centres{Vec3(0.0)};
+
+    bool solid(const Vec3& p) const {
+        return std::ranges::any_of(centres,
+                                   [&](const Vec3& c) { return glm::length(p - c) < 0.5; });
+    }
+
+    Vec3 velocity(const Vec3& p, double t) const {
+        Vec3 v = along * (1.0 + 0.1 * std::sin(t));
+        for (const Vec3& c : centres) {
+            const Vec3 r = p - c;
+            const double r2 = std::max(glm::dot(r, r), 0.0625);
+            const double ratio = 0.125 / (r2 * std::sqrt(r2));
+            v += along * (0.5 * ratio) - r * (1.5 * ratio * glm::dot(r, along) / r2);
+        }
+        return v;
+    }
+};
+
+std::vector<double> times(std::size_t count, double step) {
+    std::vector<double> out;
+    for (std::size_t i = 0; i < count; ++i)
+        out.push_back(static_cast<double>(i) * step);
+    return out;
+}
+
+std::unique_ptr<Flow>
+masked(const Box& domain, double spacing, const std::vector<double>& at, const Spheres& form) {
+    UniformGrid grid;
+    grid.origin = domain.lo;
+    for (int k = 0; k < 3; ++k) {
+        grid.dimensions[static_cast<std::size_t>(k)] =
+            static_cast<std::uint32_t>(std::lround(domain.extent()[k] / spacing)) + 1;
+        grid.spacing[k] = spacing;
+    }
+    tests::SampledSource places(grid, {0.0}, nullptr);
+    SolidMask mask;
+    const std::size_t nodes = node_count(Grid(grid));
+    for (std::size_t i = 0; i < nodes; ++i)
+        mask.fluid.push_back(form.solid(places.position(i)) ? 0 : 1);
+    auto source = std::make_shared<tests::SampledSource>(
+        grid, at, [form](const Vec3& p, double t) { return form.velocity(p, t); }, std::move(mask));
+    return make_stored_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
+}
+
+SceneSuggestion
+suggested(const Flow& flow, const SeriesFacts& series, const WallGeometry& walls = {}) {
+    auto scene = suggest_scene(flow, series, walls, {});
+    EXPECT_TRUE(scene.has_value()) << (scene ? "" : scene.error().message);
+    return scene.value_or(SceneSuggestion{});
+}
+
+/// Which part of a surface's area lies where `inside` says.
+template <class Inside>
+double share(const QuadComplex& mesh, const Inside& inside) {
+    double all = 0.0;
+    double there = 0.0;
+    for (const Cell& cell : mesh.cells) {
+        const CellPolygon outline = polygon(cell);
+        Vec3 centre(0.0);
+        for (std::uint32_t i = 0; i < outline.count; ++i)
+            centre += mesh.position[outline.vertex[i]] / static_cast<double>(outline.count);
+        double area = 0.0;
+        for (std::uint32_t i = 0; i < outline.count; ++i)
+            area += 0.5 * glm::length(glm::cross(
+                              mesh.position[outline.vertex[i]] - centre,
+                              mesh.position[outline.vertex[(i + 1) % outline.count]] - centre));
+        all += area;
+        there += inside(centre) ? area : 0.0;
+    }
+    return all > 0.0 ? there / all : 0.0;
+}
+
+Surface built(const Flow& flow, const SceneSuggestion& scene, const SurfaceParameters& parameters) {
+    auto surface = build_surface(flow, scene.rake, parameters);
+    EXPECT_TRUE(surface.has_value()) << (surface ? "" : surface.error().message);
+    return surface.value_or(Surface{});
+}
+
+const char* name(SurfaceKind kind) {
+    constexpr const char* names[] = {"stream", "path", "streak", "time"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+/// @param front  along the flow
+void shows_the_wake(const Flow& flow,
+                    const SceneSuggestion& scene,
+                    const Vec3& along,
+                    double front) {
+    ASSERT_EQ(scene.surfaces.size(), 4U);
+    for (const SurfaceParameters& each : scene.surfaces) {
+        const Surface surface = built(flow, scene, each);
+        EXPECT_GE(share(surface.mesh, [&](const Vec3& p) { return glm::dot(p, along) > front; }),
+                  0.5)
+            << name(each.kind) << ": " << scene.why;
+        EXPECT_FALSE(surface.statistics.coarsened());
+        EXPECT_GE(surface.statistics.quads, 100U) << name(each.kind);
+        EXPECT_LE(surface.statistics.quads, 60'000U) << name(each.kind);
+    }
+}
+
+struct Placed {
+    const char* what;
+    Box domain;
+    double spacing;
+    std::size_t steps;
+    double step;
+    Spheres form;
+    double front; ///< along the flow
+};
+
+void PrintTo(const Placed& each, std::ostream* out) {
+    *out << each.what;
+}
+
+const Box long_x{{-4, -3, -3}, {10, 3, 3}};
+
+class WithABody : public testing::TestWithParam<Placed> {};
+
+TEST_P(WithABody, HalfOfEachFirstSurfaceLiesDownstreamOfTheBodysFront) {
+    const Placed& placed = GetParam();
+    const auto flow =
+        masked(placed.domain, placed.spacing, times(placed.steps, placed.step), placed.form);
+    const auto scene = suggested(*flow, {times(placed.steps, placed.step), false, 1000});
+    EXPECT_NE(scene.why.find("body"), std::string::npos) << scene.why;
+    shows_the_wake(*flow, scene, placed.form.along, placed.front);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases,
+    WithABody,
+    testing::Values(
+        Placed{"flow along x", long_x, 0.2, 25, 0.5, {}, -0.5},
+        Placed{"flow along -x", {{-10, -3, -3}, {4, 3, 3}}, 0.2, 25, 0.5, {{-1, 0, 0}}, -0.5},
+        Placed{"flow along y", {{-3, -4, -3}, {3, 10, 3}}, 0.2, 25, 0.5, {{0, 1, 0}}, -0.5},
+        Placed{"flow along -z", {{-3, -3, -10}, {3, 3, 4}}, 0.2, 25, 0.5, {{0, 0, -1}}, -0.5},
+        Placed{"aslant", long_x, 0.2, 25, 0.5, {glm::normalize(Vec3(1, 0.3, 0.1))}, -0.5},
+        Placed{"a domain wider than long", {{-3, -6, -6}, {5, 6, 6}}, 0.2, 17, 0.5, {}, -0.5},
+        Placed{"a body far from where the flow enters",
+               {{-20, -4, -4}, {10, 4, 4}},
+               0.2,
+               61,
+               0.5,
+               {},
+               -0.5},
+        Placed{"a short series", long_x, 0.125, 5, 0.5, {}, -0.5},
+        Placed{"a very short series", long_x, 0.125, 4, 0.25, {}, -0.5},
+        Placed{"a body near where the flow enters",
+               {{-0.9, -3, -3}, {10, 3, 3}},
+               0.125,
+               25,
+               0.5,
+               {},
+               -0.5},
+        Placed{
+            "a body small in the domain", {{-20, -10, -10}, {30, 10, 10}}, 0.25, 51, 1.0, {}, -0.5},
+        Placed{"two bodies, one behind the other",
+               long_x,
+               0.125,
+               25,
+               0.5,
+               {{1, 0, 0}, {{0, 0, 0}, {3, 0.2, 0}}},
+               -0.5},
+        Placed{"two bodies beside each other",
+               long_x,
+               0.125,
+               25,
+               0.5,
+               {{1, 0, 0}, {{0, -1, 0}, {0, 1, 0}}},
+               -0.5},
+        Placed{"a thin slice", {{-4, -3, -0.1}, {10, 3, 0.1}}, 0.1, 25, 0.5, {}, -0.5},
+        Placed{"a body on the floor", {{-4, -3, 0}, {10, 3, 4}}, 0.2, 25, 0.5, {}, -0.5}));
+
+TEST(SceneSuggestion, SplitsRoundTheSphere) {
+    const auto flow = make_analytic_flow("sphere");
+    const auto info = describe_analytic_flow("sphere");
+    ASSERT_TRUE(flow && info);
+    const auto scene = suggested(**flow, {info->times, info->steady, 0}, (*flow)->walls());
+    shows_the_wake(**flow, scene, {1, 0, 0}, -0.5);
+    const Vec3 across = glm::normalize(scene.rake.points[1] - scene.rake.points[0]);
+    for (const SurfaceParameters& each : scene.surfaces) {
+        const Surface surface = built(**flow, scene, each);
+        const auto beside = [&](double sign) {
+            return share(surface.mesh, [&](const Vec3& p) {
+                return p.x > 0.5 && sign * glm::dot(p, across) > 0.0;
+            });
+        };
+        EXPECT_GT(beside(1.0), 0.15) << name(each.kind);
+        EXPECT_GT(beside(-1.0), 0.15) << name(each.kind);
+    }
+}
+
+/// A block with a hole, whose wall is faces of its cells.
+TEST(SceneSuggestion, StandsAheadOfAHoleInAMeshOfCells) {
+    const Box domain{{-4, -4, -4}, {12, 4, 4}};
+    const auto bend = [&](const Vec3& u) { return domain.lo + u * domain.extent(); };
+    const Spheres form;
+    const auto kind = [&](const Vec3& u) {
+        const double r = glm::length(bend(u));
+        using Kind = tests::TwoToOne::Kind;
+        return r < 0.6 ? Kind::Hole : r < 2.0 ? Kind::Fine : Kind::Coarse;
+    };
+    const auto flow =
+        tests::meshed_flow(tests::TwoToOne(24, kind, bend).take(), times(25, 0.5),
+                           [&](const Vec3& p, double t) { return form.velocity(p, t); });
+    const auto scene = suggested(*flow, {times(25, 0.5), false, 1000});
+    EXPECT_NE(scene.why.find("body"), std::string::npos) << scene.why;
+    shows_the_wake(*flow, scene, {1, 0, 0}, -0.67);
+}
+
+TEST(SceneSuggestion, FindsAPlateWithoutThicknessByItsWall) {
+    const auto flow = make_analytic_flow("uniform");
+    ASSERT_TRUE(flow.has_value());
+    const WallGeometry plate{{{0, -1, -2}, {0, 1, -2}, {0, 1, 2}, {0, -1, 2}},
+                             {{0, 1, 2}, {0, 2, 3}}};
+    const auto scene = suggested(**flow, {{0.0}, true, 0}, plate);
+    for (const Vec3& end : scene.rake.points) {
+        EXPECT_LT(end.x, 0.0);
+        EXPECT_GT(end.x, -4.0);
+        EXPECT_NEAR(end.y, 0.0, 0.2);
+        EXPECT_NEAR(std::abs(end.z), 3.0, 0.01);
+    }
+}
+
+TEST(SceneSuggestion, TakesTheWallsOfAChannelForNoBody) {
+    const auto flow = make_analytic_flow("uniform");
+    ASSERT_TRUE(flow.has_value());
+    const WallGeometry floor{{{-10, -10, -10}, {10, -10, -10}, {10, 10, -10}, {-10, 10, -10}},
+                             {{0, 1, 2}, {0, 2, 3}}};
+    EXPECT_EQ(suggested(**flow, {{0.0}, true, 0}, floor).why.find("body"), std::string::npos);
+    WallGeometry ramp = floor; // not in a side of the domain, but from end to end
+    for (Vec3f& point : ramp.points)
+        point.z = point.x > 0 ? -8.0F : -9.0F;
+    EXPECT_EQ(suggested(**flow, {{0.0}, true, 0}, ramp).why.find("body"), std::string::npos);
+}
+
+class WithoutABody : public testing::TestWithParam<const char*> {};
+
+TEST_P(WithoutABody, EachFirstSurfaceIsThereAndIsNotSmall) {
+    const auto flow = make_analytic_flow(GetParam());
+    const auto info = describe_analytic_flow(GetParam());
+    ASSERT_TRUE(flow && info);
+    const auto scene = suggested(**flow, {info->times, info->steady, 0}, (*flow)->walls());
+    ASSERT_EQ(scene.surfaces.size(), 4U);
+    const Vec3 extent = info->bounds.extent();
+    const double longest = std::max({extent.x, extent.y, extent.z});
+    for (SurfaceParameters each : scene.surfaces) {
+        if (each.kind == SurfaceKind::Streak)
+            each.separation *= 3.0; // its place is what is tested, and the time of tests is short
+        const Surface surface = built(**flow, scene, each);
+        EXPECT_GT(tests::area(surface.mesh), 0.004 * longest * longest)
+            << name(each.kind) << ": " << scene.why;
+        EXPECT_LE(surface.statistics.quads, 200'000U) << name(each.kind);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Flows,
+                         WithoutABody,
+                         testing::Values("tornado",
+                                         "double-gyre",
+                                         "abc",
+                                         "lamb-oseen",
+                                         "shear",
+                                         "rotation",
+                                         "hill",
+                                         "strain",
+                                         "rotating-strain",
+                                         "oscillating",
+                                         "uniform",
+                                         "stagnation"));
+
+/// Along a flat plate: slow at the floor.
+TEST(SceneSuggestion, StartsInTheSlowFlowAlongAWall) {
+    const Box domain{{0, 0, 0}, {10, 2, 4}};
+    UniformGrid grid;
+    grid.origin = domain.lo;
+    grid.dimensions = {51, 41, 21};
+    grid.spacing = {0.2, 0.05, 0.2};
+    const auto at = times(11, 1.0);
+    auto source = std::make_shared<tests::SampledSource>(grid, at, [](const Vec3& p, double) {
+        return Vec3(std::tanh(3.0 * p.y / (0.2 + 0.05 * p.x)), 0.0, 0.0);
+    });
+    const auto flow =
+        make_stored_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
+    const auto scene = suggested(*flow, {at, false, 1000});
+    for (const Vec3& end : scene.rake.points)
+        EXPECT_LT(end.y, 0.4);
+    EXPECT_GT(std::abs(scene.rake.points[1].z - scene.rake.points[0].z), 2.0);
+}
+
+TEST(SceneSuggestion, EndsAllSurfacesAtTheSameTimeAndInTheData) {
+    const auto at = times(25, 0.5);
+    const auto flow = masked(long_x, 0.25, at, {});
+    const auto scene = suggested(*flow, {at, false, 1000});
+    ASSERT_EQ(scene.surfaces.size(), 4U);
+    EXPECT_EQ(scene.surfaces[0].from, 12.0); // the field is frozen where the others are shown
+    for (std::size_t i = 1; i < 4; ++i) {
+        EXPECT_EQ(scene.surfaces[i].to, 12.0);
+        EXPECT_GE(scene.surfaces[i].from, 0.0);
+    }
+}
+
+TEST(SceneSuggestion, TakesOnlyTheEndOfALongSeriesOfLargeTimeSteps) {
+    const auto at = times(400, 0.05);
+    const auto flow = masked(long_x, 0.5, at, {});
+    const auto few = suggested(*flow, {at, false, std::uint64_t{1} << 30U});
+    ASSERT_EQ(few.surfaces.size(), 4U);
+    EXPECT_EQ(few.surfaces[2].from, at[400 - 8]);
+    const auto long_enough = suggested(*flow, {at, false, 1000});
+    EXPECT_LT(long_enough.surfaces[2].from, 5.0);
+}
+
+TEST(SceneSuggestion, OfOneTimeStepIsOfStreamSurfacesAlone) {
+    const auto flow = masked(long_x, 0.5, {3.0}, {});
+    const auto scene = suggested(*flow, {{3.0}, false, 1000});
+    ASSERT_EQ(scene.surfaces.size(), 1U);
+    EXPECT_EQ(scene.surfaces[0].kind, SurfaceKind::Stream);
+    EXPECT_EQ(scene.surfaces[0].from, 3.0);
+}
+
+TEST(SceneSuggestion, SaysThatTheFlowIsAtRest) {
+    UniformGrid grid;
+    grid.dimensions = {9, 9, 9};
+    grid.spacing = Vec3(0.125);
+    auto source = std::make_shared<tests::SampledSource>(
+        grid, times(3, 1.0), [](const Vec3&, double) { return Vec3(0.0); });
+    const auto flow =
+        make_stored_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
+    EXPECT_NE(suggested(*flow, {times(3, 1.0), false, 1000}).why.find("at rest"),
+              std::string::npos);
+}
+
+TEST(SceneSuggestion, CostsOneTimeStep) {
+    UniformGrid grid;
+    grid.dimensions = {33, 17, 17};
+    grid.spacing = Vec3(0.125);
+    const auto at = times(100, 0.5);
+    auto source = std::make_shared<tests::SampledSource>(
+        grid, at, [](const Vec3& p, double) { return Vec3(1.0 + p.y, 0.0, 0.0); });
+    TimeStepCache::Options options;
+    const auto flow = make_stored_flow(std::make_shared<TimeStepCache>(source, options));
+    suggested(*flow, {at, false, 1000});
+    EXPECT_LE(source->loads.load(), 3U); // and what the cache reads ahead
+}
+
+} // namespace
+
+} // namespace wakesurf::core::scene_suggestion_test
