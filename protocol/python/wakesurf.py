@@ -183,6 +183,23 @@ class Dataset(TypedDict, total=False):
     spacing: List[float]  # spacing of a uniform grid along x, y and z (the dataset's unit of length); may be missing
 
 
+SuggestedSurface = TypedDict("SuggestedSurface", {  # Parameters to begin a surface with, as surface.set takes them.
+    "kind": "str",  # stream: streamlines of the field frozen at `from`; path: particles released together at ...
+    "from": "float",  # where the surface starts (the dataset's unit of time)
+    "to": "float",  # where it ends (the dataset's unit of time)
+    "separation": "float",  # longest edge allowed (the dataset's unit of length)
+    "sweep": "List[float]",  # of a time surface: the patch is the rake swept along this vector (the dataset's unit ...
+}, total=False)
+
+
+class SuggestedRake(TypedDict, total=False):
+    """A line to release particles from, as rake.set takes it."""
+
+    kind: str  # kind of rake
+    points: List[List[float]]  # both ends of the line (the dataset's unit of length)
+    seeds: int  # initial number of seeds
+
+
 class CacheStatus(TypedDict, total=False):
     """Which time-steps are in memory."""
 
@@ -778,6 +795,10 @@ class Client:
     def describe(self, dataset: str) -> Dataset:
         """Grid, bounds, times and fields of a dataset."""
         return self.call("dataset.describe", dataset=dataset)
+
+    def suggest(self, dataset: str) -> Json:
+        """A rake and the parameters of surfaces to begin with in a dataset, and why they were chosen."""
+        return self.call("dataset.suggest", dataset=dataset)
 
     def cache(self, dataset: str) -> CacheStatus:
         """Which of its time-steps are in the server's memory."""

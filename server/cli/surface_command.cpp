@@ -10,6 +10,7 @@
 #include "protocol/api/statistics_json.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "server/base/memory_size.hpp"
+#include "server/catalogue/dataset_suggestion.hpp"
 #include "server/catalogue/open_dataset.hpp"
 #include "server/catalogue/surface_scalars.hpp"
 #include "server/cli/elapsed_line.hpp"
@@ -25,6 +26,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <thread>
@@ -144,6 +146,38 @@ core::Result<void> clip_rakes(SurfaceRequest& request, const core::Box& domain) 
     return {};
 }
 
+/// Without a rake: what the data suggest, for all that the options leave open. Standard error says what that was.
+core::Result<void> begin_with_suggestion(SurfaceRequest& request,
+                                         const SurfaceOptions& options,
+                                         const LoadedDataset& dataset,
+                                         std::stop_token stop) {
+    const auto scene =
+        suggest_for(dataset.info, *dataset.flow, dataset.store.get(), std::move(stop));
+    if (!scene)
+        return tl::unexpected(scene.error());
+    core::SurfaceParameters& parameters = request.parameters;
+    request.rake = scene->rake;
+    request.rake.seeds = options.seeds;
+    const core::Vec3 a = scene->rake.points[0];
+    const core::Vec3 b = scene->rake.points[1];
+    fmt::print(stderr,
+               "wakesurf: without --rake: {} It is --rake \"{:g},{:g},{:g} {:g},{:g},{:g}\"\n",
+               scene->why, a.x, a.y, a.z, b.x, b.y, b.z);
+    const auto same =
+        std::ranges::find(scene->surfaces, parameters.kind, &core::SurfaceParameters::kind);
+    if (same == scene->surfaces.end())
+        return {};
+    if (!request.from && !request.to && !parameters.direction) {
+        request.from = same->from;
+        request.to = same->to;
+    }
+    if (parameters.separation == 0.0)
+        parameters.separation = same->separation;
+    if (!parameters.sweep && !parameters.rake2)
+        parameters.sweep = same->sweep;
+    return {};
+}
+
 /// What differs from what was asked for, on standard error. Error: there is nothing to see, for a reason that can be cured.
 core::Result<void> tell(const core::SurfaceStatistics& statistics) {
     if (statistics.empty && !statistics.empty->natural())
@@ -179,6 +213,9 @@ make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop
     const auto dataset = open(options, process.account(), stop);
     if (!dataset)
         return tl::unexpected(dataset.error());
+    if (options.rake.empty())
+        if (auto begun = begin_with_suggestion(request, options, *dataset, stop); !begun)
+            return begun;
     if (auto chosen = choose_times(request, dataset->info.times); !chosen)
         return chosen;
     if (auto there = core::check_interpolation(*dataset->flow, request.parameters.interpolation);
@@ -228,8 +265,10 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         .add_option("DATASET", options.dataset,
                     "A file or folder of simulation results, a store, or flow:NAME[?k=v,...]")
         ->required();
-    command.add_option("--rake", options.rake, "\"x,y,z x,y,z ...\": a line, or a polyline")
-        ->required();
+    command.add_option(
+        "--rake", options.rake,
+        "\"x,y,z x,y,z ...\": a line, or a polyline (default: chosen by the data, with "
+        "the times and the separation)");
     command.add_option("--seeds", options.seeds, "Initial number of seeds on the rake")
         ->check(CLI::Range(protocol::limits::seeds_least, protocol::limits::seeds_most))
         ->capture_default_str();

@@ -78,6 +78,8 @@ core::Result<protocol::SurfaceSetting> read_asked(const SurfaceOptions& options)
     if (auto sound = in.verdict(); !sound)
         return tl::unexpected(
             as_option({sound.error().code, sound.error().message, "see wakesurf surface --help"}));
+    if (options.rake.empty()) // what is left out is still to come from the data
+        return setting;
     if (auto sound = protocol::check_kind(setting); !sound)
         return tl::unexpected(as_option(sound.error()));
     return setting;
@@ -126,10 +128,12 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
     request.from = asked->from;
     if (given(options, "to"))
         request.to = request.parameters.to;
-    auto rake = parse_rake(options.rake, options.seeds);
-    if (!rake)
-        return tl::unexpected(rake.error());
-    request.rake = *std::move(rake);
+    if (!options.rake.empty()) {
+        auto rake = parse_rake(options.rake, options.seeds);
+        if (!rake)
+            return tl::unexpected(rake.error());
+        request.rake = *std::move(rake);
+    }
     if (asked->rake2) {
         auto second = parse_rake(options.asked.at("rake2"), options.seeds, "--rake2");
         if (!second)

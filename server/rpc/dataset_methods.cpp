@@ -1,6 +1,8 @@
-// dataset.list, dataset.describe, dataset.open, cache.status, probe.sample.
+// dataset.list, dataset.describe, dataset.suggest, dataset.open, cache.status, probe.sample.
 #include "protocol/api/dataset_json.hpp"
 #include "protocol/api/generated/dataset.hpp"
+#include "protocol/api/generated/names.hpp"
+#include "protocol/api/point_json.hpp"
 #include "server/rpc/cache_json.hpp"
 #include "server/rpc/dataset_entry.hpp"
 #include "server/rpc/import_waiters.hpp"
@@ -38,6 +40,43 @@ void dataset_describe(const Call& call, const protocol::DatasetDescribe& of, Rep
     out["smooth"] = open->flow->has_smooth();
     out["surfaceFields"] = field_names(*open);
     reply.result(out);
+}
+
+json suggestion_json(const core::SceneSuggestion& scene) {
+    json points = json::array();
+    for (const core::Vec3& point : scene.rake.points)
+        points.push_back(protocol::point_json(point));
+    json surfaces = json::array();
+    for (const core::SurfaceParameters& each : scene.surfaces) {
+        json surface{{"kind", protocol::name(each.kind)},
+                     {"from", each.from},
+                     {"to", each.to},
+                     {"separation", each.separation}};
+        if (each.sweep)
+            surface["sweep"] = protocol::point_json(*each.sweep);
+        surfaces.push_back(std::move(surface));
+    }
+    return {
+        {"rake", {{"kind", "line"}, {"points", std::move(points)}, {"seeds", scene.rake.seeds}}},
+        {"surfaces", std::move(surfaces)},
+        {"why", scene.why}};
+}
+
+void dataset_suggest(const Call& call, const protocol::DatasetSuggest& of, Reply reply) {
+    auto open = call.context.datasets.open(of.dataset);
+    if (!open)
+        return reply.fault(open.error());
+    auto place = take(call, Use::Probe);
+    if (!place)
+        return reply.fault(place.error());
+    const auto answer = std::make_shared<Reply>(std::move(reply));
+    call.context.prober.suggest(
+        std::move(*open), Budgets::line(call.identity), call.stop,
+        [answer, place = std::move(*place)](const core::Result<core::SceneSuggestion>& scene) {
+            if (!scene)
+                return answer->fault(scene.error());
+            answer->result(suggestion_json(*scene));
+        });
 }
 
 json look_at(const DatasetStatus& status) {
@@ -154,8 +193,8 @@ void probe_sample(const Call& call, const protocol::ProbeSample& of, Reply reply
 } // namespace
 
 std::vector<Method> dataset_methods() {
-    return {method(dataset_list), method(dataset_describe), method(dataset_open),
-            method(cache_status), method(probe_sample)};
+    return {method(dataset_list), method(dataset_describe), method(dataset_suggest),
+            method(dataset_open), method(cache_status),     method(probe_sample)};
 }
 
 } // namespace wakesurf::server

@@ -17,6 +17,10 @@ void read(CheckedJson& in, DatasetOpen& out) {
     out.work_done_token = in.token_if("workDoneToken", true);
 }
 
+void read(CheckedJson& in, DatasetSuggest& out) {
+    out.dataset = in.text("dataset", 256);
+}
+
 void read(CheckedJson& in, CacheStatus& out) {
     out.dataset = in.text("dataset", 256);
 }

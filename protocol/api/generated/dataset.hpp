@@ -52,6 +52,21 @@ struct DatasetOpen {
 
 void read(CheckedJson& in, DatasetOpen& out);
 
+/// Parameters of dataset.suggest: Returns a rake and the parameters of a surface of each kind to
+/// begin with, found in the data: the rake stands ahead of a body that the flow meets, else where
+/// the flow turns, else where it enters. All surfaces are shown at the same time. Reads one or two
+/// time-steps.
+struct DatasetSuggest {
+    static constexpr std::string_view method = "dataset.suggest";
+
+    /// an id from dataset.list
+    std::string dataset;
+
+    bool operator==(const DatasetSuggest&) const = default;
+};
+
+void read(CheckedJson& in, DatasetSuggest& out);
+
 /// Parameters of cache.status: Reports which time-steps of a dataset are in memory.
 struct CacheStatus {
     static constexpr std::string_view method = "cache.status";

@@ -13,6 +13,7 @@ using Names = std::string_view;
 constexpr Names of_cancel_request[]{"id"};
 constexpr Names of_dataset_describe[]{"dataset"};
 constexpr Names of_dataset_open[]{"dataset", "timeoutMs", "workDoneToken"};
+constexpr Names of_dataset_suggest[]{"dataset"};
 constexpr Names of_cache_status[]{"dataset"};
 constexpr Names of_probe_sample[]{"dataset", "points", "time", "fields"};
 constexpr Names of_session_create[]{"name"};
@@ -73,6 +74,7 @@ constexpr MethodDescription described[]{
     {"dataset.list", "viewer", false, false, false, {}},
     {"dataset.describe", "viewer", false, false, false, of_dataset_describe},
     {"dataset.open", "viewer", false, false, false, of_dataset_open},
+    {"dataset.suggest", "viewer", false, false, false, of_dataset_suggest},
     {"cache.status", "viewer", false, false, false, of_cache_status},
     {"probe.sample", "viewer", false, false, false, of_probe_sample},
     {"session.create", "editor", false, true, true, of_session_create},

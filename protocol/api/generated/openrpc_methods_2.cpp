@@ -4,6 +4,79 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_2 = R"json({
+ "name": "dataset.suggest",
+ "summary": "Returns a rake and the parameters of a surface of each kind to begin with, found in the data: the rake stands ahead of a body that the flow meets, else where the flow turns, else where it enters. All surfaces are shown at the same time. Reads one or two time-steps.",
+ "tags": [{"name": "dataset"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "dataset",
+   "required": true,
+   "description": "an id from dataset.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from dataset.list"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {
+    "rake": {"$ref": "#/components/schemas/SuggestedRake"},
+    "surfaces": {
+     "type": "array",
+     "description": "one of each kind that the data allow: a single time-step of an unsteady flow allows stream surfaces only",
+     "items": {"$ref": "#/components/schemas/SuggestedSurface"}},
+    "why": {"type": "string", "description": "what was chosen and why, for people"}},
+   "required": ["rake", "surfaces", "why"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"},
+  {"$ref": "#/components/errors/datasetError"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "dataset.suggest",
+   "params": [{"name": "dataset", "value": "sphere"}],
+   "result": {
+    "name": "result",
+    "value": {
+     "rake": {"kind": "line", "points": [[-1.5, 0.05, -0.75], [-1.5, 0.05, 0.75]], "seeds": 32},
+     "surfaces": [{"kind": "stream", "from": 0, "to": 14, "separation": 0.1}],
+     "why": "The rake is ahead of a body, across the flow that meets it."}}}]},
+{
+ "name": "cache.status",
+ "summary": "Reports which time-steps of a dataset are in memory.",
+ "tags": [{"name": "cache"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "dataset",
+   "required": true,
+   "description": "an id from dataset.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from dataset.list"}}],
+ "result": {"name": "result", "description": "Which time-steps are in memory.", "schema": {"$ref": "#/components/schemas/CacheStatus"}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/datasetError"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "cache.status",
+   "params": [{"name": "dataset", "value": "lamb-oseen"}],
+   "result": {"name": "result", "value": {"budget": 0, "bytes": 0, "dataset": "lamb-oseen", "steps": []}}}]},
+{
  "name": "probe.sample",
  "summary": "Returns the values of fields at points and one time, interpolated as at the vertices of surfaces.",
  "tags": [{"name": "probe"}],
@@ -239,127 +312,6 @@ const std::string_view methods_2 = R"json({
        "session": "session-1",
        "surfaces": 0,
        "thumbnail": false}],
-     "trashLimit": 256}}}]},
-{
- "name": "session.join",
- "summary": "Enters a session. From now on its changes are sent to this WebSocket.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list or session.create; if left out, the share link's session, or else `main`",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list or session.create; if left out, the share link's session, or else `main`"}},
-  {
-   "name": "name",
-   "required": false,
-   "description": "display name",
-   "schema": {"type": "string", "maxLength": 120, "default": "", "description": "display name"}},
-  {
-   "name": "colour",
-   "required": false,
-   "description": "#rrggbb; if left out, a colour that few others have",
-   "schema": {"type": "string", "pattern": "^#[0-9a-fA-F]{6}$", "description": "#rrggbb; if left out, a colour that few others have"}},
-  {
-   "name": "resumeToken",
-   "required": false,
-   "description": "token of an earlier stay, to take up its place again",
-   "schema": {"type": "string", "maxLength": 256, "description": "token of an earlier stay, to take up its place again"}},
-  {
-   "name": "lastSeq",
-   "required": false,
-   "description": "with `resumeToken`: the last `seq` seen; what was missed is returned instead of the snapshot",
-   "schema": {
-    "type": "integer",
-    "minimum": 0,
-    "maximum": 9007199254740992,
-    "description": "with `resumeToken`: the last `seq` seen; what was missed is returned instead of the snapshot"}}],
- "result": {
-  "name": "result",
-  "description": "What session.join returns: either `snapshot` or `patches`.",
-  "schema": {"$ref": "#/components/schemas/Joined"}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": true,
- "examples": [
-  {
-   "name": "session.join",
-   "params": [{"name": "session", "value": "main"}, {"name": "name", "value": "Grace"}],
-   "result": {
-    "name": "result",
-    "value": {
-     "created": "2026-11-23T11:45:41Z",
-     "participants": [
-      {"colour": "#4477aa", "connected": true, "name": "Ada", "participant": "p1", "role": "host"},
-      {"colour": "#0072b2", "connected": true, "name": "Grace", "participant": "p2", "role": "host"}],
-     "resumeToken": "4129b22abbe8cbb4c9e014fc45317d9a",
-     "resumed": false,
-     "role": "host",
-     "seq": 4,
-     "snapshot": {
-      "annotations": [{"annotation": "a1", "author": "Ada", "position": [0, 0, 0], "rev": 1, "surface": "s1", "text": "look"}],
-      "bookmarks": [{"bookmark": "b1", "name": "here", "rev": 1, "time": 1.5, "view": {"camera": [1, 2]}}],
-      "clock": {"from": null, "loop": false, "playing": false, "speed": 1, "time": null, "to": null},
-      "name": "main",
-      "rakes": [
-       {
-        "author": "Ada",
-        "clipped": false,
-        "colour": "#0072b2",
-        "dragging": false,
-        "kind": "line",
-        "name": "r1",
-        "points": [[0.2, 0, -1], [1, 0, -1]],
-        "rake": "r1",
-        "rev": 1,
-        "seeds": 9}],
-      "session": "main",
-      "surfaces": [
-       {
-        "accuracy": "balanced",
-        "angle": 20,
-        "dataset": "lamb-oseen",
-        "direction": "forward",
-        "epoch": 1,
-        "fields": [],
-        "from": 0,
-        "interpolation": "linear",
-        "kind": "stream",
-        "maxQuads": 1000000,
-        "merge": 0.35,
-        "rake": "r1",
-        "rev": 1,
-        "separation": 0.1,
-        "stagnationSpeed": 1e-06,
-        "surface": "s1",
-        "to": 2}]},
-     "you": "p2"}}}]},
-{
- "name": "session.leave",
- "summary": "Leaves the session. Its changes are no longer sent.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [],
- "result": {"name": "result", "description": "an empty object", "schema": {"$ref": "#/components/schemas/Empty"}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": true,
- "examples": [{"name": "session.leave", "params": [], "result": {"name": "result", "value": {}}}]})json";
+     "trashLimit": 256}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

@@ -4,6 +4,127 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_3 = R"json({
+ "name": "session.join",
+ "summary": "Enters a session. From now on its changes are sent to this WebSocket.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list or session.create; if left out, the share link's session, or else `main`",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list or session.create; if left out, the share link's session, or else `main`"}},
+  {
+   "name": "name",
+   "required": false,
+   "description": "display name",
+   "schema": {"type": "string", "maxLength": 120, "default": "", "description": "display name"}},
+  {
+   "name": "colour",
+   "required": false,
+   "description": "#rrggbb; if left out, a colour that few others have",
+   "schema": {"type": "string", "pattern": "^#[0-9a-fA-F]{6}$", "description": "#rrggbb; if left out, a colour that few others have"}},
+  {
+   "name": "resumeToken",
+   "required": false,
+   "description": "token of an earlier stay, to take up its place again",
+   "schema": {"type": "string", "maxLength": 256, "description": "token of an earlier stay, to take up its place again"}},
+  {
+   "name": "lastSeq",
+   "required": false,
+   "description": "with `resumeToken`: the last `seq` seen; what was missed is returned instead of the snapshot",
+   "schema": {
+    "type": "integer",
+    "minimum": 0,
+    "maximum": 9007199254740992,
+    "description": "with `resumeToken`: the last `seq` seen; what was missed is returned instead of the snapshot"}}],
+ "result": {
+  "name": "result",
+  "description": "What session.join returns: either `snapshot` or `patches`.",
+  "schema": {"$ref": "#/components/schemas/Joined"}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": true,
+ "examples": [
+  {
+   "name": "session.join",
+   "params": [{"name": "session", "value": "main"}, {"name": "name", "value": "Grace"}],
+   "result": {
+    "name": "result",
+    "value": {
+     "created": "2026-11-23T11:45:41Z",
+     "participants": [
+      {"colour": "#4477aa", "connected": true, "name": "Ada", "participant": "p1", "role": "host"},
+      {"colour": "#0072b2", "connected": true, "name": "Grace", "participant": "p2", "role": "host"}],
+     "resumeToken": "4129b22abbe8cbb4c9e014fc45317d9a",
+     "resumed": false,
+     "role": "host",
+     "seq": 4,
+     "snapshot": {
+      "annotations": [{"annotation": "a1", "author": "Ada", "position": [0, 0, 0], "rev": 1, "surface": "s1", "text": "look"}],
+      "bookmarks": [{"bookmark": "b1", "name": "here", "rev": 1, "time": 1.5, "view": {"camera": [1, 2]}}],
+      "clock": {"from": null, "loop": false, "playing": false, "speed": 1, "time": null, "to": null},
+      "name": "main",
+      "rakes": [
+       {
+        "author": "Ada",
+        "clipped": false,
+        "colour": "#0072b2",
+        "dragging": false,
+        "kind": "line",
+        "name": "r1",
+        "points": [[0.2, 0, -1], [1, 0, -1]],
+        "rake": "r1",
+        "rev": 1,
+        "seeds": 9}],
+      "session": "main",
+      "surfaces": [
+       {
+        "accuracy": "balanced",
+        "angle": 20,
+        "dataset": "lamb-oseen",
+        "direction": "forward",
+        "epoch": 1,
+        "fields": [],
+        "from": 0,
+        "interpolation": "linear",
+        "kind": "stream",
+        "maxQuads": 1000000,
+        "merge": 0.35,
+        "rake": "r1",
+        "rev": 1,
+        "separation": 0.1,
+        "stagnationSpeed": 1e-06,
+        "surface": "s1",
+        "to": 2}]},
+     "you": "p2"}}}]},
+{
+ "name": "session.leave",
+ "summary": "Leaves the session. Its changes are no longer sent.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [],
+ "result": {"name": "result", "description": "an empty object", "schema": {"$ref": "#/components/schemas/Empty"}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": true,
+ "examples": [{"name": "session.leave", "params": [], "result": {"name": "result", "value": {}}}]},
+{
  "name": "session.state",
  "summary": "Returns all records of a session.",
  "tags": [{"name": "session"}],
@@ -243,128 +364,6 @@ const std::string_view methods_3 = R"json({
   {
    "name": "session.delete",
    "params": [{"name": "session", "value": "session-2"}],
-   "result": {"name": "result", "value": {"deletedUntil": "2026-12-23T11:45:42Z", "session": "session-2"}}}]},
-{
- "name": "session.restore",
- "summary": "Brings a session back from the trash as it was, with its share links.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": true,
-   "description": "an id from session.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.list"}}],
- "result": {
-  "name": "result",
-  "description": "The id and the name of a session, and its units.",
-  "schema": {
-   "type": "object",
-   "description": "The id and the name of a session, and its units.",
-   "properties": {
-    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
-    "name": {"type": "string", "description": "display name"},
-    "units": {"$ref": "#/components/schemas/Units"},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["session", "name"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "editor",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "session.restore",
-   "params": [{"name": "session", "value": "session-2"}],
-   "result": {"name": "result", "value": {"name": "tip vortex", "session": "session-2"}}}]},
-{
- "name": "session.export",
- "summary": "Returns a session as one document: its records, and the names and fingerprints of their datasets. A large session is refused here; GET /api/v1/sessions/SESSION/session.json returns sessions of any size.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {"file": {"$ref": "#/components/schemas/SessionFile"}},
-   "required": ["file"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "session.export",
-   "params": [{"name": "session", "value": "session-2"}],
-   "result": {
-    "name": "result",
-    "value": {
-     "file": {
-      "datasets": [
-       {
-        "bounds": [-10, 10, -10, 10, -10, 10],
-        "dataset": "lamb-oseen",
-        "fingerprint": "0ad4b1a18c3ba722d822772ded1fe63aa4cf9b3853ced52ae51b69a1e31c7c7d",
-        "name": "lamb-oseen",
-        "times": {"count": 1, "first": 0, "last": 0}}],
-      "exported": "2026-11-23T11:45:42Z",
-      "name": "tip vortex",
-      "records": {
-       "annotations": [{"annotation": "a1", "author": "Ada", "position": [0, 0, 0], "surface": "s1", "text": "look"}],
-       "bookmarks": [{"bookmark": "b1", "name": "here", "time": 1.5, "view": {"camera": [1, 2]}}],
-       "clock": {"from": null, "loop": false, "playing": false, "speed": 1, "time": null, "to": null},
-       "rakes": [
-        {
-         "author": "Ada",
-         "clipped": false,
-         "colour": "#0072b2",
-         "kind": "line",
-         "name": "r1",
-         "points": [[0.2, 0, -1], [1, 0, -1]],
-         "rake": "r1",
-         "seeds": 9}],
-       "surfaces": [
-        {
-         "accuracy": "balanced",
-         "angle": 20,
-         "dataset": "lamb-oseen",
-         "direction": "forward",
-         "fields": [],
-         "from": 0,
-         "interpolation": "linear",
-         "kind": "stream",
-         "maxQuads": 1000000,
-         "merge": 0.35,
-         "rake": "r1",
-         "separation": 0.1,
-         "stagnationSpeed": 1e-06,
-         "surface": "s1",
-         "to": 2}]},
-      "wakesurf": "0.1.0",
-      "wakesurfSession": 1}}}}]})json";
+   "result": {"name": "result", "value": {"deletedUntil": "2026-12-23T11:45:42Z", "session": "session-2"}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

@@ -4,6 +4,128 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_4 = R"json({
+ "name": "session.restore",
+ "summary": "Brings a session back from the trash as it was, with its share links.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": true,
+   "description": "an id from session.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.list"}}],
+ "result": {
+  "name": "result",
+  "description": "The id and the name of a session, and its units.",
+  "schema": {
+   "type": "object",
+   "description": "The id and the name of a session, and its units.",
+   "properties": {
+    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+    "name": {"type": "string", "description": "display name"},
+    "units": {"$ref": "#/components/schemas/Units"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["session", "name"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.restore",
+   "params": [{"name": "session", "value": "session-2"}],
+   "result": {"name": "result", "value": {"name": "tip vortex", "session": "session-2"}}}]},
+{
+ "name": "session.export",
+ "summary": "Returns a session as one document: its records, and the names and fingerprints of their datasets. A large session is refused here; GET /api/v1/sessions/SESSION/session.json returns sessions of any size.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {"file": {"$ref": "#/components/schemas/SessionFile"}},
+   "required": ["file"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.export",
+   "params": [{"name": "session", "value": "session-2"}],
+   "result": {
+    "name": "result",
+    "value": {
+     "file": {
+      "datasets": [
+       {
+        "bounds": [-10, 10, -10, 10, -10, 10],
+        "dataset": "lamb-oseen",
+        "fingerprint": "0ad4b1a18c3ba722d822772ded1fe63aa4cf9b3853ced52ae51b69a1e31c7c7d",
+        "name": "lamb-oseen",
+        "times": {"count": 1, "first": 0, "last": 0}}],
+      "exported": "2026-11-23T11:45:42Z",
+      "name": "tip vortex",
+      "records": {
+       "annotations": [{"annotation": "a1", "author": "Ada", "position": [0, 0, 0], "surface": "s1", "text": "look"}],
+       "bookmarks": [{"bookmark": "b1", "name": "here", "time": 1.5, "view": {"camera": [1, 2]}}],
+       "clock": {"from": null, "loop": false, "playing": false, "speed": 1, "time": null, "to": null},
+       "rakes": [
+        {
+         "author": "Ada",
+         "clipped": false,
+         "colour": "#0072b2",
+         "kind": "line",
+         "name": "r1",
+         "points": [[0.2, 0, -1], [1, 0, -1]],
+         "rake": "r1",
+         "seeds": 9}],
+       "surfaces": [
+        {
+         "accuracy": "balanced",
+         "angle": 20,
+         "dataset": "lamb-oseen",
+         "direction": "forward",
+         "fields": [],
+         "from": 0,
+         "interpolation": "linear",
+         "kind": "stream",
+         "maxQuads": 1000000,
+         "merge": 0.35,
+         "rake": "r1",
+         "separation": 0.1,
+         "stagnationSpeed": 1e-06,
+         "surface": "s1",
+         "to": 2}]},
+      "wakesurf": "0.1.0",
+      "wakesurfSession": 1}}}}]},
+{
  "name": "session.import",
  "summary": "Makes a new session from a document of session.export. POST /api/v1/sessions takes documents that are too large for a message.",
  "tags": [{"name": "session"}],
@@ -231,153 +353,6 @@ const std::string_view methods_4 = R"json({
    "params": [{"name": "session", "value": "main"}],
    "result": {
     "name": "result",
-    "value": {"shares": [{"children": 0, "expires": 1795437942, "grant": "g1", "madeBy": {"name": "Ada"}, "role": "viewer"}]}}}]},
-{
- "name": "session.unshare",
- "summary": "Revokes a link. Everyone who came by it is disconnected. Links that were made through it stay valid, unless `children` is true.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "grant",
-   "required": true,
-   "description": "an id from session.shares",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.shares"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
-  {
-   "name": "children",
-   "required": false,
-   "description": "true: also revoke the links that were made through it, directly or indirectly",
-   "schema": {"type": "boolean", "default": false, "description": "true: also revoke the links that were made through it, directly or indirectly"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "children": {"type": "array", "description": "links made through it that are still valid", "items": {"$ref": "#/components/schemas/Share"}},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["children"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "host",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "session.unshare",
-   "params": [{"name": "grant", "value": "g1"}, {"name": "session", "value": "main"}],
-   "result": {"name": "result", "value": {"children": []}}}]},
-{
- "name": "session.setRole",
- "summary": "Sets what a participant may do here, from their next message on. A role below that of the link they came by also applies to their other places, to calls without a place, and to everyone else who comes by that link from now on.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "participant",
-   "required": true,
-   "description": "an id from session.state",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.state"}},
-  {
-   "name": "role",
-   "required": true,
-   "description": "viewers look, editors edit, hosts also decide who may be here",
-   "schema": {"enum": ["viewer", "editor", "host"], "description": "viewers look, editors edit, hosts also decide who may be here"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "participant": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the participant"},
-    "role": {"enum": ["viewer", "editor", "host"], "description": "the role they have now"},
-    "also": {"type": "array", "description": "ids of the same person's other places, which get the role too", "items": {"type": "string"}},
-    "newcomers": {"enum": ["viewer", "editor"], "description": "role of those who come by that link from now on"},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["participant", "role", "also"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "host",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "session.setRole",
-   "params": [{"name": "participant", "value": "p2"}, {"name": "role", "value": "viewer"}, {"name": "session", "value": "main"}],
-   "result": {"name": "result", "value": {"also": [], "participant": "p2", "role": "viewer"}}}]},
-{
- "name": "session.kick",
- "summary": "Disconnects a participant, who loses their place. The link they came by stays valid; revoke it as well to keep them out.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "participant",
-   "required": true,
-   "description": "an id from session.state",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.state"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "an empty object",
-  "schema": {
-   "type": "object",
-   "description": "an empty object",
-   "properties": {
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "host",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "session.kick",
-   "params": [{"name": "participant", "value": "p2"}, {"name": "session", "value": "main"}],
-   "result": {"name": "result", "value": {}}}]})json";
+    "value": {"shares": [{"children": 0, "expires": 1795437942, "grant": "g1", "madeBy": {"name": "Ada"}, "role": "viewer"}]}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

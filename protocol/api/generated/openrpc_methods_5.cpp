@@ -4,6 +4,153 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_5 = R"json({
+ "name": "session.unshare",
+ "summary": "Revokes a link. Everyone who came by it is disconnected. Links that were made through it stay valid, unless `children` is true.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "grant",
+   "required": true,
+   "description": "an id from session.shares",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.shares"}},
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
+  {
+   "name": "children",
+   "required": false,
+   "description": "true: also revoke the links that were made through it, directly or indirectly",
+   "schema": {"type": "boolean", "default": false, "description": "true: also revoke the links that were made through it, directly or indirectly"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {
+    "children": {"type": "array", "description": "links made through it that are still valid", "items": {"$ref": "#/components/schemas/Share"}},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["children"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "host",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.unshare",
+   "params": [{"name": "grant", "value": "g1"}, {"name": "session", "value": "main"}],
+   "result": {"name": "result", "value": {"children": []}}}]},
+{
+ "name": "session.setRole",
+ "summary": "Sets what a participant may do here, from their next message on. A role below that of the link they came by also applies to their other places, to calls without a place, and to everyone else who comes by that link from now on.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "participant",
+   "required": true,
+   "description": "an id from session.state",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.state"}},
+  {
+   "name": "role",
+   "required": true,
+   "description": "viewers look, editors edit, hosts also decide who may be here",
+   "schema": {"enum": ["viewer", "editor", "host"], "description": "viewers look, editors edit, hosts also decide who may be here"}},
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {
+    "participant": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the participant"},
+    "role": {"enum": ["viewer", "editor", "host"], "description": "the role they have now"},
+    "also": {"type": "array", "description": "ids of the same person's other places, which get the role too", "items": {"type": "string"}},
+    "newcomers": {"enum": ["viewer", "editor"], "description": "role of those who come by that link from now on"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["participant", "role", "also"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "host",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.setRole",
+   "params": [{"name": "participant", "value": "p2"}, {"name": "role", "value": "viewer"}, {"name": "session", "value": "main"}],
+   "result": {"name": "result", "value": {"also": [], "participant": "p2", "role": "viewer"}}}]},
+{
+ "name": "session.kick",
+ "summary": "Disconnects a participant, who loses their place. The link they came by stays valid; revoke it as well to keep them out.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "participant",
+   "required": true,
+   "description": "an id from session.state",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.state"}},
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "an empty object",
+  "schema": {
+   "type": "object",
+   "description": "an empty object",
+   "properties": {
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "host",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.kick",
+   "params": [{"name": "participant", "value": "p2"}, {"name": "session", "value": "main"}],
+   "result": {"name": "result", "value": {}}}]},
+{
  "name": "presence.update",
  "summary": "Shows the others what the caller points at, looks at, drags and has selected. What is left out stays as it is; null removes it. Best sent as a notification.",
  "tags": [{"name": "presence"}],
@@ -204,123 +351,6 @@ const std::string_view methods_5 = R"json({
     {"name": "points", "value": [[0.2, 0, -1], [1, 0, -1]]},
     {"name": "seeds", "value": 9},
     {"name": "session", "value": "main"}],
-   "result": {"name": "result", "value": {"clipped": false, "points": [[0.2, 0, -1], [1, 0, -1]], "rake": "r1", "rev": 1, "seq": 1, "surfaces": []}}}]},
-{
- "name": "rake.delete",
- "summary": "Deletes a rake and its surfaces.",
- "tags": [{"name": "rake"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "rake",
-   "required": true,
-   "description": "an id from rake.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from rake.list"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
-  {
-   "name": "force",
-   "required": false,
-   "description": "true: lets a host delete the rake although someone else holds the lease",
-   "schema": {"type": "boolean", "default": false, "description": "true: lets a host delete the rake although someone else holds the lease"}},
-  {
-   "name": "gesture",
-   "required": false,
-   "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo",
-   "schema": {
-    "type": "string",
-    "minLength": 1,
-    "maxLength": 64,
-    "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo"}},
-  {
-   "name": "ifRev",
-   "required": false,
-   "description": "the edit is refused if the record is at another revision",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "the edit is refused if the record is at another revision"}}],
- "result": {
-  "name": "result",
-  "description": "What every edit returns.",
-  "schema": {
-   "type": "object",
-   "description": "What every edit returns.",
-   "properties": {
-    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["seq"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/stale"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/leased"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "editor",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "rake.delete",
-   "params": [{"name": "rake", "value": "r1"}, {"name": "session", "value": "main"}],
-   "result": {"name": "result", "value": {"seq": 18}}}]},
-{
- "name": "rake.list",
- "summary": "Lists the rakes of a session.",
- "tags": [{"name": "rake"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {"rakes": {"type": "array", "description": "all rakes", "items": {"$ref": "#/components/schemas/Rake"}}},
-   "required": ["rakes"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "rake.list",
-   "params": [{"name": "session", "value": "main"}],
-   "result": {
-    "name": "result",
-    "value": {
-     "rakes": [
-      {
-       "author": "Ada",
-       "clipped": false,
-       "colour": "#0072b2",
-       "dragging": false,
-       "kind": "line",
-       "name": "r1",
-       "points": [[0.2, 0, -1], [1, 0, -1]],
-       "rake": "r1",
-       "rev": 1,
-       "seeds": 9}]}}}]})json";
+   "result": {"name": "result", "value": {"clipped": false, "points": [[0.2, 0, -1], [1, 0, -1]], "rake": "r1", "rev": 1, "seq": 1, "surfaces": []}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

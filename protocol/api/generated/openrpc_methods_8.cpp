@@ -4,6 +4,168 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_8 = R"json({
+ "name": "surface.unsubscribe",
+ "summary": "Ends a subscription.",
+ "tags": [{"name": "surface"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
+  {
+   "name": "subscription",
+   "required": false,
+   "description": "number of the subscription; or give `surface` instead",
+   "schema": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "number of the subscription; or give `surface` instead"}},
+  {
+   "name": "surface",
+   "required": false,
+   "description": "id of the surface, instead of the number",
+   "schema": {"type": "string", "maxLength": 256, "description": "id of the surface, instead of the number"}}],
+ "result": {"name": "result", "description": "an empty object", "schema": {"$ref": "#/components/schemas/Empty"}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/datasetError"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": true,
+ "examples": [{"name": "surface.unsubscribe", "params": [{"name": "subscription", "value": 1}], "result": {"name": "result", "value": {}}}]},
+{
+ "name": "frame.ack",
+ "summary": "Reports the last update of a subscription that the client has applied. The server then sends at most eight updates beyond the reported one. Best sent as a notification.",
+ "tags": [{"name": "frame"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "subscription",
+   "required": true,
+   "description": "number of the subscription",
+   "schema": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "number of the subscription"}},
+  {
+   "name": "seq",
+   "required": true,
+   "description": "number of the update in its epoch",
+   "schema": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "number of the update in its epoch"}},
+  {
+   "name": "epoch",
+   "required": false,
+   "description": "epoch of the update; if left out, the surface's current one",
+   "schema": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "epoch of the update; if left out, the surface's current one"}}],
+ "result": {"name": "result", "description": "an empty object", "schema": {"$ref": "#/components/schemas/Empty"}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": true,
+ "examples": [
+  {
+   "name": "frame.ack",
+   "params": [{"name": "subscription", "value": 1}, {"name": "seq", "value": 0}, {"name": "epoch", "value": 1}],
+   "result": {"name": "result", "value": {}}}]},
+{
+ "name": "bookmark.set",
+ "summary": "Creates a bookmark, or replaces one as a whole.",
+ "tags": [{"name": "bookmark"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "view",
+   "required": true,
+   "description": "camera, colours and so on, in whatever form the client chooses; at most 4 KiB as JSON text",
+   "schema": {
+    "type": "object",
+    "description": "camera, colours and so on, in whatever form the client chooses; at most 4 KiB as JSON text",
+    "additionalProperties": true}},
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
+  {
+   "name": "bookmark",
+   "required": false,
+   "description": "id of the bookmark to replace; if left out, a new one is created",
+   "schema": {"type": "string", "maxLength": 256, "description": "id of the bookmark to replace; if left out, a new one is created"}},
+  {
+   "name": "name",
+   "required": false,
+   "description": "display name",
+   "schema": {"type": "string", "maxLength": 120, "default": "", "description": "display name"}},
+  {
+   "name": "time",
+   "required": false,
+   "description": "the session's time that belongs to the view",
+   "schema": {
+    "type": "number",
+    "minimum": -3.4028234663852886e+38,
+    "maximum": 3.4028234663852886e+38,
+    "description": "the session's time that belongs to the view",
+    "x-unit": "the dataset's unit of time"}},
+  {
+   "name": "gesture",
+   "required": false,
+   "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo",
+   "schema": {
+    "type": "string",
+    "minLength": 1,
+    "maxLength": 64,
+    "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo"}},
+  {
+   "name": "ifRev",
+   "required": false,
+   "description": "the edit is refused if the record is at another revision",
+   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "the edit is refused if the record is at another revision"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {
+    "bookmark": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the bookmark"},
+    "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"},
+    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["bookmark", "rev", "seq"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/stale"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/outsideTimeRange"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "bookmark.set",
+   "params": [
+    {"name": "view", "value": {"camera": [1, 2]}},
+    {"name": "session", "value": "main"},
+    {"name": "name", "value": "here"},
+    {"name": "time", "value": 1.5}],
+   "result": {"name": "result", "value": {"bookmark": "b1", "rev": 1, "seq": 11}}}]},
+{
  "name": "bookmark.delete",
  "summary": "Deletes a bookmark.",
  "tags": [{"name": "bookmark"}],
@@ -187,203 +349,6 @@ const std::string_view methods_8 = R"json({
     {"name": "position", "value": [0, 0, 0]},
     {"name": "session", "value": "main"},
     {"name": "surface", "value": "s1"}],
-   "result": {"name": "result", "value": {"annotation": "a1", "rev": 1, "seq": 12}}}]},
-{
- "name": "annotation.delete",
- "summary": "Deletes an annotation.",
- "tags": [{"name": "annotation"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "annotation",
-   "required": true,
-   "description": "an id from annotation.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from annotation.list"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
-  {
-   "name": "gesture",
-   "required": false,
-   "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo",
-   "schema": {
-    "type": "string",
-    "minLength": 1,
-    "maxLength": 64,
-    "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo"}},
-  {
-   "name": "ifRev",
-   "required": false,
-   "description": "the edit is refused if the record is at another revision",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "the edit is refused if the record is at another revision"}}],
- "result": {
-  "name": "result",
-  "description": "What every edit returns.",
-  "schema": {
-   "type": "object",
-   "description": "What every edit returns.",
-   "properties": {
-    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["seq"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/stale"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "editor",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "annotation.delete",
-   "params": [{"name": "annotation", "value": "a1"}, {"name": "session", "value": "main"}],
-   "result": {"name": "result", "value": {"seq": 16}}}]},
-{
- "name": "annotation.list",
- "summary": "Lists the annotations of a session.",
- "tags": [{"name": "annotation"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {"annotations": {"type": "array", "description": "all annotations", "items": {"$ref": "#/components/schemas/Annotation"}}},
-   "required": ["annotations"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "annotation.list",
-   "params": [{"name": "session", "value": "main"}],
-   "result": {
-    "name": "result",
-    "value": {"annotations": [{"annotation": "a1", "author": "host", "position": [0, 0, 0], "rev": 1, "surface": "s1", "text": "look"}]}}}]},
-{
- "name": "history.undo",
- "summary": "Takes back the caller's newest edit, or a whole gesture (or drag) at once. It never undoes the work of others: an edit is skipped if someone else has changed its records since.",
- "tags": [{"name": "history"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "undone": {"type": ["array", "null"], "description": "what has changed; null: nothing", "items": {"$ref": "#/components/schemas/Change"}},
-    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
-    "skipped": {
-     "type": "array",
-     "description": "records that were skipped; their edits are forgotten for good",
-     "items": {"$ref": "#/components/schemas/Skip"}},
-    "undo": {"type": "integer", "minimum": 0, "description": "number of edits that can still be taken back"},
-    "redo": {"type": "integer", "minimum": 0, "description": "number of edits that can be repeated"},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["undone", "seq", "skipped", "undo", "redo"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "editor",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "history.undo",
-   "params": [{"name": "session", "value": "main"}],
-   "result": {
-    "name": "result",
-    "value": {"redo": 1, "seq": 13, "skipped": [], "undo": 6, "undone": [{"id": "a1", "op": "delete", "type": "annotation"}]}}}]},
-{
- "name": "history.redo",
- "summary": "Repeats the caller's newest edit that was taken back.",
- "tags": [{"name": "history"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "redone": {"type": ["array", "null"], "description": "what has changed; null: nothing", "items": {"$ref": "#/components/schemas/Change"}},
-    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
-    "skipped": {
-     "type": "array",
-     "description": "records that were skipped; their edits are forgotten for good",
-     "items": {"$ref": "#/components/schemas/Skip"}},
-    "undo": {"type": "integer", "minimum": 0, "description": "number of edits that can still be taken back"},
-    "redo": {"type": "integer", "minimum": 0, "description": "number of edits that can be repeated"},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["redone", "seq", "skipped", "undo", "redo"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "editor",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "history.redo",
-   "params": [{"name": "session", "value": "main"}],
-   "result": {
-    "name": "result",
-    "value": {"redo": 0, "redone": [{"id": "a1", "op": "put", "rev": 2, "type": "annotation"}], "seq": 14, "skipped": [], "undo": 7}}}]})json";
+   "result": {"name": "result", "value": {"annotation": "a1", "rev": 1, "seq": 12}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

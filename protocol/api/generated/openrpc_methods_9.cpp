@@ -4,6 +4,203 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_9 = R"json({
+ "name": "annotation.delete",
+ "summary": "Deletes an annotation.",
+ "tags": [{"name": "annotation"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "annotation",
+   "required": true,
+   "description": "an id from annotation.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from annotation.list"}},
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
+  {
+   "name": "gesture",
+   "required": false,
+   "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo",
+   "schema": {
+    "type": "string",
+    "minLength": 1,
+    "maxLength": 64,
+    "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo"}},
+  {
+   "name": "ifRev",
+   "required": false,
+   "description": "the edit is refused if the record is at another revision",
+   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "the edit is refused if the record is at another revision"}}],
+ "result": {
+  "name": "result",
+  "description": "What every edit returns.",
+  "schema": {
+   "type": "object",
+   "description": "What every edit returns.",
+   "properties": {
+    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["seq"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/stale"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "annotation.delete",
+   "params": [{"name": "annotation", "value": "a1"}, {"name": "session", "value": "main"}],
+   "result": {"name": "result", "value": {"seq": 16}}}]},
+{
+ "name": "annotation.list",
+ "summary": "Lists the annotations of a session.",
+ "tags": [{"name": "annotation"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {"annotations": {"type": "array", "description": "all annotations", "items": {"$ref": "#/components/schemas/Annotation"}}},
+   "required": ["annotations"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "annotation.list",
+   "params": [{"name": "session", "value": "main"}],
+   "result": {
+    "name": "result",
+    "value": {"annotations": [{"annotation": "a1", "author": "host", "position": [0, 0, 0], "rev": 1, "surface": "s1", "text": "look"}]}}}]},
+{
+ "name": "history.undo",
+ "summary": "Takes back the caller's newest edit, or a whole gesture (or drag) at once. It never undoes the work of others: an edit is skipped if someone else has changed its records since.",
+ "tags": [{"name": "history"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {
+    "undone": {"type": ["array", "null"], "description": "what has changed; null: nothing", "items": {"$ref": "#/components/schemas/Change"}},
+    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
+    "skipped": {
+     "type": "array",
+     "description": "records that were skipped; their edits are forgotten for good",
+     "items": {"$ref": "#/components/schemas/Skip"}},
+    "undo": {"type": "integer", "minimum": 0, "description": "number of edits that can still be taken back"},
+    "redo": {"type": "integer", "minimum": 0, "description": "number of edits that can be repeated"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["undone", "seq", "skipped", "undo", "redo"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "history.undo",
+   "params": [{"name": "session", "value": "main"}],
+   "result": {
+    "name": "result",
+    "value": {"redo": 1, "seq": 13, "skipped": [], "undo": 6, "undone": [{"id": "a1", "op": "delete", "type": "annotation"}]}}}]},
+{
+ "name": "history.redo",
+ "summary": "Repeats the caller's newest edit that was taken back.",
+ "tags": [{"name": "history"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {
+    "redone": {"type": ["array", "null"], "description": "what has changed; null: nothing", "items": {"$ref": "#/components/schemas/Change"}},
+    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
+    "skipped": {
+     "type": "array",
+     "description": "records that were skipped; their edits are forgotten for good",
+     "items": {"$ref": "#/components/schemas/Skip"}},
+    "undo": {"type": "integer", "minimum": 0, "description": "number of edits that can still be taken back"},
+    "redo": {"type": "integer", "minimum": 0, "description": "number of edits that can be repeated"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["redone", "seq", "skipped", "undo", "redo"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "history.redo",
+   "params": [{"name": "session", "value": "main"}],
+   "result": {
+    "name": "result",
+    "value": {"redo": 0, "redone": [{"id": "a1", "op": "put", "rev": 2, "type": "annotation"}], "seq": 14, "skipped": [], "undo": 7}}}]},
+{
  "name": "time.set",
  "summary": "Jumps to a time. Path, streak and time surfaces are shown as they are at this time, within their own `from` and `to`.",
  "tags": [{"name": "time"}],

@@ -309,6 +309,46 @@ const std::string_view schemas_1 =
   "smooth",
   "surfaceFields"],
  "additionalProperties": false},
+"SuggestedSurface": {
+ "type": "object",
+ "description": "Parameters to begin a surface with, as surface.set takes them.",
+ "properties": {
+  "kind": {
+   "enum": ["stream", "path", "streak", "time"],
+   "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`"},
+  "from": {"type": "number", "description": "where the surface starts", "x-unit": "the dataset's unit of time"},
+  "to": {"type": "number", "description": "where it ends", "x-unit": "the dataset's unit of time"},
+  "separation": {"type": "number", "exclusiveMinimum": 0, "description": "longest edge allowed", "x-unit": "the dataset's unit of length"},
+  "sweep": {
+   "type": "array",
+   "minItems": 3,
+   "maxItems": 3,
+   "description": "of a time surface: the patch is the rake swept along this vector",
+   "x-unit": "the dataset's unit of length",
+   "items": {"type": "number"}}},
+ "required": ["kind", "from", "to", "separation"],
+ "additionalProperties": false},
+"SuggestedRake": {
+ "type": "object",
+ "description": "A line to release particles from, as rake.set takes it.",
+ "properties": {
+  "kind": {"enum": ["line"], "description": "kind of rake"},
+  "points": {
+   "type": "array",
+   "minItems": 2,
+   "maxItems": 2,
+   "description": "both ends of the line",
+   "x-unit": "the dataset's unit of length",
+   "items": {
+    "type": "array",
+    "minItems": 3,
+    "maxItems": 3,
+    "description": "[x, y, z], finite as 32-bit floats",
+    "x-unit": "the dataset's unit of length",
+    "items": {"type": "number"}}},
+  "seeds": {"type": "integer", "minimum": 2, "description": "initial number of seeds"}},
+ "required": ["kind", "points", "seeds"],
+ "additionalProperties": false},
 "CacheStatus": {
  "type": "object",
  "description": "Which time-steps are in memory.",
@@ -362,33 +402,6 @@ const std::string_view schemas_1 =
   "clock": {"$ref": "#/components/schemas/Clock"},
   "keptAside": {"$ref": "#/components/schemas/KeptAside"}},
  "required": ["session", "name", "rakes", "surfaces", "bookmarks", "annotations", "clock"],
- "additionalProperties": false},
-"SessionName": {
- "type": "object",
- "description": "The id and the name of a session, and its units.",
- "properties": {
-  "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
-  "name": {"type": "string", "description": "display name"},
-  "units": {"$ref": "#/components/schemas/Units"}},
- "required": ["session", "name"],
- "additionalProperties": false},
-"SessionMade": {
- "type": "object",
- "description": "A new session.",
- "properties": {
-  "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
-  "name": {"type": "string", "description": "display name"},
-  "remaining": {"type": "integer", "minimum": 0, "description": "how many more sessions can be made"}},
- "required": ["session", "name", "remaining"],
- "additionalProperties": false},
-"TimesOfDataset": {
- "type": "object",
- "description": "The time-steps of a dataset.",
- "properties": {
-  "count": {"type": "integer", "minimum": 0, "description": "number of time-steps"},
-  "first": {"type": "number", "description": "time of the first time-step", "x-unit": "the dataset's unit of time"},
-  "last": {"type": "number", "description": "time of the last time-step", "x-unit": "the dataset's unit of time"}},
- "required": ["count", "first", "last"],
  "additionalProperties": false})json";
 
 } // namespace wakesurf::protocol::openrpc

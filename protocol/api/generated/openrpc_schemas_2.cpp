@@ -3,7 +3,34 @@
 
 namespace wakesurf::protocol::openrpc {
 
-const std::string_view schemas_2 = R"json("NamedDataset": {
+const std::string_view schemas_2 = R"json("SessionName": {
+ "type": "object",
+ "description": "The id and the name of a session, and its units.",
+ "properties": {
+  "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+  "name": {"type": "string", "description": "display name"},
+  "units": {"$ref": "#/components/schemas/Units"}},
+ "required": ["session", "name"],
+ "additionalProperties": false},
+"SessionMade": {
+ "type": "object",
+ "description": "A new session.",
+ "properties": {
+  "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+  "name": {"type": "string", "description": "display name"},
+  "remaining": {"type": "integer", "minimum": 0, "description": "how many more sessions can be made"}},
+ "required": ["session", "name", "remaining"],
+ "additionalProperties": false},
+"TimesOfDataset": {
+ "type": "object",
+ "description": "The time-steps of a dataset.",
+ "properties": {
+  "count": {"type": "integer", "minimum": 0, "description": "number of time-steps"},
+  "first": {"type": "number", "description": "time of the first time-step", "x-unit": "the dataset's unit of time"},
+  "last": {"type": "number", "description": "time of the last time-step", "x-unit": "the dataset's unit of time"}},
+ "required": ["count", "first", "last"],
+ "additionalProperties": false},
+"NamedDataset": {
  "type": "object",
  "description": "A dataset that surfaces of a document use. Only the id is present if the dataset could not be used when the document was written.",
  "properties": {

@@ -1,6 +1,7 @@
 #include "server/session/live/probe.hpp"
 
 #include "core/field/sample_scalar.hpp"
+#include "server/catalogue/dataset_suggestion.hpp"
 
 #include <fmt/format.h>
 
@@ -102,6 +103,19 @@ void Prober::ask(OpenDataset dataset,
         [dataset = std::move(dataset), request = std::move(request),
          stop = std::make_shared<EitherStop>(stop_.get_token(), unwanted)] {
             return probe(dataset, request, stop->token());
+        },
+        std::move(answer));
+}
+
+void Prober::suggest(OpenDataset dataset,
+                     const std::string& line,
+                     const std::stop_token& unwanted,
+                     std::function<void(core::Result<core::SceneSuggestion>)> answer) {
+    compute<core::SceneSuggestion>(
+        loop_, pool_, line,
+        [dataset = std::move(dataset),
+         stop = std::make_shared<EitherStop>(stop_.get_token(), unwanted)] {
+            return suggest_for(dataset.info, *dataset.flow, dataset.store.get(), stop->token());
         },
         std::move(answer));
 }

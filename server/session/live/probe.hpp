@@ -3,6 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "core/base/vec3.hpp"
+#include "core/surface/suggestion/scene_suggestion.hpp"
 #include "server/compute/background.hpp"
 #include "server/session/data/datasets.hpp"
 
@@ -55,6 +56,12 @@ class Prober {
              const std::string& line,
              const std::stop_token& unwanted,
              std::function<void(core::Result<ProbeResult>)> answer);
+
+    /// What to begin with in a dataset; otherwise as ask(). Error: as suggest_for.
+    void suggest(OpenDataset dataset,
+                 const std::string& line,
+                 const std::stop_token& unwanted,
+                 std::function<void(core::Result<core::SceneSuggestion>)> answer);
 
   private:
     Loop& loop_;

@@ -73,6 +73,24 @@ TEST_F(DatasetMethods, ProbesGiveTheFieldBetweenNodesAndTimes) {
     }
 }
 
+TEST_F(DatasetMethods, SuggestsARakeAndSurfacesThatTheServerTakes) {
+    for (const std::string dataset : {"gyre", "abc"}) {
+        const json scene = call("dataset.suggest", {{"dataset", dataset}})["result"];
+        ASSERT_EQ(scene["surfaces"].size(), 4u) << scene;
+        EXPECT_NE(scene["why"].get<std::string>(), "");
+        json rake = scene["rake"];
+        rake["session"] = "main";
+        const json made = call("rake.set", rake)["result"];
+        EXPECT_EQ(made["clipped"], false) << made;
+        for (json surface : scene["surfaces"]) {
+            surface.update({{"session", "main"}, {"dataset", dataset}, {"rake", made["rake"]}});
+            EXPECT_TRUE(call("surface.set", surface).contains("result")) << surface;
+        }
+        EXPECT_EQ(call("dataset.suggest", {{"dataset", dataset}})["result"], scene); // for everyone
+    }
+    EXPECT_EQ(call("dataset.suggest", {{"dataset", "none"}})["error"]["data"]["kind"], "notFound");
+}
+
 TEST_F(DatasetMethods, ProbesOfBuiltInFlowsAreExact) {
     const auto answer =
         call("probe.sample", {{"dataset", "abc"}, {"points", {{0, 0, 0}}}, {"time", 0.0}});

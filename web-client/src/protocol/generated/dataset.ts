@@ -2,6 +2,7 @@
 import { flag, list, members, number, oneOf, optional, orNull, point, text, tuple, whole } from '../checks.ts';
 import type { Vec3 } from '../vec3.ts';
 import { type Lattice, type Problem, latticeCheck, problemCheck } from './shared.ts';
+import { type SurfaceKind, surfaceKindCheck } from './surface.ts';
 
 /** state of the import */
 export const datasetStates = ['ready', 'importing', 'failed', 'stopped', 'incomplete'] as const;
@@ -147,6 +148,43 @@ export const datasetCheck = members<Dataset>({
     spacing: optional(point),
 });
 
+/** Parameters to begin a surface with, as surface.set takes them. */
+export interface SuggestedSurface {
+    /**
+     * stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak:
+     * particles released continuously from `from` on; time: a patch of particles released at `from`
+     */
+    kind: SurfaceKind;
+    /** where the surface starts (the dataset's unit of time) */
+    from: number;
+    /** where it ends (the dataset's unit of time) */
+    to: number;
+    /** longest edge allowed (the dataset's unit of length) */
+    separation: number;
+    /** of a time surface: the patch is the rake swept along this vector (the dataset's unit of length) */
+    sweep?: Vec3;
+}
+
+export const suggestedSurfaceCheck = members<SuggestedSurface>({
+    kind: surfaceKindCheck,
+    from: number,
+    to: number,
+    separation: number,
+    sweep: optional(point),
+});
+
+/** A line to release particles from, as rake.set takes it. */
+export interface SuggestedRake {
+    /** kind of rake */
+    kind: 'line';
+    /** both ends of the line (the dataset's unit of length) */
+    points: [Vec3, Vec3];
+    /** initial number of seeds */
+    seeds: number;
+}
+
+export const suggestedRakeCheck = members<SuggestedRake>({ kind: oneOf(['line']), points: list(point, 2), seeds: whole });
+
 /** resident: in memory; loading: being read; cold: not in memory */
 export const stepStates = ['resident', 'loading', 'cold'] as const;
 export type StepState = (typeof stepStates)[number];
@@ -190,6 +228,22 @@ export interface DatasetOpenParams {
     timeoutMs?: number;
     /** on a WebSocket: $/progress reports the progress of the work with this token */
     workDoneToken?: string | number;
+}
+
+/** Parameters of dataset.suggest. */
+export interface DatasetSuggestParams {
+    /** an id from dataset.list */
+    dataset: string;
+}
+
+/** What dataset.suggest answers. */
+export interface DatasetSuggestResult {
+    /** the rake */
+    rake: SuggestedRake;
+    /** one of each kind that the data allow: a single time-step of an unsteady flow allows stream surfaces only */
+    surfaces: SuggestedSurface[];
+    /** what was chosen and why, for people */
+    why: string;
 }
 
 /** Parameters of cache.status. */

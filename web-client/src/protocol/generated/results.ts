@@ -16,7 +16,16 @@ import {
 } from '../checks.ts';
 import { type AnnotationListResult, type AnnotationSetResult, annotationRecordCheck } from './annotation.ts';
 import { type BookmarkListResult, type BookmarkSetResult, bookmarkRecordCheck } from './bookmark.ts';
-import { type DatasetListResult, type ProbeSampleResult, cacheStatusCheck, datasetCheck, datasetEntryCheck } from './dataset.ts';
+import {
+    type DatasetListResult,
+    type DatasetSuggestResult,
+    type ProbeSampleResult,
+    cacheStatusCheck,
+    datasetCheck,
+    datasetEntryCheck,
+    suggestedRakeCheck,
+    suggestedSurfaceCheck,
+} from './dataset.ts';
 import { type HistoryRedoResult, type HistoryUndoResult, changeCheck, skipCheck } from './history.ts';
 import { limitsCheck } from './limits.ts';
 import type { Methods } from './methods.ts';
@@ -91,6 +100,11 @@ export const resultChecks: { [Name in keyof Methods]: Check<Methods[Name]['resul
     'dataset.list': members<DatasetListResult>({ datasets: list(datasetEntryCheck) }),
     'dataset.describe': datasetCheck,
     'dataset.open': datasetEntryCheck,
+    'dataset.suggest': members<DatasetSuggestResult>({
+        rake: suggestedRakeCheck,
+        surfaces: list(suggestedSurfaceCheck),
+        why: text,
+    }),
     'cache.status': cacheStatusCheck,
     'probe.sample': members<ProbeSampleResult>({ values: mapOf(list(either([orNull(number), point]))), inside: list(flag) }),
     'session.create': sessionMadeCheck,
