@@ -60,6 +60,7 @@ class PassBudgets {
     };
 
     double expected_final() const;
+    void aim_refined(double seconds, const core::SurfaceStatistics& had);
 
     const Aim& early(Phase phase) const { return phase == Phase::Coarse ? coarse_ : refined_; }
 
@@ -72,6 +73,9 @@ class PassBudgets {
     std::optional<double>
         estimated_seconds_; ///< from the coarse pass, while there was no final one
     double step_seconds_ = 1.0;
+    double
+        power_; ///< of the quads that the work goes with: smaller cells of a surface that moves also take more steps
+    bool refined_known_ = false; ///< what a refined pass takes was measured
 };
 
 } // namespace wakesurf::server

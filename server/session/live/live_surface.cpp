@@ -16,7 +16,9 @@ namespace {
 /// A job for a time that no one wants any more may be this long at work before it is given up: scrubbing shows something on the way.
 constexpr std::chrono::milliseconds patience_with_stale{150};
 constexpr std::chrono::milliseconds patience_for_key{100}; ///< until others have given memory back
-constexpr std::size_t quick_key = 30'000;                  ///< vertices encoded within some 15 ms
+/// Of the progress that is told: after a coarse pass, and after a refined one.
+constexpr double coarse_part = 0.05, early_part = 0.2;
+constexpr std::size_t quick_key = 30'000; ///< vertices encoded within some 15 ms
 
 /// @param whole  its statistics are of this pass alone, not of all since the surface was released
 void count(Metrics& metrics,
@@ -279,10 +281,9 @@ void LiveSurface::start(Pace pace, const SurfacePass& pass) {
     if (!build_)
         build_ =
             std::make_shared<SurfaceBuild>(wanted_, services_.clock, services_.memory, next_seq_);
-    const bool early = pass.phase == Phase::Coarse || pass.phase == Phase::Refined;
     Running& running = lanes_[index(pace)].emplace(
         Running{epoch_, pass, std::stop_source(), services_.clock.now(), pass_wanted_,
-                early ? nullptr : std::make_shared<core::WorkDone>(), build_});
+                std::make_shared<core::WorkDone>(), build_});
     services_.pool.run(
         session_, pace,
         [build = build_, pass, pace, stop = running.stop.get_token(), weak = weak_from_this(),
@@ -404,13 +405,22 @@ SurfaceOutcome LiveSurface::outcome() const {
     return out;
 }
 
+/// Of the whole way to the surface asked for, on which the early passes are a little each.
 double LiveSurface::fraction_done() const {
     if (outcome().complete)
         return 1.0;
-    for (const auto& lane : lanes_)
-        if (lane && lane->epoch == epoch_ && lane->work)
-            return lane->work->fraction();
-    return 0.0;
+    const bool only_final = full_ || !coarse_done_;
+    for (const auto& lane : lanes_) {
+        if (!lane || lane->epoch != epoch_ || !lane->work)
+            continue;
+        const double part = lane->work->fraction();
+        if (lane->pass.phase == Phase::Coarse)
+            return coarse_part * part;
+        if (lane->pass.phase == Phase::Refined)
+            return coarse_part + (early_part - coarse_part) * part;
+        return only_final ? part : early_part + (1.0 - early_part) * part;
+    }
+    return only_final ? 0.0 : refined_done_ ? early_part : coarse_part;
 }
 
 void LiveSurface::retire() {

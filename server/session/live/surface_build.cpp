@@ -151,7 +151,7 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::build_early(const SurfacePass& p
             p.release_until.reset();
         p.to = p.from + std::copysign(age, p.to - p.from);
     }
-    auto surface = core::build_surface(*job_.flow, rake, p, stop, clock_, work.quietly());
+    auto surface = core::build_surface(*job_.flow, rake, p, stop, clock_, work);
     if (!surface)
         return tl::unexpected(surface.error());
     auto fields = fields_of(*surface, p, stop, work);

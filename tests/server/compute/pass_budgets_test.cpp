@@ -50,6 +50,26 @@ TEST(PassBudgets, FindsTheSeparationOfCoarsePassesOnceAndNotAtEveryEdit) {
     EXPECT_NEAR(machine.pass(budgets, Phase::Coarse), 0.0035, 0.0005);
 }
 
+TEST(PassBudgets, PlansARefinedPassByWhatTheCoarseOneTook) {
+    // As in large meshes of cells: a thousand times as long a quad.
+    for (const double seconds_a_quad : {2e-6, 2e-5, 2e-4, 2e-3}) {
+        PassBudgets budgets(false);
+        Machine machine{seconds_a_quad};
+        machine.pass(budgets, Phase::Coarse);
+        const double coarse = machine.pass(budgets, Phase::Coarse);
+        ASSERT_TRUE(budgets.refined_too());
+        EXPECT_LT(machine.pass(budgets, Phase::Refined), std::max(0.16, 5.0 * coarse))
+            << seconds_a_quad;
+    }
+}
+
+TEST(PassBudgets, MakesNoRefinedPassThatTakesAboutAsLongAsTheFinalOne) {
+    PassBudgets budgets(false);
+    Machine machine{2e-3, 0.03};
+    machine.pass(budgets, Phase::Coarse);
+    EXPECT_FALSE(budgets.refined_too());
+}
+
 TEST(PassBudgets, GoesOnAtOnceWhereASurfaceGrowsAThirdLarger) {
     PassBudgets budgets(true);
     Machine machine{2e-6};
