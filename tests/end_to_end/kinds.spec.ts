@@ -32,6 +32,17 @@ async function edited(edit: () => Promise<unknown>): Promise<SurfaceRecord> {
 }
 
 describe('the kinds of surface', () => {
+    it('are all shown at the time of the picture, with at least half of each downstream of the front of the body', async () => {
+        for (const kind of ['Stream', 'Path', 'Streak', 'Time']) {
+            if (kind !== 'Stream') await edited(() => page.getByRole('radio', { name: kind }).check());
+            expect(await ask(page, (hook) => hook.displayed!.time)).toBe(16);
+            expect(await page.locator('#surface-remark').isVisible()).toBe(false);
+            const xs = (await ask(page, (hook) => hook.vertices(1))).map(({ point }) => point[0]);
+            expect(xs.filter((x) => x > -0.5).length / xs.length).toBeGreaterThan(0.5);
+            await screenshot(page, `first-${kind.toLowerCase()}`);
+        }
+    });
+
     it('releases a streak surface until the slider says', async () => {
         const streak = await edited(() => page.getByRole('radio', { name: 'Streak' }).check());
         expect(streak).toMatchObject({ kind: 'streak', from: 8.5, to: 16 });
@@ -49,7 +60,9 @@ describe('the kinds of surface', () => {
 
     it('sweeps a time surface across the flow until told otherwise', async () => {
         const patch = await edited(() => page.getByRole('radio', { name: 'Time' }).check());
-        expect(patch).toMatchObject({ kind: 'time', from: 8.5, to: 16 });
+        // Released late enough that it has not left the domain.
+        expect(patch).toMatchObject({ kind: 'time', to: 16 });
+        expect(patch.from).toBeGreaterThan(8.5);
         expect(patch.sweep?.map((each) => each !== 0)).toEqual([false, true, false]);
         const z = page.getByRole('spinbutton', { name: 'Sweep along z' });
         const slanted = await edited(async () => {
@@ -59,17 +72,23 @@ describe('the kinds of surface', () => {
         expect(slanted.sweep).toEqual([0, patch.sweep![1], 0.5]);
         const path = await edited(() => page.getByRole('radio', { name: 'Path' }).check());
         expect(path.sweep).toBeUndefined();
-        await page.getByText(/end of data/).waitFor();
+        await page.getByText('To the end of the data.').waitFor();
+        const slider = page.getByRole('slider', { name: 'Integration time' });
+        await slider.focus();
+        await page.keyboard.press('End');
+        expect(await slider.inputValue()).toBe(String(path.to - path.from));
+        const shorter = await edited(() => page.keyboard.press('Home'));
+        expect(shorter.to).toBeCloseTo(path.from + (path.to - path.from) / 100);
     });
 
     it('goes back in time as the direction says, released where the data have time for it, and stays so after a reload', async () => {
         const direction = page.getByRole('combobox', { name: 'Direction' });
         const stream = await edited(() => direction.selectOption('backward'));
-        expect(stream).toMatchObject({ kind: 'stream', direction: 'backward', from: 8.5 });
-        expect(stream.to).toBeLessThan(8.5);
+        expect(stream).toMatchObject({ kind: 'stream', direction: 'backward', from: 16 });
+        expect(stream.to).toBeLessThan(16);
         const streak = await edited(() => page.getByRole('radio', { name: 'Streak' }).check());
         expect(streak).toMatchObject({ kind: 'streak', direction: 'backward', from: 16, to: 8.5 });
-        await page.getByText('Released at 16: the data have nothing before 8.5.').waitFor();
+        await page.getByText(/^Shown at 8.5 now, no longer at 16:/).waitFor();
         await page.getByText('t = 8.5', { exact: true }).waitFor();
         await screenshot(page, 'streak-backward');
         await page.reload();

@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { encodeLinkState } from '../../web-client/src/session/view/linkState.ts';
+import { steadyRange } from '../../web-client/src/scene/surface/steadyRange.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { stripePeriodPx } from '../../web-client/src/scene/surface/patternShader.ts';
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
@@ -136,7 +137,7 @@ describe('colours', () => {
         const record = (await server.call('session.state', { session })) as { snapshot?: unknown };
         expect(JSON.stringify(record)).toMatch(new RegExp(`"fields":\\[[^\\]]*"${field}"`));
         const values = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar);
-        const half = Math.max(...values.map(Math.abs));
+        const half = Math.max(...steadyRange(Math.min(...values), Math.max(...values)).map(Math.abs));
         expect(half).toBeGreaterThan(1);
         const seen = await seenVertices(page, 3);
         expect(await page.getByRole('radio', { name: 'Cool to warm' }).isChecked()).toBe(true);
@@ -177,7 +178,17 @@ describe('colours', () => {
         await drawn();
         expect(await scalarBar()).toMatch(/^Colours: Speed from/);
         const seen = await seenVertices(page, 5);
-        expect(agreement(seen, ({ scalar }) => scalar, { map: 'viridis', range })).toBeGreaterThan(0.95);
+        const speeds = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar);
+        const own = steadyRange(Math.min(...speeds), Math.max(...speeds));
+        expect(await scalarBar()).toContain(', of this surface');
+        expect(agreement(seen, ({ scalar }) => scalar, { map: 'viridis', range: own })).toBeGreaterThan(0.95);
+
+        await page.getByLabel('Over all the data, not this surface').check();
+        await drawn();
+        expect(await scalarBar()).toContain(', of all the data');
+        const all = await seenVertices(page, 5);
+        expect(agreement(all, ({ scalar }) => scalar, { map: 'viridis', range })).toBeGreaterThan(0.95);
+        await page.getByLabel('Over all the data, not this surface').uncheck();
     });
 
     it('are those of a field of the dataset', async () => {
@@ -191,7 +202,8 @@ describe('colours', () => {
             await finalSurface(opened);
             await opened.getByRole('tab', { name: 'Look' }).click();
             await opened.getByLabel('Colour by').selectOption({ label: 'place' });
-            await opened.locator('wakesurf-scalar-bar figure[aria-label="Colours: place from 0 to 7"]').waitFor();
+            await opened.getByLabel('Over all the data, not this surface').check();
+            await opened.locator('wakesurf-scalar-bar figure[aria-label="Colours: place from 0 to 7, of all the data"]').waitFor();
             await drawn(opened);
             const vertices = await ask(opened, (hook) => hook.vertices(1));
             const furthest = Math.max(...vertices.map(({ point, scalar }) => Math.abs(point[0] - scalar)));

@@ -3,6 +3,7 @@
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { colourTable, fractionOf } from '../../web-client/src/scene/surface/colourMap.ts';
+import { steadyRange } from '../../web-client/src/scene/surface/steadyRange.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { bundledStore, ServerProcess } from './support/server_process.ts';
@@ -109,7 +110,9 @@ describe('the picture', () => {
     });
 
     it('colours the surface by the speed, as the scalar bar says', async () => {
-        const range = await ask(page, (hook) => hook.speedRange);
+        const speeds = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar);
+        const range = steadyRange(Math.min(...speeds), Math.max(...speeds));
+        expect(await page.locator('wakesurf-scalar-bar figure').getAttribute('aria-label')).toContain('of this surface');
         const table = colourTable();
         const hueOfSpeed = (speed: number): number => {
             const i = Math.round(fractionOf(speed, range) * 255) * 4;

@@ -24,7 +24,9 @@ import { OpenDataset } from './session/openDataset.ts';
 import { connectPainting } from './session/tools/painting.ts';
 import { People } from './session/people/people.ts';
 import { showPeople } from './session/people/peopleInPicture.ts';
+import { chooseKind } from './session/time/kindChoice.ts';
 import { Playback } from './session/time/playback.ts';
+import { Suggestions } from './session/suggestions.ts';
 import { Pointing } from './session/people/pointing.ts';
 import { Probing } from './session/tools/probing.ts';
 import { connectRakes } from './session/picture/rakesByHand.ts';
@@ -116,7 +118,8 @@ function start(app: App): void {
         busy: () => scene.interaction.dragging || document.visibilityState !== 'visible',
     });
     const dataset = new OpenDataset({ state, scene, worker, imports });
-    const controller = new SessionController({ state, worker, dataset, feed, edits, people, views, thumbnails, url });
+    const suggestions = new Suggestions(state, worker);
+    const controller = new SessionController({ state, worker, dataset, suggestions, feed, edits, people, views, thumbnails, url });
     const news = new ServerNews({ state, feed, outcomes, people, progress, dataset, controller });
     const shelf = new SessionShelf({ state, worker, base: baseUrl(), restored: (session) => controller.restored(session) });
     const clock = new ClockControl({ state, worker, requestFrame });
@@ -171,7 +174,7 @@ function start(app: App): void {
             sessionHead: { state, view, shelf },
             datasetHead: { state, shelf },
             rakeList: { state, view, edits },
-            surface: { state, view, edits },
+            surface: { state, view, edits, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
             rake: { state, view, edits, scene },
             look: { state, view, edits, scene },
             bookmarks: { state, views, calls, clock },

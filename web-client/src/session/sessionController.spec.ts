@@ -6,8 +6,9 @@ import { emptySnapshot } from '../protocol/testing/sampleRecords.ts';
 import { apiLevel } from '../protocol/version.ts';
 import { AppState } from '../state/appState.ts';
 import { answering } from '../testing/answering.ts';
-import { datasetOf, rakeOf, surfaceOf } from '../testing/records.ts';
+import { datasetOf, rakeOf, surfaceOf, suggestionOf } from '../testing/records.ts';
 import { CallError } from '../worker/workerClient.ts';
+import { Suggestions } from './suggestions.ts';
 import { OpenDataset } from './openDataset.ts';
 import { SessionController } from './sessionController.ts';
 
@@ -66,7 +67,9 @@ class Bench {
         const views = { restore: () => undefined, madeAnew: () => undefined };
         const thumbnails = { patched: () => undefined };
         const dataset = new OpenDataset({ state, scene, worker, imports });
-        this.controller = new SessionController({ state, worker, dataset, feed, edits, people, views, thumbnails, url });
+        const suggestions = new Suggestions(state, worker);
+        const rest = { dataset, suggestions, feed, edits, people, views, thumbnails, url };
+        this.controller = new SessionController({ state, worker, ...rest });
     }
 
     async connect(): Promise<void> {
@@ -93,6 +96,7 @@ class Bench {
         if (method === 'dataset.describe') {
             return datasetOf();
         }
+        if (method === 'dataset.suggest') return suggestionOf();
         if (method === 'session.create') {
             this.records = emptySnapshot(`session-${++this.made}`, String(params['name']));
             this.edited = false;

@@ -14,6 +14,7 @@ import type { People } from './people/people.ts';
 import { adoptSnapshot, applyPatches } from './recordMirror.ts';
 import { Arrival, isNotFound, nameKept } from './sessions/arrival.ts';
 import type { Thumbnails } from './out/thumbnails.ts';
+import type { Suggestions } from './suggestions.ts';
 import { addDefaultScene, isEmpty, wasEdited } from './sessions/filling.ts';
 import { rememberSession } from './sessions/knownSessions.ts';
 import type { SurfaceFeed } from './surface/surfaceFeed.ts';
@@ -33,6 +34,7 @@ export interface SessionControllerOptions {
     feed: Pick<SurfaceFeed, 'subscribe' | 'reset' | 'requested' | 'removed'>;
     edits: Pick<Edits, 'reconnected' | 'recordsChanged'> & { history: Pick<UndoHistory, 'clear'> };
     people: Pick<People, 'joined'>;
+    suggestions: Pick<Suggestions, 'here'>;
     views: Pick<Views, 'restore' | 'madeAnew'>;
     thumbnails: Pick<Thumbnails, 'patched'>;
     url: UrlState;

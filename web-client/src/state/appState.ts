@@ -13,6 +13,7 @@ import type {
     Participant,
     RakeKind,
     RakeRecord,
+    ResultOf,
     Role,
     StepState,
     SurfaceRecord,
@@ -117,6 +118,8 @@ export class AppState {
     readonly progress = signal<{ surface: string; fraction: number | null; message: string } | null>(null);
     /** Of a message to the server and back. */
     readonly roundTripMs = signal<number | null>(null);
+    /** What the server suggests to begin with in the dataset; null: not known yet. */
+    readonly suggestion = signal<({ dataset: string } & ResultOf<'dataset.suggest'>) | null>(null);
     /** Of the newest edit that is on the screen. */
     readonly latency = signal<LatencySample | null>(null);
 

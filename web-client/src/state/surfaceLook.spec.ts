@@ -8,6 +8,7 @@ const other: SurfaceLook = {
     invert: true,
     log: true,
     range: [-1, 2.5],
+    rangeOf: 'data',
     centre: 0,
     backSide: 'tinted',
     opacity: 0.4,

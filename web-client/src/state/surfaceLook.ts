@@ -8,6 +8,10 @@ export type LineKind = (typeof lineKinds)[number];
 export const backSides = ['shaded', 'same', 'tinted'] as const;
 export type BackSide = (typeof backSides)[number];
 
+/** Colours over what there is on the surface, or over what there is in all the data: the same at all times and on all surfaces. */
+export const rangesOf = ['surface', 'data'] as const;
+export type RangeOf = (typeof rangesOf)[number];
+
 type Pair = readonly [number, number];
 
 export interface SurfaceLook {
@@ -18,8 +22,9 @@ export interface SurfaceLook {
     map: ColourMap;
     invert: boolean;
     log: boolean;
-    /** Locked; null: automatic. */
+    /** Locked; null: as `rangeOf` says. */
     range: Pair | null;
+    rangeOf: RangeOf;
     /** The colours are symmetric round this value. */
     centre: number | null;
     backSide: BackSide;
@@ -50,6 +55,7 @@ export const usualLook: SurfaceLook = {
     invert: false,
     log: false,
     range: null,
+    rangeOf: 'surface',
     centre: null,
     backSide: 'shaded',
     opacity: 1,
@@ -88,6 +94,7 @@ const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
     invert: isFlag,
     log: isFlag,
     range: isSpan,
+    rangeOf: isOneOf(rangesOf),
     centre: (value) => value === null || isNumber(value),
     backSide: isOneOf(backSides),
     opacity: isPart,

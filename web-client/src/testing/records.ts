@@ -1,5 +1,5 @@
 // Whole records for unit tests: a test names what it is about, everything else is as in a small flow.
-import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord } from '../protocol/messages.ts';
+import type { DatasetDescription, FieldDescription, RakeRecord, ResultOf, SurfaceRecord } from '../protocol/messages.ts';
 import { sampleRake, sampleSurface } from '../protocol/testing/sampleRecords.ts';
 import type { DisplayedSurface } from '../state/appState.ts';
 
@@ -13,6 +13,24 @@ export function datasetOf(change: Partial<DatasetDescription> = {}): DatasetDesc
         ...{ velocity: 'U', why: 'the only vector', obstacle: false, bytesPerStep: 12_000, finestSpacing: 0.1, smooth: true },
         lattice: { origin: [0, 0, 0], step: 2 ** -16, bits: 16 },
         ...change,
+    };
+}
+
+/** As the server makes one for a flow along x that is known from 0 to 10. */
+export function suggestionOf(): ResultOf<'dataset.suggest'> {
+    const points: ResultOf<'dataset.suggest'>['rake']['points'] = [
+        [0.2, 0.5, 0.1],
+        [0.2, 0.5, 0.9],
+    ];
+    return {
+        rake: { kind: 'line', points, seeds: 32 },
+        surfaces: [
+            { kind: 'stream', from: 10, to: 14, separation: 0.1 },
+            { kind: 'path', from: 6, to: 10, separation: 0.05 },
+            { kind: 'streak', from: 6, to: 10, separation: 0.05 },
+            { kind: 'time', from: 8, to: 10, separation: 0.05, sweep: [0, 0.2, 0] },
+        ],
+        why: 'The rake is ahead of a body.',
     };
 }
 

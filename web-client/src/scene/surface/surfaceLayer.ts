@@ -225,8 +225,9 @@ export class SurfaceLayer {
     }
 }
 
-function coloursOf({ source, scalar, map, range, centre, inverted, logarithmic }: SurfaceStyle): Partial<SurfaceStyle> {
-    return { source, scalar, map, range, centre, inverted, logarithmic };
+function coloursOf(style: SurfaceStyle): Partial<SurfaceStyle> {
+    const { source, scalar, map, range, rangeOf, centre, inverted, logarithmic } = style;
+    return { source, scalar, map, range, rangeOf, centre, inverted, logarithmic };
 }
 
 function setPlanes(vectors: Vector4[], planes: Planes): void {

@@ -16,6 +16,7 @@ import {
 import { drawnRange } from './colourMap.ts';
 import { peelUniforms } from './peeling.ts';
 import { fragmentShader, pickFragmentShader, vertexShader } from './surfaceShader.ts';
+import { steadyRange } from './steadyRange.ts';
 import type { SurfaceStyle } from './surfaceStyle.ts';
 import type { SurfaceTextures } from './surfaceTextures.ts';
 
@@ -145,7 +146,10 @@ export class SurfaceMaterials {
         own.inverted.value = style.inverted;
         own.logarithmic.value = style.logarithmic;
         const seen = { constant: [0, 1], scalar: facts.scalarRange, s: [0, 1], t: facts.tRange, age: ages }[style.source];
-        const wanted = style.range ?? [seen[0] ?? 0, seen[1] ?? 1];
+        const [least, greatest] = [seen[0] ?? 0, seen[1] ?? 1];
+        // Of zero there is no logarithm.
+        const round = style.source === 'scalar' && !style.logarithmic;
+        const wanted = style.range ?? (round ? steadyRange(least, greatest) : [least, greatest]);
         this.range = drawnRange(wanted, style.logarithmic, style.centre);
         const [low, high] = style.logarithmic ? this.range.map(Math.log) : this.range;
         own.range.value.set(low!, high!);

@@ -17,6 +17,8 @@ export interface SurfaceStyle {
     logarithmic: boolean;
     /** Null: from the least to the greatest that there is. */
     range: readonly [number, number] | null;
+    /** Whose range that is, for people. */
+    rangeOf: 'surface' | 'data' | 'locked';
     /** The range is made symmetric round this value. */
     centre: number | null;
     backSide: BackSide;
@@ -50,6 +52,7 @@ export const plainStyle: SurfaceStyle = {
     inverted: false,
     logarithmic: false,
     range: null,
+    rangeOf: 'surface',
     centre: null,
     backSide: 'shaded',
     tIsRelease: false,

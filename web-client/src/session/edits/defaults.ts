@@ -1,29 +1,9 @@
-// The first rake and surface of an empty session: something to look at and to drag, in any domain.
+// Where further rakes and copies go, and what a rake is swept along, where no one has chosen. The first rake and surface are the
+// server's suggestion.
 import type { DatasetDescription, Vec3 } from '../../protocol/messages.ts';
-import { niceStep } from '../../scene/base/ticks.ts';
-
-export const defaultSeeds = 32;
 
 type Axis = 0 | 1 | 2;
 type Bounds = DatasetDescription['bounds'];
-
-/**
- * A line across the domain, 10 % from the low end of its longest axis, along the shorter of the
- * other two, a little off the middle of the third: exactly on a line of symmetry a surface would
- * hit the stagnation point of a body in the middle and show nothing but that.
- */
-export function defaultRake(bounds: Bounds): [Vec3, Vec3] {
-    const longest = ([0, 1, 2] as Axis[]).reduce((a, b) => (extent(bounds, b) > extent(bounds, a) ? b : a));
-    const others = ([2, 1, 0] as Axis[]).filter((axis) => axis !== longest) as [Axis, Axis];
-    const [along, across] = extent(bounds, others[1]) < extent(bounds, others[0]) ? [others[1], others[0]] : others;
-    const start: Vec3 = [0, 0, 0];
-    start[longest] = at(bounds, longest, 0.1);
-    start[across] = at(bounds, across, 0.53);
-    start[along] = at(bounds, along, 0.05);
-    const end: Vec3 = [...start];
-    end[along] = at(bounds, along, 0.95);
-    return [start, end];
-}
 
 /**
  * What a time surface's rake is swept along where no one has chosen: the axis that is most
@@ -45,33 +25,27 @@ export function defaultSweep(bounds: Bounds, rake: readonly Vec3[]): Vec3 {
     return sweep;
 }
 
-/** An integration time in which the flow crosses most of the domain. */
-export function defaultLength(bounds: Bounds, fastest: number): number {
-    const longest = Math.max(...([0, 1, 2] as Axis[]).map((axis) => extent(bounds, axis)));
-    if (!(fastest > 0)) return 1;
-    const rough = (1.5 * longest) / fastest;
-    const step = niceStep(rough / 20);
-    return Math.max(step, Math.round(rough / step) * step);
-}
-
 /**
- * For a further rake: as the first one, moved across the flow, or along it, to where it is clear of those there are; where
+ * For a further rake: as the first one that the server suggests, moved across the flow, or along it, to where it is clear of those there are; where
  * nothing is clear, to where there is most room.
  */
-export function freeRake(bounds: Bounds, others: readonly (readonly Vec3[])[]): [Vec3, Vec3] {
-    const [start, end] = defaultRake(bounds);
+export function freeRake(bounds: Bounds, first: readonly Vec3[], others: readonly (readonly Vec3[])[]): [Vec3, Vec3] {
+    const start: Vec3 = first[0] ?? [0, 0, 0];
+    const end: Vec3 = first.at(-1) ?? start;
+    if (others.length === 0) return [start, end];
+    const along = longestOf([0, 1, 2], (axis) => Math.abs(end[axis] - start[axis]));
     const sweep = defaultSweep(bounds, [start, end]);
     const across = sweep.findIndex((each) => each !== 0) as Axis;
-    const longest = ([0, 1, 2] as Axis[]).reduce((a, b) => (extent(bounds, b) > extent(bounds, a) ? b : a));
+    const third = ([0, 1, 2] as Axis[]).find((axis) => axis !== along && axis !== across) ?? across;
     const size = Math.hypot(extent(bounds, 0), extent(bounds, 1), extent(bounds, 2));
     let best: [Vec3, Vec3] = [start, end];
     let most = -1;
-    for (const along of [0.1, 0.3, 0.5]) {
+    for (const further of [start[third], at(bounds, third, 0.3), at(bounds, third, 0.5)]) {
         for (const beside of [0.53, 0.35, 0.7, 0.2, 0.85, 0.44, 0.62]) {
             const candidate = [start, end].map((point) => {
                 const moved: Vec3 = [...point];
-                moved[longest] = at(bounds, longest, along);
-                if (across !== longest) moved[across] = at(bounds, across, beside);
+                moved[third] = further;
+                if (across !== third) moved[across] = at(bounds, across, beside);
                 return moved;
             }) as [Vec3, Vec3];
             const room = Math.min(...others.map((points) => apart(candidate, points)));
@@ -102,6 +76,10 @@ function withMiddle(points: readonly Vec3[]): Vec3[] {
     const [first = [0, 0, 0], last = first] = [points[0], points.at(-1)];
     const middle = first.map((each, k) => (each + (last[k] ?? each)) / 2) as Vec3;
     return [first, middle, last];
+}
+
+function longestOf(axes: readonly Axis[], length: (axis: Axis) => number): Axis {
+    return axes.reduce((a, b) => (length(b) > length(a) ? b : a));
 }
 
 function extent(bounds: Bounds, axis: Axis): number {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { settled } from '../../testing/fakeClock.ts';
 import { Bench, type Call } from '../../testing/editsBench.ts';
-import { datasetOf, rakeOf, surfaceOf } from '../../testing/records.ts';
+import { datasetOf, rakeOf, surfaceOf, suggestionOf } from '../../testing/records.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import { numberProblems } from './rakeEdits.ts';
 
@@ -288,6 +288,7 @@ describe('undo', () => {
     it('takes back a drag, a slider, or a button that makes two records, with one call each', async () => {
         const bench = new Bench();
         bench.state.dataset.value = datasetOf();
+        bench.state.suggestion.value = { dataset: 'flow', ...suggestionOf() };
         for (const x of [1, 2, 3]) {
             bench.drag(x, x < 3);
             bench.edits.flush();

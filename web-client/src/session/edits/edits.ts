@@ -101,9 +101,12 @@ export class Edits {
         this.rakes.change(rake, change);
     }
 
-    /** @param gesture the act it is part of, where that is not the control's */
-    changeSurface(change: Partial<SurfaceIntent>, gesture?: string): void {
-        this.surfaces.change(change, gesture);
+    /**
+     * @param gesture the act it is part of, where that is not the control's
+     * @param told what is to be said of it at the controls
+     */
+    changeSurface(change: Partial<SurfaceIntent>, gesture?: string, told: string | null = null): void {
+        this.surfaces.change(change, gesture, told);
     }
 
     chooseRake(rake: string): void {

@@ -3,7 +3,7 @@ import type { ParamsOf, RakeRecord, ResultOf, SurfaceSetting } from '../../proto
 import { type RakeShape, translated } from '../../scene/rake/rakeShape.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { besideRake, defaultLength, defaultSeeds, freeRake } from './defaults.ts';
+import { besideRake, freeRake } from './defaults.ts';
 import { tellFailure } from './editFailures.ts';
 import type { Gestures } from './gestures.ts';
 import { surfacesOf } from './selection.ts';
@@ -37,10 +37,11 @@ export class RecordActions {
         return this.attempt('new rake', async (call) => {
             const { rakes, dataset } = this.state;
             if (dataset.value === null) return;
+            const { rake: first } = this.suggestion ?? (await this.suggested());
             const others = [...rakes.value.values()].map(({ points }) => points);
-            const shape: RakeShape = { kind: 'line', points: freeRake(dataset.value.bounds, others) };
-            const rake = await this.make(call, shape, { seeds: defaultSeeds, name: this.freeName('Rake') });
-            await call('surface.set', this.likeActive(rake));
+            const shape: RakeShape = { kind: 'line', points: freeRake(dataset.value.bounds, first.points, others) };
+            const rake = await this.make(call, shape, { seeds: first.seeds, name: this.freeName('Rake') });
+            await call('surface.set', await this.likeActive(rake));
             this.choose({ rake });
         });
     }
@@ -70,7 +71,7 @@ export class RecordActions {
 
     addSurface(rake: string): Promise<void> {
         return this.attempt('add surface', async (call) => {
-            const { surface } = await call('surface.set', this.likeActive(rake));
+            const { surface } = await call('surface.set', await this.likeActive(rake));
             this.choose({ surface });
         });
     }
@@ -88,17 +89,25 @@ export class RecordActions {
         return rake;
     }
 
-    /** A surface with the settings of the one the panel shows, or usual ones. */
-    private likeActive(rake: string): SurfaceSetting {
-        const { surface, dataset, times, speedRange } = this.state;
+    /** A surface with the settings of the one the panel shows, or those that the server suggests. */
+    private async likeActive(rake: string): Promise<SurfaceSetting> {
+        const { surface, dataset: shown } = this.state;
         const like = surface.value;
         if (like !== undefined && like.kind !== 'time') {
             const { surface: _surface, rev: _rev, epoch: _epoch, ...asked } = like;
             return { ...asked, rake };
         }
-        const from = times.value[0] ?? 0;
-        const { dataset: id, bounds } = dataset.value!;
-        return { rake, dataset: id, kind: 'stream', from, to: from + defaultLength(bounds, speedRange.value[1]) };
+        const { surfaces } = this.suggestion ?? (await this.suggested());
+        return { rake, dataset: shown.value!.dataset, ...surfaces[0]! };
+    }
+
+    private get suggestion(): ResultOf<'dataset.suggest'> | null {
+        const { suggestion, dataset } = this.state;
+        return suggestion.value?.dataset === dataset.value?.dataset ? suggestion.value : null;
+    }
+
+    private suggested(): Promise<ResultOf<'dataset.suggest'>> {
+        return this.worker.call('dataset.suggest', { dataset: this.state.dataset.value!.dataset });
     }
 
     private freeName(stem: string): string {

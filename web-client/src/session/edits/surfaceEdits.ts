@@ -58,8 +58,11 @@ export class SurfaceEdits {
         for (const { window } of this.edited.values()) window.flush();
     }
 
-    /** @param gesture left out: the control's that changes this */
-    change(change: Partial<SurfaceIntent>, gesture?: string): void {
+    /**
+     * @param gesture left out: the control's that changes this
+     * @param remark what is to be said of it, beside what cannot be just so
+     */
+    change(change: Partial<SurfaceIntent>, gesture?: string, remark: string | null = null): void {
         const { state, gestures } = this.options;
         const record = state.surface.value;
         const before = this.intent.value;
@@ -77,7 +80,7 @@ export class SurfaceEdits {
         this.taken = null;
         batch(() => {
             this.intent.value = intent;
-            this.remark.value = told;
+            this.remark.value = [told, remark].find((words) => words !== null) ?? null;
         });
         const one = this.edited.get(record.surface) ?? this.track(record.surface);
         one.last = setting;

@@ -21,6 +21,11 @@ export function followed(wanted: Times, times: readonly number[], steady: boolea
     return isFree(wanted, steady) ? wanted.length : Math.min(wanted.length, timeLeft(wanted, times));
 }
 
+/** The longest that it could be followed, with its release where it is; null: as long as one likes. */
+export function longestLength(wanted: Times, times: readonly number[], steady: boolean): number | null {
+    return isFree(wanted, steady) ? null : timeLeft(wanted, times);
+}
+
 /** Where it ends: `to` of its record. */
 export function endOf(wanted: Times, times: readonly number[], steady: boolean): number {
     const length = followed(wanted, times, steady);

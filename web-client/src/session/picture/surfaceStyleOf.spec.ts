@@ -19,8 +19,14 @@ const rake = rakeOf('r1', {
 const facts = { record, rake, dataset, speedRange: [1, 3] as const };
 
 describe('styleOf', () => {
-    it('takes the range of the dataset where that has one, and the locked one before it', () => {
-        const of = (colourBy: string) => styleOf({ ...facts, look: { ...usualLook, colourBy } });
+    it('leaves the range to the surface, takes that of the data where it is to, and the locked one before both', () => {
+        for (const colourBy of ['speed', 'field:p', 'deformation']) {
+            const usual = styleOf({ ...facts, look: { ...usualLook, colourBy } });
+            expect(usual).toMatchObject({ range: null, rangeOf: 'surface' });
+        }
+        const of = (colourBy: string) => styleOf({ ...facts, look: { ...usualLook, colourBy, rangeOf: 'data' } });
+        expect(of('speed').rangeOf).toBe('data');
+        expect(of('deformation').rangeOf).toBe('surface');
         expect(of('speed')).toMatchObject({ source: 'scalar', scalar: 'speed', range: [1, 3] });
         expect(of('field:p')).toMatchObject({ source: 'scalar', scalar: 'p', range: [-2, 5] });
         expect(of('deformation')).toMatchObject({ source: 'scalar', scalar: 'deformation', range: null });
@@ -28,7 +34,7 @@ describe('styleOf', () => {
         expect(of('age')).toMatchObject({ source: 'age', range: null });
         expect(of('constant')).toMatchObject({ source: 'constant', colour: '#123456' });
         const locked = styleOf({ ...facts, look: { ...usualLook, range: [0, 1] } });
-        expect(locked.range).toEqual([0, 1]);
+        expect(locked).toMatchObject({ range: [0, 1], rangeOf: 'locked' });
     });
 
     it('measures age of streak surfaces from their release, and stretching by what the rake sweeps', () => {

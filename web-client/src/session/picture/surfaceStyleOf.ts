@@ -69,7 +69,7 @@ export function attributesOf(look: SurfaceLook): string[] {
 }
 
 export function styleOf({ look, record, rake, dataset, speedRange }: StyleFacts): SurfaceStyle {
-    const { colourBy, colour, range, invert, log, ...same } = look;
+    const { colourBy, colour, invert, log, ...same } = look;
     const isStreak = record.kind === 'streak';
     return {
         ...pick(same),
@@ -78,7 +78,7 @@ export function styleOf({ look, record, rake, dataset, speedRange }: StyleFacts)
         colour: colour ?? rake?.colour ?? usualColour,
         inverted: invert,
         logarithmic: log,
-        range: range ?? knownRange(colourBy, dataset, speedRange),
+        ...rangeFor(look, dataset, speedRange),
         tIsRelease: isStreak,
         tOrigin: isStreak ? record.from : 0,
         areaPerSeed: lengthOf(rake?.points ?? []) * sweepOf(record, speedRange),
@@ -103,8 +103,19 @@ function sourceOf(colourBy: string): ColourSource {
     return 'constant';
 }
 
-/** Null: only what has been seen tells. */
-function knownRange(
+function rangeFor(
+    { colourBy, range, rangeOf }: SurfaceLook,
+    dataset: DatasetDescription | null,
+    speedRange: readonly [number, number],
+): Pick<SurfaceStyle, 'range' | 'rangeOf'> {
+    if (range !== null) return { range, rangeOf: 'locked' };
+    const always = colourBy === 'approximated' || colourBy === 's';
+    const known = always || rangeOf === 'data' ? knownRange(colourBy, dataset, speedRange) : null;
+    return { range: known, rangeOf: known === null || always ? 'surface' : 'data' };
+}
+
+/** Of all the data. Null: only what has been seen tells. */
+export function knownRange(
     colourBy: string,
     dataset: DatasetDescription | null,
     speedRange: readonly [number, number],

@@ -1,10 +1,10 @@
 // What a page puts into a session in which no one has edited anything: what it had there before the server lost it, or what its link
-// carries; else a first rake and surface, so that there is something to see.
+// carries; else the rake and surface that the server suggests, so that there is something to see.
 import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { SessionSnapshot } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
+import type { Suggestions } from '../suggestions.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
-import { defaultLength, defaultRake, defaultSeeds } from '../edits/defaults.ts';
 
 export function isEmpty({ rakes, surfaces, bookmarks, annotations }: SessionSnapshot): boolean {
     return rakes.length + surfaces.length + bookmarks.length + annotations.length === 0;
@@ -18,20 +18,20 @@ export async function wasEdited(worker: Pick<WorkerClient, 'call'>, session: str
 
 /** No edit of anyone's for the server, which takes it only where it is the first. False: it was not. */
 export async function addDefaultScene(
-    { worker, state }: { worker: Pick<WorkerClient, 'call'>; state: AppState },
+    { worker, state, suggestions }: { worker: Pick<WorkerClient, 'call'>; state: AppState; suggestions: Pick<Suggestions, 'here'> },
     dataset: string,
     { rakes, surfaces }: SessionSnapshot,
 ): Promise<boolean> {
-    const description = state.dataset.value;
     // A page that was closed in the middle of this has left a rake without a surface.
-    if (description === null || surfaces.length > 0 || rakes.length > 1) return false;
-    const kind = 'line' as const;
-    const first = { kind, points: defaultRake(description.bounds), seeds: defaultSeeds, name: 'Rake 1', default: true };
+    if (surfaces.length > 0 || rakes.length > 1) return false;
+    await suggestions.here();
+    const suggested = state.suggestion.value;
+    const surface = suggested?.surfaces[0];
+    if (suggested === null || surface === undefined) return false;
     try {
+        const first = { ...suggested.rake, name: 'Rake 1', default: true };
         const { rake } = rakes[0] ?? (await worker.call('rake.set', first));
-        const from = state.times.value[0] ?? 0;
-        const to = from + defaultLength(description.bounds, state.speedRange.value[1]);
-        await worker.call('surface.set', { rake, dataset, kind: 'stream', from, to, default: true });
+        await worker.call('surface.set', { rake, dataset, ...surface, default: true });
         return true;
     } catch (error) {
         if (error instanceof CallError && error.failure.code === errorCodes.invalidParameters) return false;

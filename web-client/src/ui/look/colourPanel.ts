@@ -1,7 +1,7 @@
 // What the selected surface is coloured by, with which colours, over which range.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, tableSize } from '../../scene/surface/colourMap.ts';
-import { attributeOf, fieldOf, isLogarithmic, isSigned, withField } from '../../session/picture/surfaceStyleOf.ts';
+import { attributeOf, fieldOf, isLogarithmic, isSigned, knownRange, withField } from '../../session/picture/surfaceStyleOf.ts';
 import { colourMaps, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
@@ -166,7 +166,19 @@ export class ColourPanel extends SignalElement {
 
     private range(look: SurfaceLook, range: readonly [number, number]): TemplateResult {
         const locked = look.range !== null;
+        const { dataset, speedRange } = this.model.state;
+        const known = knownRange(look.colourBy, dataset.value, speedRange.value) !== null && look.colourBy !== 's';
         return html`
+            ${
+                known
+                    ? checkRow(
+                          'data-range',
+                          'Over all the data, not this surface',
+                          !locked && look.rangeOf === 'data',
+                          (on) => this.change({ range: null, rangeOf: on ? 'data' : 'surface' }),
+                      )
+                    : nothing
+            }
             ${checkRow('lock-range', locked ? 'Range locked at' : 'Lock the range', locked, (on) =>
                 this.change({ range: on ? range : null }),
             )}

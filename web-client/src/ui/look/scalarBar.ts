@@ -17,6 +17,8 @@ export interface ScalarBarModel {
     scene: Pick<FlowScene, 'surfaces'>;
 }
 
+const rangeWords = { surface: 'of this surface', data: 'of all the data', locked: 'locked' };
+
 export class ScalarBar extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: ScalarBarModel;
@@ -89,11 +91,13 @@ export class ScalarBar extends SignalElement {
         const [from, to] = style.logarithmic
             ? [shortNumber(low), shortNumber(high)]
             : placeNumbers(colours, resolutionOf(low, high));
+        const whose = style.source === 'scalar' ? rangeWords[style.rangeOf] : '';
         const { ticks, shared } = colourTicks(low, high, style.logarithmic, 5);
-        return html`<figure aria-label=${`Colours: ${name} from ${from} to ${to}${scale}`}>
+        return html`<figure aria-label=${`Colours: ${name} from ${from} to ${to}${scale}${whose === '' ? '' : `, ${whose}`}`}>
             <figcaption>
                 <span>${name}</span>
                 <span class="range">${from} to ${to}${style.logarithmic ? ', log' : ''}</span>
+                ${whose === '' ? nothing : html`<span class="range" id="whose">${whose}</span>`}
                 ${shared === '' ? nothing : html`<span class="range" id="shared">numbers below ${shared}</span>`}
             </figcaption>
             <canvas width=${tableSize} height="1" aria-hidden="true"></canvas>

@@ -89,7 +89,14 @@ export class RakePanel extends SignalElement {
                 for longer steps.
             </p>
             ${this.buttons()} ${this.snapChoice()}
-        </fieldset>`;
+        </fieldset>${this.why()}`;
+    }
+
+    /** Of a rake that is where the server suggests one. */
+    private why(): TemplateResult | typeof nothing {
+        const { suggestion } = this.model.state;
+        const same = suggestion.value?.rake.points.every((point, i) => String(point) === String(this.points[i])) ?? false;
+        return same ? html`<p class="hint" id="rake-why">Chosen by the data: ${lowered(suggestion.value!.why)}</p>` : nothing;
     }
 
     private get points(): readonly Vec3[] {
@@ -374,6 +381,10 @@ export class RakePanel extends SignalElement {
 function longestAxis(bounds: readonly number[]): Vec3 {
     const sides = ([0, 1, 2] as const).map((axis) => bounds[2 * axis + 1]! - bounds[2 * axis]!);
     return unitAxis(sides.indexOf(Math.max(...sides)) as Axis);
+}
+
+function lowered(sentence: string): string {
+    return sentence.charAt(0).toLowerCase() + sentence.slice(1);
 }
 
 customElements.define('wakesurf-rake', RakePanel);

@@ -12,11 +12,9 @@ import type {
 } from '../../protocol/messages.ts';
 import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import { diagonal } from '../../scene/camera/fitting.ts';
-import { niceStep } from '../../scene/base/ticks.ts';
-import { defaultLength } from '../../session/edits/defaults.ts';
 import { surfacesOf } from '../../session/edits/selection.ts';
 import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
-import { cutBackAt, directionsOf, followed } from '../../session/edits/surfaceTimes.ts';
+import { cutBackAt, directionsOf, followed, longestLength } from '../../session/edits/surfaceTimes.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import { timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
@@ -56,10 +54,14 @@ const kindNames: Record<SurfaceKind, string> = { stream: 'Stream', path: 'Path',
 
 const axes = ['x', 'y', 'z'] as const;
 
+/** The ends of the slider are exact: it is parted evenly. */
+const lengthSteps = 100;
+
 export interface SurfaceModel {
     state: AppState;
     view: Pick<ViewState, 'units' | 'visibility' | 'changeVisibility'>;
     edits: Pick<Edits, 'actions' | 'changeSurface' | 'chooseSurface' | 'intent' | 'remark'>;
+    chooseKind: (kind: SurfaceKind) => void;
 }
 
 export class SurfacePanel extends SignalElement {
@@ -170,11 +172,9 @@ export class SurfacePanel extends SignalElement {
             return html`<p class="quiet">This rake has no surface.</p>
                 ${this.several()}`;
         }
-        const usual = defaultLength(dataset.bounds, state.speedRange.value[1]);
-        const step = niceStep(usual / 40);
-        const longest = Math.max(2 * usual, intent.length);
         const shown = followed(intent, state.times.value, dataset.steady);
-        const cut = shown < intent.length * 0.999;
+        const { longest, dataEnd } = this.longest(intent, dataset);
+        const step = longest / lengthSteps;
         return html`
             <fieldset class="edits" ?disabled=${state.locked.value}>
                 <fieldset class="kinds">
@@ -186,7 +186,7 @@ export class SurfacePanel extends SignalElement {
                 </fieldset>
                 <label class="row" for="length">
                     <span>Integration time</span>
-                    <span class="value">${this.time(intent.length)}</span>
+                    <span class="value">${this.time(shown)}</span>
                 </label>
                 <input
                     id="length"
@@ -194,12 +194,10 @@ export class SurfacePanel extends SignalElement {
                     min=${step}
                     max=${longest}
                     step=${step}
-                    .value=${live(String(intent.length))}
+                    .value=${live(String(shown))}
                     @input=${this.lengthChanged}
                 />
-                <p class="quiet" ?hidden=${!cut}>
-                    Integration time ${this.time(shown)} (end of data).
-                </p>
+                <p class="quiet" id="data-end" ?hidden=${!dataEnd || shown < longest * 0.999}>To the end of the data.</p>
                 ${intent.kind === 'streak' ? this.release(intent, shown) : ''}
                 ${intent.kind === 'time' ? this.secondCurve(intent) : ''}
                 <label class="row" for="separation">
@@ -219,6 +217,16 @@ export class SurfacePanel extends SignalElement {
             </fieldset>
             ${this.several()}
         `;
+    }
+
+    /** The end of the slider, and whether it is that of the data. */
+    private longest(intent: SurfaceIntent, { steady }: DatasetDescription): { longest: number; dataEnd: boolean } {
+        const { times, suggestion } = this.model.state;
+        const left = longestLength(intent, times.value, steady);
+        if (left !== null) return { longest: Math.max(left, Number.MIN_VALUE), dataEnd: true };
+        const usual = suggestion.value?.surfaces.find(({ kind }) => kind === intent.kind);
+        const longest = Math.max(intent.length, 2 * (usual === undefined ? intent.length : usual.to - usual.from));
+        return { longest, dataEnd: false };
     }
 
     private interpolation({ interpolation: current }: SurfaceIntent): TemplateResult {
@@ -328,7 +336,7 @@ export class SurfacePanel extends SignalElement {
                 value=${kind}
                 ?disabled=${disabled}
                 .checked=${live(edits.intent.value?.kind === kind)}
-                @change=${() => edits.changeSurface({ kind })}
+                @change=${() => this.model.chooseKind(kind)}
             />${label}
         </label>`;
     }
@@ -390,15 +398,21 @@ export class SurfacePanel extends SignalElement {
     }
 
     private separationChoices({ finestSpacing, points }: DatasetDescription, current: number): TemplateResult[] {
+        const { suggestion } = this.model.state;
+        const kind = this.model.edits.intent.value?.kind;
+        const suggested = suggestion.value?.surfaces.find((each) => each.kind === kind)?.separation;
         const choices = separations.map(({ factor, words }) => ({
             value: factor * finestSpacing,
             // A formula has no grid.
             words: `${this.length(factor * finestSpacing)}, ${factor === 1 && points === 0 ? 'default' : words}`,
         }));
         const close = (value: number): boolean => Math.abs(value - current) <= 1e-6 * current;
-        if (!choices.some(({ value }) => close(value))) {
-            choices.push({ value: current, words: this.length(current) });
+        const known = (value: number): boolean => choices.some((each) => Math.abs(each.value - value) <= 1e-6 * value);
+        if (suggested !== undefined && !known(suggested)) {
+            choices.push({ value: suggested, words: `${this.length(suggested)}, suggested` });
         }
+        if (!known(current)) choices.push({ value: current, words: this.length(current) });
+        choices.sort((a, b) => a.value - b.value);
         return choices.map(({ value, words }) => html`<option value=${value} .selected=${live(close(value))}>${words}</option>`);
     }
 
