@@ -114,7 +114,7 @@ LineBulge bulge_of_line(const MovingMesh& mesh, CellIndex cell, std::size_t side
     const double share = glm::length(bulge) / length;
     if (!(share <= largest_line_bulge))
         return {Vec3(0.0), std::isfinite(share) ? share : 1.0, length};
-    return {bulge, share, std::min(error, length)};
+    return {bulge, share, std::min(2.0 * error, length)};
 }
 
 } // namespace wakesurf::core

@@ -12,7 +12,8 @@ namespace wakesurf::core {
 namespace {
 
 // Of the body's size: how far ahead of it, and how far off its middle (exactly there all would end where the flow parts).
-constexpr double ahead = 1.0, off_middle = 0.05;
+// Of a slender body the flow parts along a line, not at a point: further off.
+constexpr double ahead = 1.0, off_middle = 0.05, off_middle_of_slender = 0.25, slender = 2.0;
 /// Of the way that particles go: the rest of it is for what happens at the body and behind.
 constexpr double ahead_of_way = 0.15;
 /// On each side, of a body's width.
@@ -150,13 +151,17 @@ std::optional<RakeChoice> ahead_of_body(const Flow& flow,
         gap = std::min(gap, ahead_of_way * choice.speed * *time);
     const bool wide = body.extent()[span] > whole * domain.extent()[span];
     const double more = beyond * body.extent()[span];
+    const bool parts_along_it = wide || body.extent()[span] > slender * body.extent()[offset];
+    const double off = parts_along_it && body.extent()[offset] < body.extent()[span]
+                           ? off_middle_of_slender
+                           : off_middle;
     for (const double part : {1.0, 0.5, 1.5, 0.25}) {
         const double distance = std::min(part * gap, 0.9 * room);
         Vec3 at = 0.5 * (body.lo + body.hi);
         at[axis] = front;
         at -= survey.mean * (distance / std::abs(survey.mean[axis]));
         at[offset] =
-            inside(domain, offset, at[offset] + off_middle * std::min(body.extent()[offset], size));
+            inside(domain, offset, at[offset] + off * std::min(body.extent()[offset], size));
         const auto line =
             wide ? line_in_fluid(flow, at, span, domain.lo[span], domain.hi[span])
                  : line_in_fluid(flow, at, span, body.lo[span] - more, body.hi[span] + more);

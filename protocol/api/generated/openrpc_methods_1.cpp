@@ -375,33 +375,6 @@ const std::string_view methods_1 = R"json({
   {
    "name": "dataset.open",
    "params": [{"name": "dataset", "value": "lamb-oseen"}, {"name": "timeoutMs", "value": 60000}],
-   "result": {"name": "result", "value": {"dataset": "lamb-oseen", "name": "lamb-oseen", "state": "ready", "steps": {"ready": 1, "total": 1}}}}]},
-{
- "name": "cache.status",
- "summary": "Reports which time-steps of a dataset are in memory.",
- "tags": [{"name": "cache"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "dataset",
-   "required": true,
-   "description": "an id from dataset.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from dataset.list"}}],
- "result": {"name": "result", "description": "Which time-steps are in memory.", "schema": {"$ref": "#/components/schemas/CacheStatus"}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/datasetError"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "cache.status",
-   "params": [{"name": "dataset", "value": "lamb-oseen"}],
-   "result": {"name": "result", "value": {"budget": 0, "bytes": 0, "dataset": "lamb-oseen", "steps": []}}}]})json";
+   "result": {"name": "result", "value": {"dataset": "lamb-oseen", "name": "lamb-oseen", "state": "ready", "steps": {"ready": 1, "total": 1}}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

@@ -4,6 +4,123 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_6 = R"json({
+ "name": "rake.delete",
+ "summary": "Deletes a rake and its surfaces.",
+ "tags": [{"name": "rake"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "rake",
+   "required": true,
+   "description": "an id from rake.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from rake.list"}},
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
+  {
+   "name": "force",
+   "required": false,
+   "description": "true: lets a host delete the rake although someone else holds the lease",
+   "schema": {"type": "boolean", "default": false, "description": "true: lets a host delete the rake although someone else holds the lease"}},
+  {
+   "name": "gesture",
+   "required": false,
+   "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo",
+   "schema": {
+    "type": "string",
+    "minLength": 1,
+    "maxLength": 64,
+    "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo"}},
+  {
+   "name": "ifRev",
+   "required": false,
+   "description": "the edit is refused if the record is at another revision",
+   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "the edit is refused if the record is at another revision"}}],
+ "result": {
+  "name": "result",
+  "description": "What every edit returns.",
+  "schema": {
+   "type": "object",
+   "description": "What every edit returns.",
+   "properties": {
+    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["seq"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/stale"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/leased"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "rake.delete",
+   "params": [{"name": "rake", "value": "r1"}, {"name": "session", "value": "main"}],
+   "result": {"name": "result", "value": {"seq": 18}}}]},
+{
+ "name": "rake.list",
+ "summary": "Lists the rakes of a session.",
+ "tags": [{"name": "rake"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {"rakes": {"type": "array", "description": "all rakes", "items": {"$ref": "#/components/schemas/Rake"}}},
+   "required": ["rakes"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "rake.list",
+   "params": [{"name": "session", "value": "main"}],
+   "result": {
+    "name": "result",
+    "value": {
+     "rakes": [
+      {
+       "author": "Ada",
+       "clipped": false,
+       "colour": "#0072b2",
+       "dragging": false,
+       "kind": "line",
+       "name": "r1",
+       "points": [[0.2, 0, -1], [1, 0, -1]],
+       "rake": "r1",
+       "rev": 1,
+       "seeds": 9}]}}}]},
+{
  "name": "surface.set",
  "summary": "Creates a surface, or replaces its record as a whole, and starts to build it.",
  "tags": [{"name": "surface"}],
@@ -233,173 +350,6 @@ const std::string_view methods_6 = R"json({
     {"name": "session", "value": "main"},
     {"name": "from", "value": 0},
     {"name": "separation", "value": 0.1}],
-   "result": {"name": "result", "value": {"epoch": 1, "rev": 1, "seq": 5, "surface": "s1"}}}]},
-{
- "name": "surface.delete",
- "summary": "Deletes a surface.",
- "tags": [{"name": "surface"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "surface",
-   "required": true,
-   "description": "an id from surface.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from surface.list"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
-  {
-   "name": "gesture",
-   "required": false,
-   "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo",
-   "schema": {
-    "type": "string",
-    "minLength": 1,
-    "maxLength": 64,
-    "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo"}},
-  {
-   "name": "ifRev",
-   "required": false,
-   "description": "the edit is refused if the record is at another revision",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "the edit is refused if the record is at another revision"}}],
- "result": {
-  "name": "result",
-  "description": "What every edit returns.",
-  "schema": {
-   "type": "object",
-   "description": "What every edit returns.",
-   "properties": {
-    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["seq"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/stale"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"},
-  {"$ref": "#/components/errors/datasetError"}],
- "x-leastRole": "editor",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "surface.delete",
-   "params": [{"name": "surface", "value": "s2"}, {"name": "session", "value": "main"}],
-   "result": {"name": "result", "value": {"seq": 17}}}]},
-{
- "name": "surface.stop",
- "summary": "Stops the computation of a surface, for everyone, within 50 ms. What has been computed stays; the surface's statistics and surface.done say who stopped it. The next edit of the surface or of its rake computes it again.",
- "tags": [{"name": "surface"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "surface",
-   "required": true,
-   "description": "an id from surface.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from surface.list"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "epoch": {
-     "type": "integer",
-     "minimum": 0,
-     "maximum": 4294967295,
-     "description": "counts the surfaces that have been built for the record; it never decreases"},
-    "stopped": {"type": "boolean", "description": "false: nothing was being computed"}},
-   "required": ["epoch", "stopped"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/datasetError"}],
- "x-leastRole": "editor",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "surface.stop",
-   "params": [{"name": "surface", "value": "s2"}, {"name": "session", "value": "main"}],
-   "result": {"name": "result", "value": {"epoch": 1, "stopped": false}}}]},
-{
- "name": "surface.list",
- "summary": "Lists the surfaces of a session.",
- "tags": [{"name": "surface"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {"surfaces": {"type": "array", "description": "all surfaces", "items": {"$ref": "#/components/schemas/Surface"}}},
-   "required": ["surfaces"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "surface.list",
-   "params": [{"name": "session", "value": "main"}],
-   "result": {
-    "name": "result",
-    "value": {
-     "surfaces": [
-      {
-       "accuracy": "balanced",
-       "angle": 20,
-       "dataset": "lamb-oseen",
-       "direction": "forward",
-       "epoch": 1,
-       "fields": [],
-       "from": 0,
-       "interpolation": "linear",
-       "kind": "stream",
-       "maxQuads": 1000000,
-       "merge": 0.35,
-       "rake": "r1",
-       "rev": 1,
-       "separation": 0.1,
-       "stagnationSpeed": 1e-06,
-       "surface": "s1",
-       "to": 2}]}}}]})json";
+   "result": {"name": "result", "value": {"epoch": 1, "rev": 1, "seq": 5, "surface": "s1"}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

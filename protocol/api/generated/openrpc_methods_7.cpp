@@ -4,6 +4,173 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_7 = R"json({
+ "name": "surface.delete",
+ "summary": "Deletes a surface.",
+ "tags": [{"name": "surface"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "surface",
+   "required": true,
+   "description": "an id from surface.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from surface.list"}},
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
+  {
+   "name": "gesture",
+   "required": false,
+   "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo",
+   "schema": {
+    "type": "string",
+    "minLength": 1,
+    "maxLength": 64,
+    "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo"}},
+  {
+   "name": "ifRev",
+   "required": false,
+   "description": "the edit is refused if the record is at another revision",
+   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "the edit is refused if the record is at another revision"}}],
+ "result": {
+  "name": "result",
+  "description": "What every edit returns.",
+  "schema": {
+   "type": "object",
+   "description": "What every edit returns.",
+   "properties": {
+    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["seq"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/stale"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"},
+  {"$ref": "#/components/errors/datasetError"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "surface.delete",
+   "params": [{"name": "surface", "value": "s2"}, {"name": "session", "value": "main"}],
+   "result": {"name": "result", "value": {"seq": 17}}}]},
+{
+ "name": "surface.stop",
+ "summary": "Stops the computation of a surface, for everyone, within 50 ms. What has been computed stays; the surface's statistics and surface.done say who stopped it. The next edit of the surface or of its rake computes it again.",
+ "tags": [{"name": "surface"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "surface",
+   "required": true,
+   "description": "an id from surface.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from surface.list"}},
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {
+    "epoch": {
+     "type": "integer",
+     "minimum": 0,
+     "maximum": 4294967295,
+     "description": "counts the surfaces that have been built for the record; it never decreases"},
+    "stopped": {"type": "boolean", "description": "false: nothing was being computed"}},
+   "required": ["epoch", "stopped"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/datasetError"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "surface.stop",
+   "params": [{"name": "surface", "value": "s2"}, {"name": "session", "value": "main"}],
+   "result": {"name": "result", "value": {"epoch": 1, "stopped": false}}}]},
+{
+ "name": "surface.list",
+ "summary": "Lists the surfaces of a session.",
+ "tags": [{"name": "surface"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {"surfaces": {"type": "array", "description": "all surfaces", "items": {"$ref": "#/components/schemas/Surface"}}},
+   "required": ["surfaces"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "surface.list",
+   "params": [{"name": "session", "value": "main"}],
+   "result": {
+    "name": "result",
+    "value": {
+     "surfaces": [
+      {
+       "accuracy": "balanced",
+       "angle": 20,
+       "dataset": "lamb-oseen",
+       "direction": "forward",
+       "epoch": 1,
+       "fields": [],
+       "from": 0,
+       "interpolation": "linear",
+       "kind": "stream",
+       "maxQuads": 1000000,
+       "merge": 0.35,
+       "rake": "r1",
+       "rev": 1,
+       "separation": 0.1,
+       "stagnationSpeed": 1e-06,
+       "surface": "s1",
+       "to": 2}]}}}]},
+{
  "name": "surface.stats",
  "summary": "Returns statistics of the newest state of a surface.",
  "tags": [{"name": "surface"}],
@@ -214,168 +381,6 @@ const std::string_view methods_7 = R"json({
      "epoch": 1,
      "lattice": {"bits": 16, "origin": [-10.1, -10.1, -10.1], "step": 0.000308232},
      "resumed": false,
-     "subscription": 1}}}]},
-{
- "name": "surface.unsubscribe",
- "summary": "Ends a subscription. A surface that someone had subscribed to, and that no one shows or waits for two seconds later, is not computed any further: until someone subscribes to it or waits for it.",
- "tags": [{"name": "surface"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
-  {
-   "name": "subscription",
-   "required": false,
-   "description": "number of the subscription; or give `surface` instead",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "number of the subscription; or give `surface` instead"}},
-  {
-   "name": "surface",
-   "required": false,
-   "description": "id of the surface, instead of the number",
-   "schema": {"type": "string", "maxLength": 256, "description": "id of the surface, instead of the number"}}],
- "result": {"name": "result", "description": "an empty object", "schema": {"$ref": "#/components/schemas/Empty"}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/datasetError"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": true,
- "examples": [{"name": "surface.unsubscribe", "params": [{"name": "subscription", "value": 1}], "result": {"name": "result", "value": {}}}]},
-{
- "name": "frame.ack",
- "summary": "Reports the last update of a subscription that the client has applied. The server then sends at most eight updates beyond the reported one. Best sent as a notification.",
- "tags": [{"name": "frame"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "subscription",
-   "required": true,
-   "description": "number of the subscription",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "number of the subscription"}},
-  {
-   "name": "seq",
-   "required": true,
-   "description": "number of the update in its epoch",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "number of the update in its epoch"}},
-  {
-   "name": "epoch",
-   "required": false,
-   "description": "epoch of the update; if left out, the surface's current one",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 4294967295, "description": "epoch of the update; if left out, the surface's current one"}}],
- "result": {"name": "result", "description": "an empty object", "schema": {"$ref": "#/components/schemas/Empty"}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": true,
- "examples": [
-  {
-   "name": "frame.ack",
-   "params": [{"name": "subscription", "value": 1}, {"name": "seq", "value": 0}, {"name": "epoch", "value": 1}],
-   "result": {"name": "result", "value": {}}}]},
-{
- "name": "bookmark.set",
- "summary": "Creates a bookmark, or replaces one as a whole.",
- "tags": [{"name": "bookmark"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "view",
-   "required": true,
-   "description": "camera, colours and so on, in whatever form the client chooses; at most 4 KiB as JSON text",
-   "schema": {
-    "type": "object",
-    "description": "camera, colours and so on, in whatever form the client chooses; at most 4 KiB as JSON text",
-    "additionalProperties": true}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
-  {
-   "name": "bookmark",
-   "required": false,
-   "description": "id of the bookmark to replace; if left out, a new one is created",
-   "schema": {"type": "string", "maxLength": 256, "description": "id of the bookmark to replace; if left out, a new one is created"}},
-  {
-   "name": "name",
-   "required": false,
-   "description": "display name",
-   "schema": {"type": "string", "maxLength": 120, "default": "", "description": "display name"}},
-  {
-   "name": "time",
-   "required": false,
-   "description": "the session's time that belongs to the view",
-   "schema": {
-    "type": "number",
-    "minimum": -3.4028234663852886e+38,
-    "maximum": 3.4028234663852886e+38,
-    "description": "the session's time that belongs to the view",
-    "x-unit": "the dataset's unit of time"}},
-  {
-   "name": "gesture",
-   "required": false,
-   "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo",
-   "schema": {
-    "type": "string",
-    "minLength": 1,
-    "maxLength": 64,
-    "description": "a name for what the user is doing; consecutive edits with the same name are one step of undo"}},
-  {
-   "name": "ifRev",
-   "required": false,
-   "description": "the edit is refused if the record is at another revision",
-   "schema": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "the edit is refused if the record is at another revision"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "bookmark": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the bookmark"},
-    "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"},
-    "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["bookmark", "rev", "seq"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/stale"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/outsideTimeRange"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "editor",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "bookmark.set",
-   "params": [
-    {"name": "view", "value": {"camera": [1, 2]}},
-    {"name": "session", "value": "main"},
-    {"name": "name", "value": "here"},
-    {"name": "time", "value": 1.5}],
-   "result": {"name": "result", "value": {"bookmark": "b1", "rev": 1, "seq": 11}}}]})json";
+     "subscription": 1}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

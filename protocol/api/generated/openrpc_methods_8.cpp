@@ -5,7 +5,7 @@ namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_8 = R"json({
  "name": "surface.unsubscribe",
- "summary": "Ends a subscription.",
+ "summary": "Ends a subscription. A surface that someone had subscribed to, and that no one shows or waits for two seconds later, is not computed any further: until someone subscribes to it or waits for it.",
  "tags": [{"name": "surface"}],
  "paramStructure": "by-name",
  "params": [

@@ -180,7 +180,7 @@ const std::string_view schemas_3 = R"json("Surface": {
   "error99": {
    "type": "number",
    "minimum": 0,
-   "description": "99 % of the vertices are estimated to be no farther than this from the particles they stand for; of stream and path surfaces, left out for the others",
+   "description": "99 % of the vertices are estimated to be no farther than this from the particles they stand for; left out where there is no surface to see",
    "x-unit": "the dataset's unit of length"},
   "terminated": {"$ref": "#/components/schemas/Terminations"},
   "maxEdge": {"type": "number", "minimum": 0, "description": "length of the longest edge", "x-unit": "the dataset's unit of length"},

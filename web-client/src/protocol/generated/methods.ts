@@ -21,6 +21,8 @@ import type {
     DatasetEntry,
     DatasetListResult,
     DatasetOpenParams,
+    DatasetSuggestParams,
+    DatasetSuggestResult,
     ProbeSampleParams,
     ProbeSampleResult,
 } from './dataset.ts';
@@ -117,6 +119,12 @@ export interface Methods {
      * is `importing` if `timeoutMs` ran out, and `incomplete` if the import ended before the last time-step.
      */
     'dataset.open': { params: DatasetOpenParams; result: DatasetEntry };
+    /**
+     * Returns a rake and the parameters of a surface of each kind to begin with, found in the data: the rake stands
+     * ahead of a body that the flow meets, else where the flow turns, else where it enters. All surfaces are shown at
+     * the same time. Reads one or two time-steps.
+     */
+    'dataset.suggest': { params: DatasetSuggestParams; result: DatasetSuggestResult };
     /** Reports which time-steps of a dataset are in memory. */
     'cache.status': { params: CacheStatusParams; result: CacheStatus };
     /** Returns the values of fields at points and one time, interpolated as at the vertices of surfaces. */
