@@ -101,7 +101,14 @@ describe('colours', () => {
         await drawn();
         const both = await seenVertices(page, 5);
         expect(await scalarBar()).toBe('Colours: Age from 1 to 6, logarithmic');
-        expect(agreement(both, age, { map: 'viridis', range: [1, 6], log: true, invert: true })).toBeGreaterThan(0.97);
+        expect(
+            agreement(both, age, {
+                map: 'viridis',
+                range: [1, 6],
+                log: true,
+                invert: true,
+            }),
+        ).toBeGreaterThan(0.97);
         expect(agreement(both, age, { map: 'viridis', range: [1, 6], invert: true })).toBeLessThan(0.85);
         await screenshot(page, 'look-age-log');
 
@@ -134,14 +141,21 @@ describe('colours', () => {
         await expect.poll(scalarBar).toMatch(new RegExp(`^Colours: ${title}`));
         await drawn();
         const session = await ask(page, (hook) => hook.session);
-        const record = (await server.call('session.state', { session })) as { snapshot?: unknown };
+        const record = (await server.call('session.state', { session })) as {
+            snapshot?: unknown;
+        };
         expect(JSON.stringify(record)).toMatch(new RegExp(`"fields":\\[[^\\]]*"${field}"`));
         const values = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar);
         const half = Math.max(...steadyRange(Math.min(...values), Math.max(...values)).map(Math.abs));
         expect(half).toBeGreaterThan(1);
         const seen = await seenVertices(page, 3);
         expect(await page.getByRole('radio', { name: 'Cool to warm' }).isChecked()).toBe(true);
-        expect(agreement(seen, ({ scalar }) => scalar, { map: 'coolToWarm', range: [-half, half] })).toBeGreaterThan(0.95);
+        expect(
+            agreement(seen, ({ scalar }) => scalar, {
+                map: 'coolToWarm',
+                range: [-half, half],
+            }),
+        ).toBeGreaterThan(0.95);
         await screenshot(page, `look-${field}`);
     });
 
@@ -162,7 +176,11 @@ describe('colours', () => {
         expect(words).toMatch(/^Final, 99 % of vertices within \S+$/);
         const least = errors[0]! > 0 ? errors[0]! : most / 1000;
         const seen = await seenVertices(page, 3);
-        const colours = { map: 'viridis', range: [least, most], log: true } as const;
+        const colours = {
+            map: 'viridis',
+            range: [least, most],
+            log: true,
+        } as const;
         expect(agreement(seen, ({ scalar }) => Math.max(scalar, least), colours)).toBeGreaterThan(0.95);
         await screenshot(page, 'look-error');
         await page.locator('#log').uncheck();
@@ -203,7 +221,9 @@ describe('colours', () => {
             await opened.getByRole('tab', { name: 'Look' }).click();
             await opened.getByLabel('Colour by').selectOption({ label: 'place' });
             await opened.getByLabel('Over all the data, not this surface').check();
-            await opened.locator('wakesurf-scalar-bar figure[aria-label="Colours: place from 0 to 7, of all the data"]').waitFor();
+            await opened
+                .locator('wakesurf-scalar-bar figure[aria-label="Colours: place from 0 to 7, of all the data"]')
+                .waitFor();
             await drawn(opened);
             const vertices = await ask(opened, (hook) => hook.vertices(1));
             const furthest = Math.max(...vertices.map(({ point, scalar }) => Math.abs(point[0] - scalar)));
@@ -211,7 +231,12 @@ describe('colours', () => {
             expect(furthest).toBeLessThan(0.01);
             // Not at the rake, which is drawn over the surface.
             const seen = (await seenVertices(opened, 1)).filter(({ point }) => point[0] > 1.5);
-            expect(agreement(seen, ({ point }) => point[0], { map: 'viridis', range: [0, 7] })).toBeGreaterThan(0.95);
+            expect(
+                agreement(seen, ({ point }) => point[0], {
+                    map: 'viridis',
+                    range: [0, 7],
+                }),
+            ).toBeGreaterThan(0.95);
             await opened.close();
         } finally {
             await other.stop();
@@ -405,22 +430,49 @@ describe('transparency', () => {
     /** A long red sheet, and a short blue one behind it, made in this order; pixels where both are seen, and where only the red one is. */
     async function sheets(order: readonly number[]): Promise<{ both: Rgb[]; alone: Rgb[] }> {
         const { session } = await server.call('session.create', {});
-        const { datasets } = (await server.call('dataset.list', {})) as { datasets: { dataset: string }[] };
+        const { datasets } = (await server.call('dataset.list', {})) as {
+            datasets: { dataset: string }[];
+        };
         const looks: Record<string, Partial<SurfaceLook>> = {};
         for (const y of order) {
             const points = [
                 [4, y, 0.5],
                 [4, y, 5],
             ];
-            const { rake } = await server.call('rake.set', { session, kind: 'line', seeds: 8, name: 'Sheet', points });
+            const { rake } = await server.call('rake.set', {
+                session,
+                kind: 'line',
+                seeds: 8,
+                name: 'Sheet',
+                points,
+            });
             const times = { from: 8.5, to: y === front ? 12.5 : 10 };
-            const setting = { session, rake, dataset: datasets[0]!.dataset, kind: 'stream', separation: 0.5, ...times };
+            const setting = {
+                session,
+                rake,
+                dataset: datasets[0]!.dataset,
+                kind: 'stream',
+                separation: 0.5,
+                ...times,
+            };
             const { surface } = await server.call('surface.set', setting);
-            looks[String(surface)] = { colourBy: 'constant', colour: y === front ? '#ff2020' : '#2020ff', opacity: 0.5 };
+            looks[String(surface)] = {
+                colourBy: 'constant',
+                colour: y === front ? '#ff2020' : '#2020ff',
+                opacity: 0.5,
+            };
         }
-        const camera = { position: [6, -18, 3] as Vec3, target: [6, 0, 3] as Vec3, orthographic: false };
+        const camera = {
+            position: [6, -18, 3] as Vec3,
+            target: [6, 0, 3] as Vec3,
+            orthographic: false,
+        };
         const link = new URL(server.link);
-        const state = encodeLinkState({ view: { camera, looks }, rakes: [], surfaces: [] });
+        const state = encodeLinkState({
+            view: { camera, looks },
+            rakes: [],
+            surfaces: [],
+        });
         link.hash = `session=${session as string}&token=${server.token}&state=${state}`;
         const opened = await openPage(context, link.href);
         await opened.waitForFunction(() => {

@@ -115,6 +115,7 @@ class OpenRpcTest(unittest.TestCase):
             for dataset in ("lamb-oseen", "double-gyre"):
                 ask("dataset.describe", dataset=dataset)
                 ask("dataset.open", dataset=dataset, timeoutMs=60000, workDoneToken="opening")
+                ask("dataset.suggest", dataset=dataset)
                 ask("cache.status", dataset=dataset)
             ask("probe.sample", dataset="lamb-oseen", points=[[0, 0, 0], [50, 0, 0]], time=0)
             session = ask("session.create", name="truth")["session"]

@@ -26,7 +26,7 @@ import { People } from './session/people/people.ts';
 import { showPeople } from './session/people/peopleInPicture.ts';
 import { chooseKind } from './session/time/kindChoice.ts';
 import { Playback } from './session/time/playback.ts';
-import { Suggestions } from './session/suggestions.ts';
+import { Suggestions } from './session/sessions/suggestions.ts';
 import { Pointing } from './session/people/pointing.ts';
 import { Probing } from './session/tools/probing.ts';
 import { connectRakes } from './session/picture/rakesByHand.ts';
@@ -119,7 +119,18 @@ function start(app: App): void {
     });
     const dataset = new OpenDataset({ state, scene, worker, imports });
     const suggestions = new Suggestions(state, worker);
-    const controller = new SessionController({ state, worker, dataset, suggestions, feed, edits, people, views, thumbnails, url });
+    const controller = new SessionController({
+        state,
+        worker,
+        dataset,
+        suggestions,
+        feed,
+        edits,
+        people,
+        views,
+        thumbnails,
+        url,
+    });
     const news = new ServerNews({ state, feed, outcomes, people, progress, dataset, controller });
     const shelf = new SessionShelf({ state, worker, base: baseUrl(), restored: (session) => controller.restored(session) });
     const clock = new ClockControl({ state, worker, requestFrame });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace wakesurf::core {
@@ -24,6 +25,8 @@ constexpr double entering = 0.1, usual_length = 0.6, margin = 0.03;
 constexpr double whole = 0.9;
 /// A flow whose vorticity changes its velocity by less across the domain does not turn.
 constexpr double turning = 0.3;
+/// Of the fluid where it turns most, while a surface grows.
+constexpr double most_turns = 4.0;
 constexpr int looks = 64; ///< along a line, for where it is in fluid
 constexpr double sweep_of_body = 1.0, sweep_of_domain = 0.25;
 
@@ -116,6 +119,20 @@ double fastest_along(const FlowSurvey& survey, const std::array<Vec3, 2>& line) 
     return most;
 }
 
+/// Speed across a line, in the mean along it: what a rake there sweeps a surface with.
+double speed_across(const FlowSurvey& survey, const Vec3& at, int axis, double half) {
+    double sum = 0.0;
+    for (int i = 0; i <= looks; ++i) {
+        Vec3 place = at;
+        place[axis] =
+            inside(survey.lattice.domain, axis, at[axis] + half * (2.0 * i / looks - 1.0));
+        Vec3 across = survey.velocity[survey.lattice.index(survey.lattice.box_of(place))];
+        across[axis] = 0.0;
+        sum += glm::length(across);
+    }
+    return sum / (looks + 1);
+}
+
 /// How far it is along the flow's axis until the domain ends.
 double way_out(const FlowSurvey& survey, const Vec3& from) {
     const int axis = survey.axis();
@@ -205,9 +222,15 @@ std::optional<RakeChoice> at_rotation(const Flow& flow,
         const Vec3 along =
             glm::abs(rotation.vorticity) / std::max(glm::length(rotation.vorticity), 1e-300) +
             glm::abs(rotation.velocity) / std::max(survey.speed, 1e-300);
+        std::array<double, 3> across{};
+        for (const int k : {0, 1, 2})
+            across[static_cast<std::size_t>(k)] =
+                speed_across(survey, at, k, 0.5 * usual_length * extent[k]);
+        const double least = 0.3 * *std::max_element(across.begin(), across.end());
+        const auto crossed = [&](int k) { return across[static_cast<std::size_t>(k)] >= least; };
         for (int k = 1; k < 3; ++k)
-            if (along[k] < along[span] - 0.05 ||
-                (along[k] < along[span] + 0.05 && extent[k] > extent[span]))
+            if (crossed(k) && (!crossed(span) || along[k] < along[span] - 0.05 ||
+                               (along[k] < along[span] + 0.05 && extent[k] > extent[span])))
                 span = k;
         offset = (span + 1) % 3;
         if (along[(span + 2) % 3] > along[offset])
@@ -215,6 +238,9 @@ std::optional<RakeChoice> at_rotation(const Flow& flow,
         choice.way = 0.75 * std::max({extent.x, extent.y, extent.z});
         choice.why = "across the place where the flow turns most";
     }
+    // Where a sheet is rolled up more often, it is long, and its layers hide each other.
+    const double turn = 4.0 * std::numbers::pi / std::max(glm::length(rotation.vorticity), 1e-300);
+    choice.way = std::min(choice.way, choice.speed * most_turns * turn);
     const double half = 0.5 * usual_length * extent[span];
     for (const int k : {0, 1, 2})
         at[k] = inside(domain, k, at[k]);
@@ -268,7 +294,8 @@ RakeChoice at_entry(const Flow& flow, const FlowSurvey& survey) {
     side[span] = half;
     choice.line = line.value_or(std::array{at - side, at + side});
     choice.sweep = sweep_along(domain, at, offset, sweep_of_domain * extent[offset]);
-    choice.way = extent[axis];
+    // What enters and does not go through turns aside half-way.
+    choice.way = (survey.through() ? 1.0 : 0.5) * extent[axis];
     choice.why = survey.speed > 0.0 ? "where the flow enters"
                                     : "near a side of the domain, because the flow is at rest";
     return choice;

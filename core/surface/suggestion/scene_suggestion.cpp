@@ -36,8 +36,12 @@ Vec3 rounded(const Vec3& place, const Box& domain) {
     for (int k = 0; k < 3; ++k) {
         if (!(extent[k] > 0.0))
             continue;
-        const double unit = std::pow(10.0, std::floor(std::log10(extent[k])) - 3.0);
-        out[k] = std::clamp(std::round(place[k] / unit) * unit, domain.lo[k], domain.hi[k]);
+        const double digits = 3.0 - std::floor(std::log10(extent[k]));
+        const double unit = std::pow(10.0, std::abs(digits));
+        // Divided by a power of ten, not multiplied by its inverse: what is printed in few digits reads the same.
+        const double near =
+            digits > 0.0 ? std::round(place[k] * unit) / unit : std::round(place[k] / unit) * unit;
+        out[k] = std::clamp(near, domain.lo[k], domain.hi[k]);
     }
     return out;
 }

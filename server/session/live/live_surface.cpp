@@ -26,14 +26,13 @@ void count(Metrics& metrics,
            const core::Result<Update>& result,
            bool whole) {
     metrics.observe(Stage::Queue, queued.count());
-    if (!result)
-        return;
-    metrics.observe(Stage::Encode, result->took.encode);
-    if (!whole)
-        return;
-    metrics.observe(Stage::Load, result->statistics.seconds.load);
-    metrics.observe(Stage::Advect, result->statistics.seconds.advect);
-    metrics.observe(Stage::Refine, result->statistics.seconds.refine);
+    if (result)
+        metrics.observe(Stage::Encode, result->took.encode);
+    if (result && whole) {
+        metrics.observe(Stage::Load, result->statistics.seconds.load);
+        metrics.observe(Stage::Advect, result->statistics.seconds.advect);
+        metrics.observe(Stage::Refine, result->statistics.seconds.refine);
+    }
 }
 
 core::Result<protocol::EncodedUpdate> no_room() {

@@ -44,6 +44,7 @@ const std::map<std::string, Row> rows{
     {"time.pause", {Role::Editor, About::Session}},
     {"dataset.list", {Role::Viewer, About::Nothing}},
     {"dataset.describe", {Role::Viewer, About::Nothing}},
+    {"dataset.suggest", {Role::Viewer, About::Nothing}},
     {"dataset.open", {Role::Viewer, About::Nothing}},
     {"cache.status", {Role::Viewer, About::Nothing}},
     {"probe.sample", {Role::Viewer, About::Nothing}},

@@ -8,7 +8,7 @@ import { AppState } from '../state/appState.ts';
 import { answering } from '../testing/answering.ts';
 import { datasetOf, rakeOf, surfaceOf, suggestionOf } from '../testing/records.ts';
 import { CallError } from '../worker/workerClient.ts';
-import { Suggestions } from './suggestions.ts';
+import { Suggestions } from './sessions/suggestions.ts';
 import { OpenDataset } from './openDataset.ts';
 import { SessionController } from './sessionController.ts';
 

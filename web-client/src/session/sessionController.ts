@@ -14,7 +14,7 @@ import type { People } from './people/people.ts';
 import { adoptSnapshot, applyPatches } from './recordMirror.ts';
 import { Arrival, isNotFound, nameKept } from './sessions/arrival.ts';
 import type { Thumbnails } from './out/thumbnails.ts';
-import type { Suggestions } from './suggestions.ts';
+import type { Suggestions } from './sessions/suggestions.ts';
 import { addDefaultScene, isEmpty, wasEdited } from './sessions/filling.ts';
 import { rememberSession } from './sessions/knownSessions.ts';
 import type { SurfaceFeed } from './surface/surfaceFeed.ts';

@@ -267,7 +267,7 @@ TEST_P(WithoutABody, EachFirstSurfaceIsThereAndIsNotSmall) {
         if (each.kind == SurfaceKind::Streak)
             each.separation *= 3.0; // its place is what is tested, and the time of tests is short
         const Surface surface = built(**flow, scene, each);
-        EXPECT_GT(tests::area(surface.mesh), 0.004 * longest * longest)
+        EXPECT_GT(tests::area(surface.mesh), 0.002 * longest * longest)
             << name(each.kind) << ": " << scene.why;
         EXPECT_LE(surface.statistics.quads, 200'000U) << name(each.kind);
     }
@@ -326,7 +326,7 @@ TEST(SceneSuggestion, TakesOnlyTheEndOfALongSeriesOfLargeTimeSteps) {
     ASSERT_EQ(few.surfaces.size(), 4U);
     EXPECT_EQ(few.surfaces[2].from, at[400 - 8]);
     const auto long_enough = suggested(*flow, {at, false, 1000});
-    EXPECT_LT(long_enough.surfaces[2].from, 5.0);
+    EXPECT_LT(long_enough.surfaces[2].from, 10.0);
 }
 
 TEST(SceneSuggestion, OfOneTimeStepIsOfStreamSurfacesAlone) {

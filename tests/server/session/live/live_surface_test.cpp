@@ -99,7 +99,7 @@ class LiveSurfaceTest : public testing::Test {
 
 TEST_F(LiveSurfaceTest, ShowsACoarseARefinedAndAFinalStateWhereTheFinalOneIsLongInComing) {
     wall.each = std::chrono::milliseconds(10);
-    surface->rebuild(job_of(core::SurfaceKind::Stream, 0.05));
+    surface->rebuild(job_of(core::SurfaceKind::Stream, 0.01));
     settle();
     ASSERT_EQ(seen.size(), 3U);
     EXPECT_EQ(seen[0].header.phase, Phase::Coarse);
@@ -116,7 +116,7 @@ TEST_F(LiveSurfaceTest, ShowsACoarseARefinedAndAFinalStateWhereTheFinalOneIsLong
 
 TEST_F(LiveSurfaceTest, SaysWhatEachPassTookFromTheEditOn) {
     wall.each = std::chrono::milliseconds(10);
-    surface->rebuild(job_of(core::SurfaceKind::Stream, 0.05));
+    surface->rebuild(job_of(core::SurfaceKind::Stream, 0.01));
     wall.time += std::chrono::milliseconds(250); // no one takes the job so long
     settle();
     ASSERT_EQ(took.size(), 3U);

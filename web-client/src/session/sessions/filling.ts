@@ -3,7 +3,7 @@
 import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { SessionSnapshot } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
-import type { Suggestions } from '../suggestions.ts';
+import type { Suggestions } from './suggestions.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
 
 export function isEmpty({ rakes, surfaces, bookmarks, annotations }: SessionSnapshot): boolean {
@@ -18,7 +18,11 @@ export async function wasEdited(worker: Pick<WorkerClient, 'call'>, session: str
 
 /** No edit of anyone's for the server, which takes it only where it is the first. False: it was not. */
 export async function addDefaultScene(
-    { worker, state, suggestions }: { worker: Pick<WorkerClient, 'call'>; state: AppState; suggestions: Pick<Suggestions, 'here'> },
+    {
+        worker,
+        state,
+        suggestions,
+    }: { worker: Pick<WorkerClient, 'call'>; state: AppState; suggestions: Pick<Suggestions, 'here'> },
     dataset: string,
     { rakes, surfaces }: SessionSnapshot,
 ): Promise<boolean> {

@@ -171,11 +171,8 @@ export class ColourPanel extends SignalElement {
         return html`
             ${
                 known
-                    ? checkRow(
-                          'data-range',
-                          'Over all the data, not this surface',
-                          !locked && look.rangeOf === 'data',
-                          (on) => this.change({ range: null, rangeOf: on ? 'data' : 'surface' }),
+                    ? checkRow('data-range', 'Over all the data, not this surface', !locked && look.rangeOf === 'data', (on) =>
+                          this.change({ range: null, rangeOf: on ? 'data' : 'surface' }),
                       )
                     : nothing
             }
