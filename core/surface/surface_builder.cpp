@@ -124,12 +124,14 @@ void count_columns(const Sheet& sheet, SurfaceStatistics& statistics) {
 }
 
 /// Joins the sheets to one mesh. Error: Cancelled where there is no memory.
-Result<Bare> joined(const std::vector<Sheet>& sheets, const WorkPart& work) {
+Result<Bare>
+joined(const std::vector<Sheet>& sheets, const std::stop_token& stop, const WorkPart& work) {
     Bare out;
     for (const Sheet& sheet : sheets) {
         if (!work.takes(sheet.quads() * mesh_bytes))
             return no_memory();
-        append_sheet(out.mesh, sheet);
+        if (!append_sheet(out.mesh, sheet, stop))
+            return fail(Error::Code::Cancelled, "the surface was cancelled");
         count_columns(sheet, out.statistics);
     }
     return out;
@@ -176,7 +178,7 @@ Result<Bare> build_within_budget(const Flow& flow,
             return tl::unexpected(sheets.error());
         std::optional<Bare> bare;
         if (*sheets) {
-            auto made = joined(**sheets, work);
+            auto made = joined(**sheets, stop, work);
             if (!made)
                 return tl::unexpected(made.error());
             bare = std::move(*made);

@@ -313,10 +313,12 @@ class ColumnMerger {
 void merge_columns(std::vector<Cell>& cells,
                    std::span<const ColumnSpan> columns,
                    std::span<const Vec3> position,
-                   const MergeLimits& limits) {
+                   const MergeLimits& limits,
+                   const std::stop_token& stop) {
     ColumnMerger merger(cells, position, limits);
     for (const ColumnSpan& column : columns)
-        merger.merge(column);
+        if (!stop.stop_requested())
+            merger.merge(column);
     merger.drop_dead_cells();
 }
 

@@ -8,6 +8,7 @@
 #include "core/surface/quad_complex.hpp"
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace wakesurf::core {
@@ -27,13 +28,14 @@ struct MergeLimits {
         -1.0; ///< of that at which the one then meets those beside it; -1: any
 };
 
-/// Merges cells across `columns`, in their order. Which vertices remain in use, the cells tell.
+/// Merges cells across `columns`, in their order. Which vertices remain in use, the cells tell. Stopped: of some columns.
 ///
 /// @param cells  faces as a sheet zips them: sides 1 and 3 run along columns
 /// Cost: O(cells + vertices of the columns).
 void merge_columns(std::vector<Cell>& cells,
                    std::span<const ColumnSpan> columns,
                    std::span<const Vec3> position,
-                   const MergeLimits& limits);
+                   const MergeLimits& limits,
+                   const std::stop_token& stop = {});
 
 } // namespace wakesurf::core

@@ -62,7 +62,8 @@ class Neighbour {
 
 } // namespace
 
-CurveErrors::CurveErrors(std::vector<const SeededCurve*> curves) : curves_(std::move(curves)) {
+CurveErrors::CurveErrors(std::vector<const SeededCurve*> curves, const std::stop_token& stop)
+    : curves_(std::move(curves)) {
     const auto before = [](const SeededCurve* a, const SeededCurve* b) { return a->s < b->s; };
     std::sort(curves_.begin(), curves_.end(), before);
     curves_.erase(std::unique(curves_.begin(), curves_.end()), curves_.end());
@@ -70,7 +71,7 @@ CurveErrors::CurveErrors(std::vector<const SeededCurve*> curves) : curves_(std::
     tbb::this_task_arena::isolate([&] {
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, curves_.size(), 4), [&](const auto& range) {
-                for (std::size_t i = range.begin(); i != range.end(); ++i)
+                for (std::size_t i = range.begin(); i != range.end() && !stop.stop_requested(); ++i)
                     knots_[i] = along(*curves_[i], i > 0 ? curves_[i - 1] : nullptr,
                                       i + 1 < curves_.size() ? curves_[i + 1] : nullptr);
             });

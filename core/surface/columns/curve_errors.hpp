@@ -6,6 +6,7 @@
 #include "core/surface/columns/strip.hpp"
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace wakesurf::core {
@@ -19,7 +20,8 @@ namespace wakesurf::core {
 class CurveErrors {
   public:
     /// @param curves  of the sheet's columns, in any order, repeated or not; must outlive this
-    explicit CurveErrors(std::vector<const SeededCurve*> curves);
+    /// @param stop    leaves curves without estimates, so that at() must not be asked
+    explicit CurveErrors(std::vector<const SeededCurve*> curves, const std::stop_token& stop = {});
 
     /// Length. @param arc  on the curve, from its seed
     float at(const SeededCurve* curve, double arc) const;

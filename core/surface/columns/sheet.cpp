@@ -91,25 +91,32 @@ Strip Sheet::strip_between(double left, double right_s) const {
 }
 
 /// The columns that strips end at, each made once for the strips on either side.
-void Sheet::make_end_columns() {
+void Sheet::make_end_columns(const std::stop_token& stop) {
     std::vector<SeededCurve*> ends;
     for (const double s : seeds_)
         if (SeededCurve* end = curve_at_.at(s); end->column.position.empty())
             ends.push_back(end);
     tbb::this_task_arena::isolate([&] {
         tbb::parallel_for(std::size_t{0}, ends.size(), [&](std::size_t i) {
-            ends[i]->column = make_column(ends[i]->s, ends[i]->curve, 0.0, limits_.spacing);
+            if (!stop.stop_requested())
+                ends[i]->column = make_column(ends[i]->s, ends[i]->curve, 0.0, limits_.spacing);
         });
     });
 }
 
-std::size_t Sheet::zip(const std::vector<std::size_t>& dirty, const Clock& clock) {
+/// Returns the quads that there are then. Error: Cancelled.
+Result<std::size_t>
+Sheet::zip(const std::vector<std::size_t>& dirty, const Clock& clock, const std::stop_token& stop) {
     const auto start = clock.now();
-    make_end_columns();
+    make_end_columns(stop);
     tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(std::size_t{0}, dirty.size(),
-                          [&](std::size_t i) { strips_[dirty[i]].zip(limits_); });
+        tbb::parallel_for(std::size_t{0}, dirty.size(), [&](std::size_t i) {
+            if (!stop.stop_requested())
+                strips_[dirty[i]].zip(limits_);
+        });
     });
+    if (stop.stop_requested())
+        return fail(Error::Code::Cancelled, "the surface was cancelled");
     seconds_.refine += elapsed(clock, start);
     return quads();
 }
@@ -183,10 +190,12 @@ Result<bool> Sheet::build(const std::set<double>& seeds,
                 break;
             round = 0;
         } else {
-            const std::size_t quads = zip(dirty, clock);
-            if (quads > options_.max_quads)
+            const auto quads = zip(dirty, clock, stop);
+            if (!quads)
+                return tl::unexpected(quads.error());
+            if (*quads > options_.max_quads)
                 return false;
-            if (auto held = hold(quads, counted, work); !held)
+            if (auto held = hold(*quads, counted, work); !held)
                 return tl::unexpected(held.error());
             for (const std::size_t i : dirty)
                 if (round >= most_rounds)

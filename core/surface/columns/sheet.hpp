@@ -83,8 +83,9 @@ class Sheet {
     double part_without(const std::vector<std::size_t>& dirty) const;
     void cut_at(const std::vector<double>& new_seeds);
     Strip strip_between(double left, double right_s) const;
-    void make_end_columns();
-    std::size_t zip(const std::vector<std::size_t>& dirty, const Clock& clock);
+    void make_end_columns(const std::stop_token& stop);
+    Result<std::size_t>
+    zip(const std::vector<std::size_t>& dirty, const Clock& clock, const std::stop_token& stop);
 
     const Flow& flow_;
     SeedingCurve seeding_;

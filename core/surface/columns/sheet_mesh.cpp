@@ -86,7 +86,10 @@ std::vector<Cell> cells_of(const Sheet& sheet, const ColumnNumbers& numbers) {
     return cells;
 }
 
-void merge(const Sheet& sheet, const ColumnNumbers& numbers, std::vector<Cell>& cells) {
+void merge(const Sheet& sheet,
+           const ColumnNumbers& numbers,
+           std::vector<Cell>& cells,
+           const std::stop_token& stop) {
     const SheetOptions& options = sheet.options();
     if (options.merge <= 0.0)
         return;
@@ -108,12 +111,15 @@ void merge(const Sheet& sheet, const ColumnNumbers& numbers, std::vector<Cell>& 
     const double angle = options.angle * std::numbers::pi / 180.0;
     const double joined = 2.0 * options.merge * options.separation;
     merge_columns(cells, columns, position,
-                  {sheet.rules(), 0.65 * joined, joined, std::cos(0.5 * angle), std::cos(angle)});
+                  {sheet.rules(), 0.65 * joined, joined, std::cos(0.5 * angle), std::cos(angle)},
+                  stop);
 }
 
 /// Appends the vertices in use and returns what each is called in the mesh.
-std::vector<VertexId>
-append_vertices(SheetMesh& mesh, const ColumnNumbers& numbers, const std::vector<Cell>& cells) {
+std::vector<VertexId> append_vertices(SheetMesh& mesh,
+                                      const ColumnNumbers& numbers,
+                                      const std::vector<Cell>& cells,
+                                      const std::stop_token& stop) {
     constexpr VertexId used = no_vertex - 1;
     std::vector<VertexId> id(numbers.count(), no_vertex);
     for (const Cell& cell : cells)
@@ -125,7 +131,7 @@ append_vertices(SheetMesh& mesh, const ColumnNumbers& numbers, const std::vector
     std::vector<const SeededCurve*> curves;
     for (const auto& entry : numbers.entries())
         curves.push_back(entry.column.curve);
-    const CurveErrors errors(std::move(curves));
+    const CurveErrors errors(std::move(curves), stop);
     QuadComplex& complex = mesh.complex;
     const std::size_t total = complex.vertices() + numbers.count();
     complex.position.reserve(total);
@@ -135,6 +141,8 @@ append_vertices(SheetMesh& mesh, const ColumnNumbers& numbers, const std::vector
     complex.error.reserve(total);
     mesh.stretch.reserve(total);
     for (const auto& entry : numbers.entries()) {
+        if (stop.stop_requested())
+            return id;
         const double s = entry.column.curve->s;
         for (VertexId k = 0; k < entry.span.count; ++k) {
             VertexId& own = id[entry.span.first + k];
@@ -160,11 +168,16 @@ append_vertices(SheetMesh& mesh, const ColumnNumbers& numbers, const std::vector
 
 } // namespace
 
-void append_sheet(SheetMesh& mesh, const Sheet& sheet) {
+bool append_sheet(SheetMesh& mesh, const Sheet& sheet, const std::stop_token& stop) {
     const ColumnNumbers numbers(sheet);
     std::vector<Cell> cells = cells_of(sheet, numbers);
-    merge(sheet, numbers, cells);
-    const std::vector<VertexId> id = append_vertices(mesh, numbers, cells);
+    if (!stop.stop_requested())
+        merge(sheet, numbers, cells, stop);
+    if (stop.stop_requested())
+        return false;
+    const std::vector<VertexId> id = append_vertices(mesh, numbers, cells, stop);
+    if (stop.stop_requested())
+        return false;
     for (Cell& cell : cells) {
         for (std::size_t k = 0; k < 4; ++k) {
             cell.corner[k] = id[cell.corner[k]];
@@ -178,6 +191,7 @@ void append_sheet(SheetMesh& mesh, const Sheet& sheet) {
         mesh.complex.cells = std::move(cells);
     else
         mesh.complex.cells.insert(mesh.complex.cells.end(), cells.begin(), cells.end());
+    return true;
 }
 
 } // namespace wakesurf::core

@@ -5,6 +5,7 @@
 #include "core/surface/quad_complex.hpp"
 
 #include <map>
+#include <stop_token>
 #include <vector>
 
 namespace wakesurf::core {
@@ -18,7 +19,7 @@ struct SheetMesh {
 };
 
 /// Merges what converges (column_merge.hpp), then appends the vertices some cell uses, column by column along the rake, so that neighbours in space are neighbours in
-/// memory, and all cells. Cost: O(vertices + cells).
-void append_sheet(SheetMesh& mesh, const Sheet& sheet);
+/// memory, and all cells. Cost: O(vertices + cells). False: it was stopped, and the mesh is of no use.
+bool append_sheet(SheetMesh& mesh, const Sheet& sheet, const std::stop_token& stop = {});
 
 } // namespace wakesurf::core
