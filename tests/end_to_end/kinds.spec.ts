@@ -20,14 +20,15 @@ afterEach(async () => {
 });
 
 /** The record after an edit has reached the screen. */
-async function edited(edit: () => Promise<unknown>): Promise<SurfaceRecord> {
+/** @param cells  the least of the surface then */
+async function edited(edit: () => Promise<unknown>, cells = 100): Promise<SurfaceRecord> {
     const before = await ask(page, (hook) => hook.displayed?.epoch ?? 0);
     await edit();
     await page.waitForFunction((old) => (window.wakesurf?.displayed?.epoch ?? 0) > old, before);
     await finalSurface(page);
     const session = await ask(page, (hook) => hook.session);
     const { surfaces } = (await stand.server.call('surface.list', { session })) as { surfaces: SurfaceRecord[] };
-    expect(await ask(page, (hook) => hook.displayed?.cells ?? 0)).toBeGreaterThan(100);
+    expect(await ask(page, (hook) => hook.displayed?.cells ?? 0)).toBeGreaterThan(cells);
     return surfaces[0]!;
 }
 
@@ -77,7 +78,7 @@ describe('the kinds of surface', () => {
         await slider.focus();
         await page.keyboard.press('End');
         expect(await slider.inputValue()).toBe(String(path.to - path.from));
-        const shorter = await edited(() => page.keyboard.press('Home'));
+        const shorter = await edited(() => page.keyboard.press('Home'), 0);
         expect(shorter.to).toBeCloseTo(path.from + (path.to - path.from) / 100);
     });
 
@@ -88,7 +89,6 @@ describe('the kinds of surface', () => {
         expect(stream.to).toBeLessThan(16);
         const streak = await edited(() => page.getByRole('radio', { name: 'Streak' }).check());
         expect(streak).toMatchObject({ kind: 'streak', direction: 'backward', from: 16, to: 8.5 });
-        await page.getByText(/^Shown at 8.5 now, no longer at 16:/).waitFor();
         await page.getByText('t = 8.5', { exact: true }).waitFor();
         await screenshot(page, 'streak-backward');
         await page.reload();

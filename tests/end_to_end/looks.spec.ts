@@ -7,10 +7,11 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { encodeLinkState } from '../../web-client/src/session/view/linkState.ts';
 import { steadyRange } from '../../web-client/src/scene/surface/steadyRange.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
+import { maskSize } from '../../web-client/src/scene/surface/maskCode.ts';
 import { stripePeriodPx } from '../../web-client/src/scene/surface/patternShader.ts';
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
 import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
-import { agreement, hitsOver, type Rgb, seenVertices } from './support/look_facts.ts';
+import { agreement, hitsOver, hitsRound, type PlacedPick, type Rgb, seenVertices } from './support/look_facts.ts';
 import { serverStats } from './support/server_mesh.ts';
 import { bundledStore, ServerProcess, temporaryFolder } from './support/server_process.ts';
 import { closePages, testBrowser } from './support/test_browser.ts';
@@ -83,16 +84,16 @@ describe('colours', () => {
         expect(await scalarBar()).toBe(`Colours: Age from 0 to ${Number(whole[1].toPrecision(4))}`);
         expect(agreement(seen, age, { map: 'viridis', range: whole })).toBeGreaterThan(0.97);
 
-        await page.getByLabel('Range to').fill('6');
+        await page.getByLabel('Range to').fill('12');
         await page.getByLabel('Range to').press('Enter');
-        await page.getByLabel('Range from').fill('1');
+        await page.getByLabel('Range from').fill('2');
         await page.getByLabel('Range from').press('Tab');
         await drawn();
         const locked = await seenVertices(page, 5);
         expect(await page.locator('#lock-range').isChecked()).toBe(true);
-        expect(await scalarBar()).toBe('Colours: Age from 1 to 6');
-        expect(agreement(locked, age, { map: 'viridis', range: [1, 6] })).toBeGreaterThan(0.97);
-        expect(agreement(locked, age, { map: 'viridis', range: whole })).toBeLessThan(0.6);
+        expect(await scalarBar()).toBe('Colours: Age from 2 to 12');
+        expect(agreement(locked, age, { map: 'viridis', range: [2, 12] })).toBeGreaterThan(0.97);
+        expect(agreement(locked, age, { map: 'viridis', range: whole })).toBeLessThan(0.3);
 
         await page.locator('#invert').focus();
         await page.keyboard.press('Space');
@@ -100,16 +101,16 @@ describe('colours', () => {
         await page.keyboard.press('Space');
         await drawn();
         const both = await seenVertices(page, 5);
-        expect(await scalarBar()).toBe('Colours: Age from 1 to 6, logarithmic');
+        expect(await scalarBar()).toBe('Colours: Age from 2 to 12, logarithmic');
         expect(
             agreement(both, age, {
                 map: 'viridis',
-                range: [1, 6],
+                range: [2, 12],
                 log: true,
                 invert: true,
             }),
         ).toBeGreaterThan(0.97);
-        expect(agreement(both, age, { map: 'viridis', range: [1, 6], invert: true })).toBeLessThan(0.85);
+        expect(agreement(both, age, { map: 'viridis', range: [2, 12], invert: true })).toBeLessThan(0.5);
         await screenshot(page, 'look-age-log');
 
         await page.locator('#lock-range').uncheck();
@@ -166,7 +167,7 @@ describe('colours', () => {
             (epoch) => window.wakesurf!.phase === 'final' && window.wakesurf!.displayed!.epoch > epoch,
             before,
         );
-        await expect.poll(scalarBar).toMatch(/^Colours: Estimated error .*, logarithmic$/);
+        await expect.poll(scalarBar).toMatch(/^Colours: Estimated error .*, logarithmic, of this surface$/);
         await drawn();
         const error99 = (await serverStats(server, page)).error99!;
         const errors = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar).sort((a, b) => a - b);
@@ -175,6 +176,11 @@ describe('colours', () => {
         const words = await page.locator('wakesurf-status').getByRole('status').textContent();
         expect(words).toMatch(/^Final, 99 % of vertices within \S+$/);
         const least = errors[0]! > 0 ? errors[0]! : most / 1000;
+        const written = /from (\S+) to ([^\s,]+),/
+            .exec((await scalarBar())!)!
+            .slice(1)
+            .map((text) => Number(text.replace('−', '-')));
+        [least, most].forEach((end, i) => expect(Math.abs(written[i]! / end - 1)).toBeLessThan(1e-3));
         const seen = await seenVertices(page, 3);
         const colours = {
             map: 'viridis',
@@ -352,10 +358,13 @@ describe('what is shown of a surface', () => {
 
     it('is what the brush has revealed, exactly, and what it has not erased', async () => {
         await openGroup('#paint-group');
+        const hidden = await page.evaluate(() => window.wakesurf!.project([4, -0.3, 3])!);
+        const round = (): Promise<PlacedPick[]> => hitsRound(page, hidden, 100);
+        const before = await round();
+        const times = (await ask(page, (hook) => hook.vertices(1))).map(({ t }) => t);
         await page.locator('#painting').check();
         await drawn();
         expect((await hitsOver(page, 12)).filter(({ surface }) => surface !== null)).toHaveLength(0);
-        const hidden = await page.evaluate(() => window.wakesurf!.project([4, -0.3, 3])!);
         const [from, to] = [
             { x: hidden.x - 60, y: hidden.y },
             { x: hidden.x + 60, y: hidden.y + 10 },
@@ -372,7 +381,19 @@ describe('what is shown of a surface', () => {
         };
         const revealed = (await hitsOver(page, 7)).filter(({ surface }) => surface !== null);
         expect(revealed.length).toBeGreaterThan(80);
-        expect(Math.max(...revealed.map(({ at }) => apart(at)))).toBeLessThan(24 + 2.5);
+        // What was under the brush, but for a pixel of rounding, and what is within a texel and a half of that in the mask: where s and t
+        // change along the same direction of the picture, a texel is long and thin in it.
+        const texel = { s: 1 / maskSize, t: (Math.max(...times) - Math.min(...times)) / maskSize };
+        const touched = before.filter(({ at }) => apart(at) <= 24 + 1);
+        const texelsOff = (hit: PlacedPick): number => {
+            if (apart(hit.at) <= 24 + 1) return 0;
+            const off = touched.map(({ s, t }) => Math.max(Math.abs(s - hit.s) / texel.s, Math.abs(t - hit.t) / texel.t));
+            return Math.min(...off);
+        };
+        const after = await round();
+        expect(after.length).toBeGreaterThan(5000);
+        expect(Math.max(...[...revealed, ...after].map(texelsOff))).toBeLessThan(1.5);
+        expect(after.filter(({ at }) => apart(at) < 24 + 2.5).length / after.length).toBeGreaterThan(0.975);
         await screenshot(page, 'look-painted');
         await page.getByRole('button', { name: 'Reveal all' }).click();
         await drawn();

@@ -52,7 +52,7 @@ describe('the printed link', () => {
         for (let visit = 0; visit < 3; ++visit) pages.push(await stand.visit({ ...size, link: stand.server.link }));
         expect(await Promise.all(pages.map(sessionOf))).toEqual(['main', 'main', 'main']);
         expect(await listed()).toMatchObject([{ session: 'main', rakes: 1, surfaces: 1, edited: false, participants: 3 }]);
-        await dragHandle(pages[0]!, 0, 12, 8, 3);
+        await dragHandle(pages[0]!, 0, 12, -8, 3);
         const moved = await ask(pages[0]!, (hook) => hook.rakePoints);
         await pages[1]!.waitForFunction(
             (points) => JSON.stringify(window.wakesurf!.rakePoints) === JSON.stringify(points),
@@ -145,7 +145,7 @@ describe('the list of sessions', () => {
 
     it('copies a session with its rakes, and leads to the copy', async () => {
         const page = await stand.visit({ ...size, link: await stand.server.newSession('Original') });
-        await dragHandle(page, 0, 10, 6, 3);
+        await dragHandle(page, 0, 10, -6, 3);
         const points = await ask(page, (hook) => hook.rakePoints);
         await openList(page);
         await card(page, 'Original').getByRole('button', { name: 'Copy' }).click();

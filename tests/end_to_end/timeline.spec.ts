@@ -210,6 +210,7 @@ describe('the timeline', () => {
         await becomes(records, ({ surface }) => {
             seen.add(surface.from);
             expect(surface.from).toBeGreaterThanOrEqual(10.5);
+            expect(surface.from, 'it began at the last time-step, and plays from the first').toBeLessThan(16);
         });
         expect(seen.size).toBeGreaterThanOrEqual(3);
         await page.getByRole('button', { name: 'Pause' }).click();

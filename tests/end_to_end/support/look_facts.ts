@@ -72,6 +72,8 @@ export function agreement(
     return hues.filter((apart) => Math.min(apart, 360 - apart) < 12).length / hues.length;
 }
 
+export type PlacedPick = Pick<PickHit, 's' | 't'> & { at: ScreenPoint };
+
 export interface PlacedHit extends PickHit {
     at: ScreenPoint;
     /** How s and t change by a pixel; null at an edge. */
@@ -104,4 +106,18 @@ export async function hitsOver(page: Page, stepPx: number): Promise<PlacedHit[]>
         }
         return found;
     }, stepPx);
+}
+
+/** What of surfaces is seen at every pixel of a square round a position in the window. */
+export async function hitsRound(page: Page, centre: ScreenPoint, radiusPx: number): Promise<PlacedPick[]> {
+    return page.evaluate(
+        ({ at, radius }) => {
+            const { corner, size, hits } = window.wakesurf!.pickGrid(at, radius);
+            return hits.flatMap((hit, i) => {
+                if (!hit?.surface) return [];
+                return [{ s: hit.s, t: hit.t, at: { x: corner.x + (i % size), y: corner.y + Math.floor(i / size) } }];
+            });
+        },
+        { at: centre, radius: radiusPx },
+    );
 }
