@@ -7,11 +7,20 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { encodeLinkState } from '../../web-client/src/session/view/linkState.ts';
 import { steadyRange } from '../../web-client/src/scene/surface/steadyRange.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { maskSize } from '../../web-client/src/scene/surface/maskCode.ts';
 import { stripePeriodPx } from '../../web-client/src/scene/surface/patternShader.ts';
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
 import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
-import { agreement, hitsOver, hitsRound, type PlacedPick, type Rgb, seenVertices } from './support/look_facts.ts';
+import {
+    agreement,
+    distanceFrom,
+    hitsOver,
+    hitsRound,
+    light,
+    type PlacedPick,
+    type Rgb,
+    seenVertices,
+    texelsFrom,
+} from './support/look_facts.ts';
 import { serverStats } from './support/server_mesh.ts';
 import { bundledStore, ServerProcess, temporaryFolder } from './support/server_process.ts';
 import { closePages, testBrowser } from './support/test_browser.ts';
@@ -68,11 +77,6 @@ async function openGroup(id: string, open = true): Promise<void> {
     const group = page.locator(id);
     if ((await group.evaluate((each) => (each as HTMLDetailsElement).open)) !== open) await group.locator('summary').click();
 }
-
-const light = ([r, g, b]: Rgb): number => {
-    const [x, y, z] = [r, g, b].map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
-    return 0.2126 * x! + 0.7152 * y! + 0.0722 * z!;
-};
 
 describe('colours', () => {
     it('are those of the age: automatic, locked by typed numbers, inverted, logarithmic', async () => {
@@ -182,11 +186,7 @@ describe('colours', () => {
             .map((text) => Number(text.replace('−', '-')));
         [least, most].forEach((end, i) => expect(Math.abs(written[i]! / end - 1)).toBeLessThan(1e-3));
         const seen = await seenVertices(page, 3);
-        const colours = {
-            map: 'viridis',
-            range: [least, most],
-            log: true,
-        } as const;
+        const colours = { map: 'viridis', range: [least, most], log: true } as const;
         expect(agreement(seen, ({ scalar }) => Math.max(scalar, least), colours)).toBeGreaterThan(0.95);
         await screenshot(page, 'look-error');
         await page.locator('#log').uncheck();
@@ -374,25 +374,17 @@ describe('what is shown of a surface', () => {
         await page.mouse.move(to.x, to.y, { steps: 5 });
         await page.mouse.up();
         await drawn();
-        const apart = ({ x, y }: { x: number; y: number }): number => {
-            const [dx, dy] = [to.x - from.x, to.y - from.y];
-            const part = Math.min(1, Math.max(0, ((x - from.x) * dx + (y - from.y) * dy) / (dx * dx + dy * dy)));
-            return Math.hypot(x - from.x - part * dx, y - from.y - part * dy);
-        };
+        const apart = distanceFrom(from, to);
         const revealed = (await hitsOver(page, 7)).filter(({ surface }) => surface !== null);
         expect(revealed.length).toBeGreaterThan(80);
         // What was under the brush, but for a pixel of rounding, and what is within a texel and a half of that in the mask: where s and t
         // change along the same direction of the picture, a texel is long and thin in it.
-        const texel = { s: 1 / maskSize, t: (Math.max(...times) - Math.min(...times)) / maskSize };
         const touched = before.filter(({ at }) => apart(at) <= 24 + 1);
-        const texelsOff = (hit: PlacedPick): number => {
-            if (apart(hit.at) <= 24 + 1) return 0;
-            const off = touched.map(({ s, t }) => Math.max(Math.abs(s - hit.s) / texel.s, Math.abs(t - hit.t) / texel.t));
-            return Math.min(...off);
-        };
+        const texelsOff = texelsFrom(touched, times);
+        const off = (hit: PlacedPick): number => (apart(hit.at) <= 24 + 1 ? 0 : texelsOff(hit));
         const after = await round();
         expect(after.length).toBeGreaterThan(5000);
-        expect(Math.max(...[...revealed, ...after].map(texelsOff))).toBeLessThan(1.5);
+        expect(Math.max(...[...revealed, ...after].map(off))).toBeLessThan(1.5);
         expect(after.filter(({ at }) => apart(at) < 24 + 2.5).length / after.length).toBeGreaterThan(0.975);
         await screenshot(page, 'look-painted');
         await page.getByRole('button', { name: 'Reveal all' }).click();
@@ -451,49 +443,22 @@ describe('transparency', () => {
     /** A long red sheet, and a short blue one behind it, made in this order; pixels where both are seen, and where only the red one is. */
     async function sheets(order: readonly number[]): Promise<{ both: Rgb[]; alone: Rgb[] }> {
         const { session } = await server.call('session.create', {});
-        const { datasets } = (await server.call('dataset.list', {})) as {
-            datasets: { dataset: string }[];
-        };
+        const { datasets } = (await server.call('dataset.list', {})) as { datasets: { dataset: string }[] };
         const looks: Record<string, Partial<SurfaceLook>> = {};
         for (const y of order) {
             const points = [
                 [4, y, 0.5],
                 [4, y, 5],
             ];
-            const { rake } = await server.call('rake.set', {
-                session,
-                kind: 'line',
-                seeds: 8,
-                name: 'Sheet',
-                points,
-            });
+            const { rake } = await server.call('rake.set', { session, kind: 'line', seeds: 8, name: 'Sheet', points });
             const times = { from: 8.5, to: y === front ? 12.5 : 10 };
-            const setting = {
-                session,
-                rake,
-                dataset: datasets[0]!.dataset,
-                kind: 'stream',
-                separation: 0.5,
-                ...times,
-            };
+            const setting = { session, rake, dataset: datasets[0]!.dataset, kind: 'stream', separation: 0.5, ...times };
             const { surface } = await server.call('surface.set', setting);
-            looks[String(surface)] = {
-                colourBy: 'constant',
-                colour: y === front ? '#ff2020' : '#2020ff',
-                opacity: 0.5,
-            };
+            looks[String(surface)] = { colourBy: 'constant', colour: y === front ? '#ff2020' : '#2020ff', opacity: 0.5 };
         }
-        const camera = {
-            position: [6, -18, 3] as Vec3,
-            target: [6, 0, 3] as Vec3,
-            orthographic: false,
-        };
+        const camera = { position: [6, -18, 3] as Vec3, target: [6, 0, 3] as Vec3, orthographic: false };
         const link = new URL(server.link);
-        const state = encodeLinkState({
-            view: { camera, looks },
-            rakes: [],
-            surfaces: [],
-        });
+        const state = encodeLinkState({ view: { camera, looks }, rakes: [], surfaces: [] });
         link.hash = `session=${session as string}&token=${server.token}&state=${state}`;
         const opened = await openPage(context, link.href);
         await opened.waitForFunction(() => {

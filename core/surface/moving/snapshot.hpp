@@ -10,8 +10,7 @@
 namespace wakesurf::core {
 
 /// @param error  of the vertex slots, or empty: the mesh then has no errors
-KeyedMesh
-snapshot(const MovingMesh& mesh, bool deformation, std::span<const float> error = {});
+KeyedMesh snapshot(const MovingMesh& mesh, bool deformation, std::span<const float> error = {});
 
 /// What keeps a moving mesh sound: links that answer each other, no dead vertex in a cell, no zero-length edge, no cell without area,
 /// and all that QuadComplex::validate demands. Empty, or the first violation. Cost: O(cells log cells).

@@ -82,7 +82,8 @@ Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop, const Wo
     if (auto there = go_to(time, stop, here); !there)
         return tl::unexpected(there.error());
     const MovingMesh& mesh = surface_.state().mesh;
-    if (!here.holds(2 * memory_while_moving(mesh) + shown_bytes * mesh.vertices.slots()))
+    if (!here.holds(memory_of(mesh) + memory_while_moving(mesh) +
+                    shown_bytes * mesh.vertices.slots()))
         return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
     if (surface_.time() == time)
         return surface_.mesh();

@@ -1,5 +1,6 @@
 // What the tests of looks compare: vertices that are seen, their pixels, and hues.
 import type { Page } from 'playwright-core';
+import { maskSize } from '../../../web-client/src/scene/surface/maskCode.ts';
 import type { PickHit } from '../../../web-client/src/scene/surface/pickHit.ts';
 import type { SurfaceVertex } from '../../../web-client/src/scene/surface/surfaceMesh.ts';
 import type { ScreenPoint } from '../../../web-client/src/scene/base/view.ts';
@@ -120,4 +121,25 @@ export async function hitsRound(page: Page, centre: ScreenPoint, radiusPx: numbe
         },
         { at: centre, radius: radiusPx },
     );
+}
+
+/** Luminance, 0 to 1, of an sRGB colour. */
+export const light = ([r, g, b]: Rgb): number => {
+    const [x, y, z] = [r, g, b].map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * x! + 0.7152 * y! + 0.0722 * z!;
+};
+
+/** How far a position in the window is from the line between two. */
+export function distanceFrom(from: ScreenPoint, to: ScreenPoint): (at: ScreenPoint) => number {
+    const [dx, dy] = [to.x - from.x, to.y - from.y];
+    return ({ x, y }) => {
+        const part = Math.min(1, Math.max(0, ((x - from.x) * dx + (y - from.y) * dy) / (dx * dx + dy * dy)));
+        return Math.hypot(x - from.x - part * dx, y - from.y - part * dy);
+    };
+}
+
+/** How many texels of a mask over all of s and `times` a place is from the nearest of others. */
+export function texelsFrom(others: readonly PlacedPick[], times: readonly number[]): (hit: PlacedPick) => number {
+    const texel = { s: 1 / maskSize, t: (Math.max(...times) - Math.min(...times)) / maskSize };
+    return (hit) => Math.min(...others.map(({ s, t }) => Math.max(Math.abs(s - hit.s) / texel.s, Math.abs(t - hit.t) / texel.t)));
 }

@@ -24,7 +24,7 @@ SurfaceJob large(SurfaceKind kind, std::size_t fields) {
     job.parameters.to = 4.0;
     job.parameters.accuracy = core::Accuracy::Fast;
     // So that none needs less than 5 MB or more than 30.
-    job.parameters.separation = kind == SurfaceKind::Time     ? 0.08
+    job.parameters.separation = kind == SurfaceKind::Time     ? 0.09
                                 : kind == SurfaceKind::Streak ? 0.075
                                                               : 0.06;
     if (kind == SurfaceKind::Time)
