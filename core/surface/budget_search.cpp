@@ -10,19 +10,19 @@ namespace {
 
 // Of the budget.
 constexpr double first_trial = 1.0 / 24.0;
-constexpr double most_at_first =
-    1.0 / 4.0; ///< until one is counted: it is not known how much too many they are
+/// Until one is counted: it is not known how much too many they are.
+constexpr double most_at_first = 1.0 / 4.0;
 constexpr double last_trial = 0.33;
 constexpr double near_enough = 0.2; ///< for a law of few counts to tell the rest
 constexpr double aimed_at = 0.85;
 constexpr double enough = 0.7;
-constexpr double count_of_given_up =
-    1.15; ///< what is taken for the count of a surface that was given up
+/// What is taken for the count of a surface that was given up.
+constexpr double count_of_given_up = 1.15;
 
-constexpr double least_exponent =
-    1.0; ///< a smaller one measured is a jump of the count between two trials
-constexpr double most_likely =
-    1.6; ///< exponent: quads are small along both of a surface's directions
+/// Of the power law: a smaller one measured is a jump of the count between two trials.
+constexpr double least_exponent = 1.0;
+/// The exponent taken for it far from the budget: between that of rows alone, 1, and that of rows and columns, 2.
+constexpr double most_likely = 1.6;
 constexpr double most_growth = 6.0; ///< of quads, from one trial to the next
 constexpr double closest = 1.01;    ///< ratio of two separations between which no third is tried
 constexpr int most_trials = 12;

@@ -11,8 +11,8 @@ namespace {
 /// Ratios of neighbouring pieces of a line, in the parameter and in length, up to which they are one smooth line.
 constexpr double most_uneven = 4.0;
 constexpr double largest_line_bulge = 0.25; ///< over the chord's length
-constexpr double unknown_error =
-    0.05; ///< of a chord's middle, likewise, where there is nothing beyond
+/// Of a chord's middle, over its length, where there is nothing beyond.
+constexpr double unknown_error = 0.05;
 
 struct LinePoint {
     Vec3 position;
@@ -47,8 +47,8 @@ beyond(const MovingMesh& mesh, CellIndex cell, std::size_t facing, VertexId end,
         return LinePoint{v.position[next], extent(mesh, end, next, cross)};
     };
     for (std::size_t k = 0; k < 4; ++k) {
-        if (there.corner[k] ==
-            end) { // its own line goes on along the side that the two cells do not share
+        // Its own line goes on along the side that the two cells do not share.
+        if (there.corner[k] == end) {
             const std::size_t side = first ? k : (k + 3) % 4;
             if (there.mid[side] != no_vertex)
                 return point(there.mid[side]);
@@ -88,7 +88,6 @@ LineBulge bulge_of_line(const MovingMesh& mesh, CellIndex cell, std::size_t side
     const auto even = [&](double ratio) {
         return ratio > 1.0 / most_uneven && ratio < most_uneven;
     };
-    // Half the second derivative of the parabola through the side and the point beyond one of its ends.
     const auto parabola = [&](std::optional<LinePoint> next, VertexId end,
                               double sign) -> std::optional<Parabola> {
         if (!next)

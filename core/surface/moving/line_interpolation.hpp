@@ -13,8 +13,8 @@ struct LineBulge {
     double error; ///< length by which the middle may be off
 };
 
-/// The polynomial goes through what there is, in the side's parameter: a cubic inside the surface, a parabola at its edge and beside a tear.
-/// The share is 1 where nothing beyond can be used: there is none, or the line is too uneven. Cost: constant.
+/// The polynomial goes through what there is, in the side's parameter: a cubic inside the surface, a parabola at its edge and beside a
+/// tear. Where nothing beyond can be used, or a corner of the cell is dead, the middle stays on the chord, with a large error. Cost: constant.
 LineBulge bulge_of_line(const MovingMesh& mesh, CellIndex cell, std::size_t side);
 
 } // namespace wakesurf::core

@@ -22,7 +22,7 @@ constexpr double most_moves = 4e6, most_quads = 20'000.0, least_quads = 2'000.0;
 // Cells across the body, at least, and along the rake, at most.
 constexpr double across_body = 6.0, along_rake = 40.0, along_rake_in_vortex = 24.0;
 
-/// To so many digits, downward where `down`.
+/// To so many digits.
 double rounded(double value, int digits) {
     if (!(value > 0.0) || !std::isfinite(value))
         return value;
